@@ -1,0 +1,92 @@
+/* algsurf/render.h - a picture of one surface.
+ *
+ * A scene is one surface, one extent, one camera, one material, lights, a background: no more.
+ * It is opaque so that it can grow.  A picture is the same, byte for byte, for any number of threads
+ * and any split into rows.
+ */
+#ifndef ALGSURF_RENDER_H
+#define ALGSURF_RENDER_H
+#include <stdint.h>
+
+#include "algsurf/camera.h"
+#include "algsurf/intersect.h"
+#include "algsurf/shade.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct algsurf_scene algsurf_scene;
+
+typedef enum algsurf_quality {
+    ALGSURF_QUALITY_PREVIEW = 0,  /* no illumination model */
+    ALGSURF_QUALITY_STANDARD = 1, /* lights at their middles, no shadows */
+    ALGSURF_QUALITY_FULL = 2      /* every sample of every light, with shadows */
+} algsurf_quality;
+
+/* A scene showing a surface with defaults: extent all of space, a pinhole camera at (4,3,2.5) looking
+ * at the origin with z up and a field of view of 30 degrees, a neutral material, two lights, white
+ * background, standard quality, 1 sample a pixel, standard tier.  The surface is borrowed: it must
+ * outlive the scene.  Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
+
+/* Releases a scene, not its surface; null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
+
+/* Setters copy their argument; a refused value leaves the scene as it was.  Not to be called while
+ * the scene is being rendered.  Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
+ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
+ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
+/* At most 16 lights; count 0 removes them all. */
+ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
+                                                    int count);
+ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
+ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
+/* n x n samples a pixel, 1 <= n <= 16, on a regular grid. */
+ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
+ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
+                                                       const algsurf_intersect_options *options);
+
+/* Called on the thread that called algsurf_render, after each finished row of that thread and now and
+ * then while it waits, with the number of rows done by all threads; non-zero cancels. */
+typedef int (*algsurf_progress)(int rows_done, int rows_total, void *data);
+
+typedef struct algsurf_render_options {
+    size_t size;           /* sizeof(algsurf_render_options) */
+    int width, height;     /* of the whole picture, 1..65535 each */
+    int row_begin, row_end; /* the slice to draw, 0 <= row_begin < row_end <= height; both 0: all */
+    int threads;           /* 0: as many as there are processors; at most 256 */
+    algsurf_progress progress;
+    void *progress_data;
+} algsurf_render_options;
+
+typedef struct algsurf_render_stats {
+    size_t size;            /* sizeof(algsurf_render_stats), set by the caller */
+    uint64_t rays;          /* one for each sample of each pixel */
+    uint64_t hits;          /* of them, hits of the surface */
+    uint64_t uncertain;     /* of them, undecided (drawn as hits where the surface seems to touch) */
+    uint64_t shadow_rays;
+    double solve_s;         /* seconds spent in intersection, summed over threads */
+    double shade_s;         /* seconds spent in shading and shadows, summed over threads */
+    double total_s;         /* wall time */
+    int threads;            /* used */
+} algsurf_render_stats;
+
+/* Draws rows row_begin .. row_end-1 of the picture.
+ *   pixels   row_end-row_begin rows of width * 3 bytes, red green blue, top row first; each row
+ *            starts stride bytes after the one before, stride >= 3 * width
+ *   hits     null, or (row_end-row_begin) * width doubles: t of the hit along the unit ray of the
+ *            pixel, the smallest over its samples, NaN where none
+ *   stats    null, or receives counts and times
+ * Uncertain samples are drawn as hits at the place of doubt and counted.
+ * Returns OK; CANCELLED (rows drawn so far are valid).  Errors: E_ARGUMENT, E_NO_MEMORY, E_THREAD.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
+                                          uint8_t *pixels, size_t stride, double *hits,
+                                          algsurf_render_stats *stats);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,92 @@
+/* algsurf/surface.h - an algebraic surface P(x,y,z) = 0.
+ *
+ * A surface is an immutable polynomial whose coefficients are doubles, taken as exact numbers.
+ * It may be shared by any number of threads; nothing is allocated after it is made.
+ */
+#ifndef ALGSURF_SURFACE_H
+#define ALGSURF_SURFACE_H
+#include <stddef.h>
+
+#include "algsurf/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct algsurf_surface algsurf_surface;
+
+/* The monomial  a x^i y^j z^k,  i, j, k >= 0. */
+typedef struct algsurf_term {
+    int i, j, k;
+    double a;
+} algsurf_term;
+
+/* A named constant for algsurf_surface_from_equation: a letter, then letters, digits, underscores;
+ * not x, y, z, sqrt. */
+typedef struct algsurf_constant {
+    const char *name;
+    double value;
+} algsurf_constant;
+
+/* Where and why an equation was refused. */
+typedef struct algsurf_parse_error {
+    size_t offset;       /* of the offending character from the start of the text, in bytes */
+    const char *message; /* what was expected or what is wrong there; static */
+} algsurf_parse_error;
+
+/* A surface from its terms, in any order; terms with the same exponents are added (in order, each sum
+ * rounded once), zero terms vanish.  count may be 0 only in error.
+ *   surface  receives the new surface; free it with algsurf_surface_free
+ * Errors: E_ARGUMENT (null, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum overflows),
+ * E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
+ * E_NO_MEMORY.  A non-zero constant is accepted: a surface without points.
+ * Cost: O(count log count).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t count,
+                                                      algsurf_surface **surface);
+
+/* A surface from an equation as text, "x^2 + y^2 = 1 - z^2".
+ * Grammar: + - * / ^ ( ), numbers (decimal or hexadecimal, point and exponent allowed, independent of
+ * the locale), variables x y z, the given constants, sqrt(...) of a constant, implicit multiplication
+ * (3x^2 y), blanks anywhere between tokens, at most one '=' (left minus right).  ^ binds tighter than
+ * unary minus, is right associative and takes a constant integer exponent 0..64; division only by a
+ * constant.  Every coefficient is computed in double-double and rounded once.
+ *   constants, count  named values; may be null when count is 0
+ *   error             may be null; filled only when E_SYNTAX, E_DEGREE, E_RANGE is returned
+ * Errors: E_SYNTAX (also unknown names, sqrt of a negative number, division by zero or by x, y, z),
+ * E_DEGREE, E_RANGE (a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length; nesting
+ * deeper than 200 is E_SYNTAX.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
+                                                         size_t count, algsurf_surface **surface,
+                                                         algsurf_parse_error *error);
+
+/* Releases a surface; null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_surface_free(algsurf_surface *surface);
+
+/* The total degree, 0..ALGSURF_MAX_DEGREE; -1 for null.  Since 1.0. */
+ALGSURF_API int algsurf_surface_degree(const algsurf_surface *surface);
+
+/* The number of non-zero terms; 0 for null.  Since 1.0. */
+ALGSURF_API size_t algsurf_surface_term_count(const algsurf_surface *surface);
+
+/* Copies the terms, sorted by decreasing k, then j, then i; terms must have room for
+ * algsurf_surface_term_count of them.  Errors: E_ARGUMENT (null).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_terms(const algsurf_surface *surface, algsurf_term *terms);
+
+/* P at a point in double.
+ *   value, bound  encloses: |value - P(point)| <= bound; bound may be null
+ * Errors: E_ARGUMENT, E_NOT_FINITE (point), E_RANGE (overflow).  Cost: O(terms) for dense surfaces.
+ * Source: nested Horner scheme with the same scheme on magnitudes as its error bound.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3],
+                                                 double *value, double *bound);
+
+/* P and its gradient at a point in double, with bounds on each error; both bounds may be null.
+ * Errors, source: as above.  Cost: about three times algsurf_surface_value.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3],
+                                                    double *value, double gradient[3], double *value_bound,
+                                                    double gradient_bound[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,46 @@
+/* surface_impl.h - how a surface is stored, for the rooms that evaluate and expand it.
+ *
+ * Lengths are measured in the surface's natural unit 2^unit, in which the terms of highest degree
+ * and the others balance, and P is multiplied by 2^scale, so that the largest coefficient lies in
+ * [1/2, 1).  Both are powers of two: coef = a 2^(unit (i+j+k) + scale) is exact, and so is every
+ * value, unless it leaves the range of double.  `inexact` tells that a coefficient did (it then is
+ * off by at most 2^-1074, far below any bound's absolute part).
+ *
+ * Horner's scheme nests x in y in z.  For each power k of z a level, for each power j of y in it a
+ * row: the dense coefficients of x^0 .. x^(length-1), length 0 when the row is empty.
+ */
+#ifndef ALGSURF_SURFACE_IMPL_H
+#define ALGSURF_SURFACE_IMPL_H
+#include "algsurf/surface.h"
+
+typedef struct algsurf_row {
+    size_t first; /* index into coef */
+    int length;   /* degree in x plus one; 0: no terms */
+} algsurf_row;
+
+typedef struct algsurf_level {
+    size_t first; /* index into rows of power y^0 */
+    int count;    /* degree in y plus one; 0: no terms */
+} algsurf_level;
+
+struct algsurf_surface {
+    int degree; /* total */
+    int unit, scale;
+    int inexact;
+    size_t term_count;
+    algsurf_term *terms; /* the caller's coefficients, merged, sorted by decreasing k, j, i */
+    int level_count;     /* degree in z plus one */
+    algsurf_level *levels;
+    algsurf_row *rows;
+    double *coef;
+};
+
+/* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
+ * natural coordinates), in double, no bounds: gradient may be null. */
+double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
+
+/* The value, and an error bound on it, in natural units and scale, for a point whose coordinates
+ * carry relative errors of at most u each (point rounded from an exact one). */
+double algsurf_i_surface_value_bound(const algsurf_surface *s, const double x[3], double *bound);
+
+#endif
