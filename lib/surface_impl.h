@@ -27,6 +27,7 @@ struct algsurf_surface {
     int degree; /* total */
     int unit, scale;
     int inexact;
+    double smallest; /* least magnitude of the non-zero coef */
     size_t term_count;
     algsurf_term *terms; /* the caller's coefficients, merged, sorted by decreasing k, j, i */
     int level_count;     /* degree in z plus one */

@@ -35,7 +35,8 @@ typedef struct algsurf_extent {
  *   meets  1: the chord has points; 0: it has none (chord is then not written)
  * The ends are rounded to nearest after a computation about the ray's point nearest to the centre:
  * a far origin costs no digits.  Guarantee: approximate (within a few units in the last place of the
- * distance from the origin); t_min and t_max of the ray itself are kept exactly.
+ * distance from the origin to the far side of the extent, also where the ray only grazes it); t_min
+ * and t_max of the ray itself are kept exactly.
  * Errors: E_ARGUMENT (null, zero direction, NaN t, unknown kind, size not positive), E_NOT_FINITE.
  * Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray,

@@ -29,7 +29,7 @@ typedef struct algsurf_light {
 } algsurf_light;
 
 /* Position of sample (a,b) of a light, 0 <= a < samples_u, 0 <= b < samples_v.
- * Errors: E_ARGUMENT.  Since 1.0. */
+ * Errors: E_ARGUMENT (also a colour below 0), E_NOT_FINITE (the light).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
 /* The colour seen along the unit direction at a point with the unit normal grad P / |grad P|.
@@ -40,14 +40,16 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  *          + specular sum_l visible_l colour_l max(0, N.H_l)^shininess  where N.L_l > 0;
  * L points to the light's middle, H halves L and the direction to the viewer.
  * A zero normal (a singular point) is lit as if it faced the viewer.
- * Errors: E_ARGUMENT.  Cost: about 20 ns a light.  Source: Blinn 1977.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, negative colours or weights, shininess not positive, visible outside 0..1),
+ * E_NOT_FINITE.  Cost: about 30 ns a light.  Source: Blinn 1977.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_shade(const algsurf_material *material, const algsurf_light *lights,
                                          int count, const double *visible, const double point[3],
                                          const double normal[3], const double direction[3],
                                          double colour[3]);
 
 /* The colour without any illumination model: the base colour of the side seen, darker with the depth
- * (0: nearest .. 1: farthest end of the extent).  Errors: E_ARGUMENT.  Since 1.0. */
+ * (0: nearest .. 1: farthest end of the extent, 0.3 as bright).
+ * Errors: E_ARGUMENT (also a depth outside 0..1), E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_shade_preview(const algsurf_material *material, const double normal[3],
                                                  const double direction[3], double depth, double colour[3]);
 

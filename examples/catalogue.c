@@ -1,0 +1,70 @@
+/* catalogue.c - see catalogue.h.
+ *
+ * Sources: Chuyeshov, Visualization of algebraic surfaces, 2005; Sanjuan-Estrada, Casado, Garcia,
+ * Rendering (complex) algebraic surfaces; Apery, Models of the real projective plane, 1987 (Boy's
+ * surface); Barth, Two projective surfaces with many nodes, 1996.
+ *
+ * The golden ratio p = (1+sqrt(5))/2 comes in powers: p^2 = (3+sqrt(5))/2, p^4 = (7+3sqrt(5))/2,
+ * 1+2p = 2+sqrt(5), 3+5p = (11+5sqrt(5))/2, 2-p = (3-sqrt(5))/2.
+ */
+#include "catalogue.h"
+
+#include <string.h>
+
+#define BALL(radius) {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {radius, 0, 0}}
+
+#define TANGLE "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8"
+
+#define BARTH                                                                                                \
+    "4((3+sqrt(5))/2*x^2 - y^2)((3+sqrt(5))/2*y^2 - z^2)((3+sqrt(5))/2*z^2 - x^2)"                           \
+    " - (2+sqrt(5))(x^2+y^2+z^2-1)^2"
+
+#define DECIC                                                                                                \
+    "8(x^2 - (7+3sqrt(5))/2*y^2)(y^2 - (7+3sqrt(5))/2*z^2)(z^2 - (7+3sqrt(5))/2*x^2)"                        \
+    "(x^4+y^4+z^4 - 2x^2 y^2 - 2x^2 z^2 - 2y^2 z^2)"                                                         \
+    " + (11+5sqrt(5))/2*(x^2+y^2+z^2-1)^2 (x^2+y^2+z^2 - (3-sqrt(5))/2)^2"
+
+#define BOY                                                                                                  \
+    "64(1-z)^3 z^3 - 48(1-z)^2 z^2 (3x^2+3y^2+2z^2)"                                                         \
+    " + 12(1-z)z(27(x^2+y^2)^2 - 24z^2 (x^2+y^2) + 36sqrt(2) y z (y^2-3x^2) + 4z^4)"                         \
+    " + (9x^2+9y^2-2z^2)(-81(x^2+y^2)^2 - 72z^2 (x^2+y^2) + 108sqrt(2) x z (x^2-3y^2) + 4z^4)"
+
+const catalogue_entry catalogue[] = {
+    {"sphere", 2, "x^2 + y^2 + z^2 - 1", BALL(1.2), {2.6, -3.2, 1.9}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.85, 0.25, 0.20}, {0.95, 0.75, 0.45}},
+    {"whitney", 3, "x^2 z + y^2", BALL(2), {3.6, -6.4, 3.2}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.20, 0.55, 0.75}, {0.95, 0.70, 0.30}},
+    {"steiner", 4, "x^2 y^2 + x^2 z^2 + y^2 z^2 + x y z", BALL(0.8), {1.2, -1.7, 1.3}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.90, 0.60, 0.20}, {0.35, 0.45, 0.80}},
+    {"chair", 4, "(x^2+y^2+z^2 - 0.95*5^2)^2 - 0.8((z-5)^2 - 2x^2)((z+5)^2 - 2y^2)", BALL(6),
+     {14, -18, 9}, {0, 0, 0}, {0, 0, 1}, 30, {0.60, 0.30, 0.65}, {0.55, 0.75, 0.35}},
+    {"tangle", 4, TANGLE, BALL(3.7), {7.5, -10, 6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}},
+    {"boy", 6, BOY, {ALGSURF_EXTENT_SPHERE, {0, 0, 1}, {1.9, 0, 0}}, {4.0, -4.8, 4.0}, {0, 0, 1}, {0, 0, 1}, 30,
+     {0.30, 0.60, 0.85}, {0.95, 0.60, 0.25}},
+    {"barth", 6, BARTH, BALL(2), {4.4, -5.6, 3.6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.90, 0.70, 0.25}, {0.30, 0.35, 0.70}},
+    {"barth-sextic", 6, BARTH, BALL(2), {4.4, -5.6, 3.6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.90, 0.70, 0.25}, {0.30, 0.35, 0.70}},
+    {"tanglecube", 4, TANGLE, BALL(3.7), {7.5, -10, 6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}},
+    {"barth-decic", 10, DECIC, BALL(2), {4.4, -5.6, 3.6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.25, 0.65, 0.70}, {0.85, 0.35, 0.40}},
+    {"cusp", 3, "z^3 + x z + y", BALL(2), {4.4, -5.6, 3.6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.40, 0.70, 0.35}, {0.75, 0.40, 0.65}},
+    {"torus", 4, "(x^2+y^2+z^2 - 0.9^2 - 2.5^2)^2 - 4*2.5^2*(0.9^2 - z^2)", BALL(3.6), {6, -10, 8}, {0, 0, 0},
+     {0, 0, 1}, 30, {0.85, 0.50, 0.25}, {0.35, 0.55, 0.75}},
+    {"pillow", 4, "x^4 + y^4 + z^4 - (x^2+y^2+z^2)", BALL(1.9), {3.6, -5.2, 3}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.80, 0.45, 0.60}, {0.50, 0.70, 0.80}},
+    {"lemniscate", 4, "(x^2+y^2+z^2)^2 - 2*2.7^2*(x^2 - y^2 - z^2)", BALL(4), {4, -14, 4}, {0, 0, 0},
+     {0, 0, 1}, 30, {0.35, 0.50, 0.80}, {0.90, 0.75, 0.35}},
+    {"bicube", 4, "x^4 + y^4 + z^4 - 1", BALL(1.5), {2.8, -4.2, 2.6}, {0, 0, 0}, {0, 0, 1}, 30,
+     {0.70, 0.70, 0.30}, {0.40, 0.40, 0.70}},
+    {NULL, 0, NULL, {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0},
+     {0, 0, 0}}};
+
+const catalogue_entry *catalogue_find(const char *name) {
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++)
+        if (strcmp(entry->name, name) == 0) return entry;
+    return NULL;
+}

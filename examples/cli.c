@@ -1,0 +1,349 @@
+/* cli.c - see cli.h. */
+#include "cli.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue.h"
+#include "terms_file.h"
+
+/* ---- complaints ---- */
+
+static const char *program_name = "algsurf"; /* set once, by cli_parse */
+
+static void print_line(const char *format, va_list arguments) {
+    fprintf(stderr, "%s: ", program_name);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
+void cli_complain(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+}
+
+_Noreturn void cli_fail(int status, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+    exit(status);
+}
+
+_Noreturn void cli_no_memory(void) { cli_fail(CLI_BROKEN, "out of memory"); }
+
+_Noreturn void cli_expected(const cli_option *option, const char *value) {
+    cli_fail(CLI_BAD_INPUT, "%s: expected %s, got '%s'", option->name, option->argument, cli_quote(value).text);
+}
+
+cli_quoted cli_quote(const char *text) {
+    cli_quoted quoted;
+    size_t room = sizeof quoted.text - 4, n = 0;
+    for (; text[n] && n < room; n++) quoted.text[n] = (char)(text[n] >= ' ' && text[n] < 127 ? text[n] : '?');
+    strcpy(quoted.text + n, text[n] ? "..." : "");
+    return quoted;
+}
+
+void cli_finish_output(void) {
+    if (fflush(stdout) != 0 || ferror(stdout))
+        cli_fail(CLI_BROKEN, "cannot write to standard output: %s", strerror(errno));
+}
+
+/* ---- numbers and lines ---- */
+
+int cli_number(const char *text, double *value) {
+    if (!*text || isspace((unsigned char)*text)) return 0;
+    char *end;
+    *value = strtod(text, &end);
+    return *end == '\0';
+}
+
+int cli_numbers(const char *text, char separator, int count, double *values) {
+    for (int i = 0; i < count; i++) {
+        if (isspace((unsigned char)*text)) return 0;
+        char *end;
+        values[i] = strtod(text, &end);
+        if (end == text || !isfinite(values[i])) return 0;
+        if (*end != (i + 1 < count ? separator : '\0')) return 0;
+        text = end + 1;
+    }
+    return 1;
+}
+
+int cli_whole(const char *text, int low, int high, int *value) {
+    int n = 0;
+    if (!*text) return 0;
+    for (; *text; text++) {
+        if (*text < '0' || *text > '9') return 0;
+        int digit = *text - '0';
+        if (n > (high - digit) / 10) return 0;
+        n = 10 * n + digit;
+    }
+    if (n < low || n > high) return 0;
+    *value = n;
+    return 1;
+}
+
+cli_line_result cli_read_line(FILE *file, cli_line *line) {
+    enum { LONGEST = 1 << 26 };
+    line->length = 0;
+    for (int c = getc(file);; c = getc(file)) {
+        if (line->length == line->capacity) {
+            if (line->capacity >= LONGEST) return CLI_LINE_TOO_LONG;
+            size_t capacity = line->capacity ? 2 * line->capacity : 256;
+            char *text = realloc(line->text, capacity);
+            if (!text) return CLI_LINE_NO_MEMORY;
+            line->text = text;
+            line->capacity = capacity;
+        }
+        if (c == EOF && line->length == 0) return CLI_LINE_END;
+        if (c == EOF || c == '\n') break;
+        line->text[line->length++] = (char)c;
+    }
+    if (line->length > 0 && line->text[line->length - 1] == '\r') line->length--;
+    line->text[line->length] = '\0';
+    line->number++;
+    return CLI_LINE_READ;
+}
+
+int cli_split(cli_line *line, char **fields, int capacity) {
+    if (strlen(line->text) != line->length) return -1;
+    line->text[strcspn(line->text, "#")] = '\0';
+    int count = 0;
+    for (char *at = line->text;;) {
+        at += strspn(at, " \t");
+        if (!*at) return count;
+        if (count < capacity) fields[count] = at;
+        count++;
+        at += strcspn(at, " \t");
+        if (*at) *at++ = '\0';
+    }
+}
+
+/* ---- options ---- */
+
+static void print_option(const char *name, const char *argument, const char *help) {
+    int width = printf("  %s%s%s", name, argument ? " " : "", argument ? argument : "");
+    if (width > 27) {
+        putchar('\n');
+        width = 0;
+    }
+    for (;; width = 0) {
+        size_t length = strcspn(help, "\n");
+        printf("%*s%.*s\n", 28 - width, "", (int)length, help);
+        if (!help[length]) return;
+        help += length + 1;
+    }
+}
+
+static _Noreturn void print_help(const cli_program *program) {
+    printf("usage: %s %s\n\n%s\n\noptions:\n", program->name, program->synopsis, program->about);
+    for (const cli_option *o = program->options; o->name; o++) print_option(o->name, o->argument, o->help);
+    print_option("--help", NULL, "this text");
+    print_option("--version", NULL, "the version of libalgsurf");
+    cli_finish_output();
+    exit(0);
+}
+
+static _Noreturn void print_version(const cli_program *program) {
+    printf("%s (libalgsurf) %s\n", program->name, algsurf_version());
+    cli_finish_output();
+    exit(0);
+}
+
+static const cli_option *find_option(const cli_program *program, const char *text, size_t length) {
+    for (const cli_option *o = program->options; o->name; o++)
+        if (strlen(o->name) == length && strncmp(o->name, text, length) == 0) return o;
+    cli_fail(CLI_BAD_INPUT, "unknown option '%s'; --help lists them", cli_quote(text).text);
+}
+
+/* One option, its value behind '=' or in the next argument; returns how many arguments it took. */
+static int parse_option(const cli_program *program, char **argument, char *options) {
+    const char *text = argument[0];
+    size_t length = strcspn(text, "=");
+    const cli_option *option = find_option(program, text, length);
+    const char *value = text[length] ? text + length + 1 : NULL;
+    int taken = 1;
+    if (!option->argument && value) cli_fail(CLI_BAD_INPUT, "%s: takes no value", option->name);
+    if (option->argument && !value) {
+        value = argument[1];
+        taken = 2;
+        if (!value) cli_fail(CLI_BAD_INPUT, "%s: expected %s, got nothing", option->name, option->argument);
+    }
+    option->set(option, value, options + option->offset);
+    return taken;
+}
+
+void cli_parse(const cli_program *program, int argc, char **argv, void *options) {
+    program_name = program->name;
+    int plain_only = 0;
+    for (int i = 1; i < argc;) {
+        const char *text = argv[i];
+        if (plain_only || text[0] != '-') {
+            const char **name = (const char **)(void *)((char *)options + program->positional);
+            if (*name) cli_fail(CLI_BAD_INPUT, "one surface at a time: '%s'", cli_quote(text).text);
+            *name = text;
+            i++;
+        } else if (strcmp(text, "--") == 0) {
+            plain_only = 1;
+            i++;
+        } else if (strcmp(text, "--help") == 0) {
+            print_help(program);
+        } else if (strcmp(text, "--version") == 0) {
+            print_version(program);
+        } else {
+            i += parse_option(program, argv + i, options);
+        }
+    }
+}
+
+void cli_set_flag(const cli_option *option, const char *value, void *field) {
+    (void)option;
+    (void)value;
+    *(int *)field = 1;
+}
+
+void cli_set_int(const cli_option *option, const char *value, void *field) {
+    if (!cli_whole(value, option->low, option->high, field))
+        cli_fail(CLI_BAD_INPUT, "%s: expected a whole number from %d to %d, got '%s'", option->name, option->low,
+                 option->high, cli_quote(value).text);
+}
+
+void cli_set_text(const cli_option *option, const char *value, void *field) {
+    (void)option;
+    *(const char **)field = value;
+}
+
+void cli_set_vector(const cli_option *option, const char *value, void *field) {
+    cli_vector vector = {.given = 1};
+    if (!cli_numbers(value, ',', 3, vector.x)) cli_expected(option, value);
+    *(cli_vector *)field = vector;
+}
+
+void cli_set_extent(const cli_option *option, const char *value, void *field) {
+    cli_extent extent = {.given = 1};
+    double *size = extent.extent.size;
+    if (strncmp(value, "sphere:", 7) == 0 && cli_numbers(value + 7, ',', 1, size)) {
+        extent.extent.kind = ALGSURF_EXTENT_SPHERE;
+        if (!(size[0] > 0)) cli_expected(option, value);
+    } else if (strncmp(value, "box:", 4) == 0 && cli_numbers(value + 4, ',', 3, size)) {
+        extent.extent.kind = ALGSURF_EXTENT_BOX;
+        if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) cli_expected(option, value);
+    } else {
+        cli_expected(option, value);
+    }
+    *(cli_extent *)field = extent;
+}
+
+int cli_choice(const cli_option *option, const char *value) {
+    const char *word = option->argument;
+    for (int i = 0;; i++) {
+        size_t length = strcspn(word, "|");
+        if (strlen(value) == length && strncmp(word, value, length) == 0) return i;
+        if (!word[length]) cli_expected(option, value);
+        word += length + 1;
+    }
+}
+
+void cli_set_method(const cli_option *option, const char *value, void *field) {
+    static const algsurf_method methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT,
+                                             ALGSURF_METHOD_BISECTION, ALGSURF_METHOD_REGULA_FALSI};
+    *(algsurf_method *)field = methods[cli_choice(option, value)];
+}
+
+void cli_set_tier(const cli_option *option, const char *value, void *field) {
+    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD};
+    *(algsurf_tier *)field = tiers[cli_choice(option, value)];
+}
+
+void cli_set_tolerance(const cli_option *option, const char *value, void *field) {
+    double tolerance;
+    if (!cli_numbers(value, ',', 1, &tolerance) || tolerance < 0)
+        cli_fail(CLI_BAD_INPUT, "%s: expected a number, 0 or above, got '%s'", option->name,
+                 cli_quote(value).text);
+    *(double *)field = tolerance;
+}
+
+/* ---- the surface ---- */
+
+static int is_constant_name(const char *name) {
+    static const char *const taken[] = {"x", "y", "z", "sqrt"};
+    if (!isalpha((unsigned char)name[0])) return 0;
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_') return 0;
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (strcmp(name, taken[i]) == 0) return 0;
+    return 1;
+}
+
+void cli_set_let(const cli_option *option, const char *value, void *field) {
+    cli_surface *surface = field;
+    const char *equals = strchr(value, '=');
+    algsurf_constant constant = {NULL, 0};
+    if (!equals || !cli_numbers(equals + 1, ',', 1, &constant.value)) cli_expected(option, value);
+    size_t length = (size_t)(equals - value), count = surface->constant_count;
+    char *name = malloc(length + 1);
+    algsurf_constant *all = realloc(surface->constants, (count + 1) * sizeof *all);
+    if (!name || !all) cli_no_memory();
+    surface->constants = all;
+    memcpy(name, value, length);
+    name[length] = '\0';
+    if (!is_constant_name(name))
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", option->name, cli_quote(name).text);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(all[i].name, name) == 0)
+            cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
+    constant.name = name;
+    all[count] = constant;
+    surface->constant_count = count + 1;
+}
+
+static algsurf_surface *from_equation(const cli_surface *choice, const char *what, const char *text) {
+    algsurf_surface *surface = NULL;
+    algsurf_parse_error error = {0, NULL};
+    algsurf_status status =
+        algsurf_surface_from_equation(text, choice->constants, choice->constant_count, &surface, &error);
+    if (status == ALGSURF_OK) return surface;
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (!error.message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
+    if (!text[error.offset])
+        cli_fail(CLI_BAD_INPUT, "%s: column %zu, at the end: %s", what, error.offset + 1, error.message);
+    cli_fail(CLI_BAD_INPUT, "%s: column %zu, at '%s': %s", what, error.offset + 1,
+             cli_quote(text + error.offset).text, error.message);
+}
+
+static algsurf_surface *from_terms(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (!file) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, strerror(errno));
+    algsurf_surface *surface = NULL;
+    terms_error error;
+    if (terms_read_surface(file, &surface, &error) != 0) {
+        if (error.no_memory) cli_no_memory();
+        if (error.line == 0) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, error.message);
+        cli_fail(CLI_BAD_INPUT, "--terms: %s: line %zu: %s", cli_quote(path).text, error.line, error.message);
+    }
+    fclose(file);
+    return surface;
+}
+
+algsurf_surface *cli_make_surface(const cli_surface *choice) {
+    int chosen = (choice->name != NULL) + (choice->equation != NULL) + (choice->terms != NULL);
+    if (chosen != 1)
+        cli_fail(CLI_BAD_INPUT, "expected %s NAME, --equation TEXT, --terms FILE; see --help",
+                 chosen ? "only one of" : "one of");
+    if (choice->constant_count > 0 && !choice->equation)
+        cli_fail(CLI_BAD_INPUT, "--let: only an --equation has constants");
+    if (choice->equation) return from_equation(choice, "--equation", choice->equation);
+    if (choice->terms) return from_terms(choice->terms);
+    const catalogue_entry *entry = catalogue_find(choice->name);
+    if (!entry)
+        cli_fail(CLI_BAD_INPUT, "unknown surface '%s'; render --list shows the names",
+                 cli_quote(choice->name).text);
+    return from_equation(choice, entry->name, entry->equation);
+}

@@ -1,0 +1,252 @@
+/* png.c - a PNG writer that needs nothing but libc.
+ *
+ * PNG (ISO/IEC 15948): each row is predicted by one of five filters, the one with the least sum of
+ * magnitudes; the residuals are compressed by DEFLATE (RFC 1951) in the zlib format (RFC 1950).
+ * DEFLATE comes in its smallest complete form: matches of up to 258 bytes within the last 32 KiB,
+ * found by hash chains of limited length, and the fixed Huffman codes, in one single block.  Fixed
+ * codes suit residuals badly (8 or 9 bits for a small number), matches suit synthetic pictures well.
+ */
+#include "png.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WINDOW = 1 << 15,     /* how far back a match may lie */
+    SHORTEST = 3,         /* a match */
+    LONGEST = 258,        /* a match */
+    CHAIN = 32,           /* candidates looked at for a match */
+    HASH_BITS = 15,       /* of three bytes */
+    CHUNK = 1 << 16,      /* bytes of an IDAT chunk */
+    ADLER_MODULUS = 65521 /* the largest prime below 2^16 */
+};
+
+typedef struct png_writer {
+    FILE *file;
+    uint32_t crc_table[256];
+    uint8_t chunk[CHUNK]; /* compressed bytes not yet written */
+    size_t used;
+    uint32_t bits; /* of the last byte, lowest first */
+    int bit_count;
+    size_t head[1 << HASH_BITS]; /* one more than the last position with this hash; 0: none */
+    size_t previous[WINDOW];     /* one more than the position before with the same hash */
+} png_writer;
+
+/* ---- chunks ---- */
+
+static void make_crc_table(png_writer *png) {
+    for (uint32_t i = 0; i < 256; i++) {
+        uint32_t c = i;
+        for (int k = 0; k < 8; k++) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
+        png->crc_table[i] = c;
+    }
+}
+
+static uint32_t crc(const png_writer *png, uint32_t c, const uint8_t *data, size_t length) {
+    while (length-- > 0) c = png->crc_table[(c ^ *data++) & 0xff] ^ (c >> 8);
+    return c;
+}
+
+static void put_big_endian(uint8_t *at, uint32_t value) {
+    for (int i = 0; i < 4; i++) at[i] = (uint8_t)(value >> (24 - 8 * i));
+}
+
+static void write_chunk(png_writer *png, const char *type, const uint8_t *data, size_t length) {
+    uint8_t head[8], tail[4];
+    put_big_endian(head, (uint32_t)length);
+    memcpy(head + 4, type, 4);
+    put_big_endian(tail, ~crc(png, crc(png, 0xffffffffu, head + 4, 4), data, length));
+    fwrite(head, 1, sizeof head, png->file);
+    fwrite(data, 1, length, png->file);
+    fwrite(tail, 1, sizeof tail, png->file);
+}
+
+static void put_byte(png_writer *png, uint8_t byte) {
+    png->chunk[png->used++] = byte;
+    if (png->used < CHUNK) return;
+    write_chunk(png, "IDAT", png->chunk, png->used);
+    png->used = 0;
+}
+
+/* ---- DEFLATE ---- */
+
+/* A number of up to 16 bits, lowest bit first. */
+static void put_bits(png_writer *png, unsigned value, int count) {
+    png->bits |= (uint32_t)value << png->bit_count;
+    for (png->bit_count += count; png->bit_count >= 8; png->bit_count -= 8) {
+        put_byte(png, (uint8_t)(png->bits & 0xff));
+        png->bits >>= 8;
+    }
+}
+
+/* A Huffman code, highest bit first. */
+static void put_code(png_writer *png, unsigned code, int count) {
+    unsigned reversed = 0;
+    for (int i = 0; i < count; i++) reversed |= (code >> i & 1u) << (count - 1 - i);
+    put_bits(png, reversed, count);
+}
+
+/* A literal byte, the end of the block (256), or a length code: RFC 1951, 3.2.6. */
+static void put_symbol(png_writer *png, unsigned symbol) {
+    if (symbol < 144) put_code(png, 0x30 + symbol, 8);
+    else if (symbol < 256) put_code(png, 0x190 + symbol - 144, 9);
+    else if (symbol < 280) put_code(png, symbol - 256, 7);
+    else put_code(png, 0xc0 + symbol - 280, 8);
+}
+
+static int log2_floor(size_t n) {
+    int e = 0;
+    while (n >>= 1) e++;
+    return e;
+}
+
+/* The codes of RFC 1951, 3.2.5, grow like floating-point numbers: a length minus 3 has two bits of
+ * mantissa, a distance minus 1 has one; what the mantissa leaves out follows as extra bits. */
+static void put_match(png_writer *png, size_t length, size_t distance) {
+    size_t l = length - SHORTEST, d = distance - 1;
+    if (length == LONGEST) {
+        put_symbol(png, 285);
+    } else {
+        int extra = l < 8 ? 0 : log2_floor(l) - 2;
+        put_symbol(png, 257 + 4 * (unsigned)extra + (unsigned)(l >> extra));
+        put_bits(png, (unsigned)(l & ((1u << extra) - 1)), extra);
+    }
+    int extra = d < 4 ? 0 : log2_floor(d) - 1;
+    put_code(png, 2 * (unsigned)extra + (unsigned)(d >> extra), 5);
+    put_bits(png, (unsigned)(d & ((1u << extra) - 1)), extra);
+}
+
+static size_t match_length(const uint8_t *a, const uint8_t *b, size_t most) {
+    size_t n = 0;
+    while (n < most && a[n] == b[n]) n++;
+    return n;
+}
+
+/* Enters a position into the hash chains; returns one more than the one before with its hash. */
+static size_t enter(png_writer *png, const uint8_t *data, size_t size, size_t at) {
+    if (size - at < SHORTEST) return 0;
+    uint32_t bytes = (uint32_t)data[at] << 16 | (uint32_t)data[at + 1] << 8 | data[at + 2];
+    uint32_t hash = bytes * 2654435761u >> (32 - HASH_BITS); /* 2^32 / golden ratio: Knuth, TAOCP 6.4 */
+    size_t before = png->head[hash];
+    png->previous[at % WINDOW] = before;
+    png->head[hash] = at + 1;
+    return before;
+}
+
+/* The longest match for a position among the first candidates of its chain. */
+static size_t find_match(const png_writer *png, const uint8_t *data, size_t size, size_t at, size_t candidate,
+                         size_t *distance) {
+    size_t most = size - at < LONGEST ? size - at : LONGEST, best = 0;
+    for (int i = 0; i < CHAIN && candidate > 0 && at - (candidate - 1) < WINDOW; i++) {
+        size_t from = candidate - 1, length = match_length(data + from, data + at, most);
+        if (length > best) {
+            best = length;
+            *distance = at - from;
+            if (best == most) break;
+        }
+        candidate = png->previous[from % WINDOW];
+    }
+    return best;
+}
+
+static uint32_t adler32(const uint8_t *data, size_t size) {
+    uint32_t a = 1, b = 0;
+    while (size > 0) {
+        size_t part = size < 5552 ? size : 5552; /* the most additions that b survives in 32 bits */
+        size -= part;
+        while (part-- > 0) b += a += *data++;
+        a %= ADLER_MODULUS;
+        b %= ADLER_MODULUS;
+    }
+    return b << 16 | a;
+}
+
+static void write_compressed(png_writer *png, const uint8_t *data, size_t size) {
+    uint8_t check[4];
+    put_byte(png, 0x78); /* DEFLATE, window of 32 KiB */
+    put_byte(png, 0x01); /* no dictionary; makes the two bytes a multiple of 31 */
+    put_bits(png, 1, 1); /* the last block */
+    put_bits(png, 1, 2); /* fixed codes */
+    for (size_t at = 0; at < size;) {
+        size_t distance = 0, candidate = enter(png, data, size, at);
+        size_t length = find_match(png, data, size, at, candidate, &distance);
+        if (length < SHORTEST) {
+            put_symbol(png, data[at++]);
+            continue;
+        }
+        put_match(png, length, distance);
+        for (size_t i = 1; i < length; i++) enter(png, data, size, at + i);
+        at += length;
+    }
+    put_symbol(png, 256);
+    put_bits(png, 0, 7); /* fills the last byte */
+    put_big_endian(check, adler32(data, size));
+    for (int i = 0; i < 4; i++) put_byte(png, check[i]);
+    if (png->used > 0) write_chunk(png, "IDAT", png->chunk, png->used);
+}
+
+/* ---- filters ---- */
+
+/* What a byte is predicted to be from its neighbours: a left, b above, c above left. */
+static int predict(int filter, int a, int b, int c) {
+    int p = a + b - c, da = abs(p - a), db = abs(p - b), dc = abs(p - c);
+    switch (filter) {
+    case 1: return a;
+    case 2: return b;
+    case 3: return (a + b) / 2;
+    case 4: return da <= db && da <= dc ? a : db <= dc ? b : c; /* Paeth */
+    default: return 0;
+    }
+}
+
+/* A row behind its filter's number; returns the sum of the residuals' magnitudes. */
+static unsigned long filter_row(int filter, const uint8_t *row, const uint8_t *above, size_t length,
+                                uint8_t *out) {
+    unsigned long sum = 0;
+    *out++ = (uint8_t)filter;
+    for (size_t i = 0; i < length; i++) {
+        int a = i < 3 ? 0 : row[i - 3], b = above ? above[i] : 0, c = i < 3 || !above ? 0 : above[i - 3];
+        out[i] = (uint8_t)(row[i] - predict(filter, a, b, c));
+        sum += out[i] < 128 ? out[i] : 256u - out[i];
+    }
+    return sum;
+}
+
+static void filter_best(const uint8_t *row, const uint8_t *above, size_t length, uint8_t *out) {
+    int best = 0;
+    unsigned long least = filter_row(0, row, above, length, out);
+    for (int filter = 1; filter < 5; filter++) {
+        unsigned long sum = filter_row(filter, row, above, length, out);
+        if (sum >= least) continue;
+        least = sum;
+        best = filter;
+    }
+    filter_row(best, row, above, length, out);
+}
+
+const char *png_write(FILE *file, int width, int height, const uint8_t *pixels) {
+    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    size_t length = 3 * (size_t)width, size = (length + 1) * (size_t)height;
+    png_writer *png = calloc(1, sizeof *png);
+    uint8_t *filtered = malloc(size);
+    uint8_t header[13] = {[8] = 8, [9] = 2}; /* 8 bits a sample, red green blue */
+    if (!png || !filtered) {
+        free(png);
+        free(filtered);
+        return "out of memory";
+    }
+    png->file = file;
+    make_crc_table(png);
+    for (size_t y = 0; y < (size_t)height; y++)
+        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length,
+                    filtered + y * (length + 1));
+    put_big_endian(header, (uint32_t)width);
+    put_big_endian(header + 4, (uint32_t)height);
+    fwrite(signature, 1, sizeof signature, file);
+    write_chunk(png, "IHDR", header, sizeof header);
+    write_compressed(png, filtered, size);
+    write_chunk(png, "IEND", NULL, 0);
+    free(png);
+    free(filtered);
+    return NULL;
+}

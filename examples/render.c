@@ -1,0 +1,153 @@
+/* render.c - draws an algebraic surface from the command line: render --help. */
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue.h"
+#include "cli.h"
+#include "progress.h"
+#include "render_options.h"
+#include "render_output.h"
+#include "render_view.h"
+
+/* What the pictures of one run have in common. */
+typedef struct run {
+    const render_options *options;
+    const algsurf_surface *surface;
+    algsurf_scene *scene;
+    int rows; /* drawn: all, or the slice */
+    uint8_t *pixels;
+    double *hits; /* null when not wanted */
+    progress bar;
+} run;
+
+static void list_surfaces(void) {
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++)
+        printf("%s\t%d\t%s\n", entry->name, entry->degree, entry->equation);
+    cli_finish_output();
+}
+
+static void demand(algsurf_status status) {
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
+}
+
+static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
+                                 const catalogue_entry *entry, const algsurf_extent *extent) {
+    algsurf_material material = {{0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
+    if (entry) {
+        memcpy(material.outside, entry->outside, sizeof material.outside);
+        memcpy(material.inside, entry->inside, sizeof material.inside);
+    }
+    algsurf_scene *scene;
+    demand(algsurf_scene_create(surface, &scene));
+    demand(algsurf_scene_set_extent(scene, extent));
+    demand(algsurf_scene_set_material(scene, &material));
+    demand(algsurf_scene_set_quality(scene, options->quality));
+    demand(algsurf_scene_set_antialias(scene, options->antialias));
+    demand(algsurf_scene_set_intersect(scene, &options->intersect));
+    return scene;
+}
+
+/* "turn.png" becomes "turn-0003.png" for picture 2 of a sweep; "-" and null stay. */
+static char *numbered(const char *path, const run *r, int picture) {
+    if (!path) return NULL;
+    size_t room = strlen(path) + 16;
+    char *name = malloc(room);
+    if (!name) cli_no_memory();
+    if (r->options->turn == 0 || strcmp(path, "-") == 0) return strcpy(name, path);
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+    int stem = (int)(dot ? dot - path : (ptrdiff_t)strlen(path));
+    snprintf(name, room, "%.*s-%04d%s", stem, path, picture + 1, dot ? dot : "");
+    return name;
+}
+
+/* What the surface was given as, in one line. */
+static char *surface_text(const cli_surface *surface) {
+    const char *text = surface->name ? surface->name : surface->equation ? surface->equation : surface->terms;
+    char *line = malloc(strlen(text) + 1);
+    if (!line) cli_no_memory();
+    strcpy(line, text);
+    for (char *c = line; *c; c++)
+        if (iscntrl((unsigned char)*c)) *c = ' ';
+    return line;
+}
+
+static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
+    static const char format[] =
+        "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\ntier\t%s\nthreads\t%d\n"
+        "rays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nshadow_rays\t%" PRIu64 "\n"
+        "solve_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\nversion\t%s\n";
+    enum { NUMBERS = 15 * 32 }; /* room for what the format's fields become */
+    char *surface = surface_text(&r->options->surface);
+    size_t room = sizeof format + strlen(surface) + NUMBERS;
+    char *text = malloc(room);
+    if (!text) cli_no_memory();
+    snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->width,
+             r->options->height, render_quality_name(r->options->quality),
+             render_tier_name(r->options->intersect.tier), stats->threads, stats->rays, stats->hits,
+             stats->uncertain, stats->shadow_rays, stats->solve_s, stats->shade_s, stats->total_s,
+             algsurf_version());
+    output_text(set, path, text);
+    free(text);
+    free(surface);
+}
+
+static void draw_picture(run *r, const render_view *view, int picture) {
+    const render_options *options = r->options;
+    algsurf_camera camera = render_make_camera(view, picture, options->turn);
+    char *output = numbered(options->output, r, picture);
+    char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
+    output_check(output);
+    if (hits) output_check(hits);
+    if (stats) output_check(stats);
+
+    algsurf_render_options how = {sizeof how,         options->width,   options->height,
+                                  options->row_begin, options->row_end, options->threads,
+                                  progress_rows,      &r->bar};
+    algsurf_render_stats counted = {.size = sizeof counted};
+    r->bar.picture = picture + 1;
+    demand(algsurf_scene_set_camera(r->scene, &camera));
+    demand(algsurf_render(r->scene, &how, r->pixels, 3 * (size_t)options->width, r->hits, &counted));
+
+    output_set set = {.count = 0};
+    if (stats) write_stats(&set, stats, r, &counted);
+    if (hits) output_hits(&set, hits, r->hits, (size_t)options->width * (size_t)r->rows);
+    output_image(&set, output, options->format, options->width, r->rows, r->pixels);
+    output_commit(&set);
+    free(output);
+    free(hits);
+    free(stats);
+}
+
+static void draw(const render_options *options, const algsurf_surface *surface, const catalogue_entry *entry) {
+    render_view view = render_make_view(options, entry);
+    (void)render_make_camera(&view, 0, 1); /* a bad camera is told before anything else is done */
+    run r = {.options = options, .surface = surface};
+    r.scene = make_scene(options, surface, entry, &view.extent);
+    r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->height;
+    size_t count = (size_t)options->width * (size_t)r.rows;
+    r.pixels = malloc(3 * count);
+    if (options->hits) r.hits = malloc(count * sizeof *r.hits);
+    if (!r.pixels || (options->hits && !r.hits)) cli_no_memory();
+    int pictures = options->turn > 0 ? options->turn : 1;
+    progress_begin(&r.bar, options->progress, pictures);
+    for (int i = 0; i < pictures; i++) draw_picture(&r, &view, i);
+    progress_end(&r.bar);
+    algsurf_scene_free(r.scene);
+    free(r.pixels);
+    free(r.hits);
+}
+
+int main(int argc, char **argv) {
+    render_options options = render_parse_options(argc, argv);
+    if (options.list) {
+        list_surfaces();
+        return 0;
+    }
+    algsurf_surface *surface = cli_make_surface(&options.surface);
+    draw(&options, surface, options.surface.name ? catalogue_find(options.surface.name) : NULL);
+    algsurf_surface_free(surface);
+    return 0;
+}

@@ -1,0 +1,166 @@
+/* render_options.c - see render_options.h. */
+#include "render_options.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST = 65535 }; /* width, height: algsurf_render_options */
+
+static void set_size(const cli_option *option, const char *value, void *field) {
+    render_options *options = field;
+    char text[16];
+    size_t cut = strcspn(value, "x");
+    if (value[cut] == 'x' && cut < sizeof text) {
+        memcpy(text, value, cut);
+        text[cut] = '\0';
+        if (cli_whole(text, 1, LARGEST, &options->width) &&
+            cli_whole(value + cut + 1, 1, LARGEST, &options->height))
+            return;
+    }
+    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, each from 1 to %d, got '%s'", option->name, LARGEST,
+             cli_quote(value).text);
+}
+
+static void set_rows(const cli_option *option, const char *value, void *field) {
+    render_options *options = field;
+    char text[16];
+    size_t cut = strcspn(value, ":");
+    if (value[cut] == ':' && cut < sizeof text) {
+        memcpy(text, value, cut);
+        text[cut] = '\0';
+        if (cli_whole(text, 0, LARGEST, &options->row_begin) &&
+            cli_whole(value + cut + 1, 1, LARGEST, &options->row_end) &&
+            options->row_begin < options->row_end)
+            return;
+    }
+    cli_fail(CLI_BAD_INPUT, "%s: expected A:B, 0 <= A < B, got '%s'", option->name, cli_quote(value).text);
+}
+
+static void set_fov(const cli_option *option, const char *value, void *field) {
+    double fov;
+    if (!cli_numbers(value, ',', 1, &fov) || !(fov > 0 && fov < 180))
+        cli_fail(CLI_BAD_INPUT, "%s: expected degrees above 0 and below 180, got '%s'", option->name,
+                 cli_quote(value).text);
+    *(double *)field = fov;
+}
+
+static void set_orthographic(const cli_option *option, const char *value, void *field) {
+    double height;
+    if (!cli_numbers(value, ',', 1, &height) || !(height > 0))
+        cli_fail(CLI_BAD_INPUT, "%s: expected a number above 0, got '%s'", option->name,
+                 cli_quote(value).text);
+    *(double *)field = height;
+}
+
+static void set_quality(const cli_option *option, const char *value, void *field) {
+    static const algsurf_quality qualities[] = {ALGSURF_QUALITY_PREVIEW, ALGSURF_QUALITY_STANDARD,
+                                                ALGSURF_QUALITY_FULL};
+    *(algsurf_quality *)field = qualities[cli_choice(option, value)];
+}
+
+static void set_progress(const cli_option *option, const char *value, void *field) {
+    static const progress_mode modes[] = {PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER};
+    *(progress_mode *)field = modes[cli_choice(option, value)];
+}
+
+static void set_sweep(const cli_option *option, const char *value, void *field) {
+    if (strncmp(value, "turn:", 5) != 0 || !cli_whole(value + 5, 1, 9999, field))
+        cli_fail(CLI_BAD_INPUT, "%s: expected turn:N, N from 1 to 9999, got '%s'", option->name,
+                 cli_quote(value).text);
+}
+
+#define FIELD(member) offsetof(render_options, member), 0, 0
+
+static const cli_option options_table[] = {
+    {"--list", NULL, "the named surfaces: name, degree, equation", cli_set_flag, FIELD(list)},
+    CLI_SURFACE_OPTIONS(render_options),
+    {"--size", "WxH", "size of the picture, default 1024x768", set_size, 0, 0, 0},
+    {"--output", "FILE", "the picture: .png, .bmp or .ppm; - is a PPM on standard output;\ndefault NAME.png, "
+     "or surface.png when the surface has no name", cli_set_text, FIELD(output)},
+    {"--quality", "preview|standard|full", "no illumination model; lights without shadows (default);\ntwo "
+     "area lights with shadows", set_quality, FIELD(quality)},
+    {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 1", cli_set_int,
+     offsetof(render_options, antialias), 1, 16},
+    {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,
+     FIELD(eye)},
+    {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,
+     FIELD(look_at)},
+    {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector, FIELD(up)},
+    {"--fov", "DEGREES", "vertical field of view, default 30", set_fov, FIELD(fov)},
+    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",
+     set_orthographic, FIELD(orthographic)},
+    {"--extent", "sphere:R|box:X,Y,Z", "what is shown (half sizes); default: as suits the named surface,\n"
+     "sphere:3 for others", cli_set_extent, FIELD(extent)},
+    {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,
+     FIELD(centre)},
+    {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
+     FIELD(intersect.method)},
+    {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
+     cli_set_tolerance, FIELD(intersect.tolerance)},
+    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)",
+     cli_set_tier, FIELD(intersect.tier)},
+    {"--sweep", "turn:N", "N pictures NAME-0001.png ... of a turn about the upward axis", set_sweep,
+     FIELD(turn)},
+    {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
+     offsetof(render_options, threads), 0, 256},
+    {"--rows", "A:B", "only the rows A to B-1 of the picture, from 0 at the top", set_rows, 0, 0, 0},
+    {"--hits", "FILE", "distances as raw little-endian doubles, row by row from the top:\nt of the hit "
+     "along the unit ray from the eye, NaN where none", cli_set_text, FIELD(hits)},
+    {"--stats", "FILE", "counts and times, a line 'key<TAB>value' each; - is standard output",
+     cli_set_text, FIELD(stats)},
+    {"--progress", "auto|always|never", "a bar with the time left on standard error", set_progress,
+     FIELD(progress)},
+    {NULL, NULL, NULL, NULL, 0, 0, 0}};
+
+static const cli_program program = {
+    "render", "[options] (NAME | --equation TEXT | --terms FILE)",
+    "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.", options_table,
+    offsetof(render_options, surface.name)};
+
+/* Which file gets standard output; at most one may. */
+static void check_standard_output(const render_options *options) {
+    const char *files[] = {options->output, options->hits, options->stats};
+    int users = 0;
+    for (int i = 0; i < 3; i++) users += files[i] && strcmp(files[i], "-") == 0;
+    if (users > 1) cli_fail(CLI_BAD_INPUT, "only one of --output, --hits, --stats can be '-'");
+}
+
+static void check_output(render_options *options) {
+    if (!options->output) {
+        const char *name = options->surface.name ? options->surface.name : "surface";
+        char *output = malloc(strlen(name) + sizeof ".png");
+        if (!output) cli_no_memory();
+        strcat(strcpy(output, name), ".png");
+        options->output = output;
+    }
+    options->format = IMAGE_PPM;
+    if (strcmp(options->output, "-") != 0 && !image_format_of(options->output, &options->format))
+        cli_fail(CLI_BAD_INPUT, "--output: expected a name that ends in .png, .bmp or .ppm, got '%s'",
+                 cli_quote(options->output).text);
+    if (options->turn > 0 && strcmp(options->output, "-") == 0)
+        cli_fail(CLI_BAD_INPUT, "--output: '-' holds one picture, not a --sweep");
+    check_standard_output(options);
+}
+
+render_options render_parse_options(int argc, char **argv) {
+    render_options options = {.width = 1024,
+                              .height = 768,
+                              .quality = ALGSURF_QUALITY_STANDARD,
+                              .antialias = 1,
+                              .intersect = {.size = sizeof options.intersect}};
+    cli_parse(&program, argc, argv, &options);
+    if (options.list) return options;
+    if (options.fov > 0 && options.orthographic > 0)
+        cli_fail(CLI_BAD_INPUT, "--orthographic: has no field of view; leave --fov out");
+    if (options.row_end > options.height)
+        cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
+                 options.height);
+    check_output(&options);
+    return options;
+}
+
+const char *render_quality_name(algsurf_quality quality) {
+    return quality == ALGSURF_QUALITY_PREVIEW ? "preview" : quality == ALGSURF_QUALITY_FULL ? "full" : "standard";
+}
+
+const char *render_tier_name(algsurf_tier tier) { return tier == ALGSURF_TIER_FAST ? "fast" : "standard"; }

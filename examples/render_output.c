@@ -1,0 +1,109 @@
+/* render_output.c - see render_output.h. */
+#define _POSIX_C_SOURCE 200809L
+#include "render_output.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli.h"
+
+/* Removes what the set has written so far. */
+static _Noreturn void fail(const output_set *set, const char *path, const char *why) {
+    for (int i = 0; i < set->count; i++)
+        if (set->files[i].temporary) remove(set->files[i].temporary);
+    cli_fail(CLI_BROKEN, "cannot write '%s': %s", cli_quote(path).text, why);
+}
+
+/* Whether a path is there and is not a regular file; ends the program when it may not be written. */
+static int is_special(const output_set *set, const char *path) {
+    struct stat about;
+    if (lstat(path, &about) != 0) return 0;
+    if (S_ISDIR(about.st_mode)) fail(set, path, strerror(EISDIR));
+    if (access(path, W_OK) != 0) fail(set, path, strerror(errno));
+    return !S_ISREG(about.st_mode);
+}
+
+/* Creates a file beside the path that did not exist before. */
+static FILE *open_beside(const output_set *set, const char *path, char **name) {
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash + 1 - path) : 0;
+    size_t room = (size_t)folder + 64;
+    FILE *file = NULL;
+    *name = malloc(room);
+    if (!*name) fail(set, path, "out of memory");
+    for (int i = 0; i < 100 && !file; i++) {
+        snprintf(*name, room, "%.*s.render-%ld-%d.part", folder, path, (long)getpid(), i);
+        file = fopen(*name, "wbx");
+        if (!file && errno != EEXIST) break;
+    }
+    if (!file) fail(set, path, strerror(errno));
+    return file;
+}
+
+static FILE *open_output(output_set *set, const char *path) {
+    if (strcmp(path, "-") == 0) return stdout;
+    output_file out = {path, NULL};
+    FILE *file;
+    if (is_special(set, path)) {
+        file = fopen(path, "wb");
+        if (!file) fail(set, path, strerror(errno));
+    } else {
+        file = open_beside(set, path, &out.temporary);
+    }
+    set->files[set->count++] = out;
+    return file;
+}
+
+static void close_output(const output_set *set, const char *path, FILE *file) {
+    if (fflush(file) != 0 || ferror(file)) fail(set, path, strerror(errno));
+    if (file != stdout && fclose(file) != 0) fail(set, path, strerror(errno));
+}
+
+void output_check(const char *path) {
+    output_set none = {.count = 0};
+    if (strcmp(path, "-") == 0 || is_special(&none, path)) return;
+    char *name;
+    fclose(open_beside(&none, path, &name));
+    remove(name);
+    free(name);
+}
+
+void output_image(output_set *set, const char *path, image_format format, int width, int height,
+                  const uint8_t *pixels) {
+    FILE *file = open_output(set, path);
+    const char *wrong = image_write(file, format, width, height, pixels);
+    if (wrong) fail(set, path, wrong);
+    close_output(set, path, file);
+}
+
+void output_hits(output_set *set, const char *path, const double *hits, size_t count) {
+    FILE *file = open_output(set, path);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t bits;
+        uint8_t bytes[8];
+        memcpy(&bits, &hits[i], sizeof bits);
+        for (int b = 0; b < 8; b++) bytes[b] = (uint8_t)(bits >> 8 * b);
+        fwrite(bytes, 1, sizeof bytes, file);
+    }
+    close_output(set, path, file);
+}
+
+void output_text(output_set *set, const char *path, const char *text) {
+    FILE *file = open_output(set, path);
+    fputs(text, file);
+    close_output(set, path, file);
+}
+
+void output_commit(output_set *set) {
+    for (int i = 0; i < set->count; i++) {
+        output_file *out = &set->files[i];
+        if (!out->temporary) continue;
+        if (rename(out->temporary, out->path) != 0) fail(set, out->path, strerror(errno));
+        free(out->temporary);
+        out->temporary = NULL;
+    }
+}

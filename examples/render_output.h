@@ -1,0 +1,37 @@
+/* render_output.h - files that are whole or not there.
+ *
+ * A regular file is written beside its target under another name, and renamed when all files of its
+ * set are complete; whatever goes wrong before, it is removed and the target is as it was.  A target
+ * that exists and is no regular file (a device, a pipe, a link) is written directly, "-" is standard
+ * output.  Every function here ends the program, status 1, with one line when it cannot do its work.
+ */
+#ifndef RENDER_OUTPUT_H
+#define RENDER_OUTPUT_H
+#include <stddef.h>
+#include <stdint.h>
+
+#include "image.h"
+
+typedef struct output_file {
+    const char *path;
+    char *temporary; /* null: written directly */
+} output_file;
+
+/* The files of one picture; starts with all zero. */
+typedef struct output_set {
+    output_file files[3];
+    int count;
+} output_set;
+
+/* Tells early whether a file can be written: tries, and leaves nothing behind. */
+void output_check(const char *path);
+
+void output_image(output_set *set, const char *path, image_format format, int width, int height,
+                  const uint8_t *pixels);
+void output_hits(output_set *set, const char *path, const double *hits, size_t count);
+void output_text(output_set *set, const char *path, const char *text);
+
+/* Gives all files of the set their names. */
+void output_commit(output_set *set);
+
+#endif

@@ -1,0 +1,159 @@
+/* intersect.c - first hit, all hits, occluded: roots along a ray become hits. */
+#include "algsurf/intersect.h"
+
+#include <math.h>
+
+#include "fpenv.h"
+#include "intersect_impl.h"
+#include "options.h"
+#include "ray_impl.h"
+#include "vec.h"
+
+typedef struct query {
+    const algsurf_surface *surface;
+    algsurf_ray ray; /* clipped to the extent */
+    int empty;       /* nothing of the ray is left */
+    algsurf_intersect_options options;
+} query;
+
+static algsurf_status read_options(const algsurf_intersect_options *given, algsurf_intersect_options *options) {
+    const algsurf_intersect_options defaults = {sizeof defaults, ALGSURF_TIER_STANDARD, ALGSURF_METHOD_DEFAULT, 0, 0};
+    if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
+    if (options->tier != ALGSURF_TIER_STANDARD && options->tier != ALGSURF_TIER_FAST) return ALGSURF_E_ARGUMENT;
+    if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
+        return ALGSURF_E_ARGUMENT;
+    if (options->max_iterations < 0 || !(options->tolerance >= 0) || isinf(options->tolerance))
+        return ALGSURF_E_ARGUMENT;
+    return ALGSURF_OK;
+}
+
+static algsurf_status prepare(query *q, const algsurf_surface *surface, const algsurf_extent *extent,
+                              const algsurf_ray *ray, const algsurf_intersect_options *options) {
+    if (!surface) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_ray_check(ray);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = read_options(options, &q->options);
+    if (status != ALGSURF_OK) return status;
+    q->surface = surface;
+    return ALGSURF_OK;
+}
+
+static void clip(query *q, const algsurf_extent *extent, const algsurf_ray *ray) {
+    q->empty = !algsurf_i_extent_clip(extent, ray, &q->ray);
+}
+
+static void set_miss(algsurf_hit *hit) {
+    *hit = (algsurf_hit){ALGSURF_MISS, ALGSURF_OK, INFINITY, INFINITY, INFINITY, {0, 0, 0}, {0, 0, 0}};
+}
+
+static void point_at(const algsurf_i_frame *f, algsurf_dd offset, double x[3]) {
+    for (int i = 0; i < 3; i++)
+        x[i] = algsurf_dd_add(f->X[i], algsurf_dd_mul_d(offset, f->V[i])).hi;
+}
+
+/* Newton steps on P at the point itself, in natural units: they take out what the expansion over a long
+ * chord lost.  One is the rule; more only where the first was large. */
+static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, double x[3],
+                   double gradient[3]) {
+    double lo = ldexp(root->t_lo, f->exponent), hi = ldexp(root->t_hi, f->exponent);
+    for (int i = 0; i < 4; i++) {
+        double value = algsurf_i_surface_value(q->surface, x, gradient);
+        double step = -value / algsurf_dot(gradient, f->V), offset = root->offset.hi + step;
+        double s = f->centre + offset;
+        if (!(s >= lo && s <= hi)) return;
+        root->offset = algsurf_dd_from(offset);
+        point_at(f, root->offset, x);
+        if (fabs(step) <= 0x1p-40 * fabs(hi - lo)) return;
+    }
+}
+
+static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
+    double x[3], gradient[3];
+    point_at(f, root->offset, x);
+    if (root->polish) polish(q, f, root, x, gradient);
+    else (void)algsurf_i_surface_value(q->surface, x, gradient);
+    double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
+    hit->state = root->state;
+    hit->reason = root->reason;
+    hit->t = fmin(fmax(t, root->t_lo), root->t_hi);
+    hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_lo;
+    hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_hi;
+    for (int i = 0; i < 3; i++) hit->position[i] = ldexp(x[i], q->surface->unit);
+    if (!algsurf_unit(gradient, hit->normal)) hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
+}
+
+static ALGSURF_NOINLINE void first(query *q, const algsurf_extent *extent, const algsurf_ray *ray,
+                                   algsurf_hit *hit) {
+    algsurf_i_frame frame;
+    algsurf_i_ray_root root;
+    clip(q, extent, ray);
+    if (q->empty || !algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_FIRST, &frame, &root, 1))
+        set_miss(hit);
+    else make_hit(q, &frame, &root, hit);
+}
+
+algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                       const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                       algsurf_hit *hit) {
+    query q;
+    if (!hit) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    first(&q, extent, ray, hit);
+    algsurf_fpenv_leave(&saved);
+    return ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status all(query *q, const algsurf_extent *extent, const algsurf_ray *ray,
+                                           algsurf_hit *hits, int capacity, int *count) {
+    algsurf_i_frame frame;
+    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
+    int room = q->surface->degree > 0 ? q->surface->degree : 1, n;
+    clip(q, extent, ray);
+    n = q->empty ? 0
+                 : algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_ALL, &frame, roots, room);
+    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    for (int i = 0; i < n; i++) make_hit(q, &frame, roots + i, hits + i);
+    *count = n;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
+                                     const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                     algsurf_hit *hits, int capacity, int *count) {
+    query q;
+    if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    status = all(&q, extent, ray, hits, capacity, count);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_hit_state any(query *q, const algsurf_extent *extent, const algsurf_ray *ray) {
+    algsurf_i_frame frame;
+    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
+    clip(q, extent, ray);
+    if (q->empty || !algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_ANY, &frame, roots,
+                                         ALGSURF_MAX_DEGREE + 1))
+        return ALGSURF_MISS;
+    return (algsurf_hit_state)roots[0].state;
+}
+
+algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                                const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                algsurf_hit_state *state) {
+    query q;
+    if (!state) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    *state = any(&q, extent, ray);
+    algsurf_fpenv_leave(&saved);
+    return ALGSURF_OK;
+}

@@ -1,0 +1,194 @@
+/* isolate.c - roots of a polynomial in an interval of the line: the public calls.
+ *
+ * Every stretch of the interval is walked in double; if a cell stays undecided, all of them once more in
+ * double-double; if then an end of the interval is in doubt and the coefficients are exact, the sign
+ * there is computed exactly, and the walk repeated knowing that the end is a root. */
+#include "algsurf/isolate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "fpenv.h"
+#include "isolate_impl.h"
+
+typedef struct task {
+    algsurf_i_coefficients p;
+    double lo, hi;
+    int first_only;
+    int zero_at_lo, zero_at_hi; /* ends, not 0, that are known to be roots */
+    algsurf_i_brackets found;
+} task;
+
+/* Coefficients above the zeros in units of 2^exponent, scaled so that the largest is about 1. */
+static void scale(const algsurf_i_coefficients *p, int exponent, double *q, double *r) {
+    int common = -0x7fffffff;
+    for (int k = p->zeros; k <= p->degree; k++) {
+        double a = fabs(p->c[k]) + (p->r ? p->r[k] : 0);
+        int e;
+        (void)frexp(a, &e);
+        if (a > 0 && e + k * exponent > common) common = e + k * exponent;
+    }
+    for (int k = p->zeros; k <= p->degree; k++) {
+        q[k - p->zeros] = ldexp(p->c[k], k * exponent - common);
+        r[k - p->zeros] = p->r ? ldexp(p->r[k], k * exponent - common) : 0;
+    }
+}
+
+static int pieces_of(const task *t, const algsurf_i_stretch *s, algsurf_i_piece *pieces) {
+    algsurf_dd lo = algsurf_dd_from(ldexp(s->lo, -s->exponent)), hi = algsurf_dd_from(ldexp(s->hi, -s->exponent));
+    int count = algsurf_i_cut_line(lo, hi, pieces);
+    if (count > 0 && s->lo <= t->lo) pieces[0].zero_at_lo = t->zero_at_lo;
+    if (count > 0 && s->hi >= t->hi) pieces[count - 1].zero_at_hi = t->zero_at_hi;
+    return count;
+}
+
+/* After an entry: is the search for a first root over?  An undecided entry may still grow. */
+static int finished(const task *t) {
+    return t->first_only && t->found.count > 0 && t->found.b[0].kind != ALGSURF_ROOT_UNDECIDED;
+}
+
+/* One stretch in double; returns 0 when a cell stayed undecided. */
+static int walk_d(task *t, const algsurf_i_stretch *s) {
+    double q[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_i_walk_d walk;
+    algsurf_i_piece pieces[3];
+    algsurf_i_cell cell;
+    scale(&t->p, s->exponent, q, r);
+    algsurf_i_walk_begin_d(&walk, q, r, t->p.degree - t->p.zeros, 1, pieces, pieces_of(t, s, pieces));
+    while (!finished(t) && algsurf_i_walk_next_d(&walk, &cell))
+        if (cell.kind != ALGSURF_ROOT_BRACKET || !algsurf_i_add_cell(&t->found, &t->p, s, &cell)) return 0;
+    return 1;
+}
+
+/* One stretch in double-double; returns 0 when there was no room for another entry. */
+static int walk_dd(task *t, const algsurf_i_stretch *s) {
+    double q[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_dd wide[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_i_walk_dd walk;
+    algsurf_i_piece pieces[3];
+    algsurf_i_cell cell;
+    int n = t->p.degree - t->p.zeros;
+    scale(&t->p, s->exponent, q, r);
+    for (int k = 0; k <= n; k++) wide[k] = algsurf_dd_from(q[k]);
+    algsurf_i_walk_begin_dd(&walk, wide, r, n, 1, pieces, pieces_of(t, s, pieces));
+    while (!finished(t) && algsurf_i_walk_next_dd(&walk, &cell))
+        if (!algsurf_i_add_cell(&t->found, &t->p, s, &cell)) return 0;
+    return 1;
+}
+
+/* All stretches, the root at 0 in its place; returns 0 as walk_d does. */
+static int walk(task *t, int (*one)(task *, const algsurf_i_stretch *)) {
+    algsurf_i_stretch s[ALGSURF_MOST_STRETCHES];
+    int count = algsurf_i_stretches(&t->p, t->lo, t->hi, s);
+    int zero_due = t->p.zeros > 0 && t->lo <= 0 && t->hi >= 0;
+    t->found.count = 0;
+    for (int i = 0; i < count && !finished(t); i++) {
+        if (zero_due && s[i].lo >= 0) {
+            zero_due = 0;
+            if (!algsurf_i_add_exact(&t->found, 0) || finished(t)) return 1;
+        }
+        if (!one(t, s + i)) return 0;
+    }
+    if (zero_due && !finished(t)) (void)algsurf_i_add_exact(&t->found, 0);
+    return 1;
+}
+
+/* Undecided at an end of the interval: is that end exactly a root? */
+static int end_is_root(const task *t, double x) {
+    if (t->p.r || x == 0 || isinf(x)) return 0;
+    for (int i = 0; i < t->found.count; i++) {
+        const algsurf_bracket *b = t->found.b + i;
+        if (b->kind == ALGSURF_ROOT_UNDECIDED && b->lo <= x && x <= b->hi) return algsurf_i_sign_at(&t->p, x) == 0;
+    }
+    return 0;
+}
+
+static void single_point(task *t) {
+    int sign = isinf(t->lo) ? 1 : algsurf_i_sign_at(&t->p, t->lo);
+    t->found.count = 0;
+    if (sign == 0) (void)algsurf_i_add_exact(&t->found, t->lo);
+    else if (sign == ALGSURF_SIGN_UNKNOWN) {
+        t->found.b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree, ALGSURF_UNDECIDED_ZERO};
+        t->found.count = 1;
+    }
+}
+
+static ALGSURF_NOINLINE void isolate(task *t) {
+    if (t->lo == t->hi) {
+        single_point(t);
+        return;
+    }
+    if (walk(t, walk_d)) return;
+    (void)walk(t, walk_dd);
+    t->zero_at_lo = end_is_root(t, t->lo);
+    t->zero_at_hi = end_is_root(t, t->hi);
+    if (t->zero_at_lo || t->zero_at_hi) (void)walk(t, walk_dd);
+}
+
+static algsurf_status check(const double *c, const double *r, int degree, double lo, double hi) {
+    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !(lo <= hi)) return ALGSURF_E_ARGUMENT;
+    int zero = 1;
+    for (int k = 0; k <= degree; k++) {
+        if (!isfinite(c[k]) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
+        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
+        zero = zero && c[k] == 0 && (!r || r[k] == 0);
+    }
+    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
+}
+
+static int exact_zero(const double *c, const double *r, int k) { return c[k] == 0 && (!r || r[k] == 0); }
+
+/* Runs the search into `room` for degree + 1 brackets; the first undecided reason is the status. */
+static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
+                          algsurf_bracket *room, int *count) {
+    algsurf_status status = check(c, r, degree, lo, hi);
+    if (status != ALGSURF_OK) return status;
+    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, degree > 0 && !first_only ? degree : 1}};
+    while (exact_zero(c, r, t.p.degree)) t.p.degree--;
+    while (exact_zero(c, r, t.p.zeros)) t.p.zeros++;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    isolate(&t);
+    algsurf_fpenv_leave(&saved);
+    *count = t.found.count;
+    for (int i = 0; i < t.found.count; i++)
+        if (room[i].status != ALGSURF_OK) return room[i].status;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
+                                     algsurf_bracket *bracket, int *found) {
+    algsurf_bracket first;
+    int count;
+    if (!bracket || !found) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, 1, &first, &count);
+    if (status < 0) return status;
+    *found = count;
+    if (count) *bracket = first;
+    return status;
+}
+
+algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
+                                   algsurf_bracket *brackets, int capacity, int *count) {
+    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    int n;
+    if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
+    if (status < 0) return status;
+    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    memcpy(brackets, room, (size_t)n * sizeof *room);
+    *count = n;
+    return status;
+}
+
+algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
+                                   int *count) {
+    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    int n, roots = 0;
+    if (!count) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
+    if (status < 0) return status;
+    for (int i = 0; i < n; i++) roots += room[i].kind != ALGSURF_ROOT_UNDECIDED;
+    *count = roots;
+    return status;
+}

@@ -1,0 +1,28 @@
+/* scene_impl.h - what a scene holds, for render. */
+#ifndef ALGSURF_SCENE_IMPL_H
+#define ALGSURF_SCENE_IMPL_H
+#include "algsurf/render.h"
+
+#define ALGSURF_MAX_LIGHTS 16
+
+struct algsurf_scene {
+    const algsurf_surface *surface; /* borrowed */
+    algsurf_extent extent;
+    algsurf_camera camera;
+    algsurf_material material;
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    int light_count; /* -1: the default lights, which depend on camera and extent */
+    double background[3];
+    algsurf_quality quality;
+    int antialias;
+    algsurf_intersect_options intersect;
+};
+
+/* A ball about what is shown: the extent's own; for all of space the one about the origin that fills
+ * the height of the picture. */
+void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *radius);
+
+/* Writes the lights of the scene, the caller's or the default ones, and returns their number. */
+int algsurf_i_scene_lights(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS]);
+
+#endif

@@ -1,0 +1,47 @@
+/* vec.h - vectors of three doubles: the few operations that the geometric rooms share.
+ *
+ * Lengths in this library range over all of double, squares of them do not; what is squared is first
+ * scaled by a power of two to about 1, which is exact.
+ */
+#ifndef ALGSURF_VEC_H
+#define ALGSURF_VEC_H
+#include <math.h>
+
+static inline double algsurf_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double algsurf_max_abs(const double v[3]) {
+    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+}
+
+static inline int algsurf_is_finite3(const double v[3]) {
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+/* The exponent e of x = f 2^e, 1/2 <= |f| < 1, kept within +-1000 so that 2^-e and the square of
+ * x 2^-e neither overflow nor underflow.  x = 0 gives 0. */
+static inline int algsurf_scale_exponent(double x) {
+    int e;
+    (void)frexp(x, &e);
+    return e > 1000 ? 1000 : e < -1000 ? -1000 : e;
+}
+
+/* |v|; overflows only when the length itself does. */
+static inline double algsurf_length(const double v[3]) {
+    int e = algsurf_scale_exponent(algsurf_max_abs(v));
+    double scale = ldexp(1.0, -e), w[3] = {v[0] * scale, v[1] * scale, v[2] * scale};
+    return ldexp(sqrt(algsurf_dot(w, w)), e);
+}
+
+/* unit = v / |v|; returns 0 and leaves unit alone when v is zero. */
+static inline int algsurf_unit(const double v[3], double unit[3]) {
+    double m = algsurf_max_abs(v);
+    if (!(m > 0)) return 0;
+    double scale = ldexp(1.0, -algsurf_scale_exponent(m));
+    double w[3] = {v[0] * scale, v[1] * scale, v[2] * scale}, length = sqrt(algsurf_dot(w, w));
+    for (int i = 0; i < 3; i++) unit[i] = w[i] / length;
+    return 1;
+}
+
+#endif

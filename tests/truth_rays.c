@@ -1,0 +1,303 @@
+/* truth_rays.c - the library's hits against certified ones.
+ *
+ *     truth_rays DATA_FOLDER
+ *
+ * Every ray of truth/rays.tsv is asked for its first hit (both tiers), all its hits (both tiers) and
+ * whether it is blocked at all (standard tier).  In the standard tier no answer may be wrong, an
+ * enclosure must enclose the exact root, t must be as good as the inputs' last digits allow, and
+ * "uncertain" is accepted only where the exact answer hangs on the last bit of the input.  The fast
+ * tier is judged on the rays whose roots a careful computation in double can see.
+ *
+ * Prints a table for each query, a line for each violation, and fails if there is one.  Catches: a
+ * second root taken for the first, a root lost at an end of the ray, an enclosure off by one ulp, a
+ * sign believed inside its error bound, digits lost to a far eye, and a solver that hides behind
+ * "uncertain".
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "eft.h"
+#include "truth_corpus.h"
+
+enum { ID, KIND, NOTE, SURFACE, RAY, N_ROOTS = 12, PAIR_VISX = 19, KABS = 21, ACOND,
+       NEAR_VISX = 26, RAY_COLUMNS };
+enum { ROOT_ID, ROOT_K, ROOT_MULT, ROOT_HI = 4, ROOT_LO, ROOT_COLUMNS };
+enum { KINDS = 16, QUERIES = 5 };
+
+static const char *const query_name[QUERIES] = {"first hit, standard", "first hit, fast", "all hits, standard",
+                                                "all hits, fast", "occluded, standard"};
+
+typedef struct exact_root {
+    algsurf_dd t; /* to 2^-104, and exactly t.hi when t.lo is 0 */
+    int mult;
+} exact_root;
+
+typedef struct truth {
+    const char *id, *kind, *note;
+    algsurf_ray ray;
+    int in_surface; /* the ray lies in the surface: every t is a root */
+    int n;
+    exact_root root[ALGSURF_MAX_DEGREE];
+    double kabs, acond;
+    double visible; /* how far the nearest hit-or-miss decision is from rounding noise, relative */
+} truth;
+
+typedef struct tally {
+    const char *kind;
+    int rows, hits, misses, uncertain, wrong;
+    double worst; /* error of t in units of u acond + ulp(t)/2 */
+} tally;
+
+static tally tallies[QUERIES][KINDS];
+static int violations;
+
+static tally *tally_of(int query, const truth *r) {
+    tally *y = tallies[query];
+    while (y->kind && strcmp(y->kind, r->kind) != 0) y++;
+    y->kind = r->kind;
+    return y;
+}
+
+static void wrong(int query, const truth *r, const char *what, const algsurf_hit *hit) {
+    violations++;
+    tally_of(query, r)->wrong++;
+    printf("WRONG %s %s %s: %s: %s", r->id, r->kind, r->note, query_name[query], what);
+    if (hit) printf(" (state %d, t %a, [%a, %a])", hit->state, hit->t, hit->t_lo, hit->t_hi);
+    if (r->n) printf(" (roots: %d, first %a%+a x%d)", r->n, r->root[0].t.hi, r->root[0].t.lo, r->root[0].mult);
+    printf("\n");
+}
+
+static void count_state(int query, const truth *r, int state) {
+    tally *y = tally_of(query, r);
+    y->rows++;
+    if (state == ALGSURF_HIT) y->hits++;
+    if (state == ALGSURF_MISS) y->misses++;
+    if (state == ALGSURF_UNCERTAIN) y->uncertain++;
+}
+
+static int starts_with(const char *text, const char *prefix) { return !strncmp(text, prefix, strlen(prefix)); }
+
+/* Does the exact answer hang on the last bit of the input?  Only then may it stay open. */
+static int may_stay_open(const truth *r) {
+    if (!strcmp(r->kind, "tangent") || !strcmp(r->kind, "degenerate") || r->in_surface) return 1;
+    if (!strcmp(r->kind, "endpoint") || !strcmp(r->kind, "onsurf")) return starts_with(r->note, "exact");
+    if (!strcmp(r->kind, "singular"))
+        return starts_with(r->note, "exact") || starts_with(r->note, "through");
+    return r->n > 0 && r->root[0].mult >= 2;
+}
+
+static int has_multiple(const truth *r) {
+    for (int i = 0; i < r->n; i++)
+        if (r->root[i].mult >= 2) return 1;
+    return 0;
+}
+
+/* Two roots beyond the first within a part in 10^12: p is below its double-double noise between them. */
+static int crowded(const truth *r) {
+    for (int i = 2; i < r->n; i++)
+        if (r->root[i].t.hi - r->root[i - 1].t.hi <= 1e-12 * fabs(r->root[i].t.hi)) return 1;
+    return has_multiple(r);
+}
+
+static int at_least(algsurf_dd t, double lo) { return lo < t.hi || (lo == t.hi && t.lo >= 0); }
+static int at_most(algsurf_dd t, double hi) { return hi > t.hi || (hi == t.hi && t.lo <= 0); }
+
+static double ulp(double t) { return nextafter(fabs(t), INFINITY) - fabs(t); }
+
+static double error_of(double t, algsurf_dd exact) {
+    algsurf_dd d = algsurf_two_sum(t, -exact.hi);
+    return fabs(d.hi + (d.lo - exact.lo));
+}
+
+/* The error of the first root's t against what its condition allows, times the given factor. */
+static void judge_error(int query, const truth *r, const algsurf_hit *hit, double factor) {
+    const exact_root *e = &r->root[0];
+    double error = error_of(hit->t, e->t);
+    if (e->mult == 1) {
+        double unit = ALGSURF_U * r->acond + ulp(e->t.hi) / 2;
+        tally *y = tally_of(query, r);
+        if (!(error <= factor * unit)) wrong(query, r, "t is too far from the root", hit);
+        if (!(error / unit <= y->worst)) y->worst = error / unit;
+    } else if (!(error <= factor * pow(ALGSURF_U * r->kabs, 1.0 / e->mult) + 2 * ulp(e->t.hi))) {
+        wrong(query, r, "t is too far from the multiple root", hit);
+    }
+}
+
+static void judge_first(const algsurf_surface *s, const truth *r) {
+    algsurf_hit hit;
+    if (algsurf_intersect_first(s, NULL, &r->ray, NULL, &hit) != ALGSURF_OK) {
+        wrong(0, r, "refused", NULL);
+        return;
+    }
+    count_state(0, r, hit.state);
+    if (hit.state == ALGSURF_MISS) {
+        if (r->n || r->in_surface) wrong(0, r, "a miss is told, there is a root", &hit);
+        if (!(hit.t == INFINITY && hit.t_lo == INFINITY && hit.t_hi == INFINITY))
+            wrong(0, r, "a miss with a finite t", &hit);
+    } else if (hit.state == ALGSURF_HIT) {
+        if (r->in_surface) return;
+        if (!r->n) {
+            wrong(0, r, "a hit is told, there is no root", &hit);
+            return;
+        }
+        if (!at_least(r->root[0].t, hit.t_lo) || !at_most(r->root[0].t, hit.t_hi))
+            wrong(0, r, "the first root is not enclosed", &hit);
+        judge_error(0, r, &hit, 4);
+    } else {
+        if (!may_stay_open(r)) wrong(0, r, "uncertain, but decidable", &hit);
+        if (hit.reason <= ALGSURF_OK) wrong(0, r, "uncertain for no reason", &hit);
+        if (r->n && !at_least(r->root[0].t, hit.t_lo)) wrong(0, r, "a root before the doubtful place", &hit);
+    }
+}
+
+static const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
+
+/* Visible in double: the decision stands ten thousand roundings off, and no end is involved. */
+static int visible_in_double(const truth *r) {
+    static const char *const fair[] = {"generic", "far", "scale", "axis", "unnorm", "inside"};
+    for (size_t i = 0; i < sizeof fair / sizeof *fair; i++)
+        if (!strcmp(r->kind, fair[i])) return !r->in_surface && !has_multiple(r) && r->visible > 1e4 * ALGSURF_U;
+    return 0;
+}
+
+static void judge_first_fast(const algsurf_surface *s, const truth *r) {
+    algsurf_hit hit;
+    if (algsurf_intersect_first(s, NULL, &r->ray, &fast, &hit) != ALGSURF_OK) {
+        wrong(1, r, "refused", NULL);
+        return;
+    }
+    count_state(1, r, hit.state);
+    if (hit.state != ALGSURF_MISS && hit.state != ALGSURF_HIT) wrong(1, r, "neither hit nor miss", &hit);
+    if (!visible_in_double(r)) return;
+    if ((hit.state == ALGSURF_HIT) != (r->n > 0))
+        wrong(1, r, "hit and miss confused", &hit);
+    else if (r->n)
+        judge_error(1, r, &hit, 64);
+}
+
+static int covers(const algsurf_hit *h, const exact_root *root) {
+    return at_least(root->t, h->t_lo) && at_most(root->t, h->t_hi);
+}
+
+/* Each hit holds a root of its own, in order, and no root lies outside the entries. */
+static void pair_off(const truth *r, const algsurf_hit *hits, int count) {
+    int next = 0;
+    for (int i = 0; i < count; i++) {
+        if (hits[i].state != ALGSURF_HIT) continue;
+        while (next < r->n && !covers(&hits[i], &r->root[next])) next++;
+        if (next == r->n) wrong(2, r, "a hit encloses no further root", &hits[i]);
+        if (next < r->n) next++;
+    }
+    for (int k = 0; k < r->n; k++) {
+        int covered = 0;
+        for (int i = 0; i < count; i++) covered |= covers(&hits[i], &r->root[k]);
+        if (!covered) wrong(2, r, "a root is missing", count ? &hits[0] : NULL);
+    }
+}
+
+static void judge_all(const algsurf_surface *s, const truth *r) {
+    algsurf_hit hits[ALGSURF_MAX_DEGREE];
+    int count, open = 0;
+    if (algsurf_intersect_all(s, NULL, &r->ray, NULL, hits, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK) {
+        wrong(2, r, "refused", NULL);
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        open |= hits[i].state == ALGSURF_UNCERTAIN;
+        if (i > 0 && !(hits[i].t_lo >= hits[i - 1].t_lo)) wrong(2, r, "not in increasing order", &hits[i]);
+    }
+    count_state(2, r, open ? ALGSURF_UNCERTAIN : count ? ALGSURF_HIT : ALGSURF_MISS);
+    if (!r->in_surface) pair_off(r, hits, count);
+    if (r->in_surface && !count) wrong(2, r, "the ray lies in the surface, and nothing is told", NULL);
+    if (!open && !r->in_surface && count != r->n) wrong(2, r, "the number of hits", NULL);
+    if (open && !may_stay_open(r) && !crowded(r)) wrong(2, r, "uncertain, but decidable", &hits[0]);
+}
+
+static void judge_all_fast(const algsurf_surface *s, const truth *r) {
+    algsurf_hit hits[ALGSURF_MAX_DEGREE];
+    int count;
+    if (algsurf_intersect_all(s, NULL, &r->ray, &fast, hits, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK) {
+        wrong(3, r, "refused", NULL);
+        return;
+    }
+    count_state(3, r, count ? ALGSURF_HIT : ALGSURF_MISS);
+    for (int i = 0; i < count; i++)
+        if (hits[i].state != ALGSURF_HIT) wrong(3, r, "an entry that is no hit", &hits[i]);
+    if (r->n <= 2 && visible_in_double(r) && count != r->n) wrong(3, r, "the number of hits", NULL);
+}
+
+static void judge_occluded(const algsurf_surface *s, const truth *r) {
+    algsurf_hit_state state;
+    if (algsurf_occluded(s, NULL, &r->ray, NULL, &state) != ALGSURF_OK) {
+        wrong(4, r, "refused", NULL);
+        return;
+    }
+    count_state(4, r, (int)state);
+    if (state == ALGSURF_MISS && (r->n || r->in_surface)) wrong(4, r, "told free", NULL);
+    if (state == ALGSURF_HIT && !r->n && !r->in_surface) wrong(4, r, "told occluded", NULL);
+    if (state == ALGSURF_UNCERTAIN && !may_stay_open(r) && !has_multiple(r))
+        wrong(4, r, "uncertain, but decidable", NULL);
+}
+
+static double number_or(const char *text, double otherwise) {
+    return strcmp(text, "-") == 0 ? otherwise : truth_number(text);
+}
+
+/* Row i of the table; its roots start at *next in the table of roots. */
+static truth truth_of(const truth_table *rays, const truth_table *roots, size_t i, size_t *next) {
+    char **c = &rays->cell[i * rays->columns];
+    truth r = {.id = c[ID], .kind = c[KIND], .note = c[NOTE], .ray = truth_ray(c + RAY)};
+    r.in_surface = !strcmp(c[N_ROOTS], "all");
+    r.n = r.in_surface ? 0 : (int)truth_number(c[N_ROOTS]);
+    for (int k = 0; k < r.n; k++, ++*next) {
+        char **d = &roots->cell[*next * roots->columns];
+        if (*next >= roots->rows || strcmp(d[ROOT_ID], r.id) != 0) {
+            fprintf(stderr, "truth_rays: %s: root %d is not in its place\n", r.id, k);
+            exit(2);
+        }
+        r.root[k].t = (algsurf_dd){truth_number(d[ROOT_HI]), truth_number(d[ROOT_LO])};
+        r.root[k].mult = (int)truth_number(d[ROOT_MULT]);
+    }
+    r.kabs = number_or(c[KABS], 0);
+    r.acond = number_or(c[ACOND], 0);
+    r.visible = fmin(number_or(c[PAIR_VISX], INFINITY), number_or(c[NEAR_VISX], INFINITY));
+    return r;
+}
+
+static void print_tables(void) {
+    for (int q = 0; q < QUERIES; q++) {
+        printf("\n%-20s %6s %6s %6s %9s %6s %10s\n", query_name[q], "rows", "hit", "miss", "uncertain", "wrong",
+               "worst");
+        for (const tally *y = tallies[q]; y->kind; y++)
+            printf("  %-18s %6d %6d %6d %9d %6d %10.3g\n", y->kind, y->rows, y->hits, y->misses, y->uncertain,
+                   y->wrong, y->worst);
+    }
+    printf("\nworst: error of t for a simple first root, in units of u acond + ulp/2\n");
+}
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        fprintf(stderr, "usage: truth_rays DATA_FOLDER\n");
+        return 2;
+    }
+    truth_table rays = truth_read(argv[1], "rays.tsv", RAY_COLUMNS);
+    truth_table roots = truth_read(argv[1], "ray_roots.tsv", ROOT_COLUMNS);
+    size_t next = 0;
+    for (size_t i = 0; i < rays.rows; i++) {
+        truth r = truth_of(&rays, &roots, i, &next);
+        const algsurf_surface *s = truth_surface(argv[1], truth_cell(&rays, i, SURFACE));
+        judge_first(s, &r);
+        judge_first_fast(s, &r);
+        judge_all(s, &r);
+        judge_all_fast(s, &r);
+        judge_occluded(s, &r);
+    }
+    print_tables();
+    printf("%zu rays, %zu roots, %d violations\n", rays.rows, next, violations);
+    truth_surface(argv[1], NULL);
+    truth_free(&rays);
+    truth_free(&roots);
+    return violations ? 1 : 0;
+}
