@@ -39,7 +39,8 @@ _Noreturn void cli_fail(int status, const char *format, ...) {
 _Noreturn void cli_no_memory(void) { cli_fail(CLI_BROKEN, "out of memory"); }
 
 _Noreturn void cli_expected(const cli_option *option, const char *value) {
-    cli_fail(CLI_BAD_INPUT, "%s: expected %s, got '%s'", option->name, option->argument, cli_quote(value).text);
+    cli_fail(CLI_BAD_INPUT, "%s: expected %s, got '%s'", option->name, option->argument,
+             cli_quote(value).text);
 }
 
 cli_quoted cli_quote(const char *text) {
@@ -211,8 +212,8 @@ void cli_set_flag(const cli_option *option, const char *value, void *field) {
 
 void cli_set_int(const cli_option *option, const char *value, void *field) {
     if (!cli_whole(value, option->low, option->high, field))
-        cli_fail(CLI_BAD_INPUT, "%s: expected a whole number from %d to %d, got '%s'", option->name, option->low,
-                 option->high, cli_quote(value).text);
+        cli_fail(CLI_BAD_INPUT, "%s: expected a whole number from %d to %d, got '%s'", option->name,
+                 option->low, option->high, cli_quote(value).text);
 }
 
 void cli_set_text(const cli_option *option, const char *value, void *field) {
@@ -295,7 +296,8 @@ void cli_set_let(const cli_option *option, const char *value, void *field) {
     memcpy(name, value, length);
     name[length] = '\0';
     if (!is_constant_name(name))
-        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", option->name, cli_quote(name).text);
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", option->name,
+                 cli_quote(name).text);
     for (size_t i = 0; i < count; i++)
         if (strcmp(all[i].name, name) == 0)
             cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
@@ -332,14 +334,25 @@ static algsurf_surface *from_terms(const char *path) {
     return surface;
 }
 
-algsurf_surface *cli_make_surface(const cli_surface *choice) {
+static void release_constants(cli_surface *choice) {
+    for (size_t i = 0; i < choice->constant_count; i++) free((char *)choice->constants[i].name);
+    free(choice->constants);
+    choice->constants = NULL;
+    choice->constant_count = 0;
+}
+
+algsurf_surface *cli_make_surface(cli_surface *choice) {
     int chosen = (choice->name != NULL) + (choice->equation != NULL) + (choice->terms != NULL);
     if (chosen != 1)
         cli_fail(CLI_BAD_INPUT, "expected %s NAME, --equation TEXT, --terms FILE; see --help",
                  chosen ? "only one of" : "one of");
     if (choice->constant_count > 0 && !choice->equation)
         cli_fail(CLI_BAD_INPUT, "--let: only an --equation has constants");
-    if (choice->equation) return from_equation(choice, "--equation", choice->equation);
+    if (choice->equation) {
+        algsurf_surface *surface = from_equation(choice, "--equation", choice->equation);
+        release_constants(choice);
+        return surface;
+    }
     if (choice->terms) return from_terms(choice->terms);
     const catalogue_entry *entry = catalogue_find(choice->name);
     if (!entry)

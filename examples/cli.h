@@ -85,19 +85,19 @@ typedef struct cli_surface {
     size_t constant_count;
 } cli_surface;
 
+/* clang-format off */
 /* The rows of the option table for the member `surface` of a structure. */
 #define CLI_SURFACE_OPTIONS(type)                                                                            \
     {"--equation", "TEXT", "the surface as an equation in x, y, z: \"x^2 + y^2 = 1 - z^2\"", cli_set_text,   \
      offsetof(type, surface.equation), 0, 0},                                                                \
-        {"--let", "A=VALUE", "a constant for the equation (repeatable)", cli_set_let,                        \
-         offsetof(type, surface), 0, 0},                                                                     \
-    {                                                                                                        \
-        "--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,  \
-            offsetof(type, surface.terms), 0, 0                                                              \
-    }
+    {"--let", "A=VALUE", "a constant for the equation (repeatable)", cli_set_let,                            \
+     offsetof(type, surface), 0, 0},                                                                         \
+    {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
+     offsetof(type, surface.terms), 0, 0}
+/* clang-format on */
 
-/* Makes the surface that was asked for. */
-algsurf_surface *cli_make_surface(const cli_surface *choice);
+/* Makes the surface that was asked for, and releases the constants. */
+algsurf_surface *cli_make_surface(cli_surface *choice);
 
 /* ---- numbers and lines ---- */
 
@@ -116,7 +116,12 @@ typedef struct cli_line {
     size_t number; /* from 1 */
 } cli_line;
 
-typedef enum cli_line_result { CLI_LINE_END, CLI_LINE_READ, CLI_LINE_TOO_LONG, CLI_LINE_NO_MEMORY } cli_line_result;
+typedef enum cli_line_result {
+    CLI_LINE_END,
+    CLI_LINE_READ,
+    CLI_LINE_TOO_LONG,
+    CLI_LINE_NO_MEMORY
+} cli_line_result;
 
 /* The next line of a file, of at most 64 MiB. */
 cli_line_result cli_read_line(FILE *file, cli_line *line);

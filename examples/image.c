@@ -56,9 +56,12 @@ static const char *write_bmp(FILE *file, int width, int height, const uint8_t *p
 
 const char *image_write(FILE *file, image_format format, int width, int height, const uint8_t *pixels) {
     switch (format) {
-    case IMAGE_PNG: return png_write(file, width, height, pixels);
-    case IMAGE_BMP: return write_bmp(file, width, height, pixels);
-    case IMAGE_PPM: return write_ppm(file, width, height, pixels);
+    case IMAGE_PNG:
+        return png_write(file, width, height, pixels);
+    case IMAGE_BMP:
+        return write_bmp(file, width, height, pixels);
+    case IMAGE_PPM:
+        return write_ppm(file, width, height, pixels);
     }
     return "unknown format";
 }

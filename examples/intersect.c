@@ -26,8 +26,8 @@ static const cli_option options_table[] = {
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
      FIELD(how.tolerance)},
-    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)",
-     cli_set_tier, FIELD(how.tier)},
+    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", cli_set_tier,
+     FIELD(how.tier)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -69,8 +69,10 @@ static void print_hit(const run *r, size_t line, const algsurf_hit *hit) {
     }
     print_numbers(hit->position, 3);
     const double *n = hit->normal;
-    if (n[0] == 0 && n[1] == 0 && n[2] == 0) print_absent(3);
-    else print_numbers(n, 3);
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+        print_absent(3);
+    else
+        print_numbers(n, 3);
     putchar('\n');
 }
 
@@ -80,20 +82,86 @@ static void print_empty(size_t line, const char *state) {
     putchar('\n');
 }
 
-/* Returns null, or what is wrong with the ray. */
-static const char *parse_ray(char **field, algsurf_ray *ray) {
+/* The ray of a line's eight fields; 0 and a complaint when there is none. */
+static int parse_ray(size_t line, char **field, algsurf_ray *ray) {
     double *to[8] = {&ray->origin[0],    &ray->origin[1],    &ray->origin[2], &ray->direction[0],
                      &ray->direction[1], &ray->direction[2], &ray->t_min,     &ray->t_max};
     for (int i = 0; i < 8; i++) {
-        if (!cli_number(field[i], to[i])) return "is no number";
-        if (isnan(*to[i])) return "is not a number to count with";
-        if (i < 6 && isinf(*to[i])) return "is not finite";
-        field[0] = field[i < 7 ? i + 1 : 7];
+        int infinite_allowed = i >= 6;
+        if (cli_number(field[i], to[i]) && !isnan(*to[i]) && (infinite_allowed || isfinite(*to[i]))) continue;
+        cli_complain("line %zu: field %d: expected a %s, got '%s'", line, i + 1,
+                     infinite_allowed ? "number or inf" : "finite number", cli_quote(field[i]).text);
+        return 0;
     }
-    return NULL;
+    const double *d = ray->direction;
+    if (d[0] != 0 || d[1] != 0 || d[2] != 0) return 1;
+    cli_complain("line %zu: the direction is zero", line);
+    return 0;
 }
 
-static void complain(run *r, size_t line) {
+/* The hits of one ray; 0 and a complaint when the library refuses it. */
+static int meet(const run *r, size_t line, const algsurf_ray *ray) {
+    int count = 1;
+    algsurf_status status =
+        r->all ? algsurf_intersect_all(r->surface, r->extent, ray, r->how, r->hits, r->capacity, &count)
+               : algsurf_intersect_first(r->surface, r->extent, ray, r->how, r->hits);
+    if (status < 0) {
+        cli_complain("line %zu: %s", line, algsurf_status_text(status));
+        return 0;
+    }
+    if (count == 0 || r->hits[0].state == ALGSURF_MISS)
+        print_empty(line, "miss");
+    else
+        for (int i = 0; i < count; i++) print_hit(r, line, &r->hits[i]);
+    return 1;
+}
+
+/* One line of input: rows of output, unless it is blank. */
+static void take_line(run *r, cli_line *line) {
+    char *field[8];
+    algsurf_ray ray;
+    int fields = cli_split(line, field, 8);
+    if (fields == 0) return;
+    if (fields < 0)
+        cli_complain("line %zu: a NUL byte: not a text", line->number);
+    else if (fields != 8)
+        cli_complain("line %zu: expected eight numbers, got %d", line->number, fields);
+    else if (parse_ray(line->number, field, &ray) && meet(r, line->number, &ray))
+        return;
     r->bad_lines++;
-    print_empty(line, "error");
+    print_empty(line->number, "error");
+}
+
+static void take_lines(run *r) {
+    cli_line line = {.number = 0};
+    cli_line_result got;
+    fputs("#line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\n", stdout);
+    while ((got = cli_read_line(stdin, &line)) == CLI_LINE_READ) {
+        take_line(r, &line);
+        if (ferror(stdout)) break;
+    }
+    int read_error = errno;
+    cli_finish_output();
+    if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
+    if (got == CLI_LINE_TOO_LONG) cli_fail(CLI_BAD_INPUT, "line %zu: too long", line.number + 1);
+    if (ferror(stdin)) cli_fail(CLI_BROKEN, "cannot read standard input: %s", strerror(read_error));
+    free(line.text);
+}
+
+int main(int argc, char **argv) {
+    intersect_options options = {.how = {.size = sizeof options.how}};
+    cli_parse(&program, argc, argv, &options);
+    if (options.centre.given && !options.extent.given)
+        cli_fail(CLI_BAD_INPUT, "--centre: there is no --extent to be moved");
+    memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
+    algsurf_surface *surface = cli_make_surface(&options.surface);
+    run r = {.surface = surface, .how = &options.how, .all = options.all};
+    if (options.extent.given) r.extent = &options.extent.extent;
+    r.capacity = algsurf_surface_degree(surface) + 1; /* at least 1, for a constant */
+    r.hits = malloc((size_t)r.capacity * sizeof *r.hits);
+    if (!r.hits) cli_no_memory();
+    take_lines(&r);
+    free(r.hits);
+    algsurf_surface_free(surface);
+    return r.bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

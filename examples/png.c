@@ -88,10 +88,14 @@ static void put_code(png_writer *png, unsigned code, int count) {
 
 /* A literal byte, the end of the block (256), or a length code: RFC 1951, 3.2.6. */
 static void put_symbol(png_writer *png, unsigned symbol) {
-    if (symbol < 144) put_code(png, 0x30 + symbol, 8);
-    else if (symbol < 256) put_code(png, 0x190 + symbol - 144, 9);
-    else if (symbol < 280) put_code(png, symbol - 256, 7);
-    else put_code(png, 0xc0 + symbol - 280, 8);
+    if (symbol < 144)
+        put_code(png, 0x30 + symbol, 8);
+    else if (symbol < 256)
+        put_code(png, 0x190 + symbol - 144, 9);
+    else if (symbol < 280)
+        put_code(png, symbol - 256, 7);
+    else
+        put_code(png, 0xc0 + symbol - 280, 8);
 }
 
 static int log2_floor(size_t n) {
@@ -191,11 +195,16 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
 static int predict(int filter, int a, int b, int c) {
     int p = a + b - c, da = abs(p - a), db = abs(p - b), dc = abs(p - c);
     switch (filter) {
-    case 1: return a;
-    case 2: return b;
-    case 3: return (a + b) / 2;
-    case 4: return da <= db && da <= dc ? a : db <= dc ? b : c; /* Paeth */
-    default: return 0;
+    case 1:
+        return a;
+    case 2:
+        return b;
+    case 3:
+        return (a + b) / 2;
+    case 4:
+        return da <= db && da <= dc ? a : db <= dc ? b : c; /* Paeth */
+    default:
+        return 0;
     }
 }
 
@@ -245,7 +254,7 @@ const char *png_write(FILE *file, int width, int height, const uint8_t *pixels) 
     fwrite(signature, 1, sizeof signature, file);
     write_chunk(png, "IHDR", header, sizeof header);
     write_compressed(png, filtered, size);
-    write_chunk(png, "IEND", NULL, 0);
+    write_chunk(png, "IEND", signature, 0);
     free(png);
     free(filtered);
     return NULL;

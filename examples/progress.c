@@ -25,8 +25,10 @@ void progress_begin(progress *bar, progress_mode mode, int pictures) {
 
 static void print_time(double seconds) {
     long s = (long)(seconds + 0.5);
-    if (s >= 3600) fprintf(stderr, "%ld:%02ld:%02ld left", s / 3600, s / 60 % 60, s % 60);
-    else fprintf(stderr, "%ld:%02ld left", s / 60, s % 60);
+    if (s >= 3600)
+        fprintf(stderr, "%ld:%02ld:%02ld left", s / 3600, s / 60 % 60, s % 60);
+    else
+        fprintf(stderr, "%ld:%02ld left", s / 60, s % 60);
 }
 
 int progress_rows(int rows_done, int rows_total, void *data) {

@@ -103,9 +103,8 @@ static void draw_picture(run *r, const render_view *view, int picture) {
     if (hits) output_check(hits);
     if (stats) output_check(stats);
 
-    algsurf_render_options how = {sizeof how,         options->width,   options->height,
-                                  options->row_begin, options->row_end, options->threads,
-                                  progress_rows,      &r->bar};
+    algsurf_render_options how = {sizeof how,       options->width,   options->height, options->row_begin,
+                                  options->row_end, options->threads, progress_rows,   &r->bar};
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
@@ -121,7 +120,8 @@ static void draw_picture(run *r, const render_view *view, int picture) {
     free(stats);
 }
 
-static void draw(const render_options *options, const algsurf_surface *surface, const catalogue_entry *entry) {
+static void draw(const render_options *options, const algsurf_surface *surface,
+                 const catalogue_entry *entry) {
     render_view view = render_make_view(options, entry);
     (void)render_make_camera(&view, 0, 1); /* a bad camera is told before anything else is done */
     run r = {.options = options, .surface = surface};
@@ -149,5 +149,6 @@ int main(int argc, char **argv) {
     algsurf_surface *surface = cli_make_surface(&options.surface);
     draw(&options, surface, options.surface.name ? catalogue_find(options.surface.name) : NULL);
     algsurf_surface_free(surface);
+    free(options.default_output);
     return 0;
 }

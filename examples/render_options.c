@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render_output.h"
+
 enum { LARGEST = 65535 }; /* width, height: algsurf_render_options */
 
 static void set_size(const cli_option *option, const char *value, void *field) {
@@ -75,10 +77,14 @@ static const cli_option options_table[] = {
     {"--list", NULL, "the named surfaces: name, degree, equation", cli_set_flag, FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
     {"--size", "WxH", "size of the picture, default 1024x768", set_size, 0, 0, 0},
-    {"--output", "FILE", "the picture: .png, .bmp or .ppm; - is a PPM on standard output;\ndefault NAME.png, "
-     "or surface.png when the surface has no name", cli_set_text, FIELD(output)},
-    {"--quality", "preview|standard|full", "no illumination model; lights without shadows (default);\ntwo "
-     "area lights with shadows", set_quality, FIELD(quality)},
+    {"--output", "FILE",
+     "the picture: .png, .bmp or .ppm; - is a PPM on standard output,\nand a "
+     "device or pipe gets one; default NAME.png, or surface.png when the surface has no name",
+     cli_set_text, FIELD(output)},
+    {"--quality", "preview|standard|full",
+     "no illumination model; lights without shadows (default);\ntwo "
+     "area lights with shadows",
+     set_quality, FIELD(quality)},
     {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 1", cli_set_int,
      offsetof(render_options, antialias), 1, 16},
     {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,
@@ -86,28 +92,32 @@ static const cli_option options_table[] = {
     {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,
      FIELD(look_at)},
     {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector, FIELD(up)},
-    {"--fov", "DEGREES", "vertical field of view, default 30", set_fov, FIELD(fov)},
-    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",
-     set_orthographic, FIELD(orthographic)},
-    {"--extent", "sphere:R|box:X,Y,Z", "what is shown (half sizes); default: as suits the named surface,\n"
-     "sphere:3 for others", cli_set_extent, FIELD(extent)},
+    {"--fov", "DEGREES", "vertical field of view, default 30; magnifies: the eye stays", set_fov, FIELD(fov)},
+    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space", set_orthographic,
+     FIELD(orthographic)},
+    {"--extent", "sphere:R|box:X,Y,Z",
+     "what is shown (half sizes); default: as suits the named surface,\n"
+     "sphere:3 for others",
+     cli_set_extent, FIELD(extent)},
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,
      FIELD(centre)},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
      FIELD(intersect.method)},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
      cli_set_tolerance, FIELD(intersect.tolerance)},
-    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)",
-     cli_set_tier, FIELD(intersect.tier)},
+    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", cli_set_tier,
+     FIELD(intersect.tier)},
     {"--sweep", "turn:N", "N pictures NAME-0001.png ... of a turn about the upward axis", set_sweep,
      FIELD(turn)},
     {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
      offsetof(render_options, threads), 0, 256},
     {"--rows", "A:B", "only the rows A to B-1 of the picture, from 0 at the top", set_rows, 0, 0, 0},
-    {"--hits", "FILE", "distances as raw little-endian doubles, row by row from the top:\nt of the hit "
-     "along the unit ray from the eye, NaN where none", cli_set_text, FIELD(hits)},
-    {"--stats", "FILE", "counts and times, a line 'key<TAB>value' each; - is standard output",
-     cli_set_text, FIELD(stats)},
+    {"--hits", "FILE",
+     "distances as raw little-endian doubles, row by row from the top:\nt of the hit "
+     "along the unit ray from the eye, NaN where none",
+     cli_set_text, FIELD(hits)},
+    {"--stats", "FILE", "counts and times, a line 'key<TAB>value' each; - is standard output", cli_set_text,
+     FIELD(stats)},
     {"--progress", "auto|always|never", "a bar with the time left on standard error", set_progress,
      FIELD(progress)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
@@ -128,13 +138,13 @@ static void check_standard_output(const render_options *options) {
 static void check_output(render_options *options) {
     if (!options->output) {
         const char *name = options->surface.name ? options->surface.name : "surface";
-        char *output = malloc(strlen(name) + sizeof ".png");
-        if (!output) cli_no_memory();
-        strcat(strcpy(output, name), ".png");
-        options->output = output;
+        options->default_output = malloc(strlen(name) + sizeof ".png");
+        if (!options->default_output) cli_no_memory();
+        options->output = strcat(strcpy(options->default_output, name), ".png");
     }
     options->format = IMAGE_PPM;
-    if (strcmp(options->output, "-") != 0 && !image_format_of(options->output, &options->format))
+    if (!image_format_of(options->output, &options->format) && strcmp(options->output, "-") != 0 &&
+        !output_is_special(options->output))
         cli_fail(CLI_BAD_INPUT, "--output: expected a name that ends in .png, .bmp or .ppm, got '%s'",
                  cli_quote(options->output).text);
     if (options->turn > 0 && strcmp(options->output, "-") == 0)
@@ -160,7 +170,9 @@ render_options render_parse_options(int argc, char **argv) {
 }
 
 const char *render_quality_name(algsurf_quality quality) {
-    return quality == ALGSURF_QUALITY_PREVIEW ? "preview" : quality == ALGSURF_QUALITY_FULL ? "full" : "standard";
+    return quality == ALGSURF_QUALITY_PREVIEW ? "preview"
+           : quality == ALGSURF_QUALITY_FULL  ? "full"
+                                              : "standard";
 }
 
 const char *render_tier_name(algsurf_tier tier) { return tier == ALGSURF_TIER_FAST ? "fast" : "standard"; }

@@ -9,6 +9,7 @@ typedef struct render_options {
     int list;
     int width, height;
     const char *output, *hits, *stats; /* hits, stats: null when not wanted; "-" is standard output */
+    char *default_output;              /* to be freed; null when --output is given */
     image_format format;
     algsurf_quality quality;
     int antialias;

@@ -15,16 +15,21 @@
 static _Noreturn void fail(const output_set *set, const char *path, const char *why) {
     for (int i = 0; i < set->count; i++)
         if (set->files[i].temporary) remove(set->files[i].temporary);
+    if (strcmp(path, "-") == 0) cli_fail(CLI_BROKEN, "cannot write to standard output: %s", why);
     cli_fail(CLI_BROKEN, "cannot write '%s': %s", cli_quote(path).text, why);
 }
 
-/* Whether a path is there and is not a regular file; ends the program when it may not be written. */
-static int is_special(const output_set *set, const char *path) {
+int output_is_special(const char *path) {
     struct stat about;
-    if (lstat(path, &about) != 0) return 0;
+    return lstat(path, &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+}
+
+/* A file that is there must be one that can be written. */
+static void check_existing(const output_set *set, const char *path) {
+    struct stat about;
+    if (lstat(path, &about) != 0) return;
     if (S_ISDIR(about.st_mode)) fail(set, path, strerror(EISDIR));
     if (access(path, W_OK) != 0) fail(set, path, strerror(errno));
-    return !S_ISREG(about.st_mode);
 }
 
 /* Creates a file beside the path that did not exist before. */
@@ -48,7 +53,8 @@ static FILE *open_output(output_set *set, const char *path) {
     if (strcmp(path, "-") == 0) return stdout;
     output_file out = {path, NULL};
     FILE *file;
-    if (is_special(set, path)) {
+    check_existing(set, path);
+    if (output_is_special(path)) {
         file = fopen(path, "wb");
         if (!file) fail(set, path, strerror(errno));
     } else {
@@ -65,7 +71,9 @@ static void close_output(const output_set *set, const char *path, FILE *file) {
 
 void output_check(const char *path) {
     output_set none = {.count = 0};
-    if (strcmp(path, "-") == 0 || is_special(&none, path)) return;
+    if (strcmp(path, "-") == 0) return;
+    check_existing(&none, path);
+    if (output_is_special(path)) return;
     char *name;
     fclose(open_beside(&none, path, &name));
     remove(name);

@@ -23,6 +23,9 @@ typedef struct output_set {
     int count;
 } output_set;
 
+/* Whether the path is a device, a pipe, a link: there, but neither a regular file nor a folder. */
+int output_is_special(const char *path);
+
 /* Tells early whether a file can be written: tries, and leaves nothing behind. */
 void output_check(const char *path);
 

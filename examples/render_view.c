@@ -40,7 +40,8 @@ static void stand_as_catalogued(render_view *view, const catalogue_entry *entry)
 
 static void stand_off_extent(render_view *view, const catalogue_entry *entry) {
     double direction[3];
-    for (int i = 0; i < 3; i++) direction[i] = entry ? entry->eye[i] - entry->look_at[i] : DEFAULT_DIRECTION[i];
+    for (int i = 0; i < 3; i++)
+        direction[i] = entry ? entry->eye[i] - entry->look_at[i] : DEFAULT_DIRECTION[i];
     double fov = entry ? entry->fov : DEFAULT_FOV;
     double distance = MARGIN * extent_radius(&view->extent) / sin(fov / 2 * PI / 180);
     for (int i = 0; i < 3; i++) {
@@ -67,13 +68,17 @@ static void choose_up(render_view *view) {
 
 render_view render_make_view(const render_options *options, const catalogue_entry *entry) {
     render_view view = {.extent = choose_extent(options, entry)};
-    if (entry && !options->extent.given && !options->centre.given) stand_as_catalogued(&view, entry);
-    else stand_off_extent(&view, entry);
+    if (entry && !options->extent.given && !options->centre.given)
+        stand_as_catalogued(&view, entry);
+    else
+        stand_off_extent(&view, entry);
     step_back(&view, options);
     if (options->eye.given) memcpy(view.eye, options->eye.x, sizeof view.eye);
     if (options->look_at.given) memcpy(view.look_at, options->look_at.x, sizeof view.look_at);
-    if (options->up.given) memcpy(view.up, options->up.x, sizeof view.up);
-    else choose_up(&view);
+    if (options->up.given)
+        memcpy(view.up, options->up.x, sizeof view.up);
+    else
+        choose_up(&view);
     view.fov = options->fov > 0 ? options->fov : entry ? entry->fov : DEFAULT_FOV;
     view.orthographic = options->orthographic;
     return view;

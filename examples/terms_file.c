@@ -98,8 +98,10 @@ int terms_read_surface(FILE *file, algsurf_surface **surface, terms_error *error
     int result = read_terms(&r, file);
     if (result == 0) {
         algsurf_status status = algsurf_surface_from_terms(r.terms, r.count, surface);
-        if (status == ALGSURF_E_NO_MEMORY) result = refuse_for_memory(&r);
-        else if (status != ALGSURF_OK) result = refuse(&r, 0, "%s", algsurf_status_text(status));
+        if (status == ALGSURF_E_NO_MEMORY)
+            result = refuse_for_memory(&r);
+        else if (status != ALGSURF_OK)
+            result = refuse(&r, 0, "%s", algsurf_status_text(status));
     }
     free(r.terms);
     free(r.line.text);

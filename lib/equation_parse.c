@@ -291,9 +291,7 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
         return 0;
     }
     *more = 0;
-    if (!number_follows(p)) return 1;
-    algsurf_i_tripoly_free(left);
-    return refuse(p, offset, "expected an operator before a number");
+    return 1;
 }
 
 static int parse_product(parser *p, algsurf_i_tripoly *out) {

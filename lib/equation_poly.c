@@ -79,7 +79,7 @@ double algsurf_i_monomial_round(const algsurf_i_monomial *m) {
     (void)frexp(n.v.hi, &x);
     if (x + shift > -1022) return ldexp(n.v.hi, shift);
     /* A subnormal result: round hi to a multiple of 2^-1074, then mend what lo says of a tie. */
-    double quantum = ldexp(1.0, -1074 - shift), anchor = 0x1.8p52 * quantum;
+    double quantum = ldexp(1.0, -1074 - shift), anchor = copysign(0x1p52 * quantum, n.v.hi);
     double rounded = (n.v.hi + anchor) - anchor, rest = n.v.hi - rounded;
     if (rest == quantum / 2 && n.v.lo > 0) rounded += quantum;
     if (rest == -quantum / 2 && n.v.lo < 0) rounded -= quantum;

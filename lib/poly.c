@@ -28,6 +28,13 @@ static algsurf_status check(const double *c, const double *r, int degree) {
 
 static int degree_allowed(int degree) { return degree >= 0 && degree <= ALGSURF_MAX_POLY_DEGREE; }
 
+/* The index of the highest coefficient that is not exactly 0.  Steps above it are exact: counting them would
+ * only let the constants for underflow grow with the powers of t. */
+static int highest(const double *c, const double *r, int degree) {
+    while (degree > 0 && c[degree] == 0 && (!r || r[degree] == 0)) degree--;
+    return degree;
+}
+
 typedef struct {
     double value, bound;
 } bounded;
@@ -93,6 +100,7 @@ static algsurf_status ALGSURF_NOINLINE eval(const double *c, const double *r, in
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(t)) return ALGSURF_E_NOT_FINITE;
+    degree = highest(c, r, degree);
     bounded y = {0.0, INFINITY};
     if (compensated) y = compensated_horner(c, r, degree, t);
     int overflow = !(y.bound < INFINITY) || !isfinite(y.value); /* two_prod does so earlier than a product */
@@ -137,7 +145,8 @@ static coefficient term(int k, int m, coefficient from, double x) {
 /* Horner in Bernstein form: q <- t q + c_i raises the degree of q to m.  On [lo,hi], t is the linear form
  * lo (1-s) + hi s, so that
  *     b_j <- (m-j)/m lo b_j + j/m hi b_{j-1} + c_i,   j = 0..m,
- * a constant being the same in every degree: the blossom, one argument after the other.
+ * a constant being the same in every degree: the blossom, one argument after the other.  The leading
+ * coefficient starts as such a constant.
  * Underflow in a step: at most six products in two terms: 2^-1071 covers them and the last RAISE. */
 static algsurf_status ALGSURF_NOINLINE to_bernstein(const double *c, const double *r, int degree, double lo,
                                                     double hi, double *b, double *br) {
@@ -145,9 +154,10 @@ static algsurf_status ALGSURF_NOINLINE to_bernstein(const double *c, const doubl
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (!(lo < hi)) return ALGSURF_E_ARGUMENT;
+    int top = highest(c, r, degree), first = degree - top;
     coefficient q[ALGSURF_MAX_POLY_DEGREE + 1];
-    q[0] = (coefficient){c[degree], r ? r[degree] : 0.0};
-    for (int m = 1; m <= degree; m++) {
+    for (int j = 0; j <= first; j++) q[j] = (coefficient){c[top], r ? r[top] : 0.0};
+    for (int m = first + 1; m <= degree; m++) {
         double ci = c[degree - m], ri = r ? r[degree - m] : 0.0;
         for (int j = m; j >= 0; j--) {
             coefficient left = {0.0, 0.0}, right = {0.0, 0.0};
@@ -157,8 +167,8 @@ static algsurf_status ALGSURF_NOINLINE to_bernstein(const double *c, const doubl
             q[j] = (coefficient){y, left.e + right.e + ri + ALGSURF_U * (fabs(sum) + fabs(y)) + 0x1p-1071};
         }
     }
-    for (int j = 0; degree > 0 && j <= degree; j++) {
-        q[j].e = raised(q[j].e);
+    for (int j = 0; j <= degree; j++) {
+        if (top > 0) q[j].e = raised(q[j].e);
         if (!isfinite(q[j].b) || !isfinite(q[j].e)) return ALGSURF_E_RANGE;
     }
     for (int j = 0; j <= degree; j++) b[j] = q[j].b, br[j] = q[j].e;

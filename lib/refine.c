@@ -121,19 +121,13 @@ typedef struct {
     double derivative; /* at the last point, from value_and_slope */
 } polynomial;
 
-/* p(t) has overflowed, hence |t| > 1: its sign from the reversed polynomial, p(t) = t^n q(1/t). */
-static double overflowed(const polynomial *p, double t) {
-    double y = p->c[0];
-    for (int i = 1; i <= p->degree; i++) y = y / t + p->c[i];
-    int negative = (y < 0) != (t < 0 && p->degree % 2 == 1);
-    return y == 0 ? 0.0 : negative ? -INFINITY : INFINITY;
-}
-
+/* Horner's rule.  Coefficients are below 2^500 (balance), so a sum that overflows does so for |t| > 2 and
+ * outweighs all that is still to come: the sign of an infinite value is right. */
 static double value(double t, void *data) {
     const polynomial *p = data;
     double y = p->c[p->degree];
     for (int i = p->degree - 1; i >= 0; i--) y = y * t + p->c[i];
-    return isfinite(y) ? y : overflowed(p, t);
+    return y;
 }
 
 static double value_and_slope(double t, void *data) {
@@ -144,7 +138,7 @@ static double value_and_slope(double t, void *data) {
         y = y * t + p->c[i];
     }
     p->derivative = slope;
-    return isfinite(y) ? y : overflowed(p, t);
+    return y;
 }
 
 /* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor

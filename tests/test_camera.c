@@ -4,7 +4,8 @@
  *   left-handed frame, y up instead of down, x and y scaled apart     corners, aspect
  *   fov taken as half the angle or as horizontal                      corners
  *   cross products in plain double                                    frames (nearly parallel up)
- *   eye subtracted after scaling to unit length                       far_eye
+ *   look_at - eye with less than double precision                     frames
+ *   up accepted when parallel but for rounding                        bad_cameras
  *   orthographic direction fanned out                                 orthographic
  */
 #include <setjmp.h>

@@ -106,7 +106,8 @@ static algsurf_scene *stage;
 static uint8_t reference[HEIGHT][WIDTH * 3];
 
 static algsurf_status draw(uint8_t pixels[HEIGHT][WIDTH * 3]) {
-    const algsurf_render_options options = {.size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 2};
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 2};
     return algsurf_render(stage, &options, &pixels[0][0], sizeof pixels[0], NULL, NULL);
 }
 
@@ -159,6 +160,7 @@ static void test_scene_and_render(void **state) {
 
 int main(void) {
     atomic_store(&until_failure, -1);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface), cmocka_unit_test(test_scene_and_render)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface),
+                                       cmocka_unit_test(test_scene_and_render)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

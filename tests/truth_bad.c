@@ -56,10 +56,12 @@ static void accepted_ray(char *const *row, const algsurf_surface *s, const algsu
     int false_state = meets ? ALGSURF_MISS : ALGSURF_HIT;
     if (hit.state == false_state) wrong(row, "first hit: a false certificate");
     if ((int)occluded == false_state) wrong(row, "occluded: a false certificate");
-    if (meets ? count == 0 : count > 0 && hits[0].state == ALGSURF_HIT) wrong(row, "all hits: a false certificate");
+    if (meets ? count == 0 : count > 0 && hits[0].state == ALGSURF_HIT)
+        wrong(row, "all hits: a false certificate");
     if (!strcmp(row[EXPECT], "empty") && (hit.state != ALGSURF_MISS || count || occluded != ALGSURF_MISS))
         wrong(row, "an empty ray does not miss");
-    if (!strcmp(row[EXPECT], "ok") && count != (int)truth_number(row[CHECK])) wrong(row, "the number of hits");
+    if (!strcmp(row[EXPECT], "ok") && count != (int)truth_number(row[CHECK]))
+        wrong(row, "the number of hits");
 }
 
 static void judge_ray(const char *folder, char *const *row) {
@@ -99,8 +101,8 @@ static void judge_terms(const char *folder, char *const *row) {
     if (!strcmp(row[EXPECT], "ok")) {
         const double point[3] = {0.5, 0.25, 2};
         double value, bound, expected = truth_number(row[CHECK]);
-        if (algsurf_surface_value(s, point, &value, &bound) != ALGSURF_OK || !(fabs(value - expected) <= bound) ||
-            !(bound <= 1e-12 * fabs(expected)))
+        if (algsurf_surface_value(s, point, &value, &bound) != ALGSURF_OK ||
+            !(fabs(value - expected) <= bound) || !(bound <= 1e-12 * fabs(expected)))
             wrong(row, "the value at (0.5, 0.25, 2)");
     }
     algsurf_surface_free(s);

@@ -21,13 +21,24 @@
 #include "eft.h"
 #include "truth_corpus.h"
 
-enum { ID, KIND, NOTE, SURFACE, RAY, N_ROOTS = 12, PAIR_VISX = 19, KABS = 21, ACOND,
-       NEAR_VISX = 26, RAY_COLUMNS };
+enum {
+    ID,
+    KIND,
+    NOTE,
+    SURFACE,
+    RAY,
+    N_ROOTS = 12,
+    PAIR_VISX = 19,
+    KABS = 21,
+    ACOND,
+    NEAR_VISX = 26,
+    RAY_COLUMNS
+};
 enum { ROOT_ID, ROOT_K, ROOT_MULT, ROOT_HI = 4, ROOT_LO, ROOT_COLUMNS };
 enum { KINDS = 16, QUERIES = 5 };
 
-static const char *const query_name[QUERIES] = {"first hit, standard", "first hit, fast", "all hits, standard",
-                                                "all hits, fast", "occluded, standard"};
+static const char *const query_name[QUERIES] = {"first hit, standard", "first hit, fast",
+                                                "all hits, standard", "all hits, fast", "occluded, standard"};
 
 typedef struct exact_root {
     algsurf_dd t; /* to 2^-104, and exactly t.hi when t.lo is 0 */
@@ -65,7 +76,8 @@ static void wrong(int query, const truth *r, const char *what, const algsurf_hit
     tally_of(query, r)->wrong++;
     printf("WRONG %s %s %s: %s: %s", r->id, r->kind, r->note, query_name[query], what);
     if (hit) printf(" (state %d, t %a, [%a, %a])", hit->state, hit->t, hit->t_lo, hit->t_hi);
-    if (r->n) printf(" (roots: %d, first %a%+a x%d)", r->n, r->root[0].t.hi, r->root[0].t.lo, r->root[0].mult);
+    if (r->n)
+        printf(" (roots: %d, first %a%+a x%d)", r->n, r->root[0].t.hi, r->root[0].t.lo, r->root[0].mult);
     printf("\n");
 }
 
@@ -77,14 +89,15 @@ static void count_state(int query, const truth *r, int state) {
     if (state == ALGSURF_UNCERTAIN) y->uncertain++;
 }
 
-static int starts_with(const char *text, const char *prefix) { return !strncmp(text, prefix, strlen(prefix)); }
+static int starts_with(const char *text, const char *prefix) {
+    return !strncmp(text, prefix, strlen(prefix));
+}
 
 /* Does the exact answer hang on the last bit of the input?  Only then may it stay open. */
 static int may_stay_open(const truth *r) {
     if (!strcmp(r->kind, "tangent") || !strcmp(r->kind, "degenerate") || r->in_surface) return 1;
     if (!strcmp(r->kind, "endpoint") || !strcmp(r->kind, "onsurf")) return starts_with(r->note, "exact");
-    if (!strcmp(r->kind, "singular"))
-        return starts_with(r->note, "exact") || starts_with(r->note, "through");
+    if (!strcmp(r->kind, "singular")) return starts_with(r->note, "exact") || starts_with(r->note, "through");
     return r->n > 0 && r->root[0].mult >= 2;
 }
 
@@ -158,7 +171,8 @@ static const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGS
 static int visible_in_double(const truth *r) {
     static const char *const fair[] = {"generic", "far", "scale", "axis", "unnorm", "inside"};
     for (size_t i = 0; i < sizeof fair / sizeof *fair; i++)
-        if (!strcmp(r->kind, fair[i])) return !r->in_surface && !has_multiple(r) && r->visible > 1e4 * ALGSURF_U;
+        if (!strcmp(r->kind, fair[i]))
+            return !r->in_surface && !has_multiple(r) && r->visible > 1e4 * ALGSURF_U;
     return 0;
 }
 
@@ -268,8 +282,8 @@ static truth truth_of(const truth_table *rays, const truth_table *roots, size_t 
 
 static void print_tables(void) {
     for (int q = 0; q < QUERIES; q++) {
-        printf("\n%-20s %6s %6s %6s %9s %6s %10s\n", query_name[q], "rows", "hit", "miss", "uncertain", "wrong",
-               "worst");
+        printf("\n%-20s %6s %6s %6s %9s %6s %10s\n", query_name[q], "rows", "hit", "miss", "uncertain",
+               "wrong", "worst");
         for (const tally *y = tallies[q]; y->kind; y++)
             printf("  %-18s %6d %6d %6d %9d %6d %10.3g\n", y->kind, y->rows, y->hits, y->misses, y->uncertain,
                    y->wrong, y->worst);

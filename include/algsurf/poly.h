@@ -25,8 +25,9 @@ extern "C" {
 ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
 
-/* The same with a value computed as if in doubled precision: bound is about one unit in the last
- * place of value plus 2^-100 sum |c_i t^i| plus the radii.  Cost: about six times algsurf_poly_eval.
+/* The same with a value computed as if in doubled precision: bound is about one unit in
+ * the last place of value, plus the radii, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree
+ * (coefficients and t beyond 2^900 may get the bound of algsurf_poly_eval instead).
  * Source: compensated Horner scheme, Graillat, Langlois, Louvet 2005.  Errors, Since: as above. */
 ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);

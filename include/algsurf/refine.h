@@ -29,13 +29,14 @@ typedef struct algsurf_refine_options {
 } algsurf_refine_options;
 
 typedef struct algsurf_root {
-    double root;     /* the end of [lo,hi], or exact zero, with the smaller |f| */
+    double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
     double value;    /* f(root) as computed */
     int evaluations; /* of f (for the guarded Newton: of f together with f'), ends included */
     int iterations;  /* points chosen by the method */
     int converged;   /* 1: hi - lo <= 2 (tolerance + rounding) or value == 0; 0: the limit was reached.
-                        Regula falsi also converges when two consecutive points differ by less. */
+                        Regula falsi also stops, as converged, when two consecutive points differ by no
+                        more than that: near a root or only slow, it cannot tell. */
 } algsurf_root;
 
 /* Real function of a real variable; data is the caller's, passed through. */
@@ -47,12 +48,15 @@ typedef double (*algsurf_function)(double x, void *data);
  * Returns OK; NOT_CONVERGED (result filled) at the iteration limit.  Errors: E_ARGUMENT (null, lo > hi,
  * same signs, bad options), E_NOT_FINITE (an end, or f returned NaN).
  * The function is called in the caller's floating-point environment and may use all of libm.
+ * So is the arithmetic on the bracket: the guarantee does not depend on it, the last digits may.
+ * Infinite values count by their sign.
  * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_root *result);
 
 /* The same for a polynomial in the power basis, degree+1 coefficients, lowest first.
+ * The default method needs no more than 395 evaluations for any bracket (plain halving may need 2000).
  * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                                const algsurf_refine_options *options,

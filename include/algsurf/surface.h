@@ -35,7 +35,7 @@ typedef struct algsurf_parse_error {
 } algsurf_parse_error;
 
 /* A surface from its terms, in any order; terms with the same exponents are added (in order, each sum
- * rounded once), zero terms vanish.  count may be 0 only in error.
+ * rounded once), then zero terms vanish, whatever their exponents.  count may be 0 only in error.
  *   surface  receives the new surface; free it with algsurf_surface_free
  * Errors: E_ARGUMENT (null, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum overflows),
  * E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
@@ -48,14 +48,20 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * Grammar: + - * / ^ ( ), numbers (decimal or hexadecimal, point and exponent allowed, independent of
  * the locale), variables x y z, the given constants, sqrt(...) of a constant, implicit multiplication
  * (3x^2 y), blanks anywhere between tokens, at most one '=' (left minus right).  ^ binds tighter than
- * unary minus, is right associative and takes a constant integer exponent 0..64; division only by a
- * constant.  Every coefficient is computed in double-double and rounded once.
+ * unary minus, is right associative and takes a constant integer exponent 0..64 (down to -64 for a
+ * constant base); division only by a constant.  Implicit multiplication binds like *: 1/2x is x/2; its
+ * right operand is never a number.  A name is read as long as it goes; one that is no constant but made
+ * of x, y, z only is their product: xyz.
+ * Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
+ * double.  What double-double cannot tell from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
  *   constants, count  named values; may be null when count is 0
  *   error             may be null; filled only when E_SYNTAX, E_DEGREE, E_RANGE is returned
  * Errors: E_SYNTAX (also unknown names, sqrt of a negative number, division by zero or by x, y, z),
- * E_DEGREE, E_RANGE (a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
- * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length; nesting
- * deeper than 200 is E_SYNTAX.  Since 1.0. */
+ * E_DEGREE (a product or power above degree 64, even if it would cancel: at its operator), E_RANGE (a
+ * number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26
+ * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 200 is E_SYNTAX.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,
                                                          algsurf_parse_error *error);

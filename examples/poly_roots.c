@@ -1,0 +1,28 @@
+/* poly_roots.c - the smallest program that uses libalgsurf on polynomials: all roots in an interval.
+ *
+ *     cc -I../include poly_roots.c ../lib/[a-z]*.c -lm -pthread -o poly_roots
+ */
+#include <stdio.h>
+
+#include "algsurf/algsurf.h"
+
+int main(void) {
+    /* (t-1)(t-2)(t-3)(t^2-2), lowest degree first: three roots and sqrt(2) lie in [0, 4] */
+    const double c[] = {12, -22, 6, 9, -6, 1};
+    enum { DEGREE = sizeof c / sizeof *c - 1 };
+
+    algsurf_bracket bracket[DEGREE];
+    int count;
+    algsurf_status status = algsurf_isolate_all(c, NULL, DEGREE, 0, 4, bracket, DEGREE, &count);
+    if (status != ALGSURF_OK) {
+        printf("not every root could be isolated: %s\n", algsurf_status_text(status));
+        return 1;
+    }
+    for (int i = 0; i < count; i++) {
+        algsurf_root root = {.root = bracket[i].lo}; /* exact, when the bracket is a point */
+        if (bracket[i].kind == ALGSURF_ROOT_BRACKET)
+            algsurf_refine_poly(c, DEGREE, bracket[i].lo, bracket[i].hi, NULL, &root);
+        printf("%.17g\n", root.root);
+    }
+    return 0;
+}

@@ -1,0 +1,82 @@
+/* render_case.h - a small picture of a torus, for the tests of the room render; after cmocka.h. */
+#ifndef RENDER_CASE_H
+#define RENDER_CASE_H
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "algsurf/algsurf.h"
+
+#define W 44
+#define H 33
+#define STRIDE (3 * W + 5)
+#define SENTINEL 0x5a
+
+typedef struct picture {
+    uint8_t bytes[H * STRIDE];
+    double hits[H * W];
+    algsurf_render_stats stats;
+} picture;
+
+static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
+static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.2, 0, 0}};
+
+static inline algsurf_surface *surface_of(const char *equation) {
+    algsurf_surface *surface = NULL;
+    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    return surface;
+}
+
+static inline algsurf_surface *torus(void) { return surface_of("(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)"); }
+
+static inline algsurf_camera camera_at(double x, double y, double z, double fov) {
+    const double eye[3] = {x, y, z};
+    algsurf_camera camera;
+    assert_int_equal(algsurf_camera_pinhole(&camera, eye, origin, z_up, fov), ALGSURF_OK);
+    return camera;
+}
+
+static inline algsurf_scene *scene_of(const algsurf_surface *surface, algsurf_quality quality,
+                                      int antialias) {
+    algsurf_scene *scene = NULL;
+    algsurf_camera camera = camera_at(7, 4, 5, 36);
+    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
+    return scene;
+}
+
+static inline algsurf_render_options options_for(int threads) {
+    algsurf_render_options o = {.size = sizeof o, .width = W, .height = H, .threads = threads};
+    return o;
+}
+
+static inline void blank(picture *p) {
+    memset(p, SENTINEL, sizeof *p);
+    p->stats.size = sizeof p->stats;
+}
+
+static inline void render(const algsurf_scene *scene, const algsurf_render_options *o, picture *p) {
+    size_t first = (size_t)o->row_begin;
+    assert_int_equal(
+        algsurf_render(scene, o, p->bytes + first * STRIDE, STRIDE, p->hits + first * W, &p->stats),
+        ALGSURF_OK);
+}
+
+static inline picture *drawn(const algsurf_scene *scene, int threads) {
+    picture *p = malloc(sizeof *p);
+    algsurf_render_options o = options_for(threads);
+    assert_non_null(p);
+    blank(p);
+    render(scene, &o, p);
+    return p;
+}
+
+static inline void assert_same_picture(const picture *a, const picture *b) {
+    assert_memory_equal(a->bytes, b->bytes, sizeof a->bytes);
+    assert_memory_equal(a->hits, b->hits, sizeof a->hits);
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* test_equation_number.c - numbers in equations, against the C library's strtod in the "C" locale.
+ *
+ * Each test says which breaks it catches.
+ */
+#include <fenv.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "algsurf/surface.h"
+#include "exact.h"
+
+static const uint64_t seed = 20240607;
+
+static algsurf_surface *parse(const char *text) {
+    algsurf_surface *s = NULL;
+    algsurf_parse_error error = {0, ""};
+    algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &s, &error);
+    if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
+    assert_int_equal(status, ALGSURF_OK);
+    return s;
+}
+
+/* The constant term of "NUMBER+x". */
+static double lone(const char *number) {
+    static char text[4096];
+    assert_true(snprintf(text, sizeof text, "%s+x", number) < (int)sizeof text);
+    algsurf_surface *s = parse(text);
+    algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    algsurf_surface_free(s);
+    return terms[1].a;
+}
+
+static void check_number(const char *number) {
+    double got = lone(number), expected = strtod(number, NULL);
+    if (got != expected)
+        fprintf(stderr, "seed %llu, %s: %a, not %a\n", (unsigned long long)seed, number, got, expected);
+    assert_true(got == expected);
+}
+
+/* Catches: a tie broken wrongly, "more" forgotten, limbs misaligned, double rounding of subnormals. */
+static void test_numbers(void **unused) {
+    (void)unused;
+    static const char *const numbers[] = {"11.8",
+                                          "0.1",
+                                          "1e22",
+                                          "1e23",
+                                          "1e-300",
+                                          "0x1.8p3",
+                                          "9007199254740993",
+                                          "9007199254740993.0000000000000000001",
+                                          "9007199254740991.5",
+                                          "1.00000000000000011102230246251565404236316680908203125",
+                                          "1.00000000000000011102230246251565404236316680908203124",
+                                          "1.00000000000000011102230246251565404236316680908203126",
+                                          "1.7976931348623157e308",
+                                          "5e-324",
+                                          "2.4703282292062328e-324",
+                                          "2.4703282292062327e-324",
+                                          "2.2250738585072011e-308",
+                                          "2.2250738585072012e-308",
+                                          "1e-330",
+                                          "0e99",
+                                          "0.000",
+                                          "000123.4500",
+                                          "0x1.fffffffffffff8p0",
+                                          "0x1.fffffffffffff7ffffffffffffffffffffffffffffp0",
+                                          "0x.8p-1073",
+                                          "0x1.8p-1074",
+                                          "0x0.0000000000001p-1022",
+                                          "0x1.00000000000008p0",
+                                          "0x1.000000000000080000000000000000000001p0",
+                                          "0xabcdef0123456789abcdef0123456789",
+                                          "4503599627370497.5",
+                                          "123456789012345678901234567890e-10",
+                                          "6.6312368714699758276785396630275967242439909947355e-316"};
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) check_number(numbers[n]);
+    uint64_t state = seed;
+    for (int n = 0; n < 20000; n++) {
+        char text[1200];
+        double x = exact_random_wide(&state, -1074, 1023), y = nextafter(x = fabs(x), 0);
+        int kind = n % 5, digits = exact_random_int(&state, 22);
+        if (kind == 0) snprintf(text, sizeof text, "%.*e", digits, x);
+        if (kind == 1) snprintf(text, sizeof text, "%a", x);
+        if (kind == 2) snprintf(text, sizeof text, "%.17g", x);
+        if (kind == 3) snprintf(text, sizeof text, "%d.%0*de%d", n, digits + 1, n % 7, digits * 5 - 50);
+        if (kind == 4) { /* exactly halfway between two doubles, and just above when n is even */
+            mpf_t middle, other;
+            mpf_init2(middle, 3000), mpf_init2(other, 3000);
+            mpf_set_d(middle, x), mpf_set_d(other, y);
+            mpf_add(middle, middle, other), mpf_div_2exp(middle, middle, 1);
+            gmp_snprintf(text, sizeof text, "%.800Fe", middle);
+            mpf_clears(middle, other, NULL);
+            char *e = strchr(text, 'e');
+            if (n % 2 == 0 && e) e[-1] = '1';
+        }
+        check_number(text);
+    }
+}
+
+/* Catches: work outside the environment's bracket. */
+static void test_rounding_mode(void **unused) {
+    (void)unused;
+    const double nearest = lone("0.1");
+    algsurf_surface *s = NULL;
+    algsurf_term t;
+    assert_int_equal(fesetround(FE_UPWARD), 0);
+    algsurf_status status = algsurf_surface_from_equation("0.1", NULL, 0, &s, NULL);
+    assert_int_equal(fegetround(), FE_UPWARD);
+    assert_int_equal(fesetround(FE_TONEAREST), 0);
+    assert_int_equal(status, ALGSURF_OK);
+    assert_int_equal(algsurf_surface_terms(s, &t), ALGSURF_OK);
+    assert_true(t.a == nearest);
+    algsurf_surface_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_rounding_mode),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,212 @@
+/* test_render_crew.c - the same bytes whoever draws them; progress, cancelling, options.
+ *
+ * Breaks tried, each caught by the test named:
+ *   rows skipped, a buffer shared by two threads, colours summed over rows        same_bytes
+ *   abandoned rows written, cancel ignored, progress called after it              cancel
+ *   progress without the last call, or from another thread                        progress_calls
+ *   more of a caller's struct written than it has                                 sized_structs
+ * That no allocation may fail unnoticed is the business of test_memory.
+ */
+#define _POSIX_C_SOURCE 200809L /* nanosleep */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <fenv.h>
+#include <pthread.h>
+#include <time.h>
+
+#include "render_case.h"
+
+/* Threads, slices and the caller's rounding mode change nothing; the gap after each row stays as it was. */
+static void same_bytes(void **state) {
+    static const int threads[4] = {2, 3, 7, 256}, cuts[5] = {0, 1, 9, 20, H};
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 2);
+    picture *one = drawn(scene, 1), *other;
+    (void)state;
+    assert_int_equal(one->stats.threads, 1);
+    for (int y = 0; y < H; y++)
+        for (int i = 3 * W; i < STRIDE; i++) assert_int_equal(one->bytes[y * STRIDE + i], SENTINEL);
+    for (int k = 0; k < 4; k++) {
+        other = drawn(scene, threads[k]);
+        assert_same_picture(one, other);
+        assert_in_range(other->stats.threads, 1, threads[k] < H ? threads[k] : H);
+        assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits);
+        assert_true(other->stats.shadow_rays == one->stats.shadow_rays);
+        free(other);
+    }
+    other = malloc(sizeof *other);
+    assert_non_null(other);
+    blank(other);
+    uint64_t rays = 0, hits = 0, shadow_rays = 0;
+    for (int k = 3; k >= 0; k--) {
+        algsurf_render_options o = options_for(k % 2 + 1);
+        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
+        render(scene, &o, other);
+        rays += other->stats.rays, hits += other->stats.hits, shadow_rays += other->stats.shadow_rays;
+    }
+    assert_same_picture(one, other);
+    assert_true(rays == one->stats.rays && hits == one->stats.hits && shadow_rays == one->stats.shadow_rays);
+    free(other);
+    fesetround(FE_UPWARD);
+    other = drawn(scene, 3);
+    int mode = fegetround();
+    fesetround(FE_TONEAREST);
+    assert_int_equal(mode, FE_UPWARD);
+    assert_same_picture(one, other);
+    free(one), free(other);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+typedef struct calls {
+    pthread_t caller;
+    int count, last, limit, wrong;
+    long sleep_ns; /* keeps the caller from drawing: the others do it */
+} calls;
+
+static int on_progress(int done, int total, void *data) {
+    calls *c = data;
+    c->wrong += total != H || done < c->last || done > total || !pthread_equal(pthread_self(), c->caller);
+    c->last = done;
+    if (c->sleep_ns) nanosleep(&(struct timespec){0, c->sleep_ns}, NULL);
+    return ++c->count == c->limit;
+}
+
+static void progress_calls(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
+    picture p;
+    (void)state;
+    for (int threads = 1; threads <= 4; threads++) {
+        calls c = {.caller = pthread_self(), .sleep_ns = threads > 1 ? 30000000 : 0};
+        algsurf_render_options o = options_for(threads);
+        o.progress = on_progress, o.progress_data = &c;
+        blank(&p);
+        render(scene, &o, &p);
+        assert_int_equal(c.wrong, 0);
+        assert_int_equal(c.last, H);
+        if (threads == 1) assert_int_equal(c.count, H);
+    }
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+/* A cancelled picture: each row is as it should be or untouched.  Rows take long enough here for the
+ * others to be in the middle of one when the caller cancels. */
+static void cancel(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 3);
+    picture *whole = drawn(scene, 1), p;
+    uint8_t untouched[3 * W];
+    memset(untouched, SENTINEL, sizeof untouched);
+    (void)state;
+    for (int threads = 1; threads <= 3; threads++) {
+        calls c = {.caller = pthread_self(), .limit = threads == 1 ? 2 : 1};
+        algsurf_render_options o = options_for(threads);
+        int done = 0;
+        o.progress = on_progress, o.progress_data = &c;
+        o.row_begin = H / 2, o.row_end = H; /* the surface begins at once */
+        blank(&p);
+        assert_int_equal(algsurf_render(scene, &o, p.bytes + H / 2 * STRIDE, STRIDE, NULL, &p.stats),
+                         ALGSURF_CANCELLED);
+        assert_int_equal(c.count, c.limit); /* not called again */
+        for (int y = 0; y < H; y++) {
+            int finished = memcmp(p.bytes + y * STRIDE, whole->bytes + y * STRIDE, 3 * W) == 0;
+            if (!finished) assert_memory_equal(p.bytes + y * STRIDE, untouched, sizeof untouched);
+            done += finished;
+        }
+        assert_true(threads == 1 ? done == 2 : done >= 1);
+        assert_true(p.stats.rays >= (uint64_t)(done * W * 9) && p.stats.rays <= whole->stats.rays);
+    }
+    free(whole);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, size_t stride,
+                   algsurf_status expected) {
+    picture p, before;
+    blank(&p), blank(&before);
+    assert_int_equal(algsurf_render(scene, o, p.bytes, stride, p.hits, &p.stats), expected);
+    assert_memory_equal(&p, &before, sizeof p);
+}
+
+static void bad_options(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    const algsurf_render_options good = options_for(1);
+    algsurf_render_options o = good;
+    picture p;
+    (void)state;
+    refuse(NULL, &good, STRIDE, ALGSURF_E_ARGUMENT);
+    refuse(scene, NULL, STRIDE, ALGSURF_E_ARGUMENT);
+    refuse(scene, &good, 3 * W - 1, ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_render(scene, &good, NULL, STRIDE, NULL, NULL), ALGSURF_E_ARGUMENT);
+#define REFUSE(change) (o = good, (change), refuse(scene, &o, STRIDE, ALGSURF_E_ARGUMENT))
+    REFUSE(o.size = 0);
+    REFUSE(o.size = sizeof(size_t) - 1);
+    REFUSE(o.size = sizeof(size_t)); /* an old caller who asks for no width */
+    REFUSE(o.width = 0);
+    REFUSE(o.width = 65536);
+    REFUSE(o.height = -1);
+    REFUSE(o.height = 65536);
+    REFUSE(o.row_begin = -1);
+    REFUSE((o.row_begin = 3, o.row_end = 3));
+    REFUSE(o.row_begin = 3); /* row_end = 0 means "all" only when both are 0 */
+    REFUSE(o.row_end = H + 1);
+    REFUSE(o.row_end = -1);
+    REFUSE(o.threads = -1);
+    REFUSE(o.threads = 257);
+#undef REFUSE
+    blank(&p);
+    p.stats.size = sizeof(size_t) - 1;
+    assert_int_equal(algsurf_render(scene, &good, p.bytes, STRIDE, NULL, &p.stats), ALGSURF_E_ARGUMENT);
+    assert_int_equal(p.bytes[0], SENTINEL);
+    algsurf_camera huge = camera_at(7, 4, 5, 36);
+    huge.orthographic = 1, huge.half_height = 1.7e308;
+    assert_int_equal(algsurf_scene_set_camera(scene, &huge), ALGSURF_OK);
+    refuse(scene, &good, STRIDE, ALGSURF_E_NOT_FINITE);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+/* Structs of older and newer callers. */
+static void sized_structs(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    picture *whole = drawn(scene, 1), p;
+    struct {
+        algsurf_render_options o;
+        double more;
+    } newer = {.o = options_for(1)};
+    struct {
+        algsurf_render_stats s;
+        double more;
+    } stats = {.more = 7};
+    (void)state;
+    newer.o.size = sizeof newer, stats.s.size = sizeof stats;
+    blank(&p);
+    assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, &stats.s), ALGSURF_OK);
+    assert_same_picture(whole, &p);
+    assert_true(stats.s.rays == W * H && stats.more == 0 && stats.s.size == sizeof stats);
+    newer.more = 1;
+    assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, NULL), ALGSURF_E_ARGUMENT);
+    newer.o.size = offsetof(algsurf_render_options, row_begin); /* knows width and height only */
+    newer.o.row_begin = -5;
+    blank(&p);
+    p.stats.size = offsetof(algsurf_render_stats, uncertain);
+    assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, &p.stats), ALGSURF_OK);
+    assert_same_picture(whole, &p);
+    assert_true(p.stats.hits == whole->stats.hits);
+    assert_int_equal(((const unsigned char *)&p.stats.uncertain)[0], SENTINEL);
+    free(whole);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_bytes),  cmocka_unit_test(progress_calls), cmocka_unit_test(cancel),
+        cmocka_unit_test(bad_options), cmocka_unit_test(sized_structs),
+    };
+    return cmocka_run_group_tests_name("render: crew", tests, NULL, NULL);
+}
