@@ -58,10 +58,11 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
     double lo = ldexp(root->t_lo, f->exponent), hi = ldexp(root->t_hi, f->exponent);
     for (int i = 0; i < 4; i++) {
         double value = algsurf_i_surface_value(q->surface, x, gradient);
-        double step = -value / algsurf_dot(gradient, f->V), offset = root->offset.hi + step;
-        double s = f->centre + offset;
+        double step = -value / algsurf_dot(gradient, f->V);
+        algsurf_dd offset = algsurf_dd_add_d(root->offset, step);
+        double s = f->centre + offset.hi;
         if (!(s >= lo && s <= hi)) return;
-        root->offset = algsurf_dd_from(offset);
+        root->offset = offset; /* in double-double: t may be far smaller than its distance to the centre */
         point_at(f, root->offset, x);
         if (fabs(step) <= 0x1p-40 * fabs(hi - lo)) return;
     }
