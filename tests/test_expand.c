@@ -1,0 +1,293 @@
+/* test_expand.c - the polynomial along a ray, and its radii, against integers.
+ *
+ * Breaks caught: a term in the wrong place, a radius of fewer roundings than there are (2 u per factor fails),
+ * radii that leave out the point's rounding or the chord's ends, an absolute part that is missing where
+ * components underflow, an expansion about a far origin.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "exact_ray.h"
+
+#include <cmocka.h>
+
+#include "algsurf/expand.h"
+#include "environments.h"
+
+#define SEED 21u
+
+enum { MOST_TERMS = 300 };
+
+typedef struct random_case {
+    algsurf_surface *surface;
+    algsurf_term terms[MOST_TERMS];
+    int count, degree;
+    algsurf_ray ray;
+} random_case;
+
+/* Dense up to degree 10, or a few terms; coefficients of one size or over 20 orders of magnitude; then X is
+ * replaced by X / scale, as if the whole scene were that much larger. */
+static int make_surface(random_case *r, uint64_t *seed, int exponent) {
+    int n = 1 + exact_random_int(seed, 10), dense = exact_random_int(seed, 3) == 0, count = 0;
+    int wide = exact_random_int(seed, 4) == 0 ? 30 : 1;
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= n - i; j++)
+            for (int k = 0; k <= n - i - j; k++)
+                if (dense || i + j + k == 0 || exact_random_int(seed, n) == 0) {
+                    double a = exact_random_wide(seed, -wide, wide);
+                    if (count < MOST_TERMS)
+                        r->terms[count++] = (algsurf_term){i, j, k, ldexp(a, (n - i - j - k) * exponent)};
+                }
+    if (algsurf_surface_from_terms(r->terms, (size_t)count, &r->surface) != ALGSURF_OK) return 0;
+    r->count = count, r->degree = algsurf_surface_degree(r->surface);
+    return 1;
+}
+
+/* A ray towards the surface from `distance`, some components exactly zero, not of unit length. */
+static void make_ray(random_case *r, uint64_t *seed, double distance, int exponent, int length) {
+    double d[3];
+    for (int i = 0; i < 3; i++) d[i] = exact_random_int(seed, 5) ? exact_random_unit(seed) : 0;
+    if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[exact_random_int(seed, 3)] = 1;
+    for (int i = 0; i < 3; i++) {
+        r->ray.origin[i] = ldexp(exact_random_int(seed, 6) ? exact_random_unit(seed) - distance * d[i] : 0, exponent);
+        r->ray.direction[i] = ldexp(d[i], exponent + length);
+    }
+    r->ray.t_min = ldexp(distance - fabs(exact_random_unit(seed)), -length);
+    r->ray.t_max = ldexp(distance + fabs(exact_random_unit(seed)) + 0.01, -length);
+}
+
+static _Noreturn void expand_fail(const char *what, const random_case *r, int round, int k) {
+    for (int i = 0; i < r->count; i++)
+        fprintf(stderr, "{%d, %d, %d, %a}, ", r->terms[i].i, r->terms[i].j, r->terms[i].k, r->terms[i].a);
+    fprintf(stderr, "\n");
+    exact_print_doubles("origin", r->ray.origin, 3), exact_print_doubles("direction", r->ray.direction, 3);
+    fail_msg("%s: seed %u round %d coefficient %d, t in [%a, %a]", what, SEED, round, k, r->ray.t_min, r->ray.t_max);
+    abort();
+}
+
+/* Bernstein coefficients over [lo,hi] of the exact polynomial along the ray; b is initialised. */
+static void exact_chord(mpq_t *b, const exact_line *line, double lo, double hi) {
+    int n = line->degree;
+    mpq_t *a = malloc((size_t)(n + 1) * sizeof *a), x, w;
+    mpz_t binomial;
+    mpq_inits(x, w, NULL), mpz_init(binomial);
+    for (int i = 0; i <= n; i++) mpq_init(a[i]), exact_line_coefficient(a[i], line, i);
+    exact_set(x, lo);
+    for (int k = 0; k < n; k++)
+        for (int i = n - 1; i >= k; i--) mpq_mul(w, x, a[i + 1]), mpq_add(a[i], a[i], w);
+    exact_set(w, hi), mpq_sub(x, w, x), mpq_set_ui(w, 1, 1);
+    for (int i = 1; i <= n; i++) mpq_mul(w, w, x), mpq_mul(a[i], a[i], w);
+    for (int j = 0; j <= n; j++) { /* b_j = sum_{i<=j} C(j,i) / C(n,i) a_i */
+        mpq_set_ui(b[j], 0, 1);
+        for (int i = 0; i <= j; i++) {
+            mpz_bin_uiui(binomial, (unsigned long)j, (unsigned long)i), mpq_set_z(w, binomial);
+            mpz_bin_uiui(binomial, (unsigned long)n, (unsigned long)i), mpq_set_z(x, binomial);
+            mpq_div(w, w, x), mpq_mul(w, w, a[i]), mpq_add(b[j], b[j], w);
+        }
+    }
+    for (int i = 0; i <= n; i++) mpq_clear(a[i]);
+    free(a), mpq_clears(x, w, NULL), mpz_clear(binomial);
+}
+
+static void judge_power(const random_case *r, int round, double *c, double *radius) {
+    exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
+    mpq_t q;
+    mpq_init(q);
+    for (int k = 0; k <= r->degree; k++) {
+        exact_line_coefficient(q, &line, k);
+        if (!exact_within(c[k], q, radius[k])) expand_fail("power", r, round, k);
+    }
+    mpq_clear(q), exact_line_clear(&line);
+}
+
+static void judge_bernstein(const random_case *r, int round, double *b, double *radius) {
+    exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
+    mpq_t q[16];
+    for (int k = 0; k <= r->degree; k++) mpq_init(q[k]);
+    exact_chord(q, &line, r->ray.t_min, r->ray.t_max);
+    for (int k = 0; k <= r->degree; k++)
+        if (!exact_within(b[k], q[k], radius[k])) expand_fail("Bernstein", r, round, k);
+    for (int k = 0; k <= r->degree; k++) mpq_clear(q[k]);
+    exact_line_clear(&line);
+}
+
+static const struct {
+    int rounds;
+    double distance;
+    int exponent, length; /* of the scene, of the direction, in powers of two */
+} families[] = {
+    {600, 4, 0, 0},    {200, 1e4, 0, 0},   {200, 1e8, 0, 0},   {200, 0, 0, 0},     {40, 4, 0, 900},
+    {40, 4, 0, -900},  {40, 4, 90, 0},     {40, 4, -90, 0},    {30, 4, 90, -300},  {30, 1e8, -90, 300},
+};
+
+static void test_radii_hold(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    int done = 0, all = 0;
+    for (size_t f = 0; f < sizeof families / sizeof families[0]; f++)
+        for (int i = 0; i < families[f].rounds; i++) {
+            static random_case r;
+            double c[16], radius[16], alone[16];
+            if (!make_surface(&r, &seed, families[f].exponent)) continue;
+            make_ray(&r, &seed, families[f].distance, families[f].exponent, families[f].length);
+            algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
+            if (status == ALGSURF_OK) {
+                judge_power(&r, i, c, radius);
+                assert_int_equal(algsurf_expand_power(r.surface, &r.ray, alone, NULL), ALGSURF_OK);
+                assert_memory_equal(c, alone, (size_t)(r.degree + 1) * sizeof *c);
+            } else assert_int_equal(status, ALGSURF_E_RANGE);
+            status = algsurf_expand_bernstein(r.surface, &r.ray, c, radius);
+            if (status == ALGSURF_OK) judge_bernstein(&r, i, c, radius);
+            else assert_int_equal(status, ALGSURF_E_RANGE);
+            done += status == ALGSURF_OK, all++;
+            algsurf_surface_free(r.surface);
+        }
+    if (done * 100 < all * 99) fail_msg("seed %u: %d of %d", SEED, done, all);
+}
+
+/* Components of direction and origin among subnormal numbers; the surface's unit is 1. */
+static void test_tiny_components(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 100; i++) {
+        random_case r = {.count = 3, .degree = 2};
+        r.terms[0] = (algsurf_term){2, 0, 0, 1}, r.terms[1] = (algsurf_term){0, 1, 0, 0.5 + i};
+        r.terms[2] = (algsurf_term){i % 2, 0, i % 2, -0.25};
+        assert_int_equal(algsurf_surface_from_terms(r.terms, 3, &r.surface), ALGSURF_OK);
+        r.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, -0.5, 1};
+        for (int k = 0; k < 3; k++) {
+            r.ray.origin[k] = exact_random_int(&seed, 2) ? exact_random_wide(&seed, -1074, -1000) : 0;
+            if (k > 0) r.ray.direction[k] = exact_random_wide(&seed, -1074, -1000);
+        }
+        double c[3], radius[3];
+        algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
+        assert_int_equal(status, ALGSURF_OK);
+        judge_power(&r, i, c, radius);
+        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        judge_bernstein(&r, i, c, radius);
+        algsurf_surface_free(r.surface);
+    }
+}
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Radius over u (n + 1) (exact sum of magnitudes), the median and the largest over all coefficients: 4 n + 8
+ * roundings are counted, so 4 to 6 is what they should be. */
+static void test_radii_are_small(void **state) {
+    (void)state;
+    static double ratio[4000];
+    uint64_t seed = SEED;
+    int count = 0;
+    for (int i = 0; i < 300; i++) {
+        static random_case r;
+        double c[16], radius[16];
+        if (!make_surface(&r, &seed, 0)) continue;
+        make_ray(&r, &seed, 4, 0, 0);
+        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        exact_line size = exact_magnitudes_of(r.terms, r.count, r.degree, &r.ray);
+        mpq_t q;
+        mpq_init(q);
+        for (int k = 0; k <= r.degree && count < 4000; k++) {
+            exact_line_coefficient(q, &size, k);
+            double magnitude = mpq_get_d(q);
+            if (magnitude > 0) ratio[count++] = radius[k] / (0x1p-53 * (r.degree + 1) * magnitude);
+            else assert_true(radius[k] <= 0x1p-900);
+        }
+        mpq_clear(q), exact_line_clear(&size);
+        algsurf_surface_free(r.surface);
+    }
+    qsort(ratio, (size_t)count, sizeof *ratio, ascending);
+    assert_true(count > 1000);
+    if (!(ratio[count / 2] < 6 && ratio[count - 1] < 7)) fail_msg("median %g, largest %g", ratio[count / 2], ratio[count - 1]);
+}
+
+/* The same chord of the same line, seen from far away: the Bernstein radii stay what they were. */
+static void test_far_camera(void **state) {
+    (void)state;
+    const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5}, {0, 0, 6, 1}, {1, 1, 1, 2}, {0, 0, 0, -1}};
+    algsurf_surface *s;
+    assert_int_equal(algsurf_surface_from_terms(sextic, 6, &s), ALGSURF_OK);
+    double radii[2][7], b[2][7], p[7], pr[7];
+    for (int far = 0; far < 2; far++) {
+        double distance = far ? 0x1p20 : 4;
+        algsurf_ray ray = {{0.25, -0.5, -distance}, {0, 0, 1}, distance - 1.25, distance + 1.25};
+        assert_int_equal(algsurf_expand_bernstein(s, &ray, b[far], radii[far]), ALGSURF_OK);
+        assert_int_equal(algsurf_expand_power(s, &ray, p, pr), ALGSURF_OK);
+    }
+    for (int k = 0; k < 7; k++) {
+        assert_true(radii[1][k] <= 1.01 * radii[0][k] && radii[1][k] < 1e-12);
+        assert_true(fabs(b[0][k] - b[1][k]) <= radii[0][k] + radii[1][k]);
+    }
+    assert_true(pr[0] > 1e3); /* and the power form about the far origin knows nothing, and says so */
+    algsurf_surface_free(s);
+}
+
+static void expect(algsurf_status wanted, algsurf_status bernstein, const algsurf_surface *s, const algsurf_ray *ray) {
+    double c[3] = {7, 7, 7}, r[3] = {8, 8, 8};
+    assert_int_equal(algsurf_expand_power(s, ray, c, r), wanted);
+    if (wanted != ALGSURF_OK) assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
+    c[0] = c[1] = c[2] = 7, r[0] = r[1] = r[2] = 8;
+    assert_int_equal(algsurf_expand_bernstein(s, ray, c, r), bernstein);
+    assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
+}
+
+static void test_bad_input(void **state) {
+    (void)state;
+    const algsurf_term sphere[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -1}};
+    const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 2, 6};
+    algsurf_ray ray = good;
+    algsurf_surface *s;
+    double c[3];
+    assert_int_equal(algsurf_surface_from_terms(sphere, 4, &s), ALGSURF_OK);
+    expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, NULL, &ray);
+    expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, NULL);
+    assert_int_equal(algsurf_expand_power(s, &ray, NULL, c), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_expand_bernstein(s, &ray, NULL, c), ALGSURF_E_ARGUMENT);
+    ray.direction[2] = 0, expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.direction[0] = NAN, expect(ALGSURF_E_NOT_FINITE, ALGSURF_E_NOT_FINITE, s, &ray);
+    ray = good, ray.origin[1] = INFINITY, expect(ALGSURF_E_NOT_FINITE, ALGSURF_E_NOT_FINITE, s, &ray);
+    ray = good, ray.t_max = INFINITY, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.t_min = 6, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.t_min = 7, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.t_min = NAN, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
+    ray = good, ray.origin[1] = 1e200, expect(ALGSURF_E_RANGE, ALGSURF_E_RANGE, s, &ray);
+    algsurf_surface_free(s);
+}
+
+static void test_environment(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 40; i++) {
+        static random_case r;
+        double usual[4][16], other[4][16];
+        if (!make_surface(&r, &seed, i % 3 ? 0 : -90)) continue;
+        make_ray(&r, &seed, 4, i % 3 ? 0 : -90, 0);
+        memset(usual, 0, sizeof usual), memset(other, 0, sizeof other);
+        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, usual[0], usual[1]), ALGSURF_OK);
+        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, usual[2], usual[3]), ALGSURF_OK);
+        for (int e = 1; e < ENVIRONMENTS; e++) {
+            environment_set(e);
+            algsurf_status power = algsurf_expand_power(r.surface, &r.ray, other[0], other[1]);
+            algsurf_status bernstein = algsurf_expand_bernstein(r.surface, &r.ray, other[2], other[3]);
+            assert_true(environment_unset(e));
+            assert_true(power == ALGSURF_OK && bernstein == ALGSURF_OK);
+            assert_memory_equal(usual, other, sizeof usual);
+        }
+        algsurf_surface_free(r.surface);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_radii_hold), cmocka_unit_test(test_tiny_components),
+        cmocka_unit_test(test_radii_are_small), cmocka_unit_test(test_far_camera),
+        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_environment),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

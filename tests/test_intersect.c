@@ -1,0 +1,283 @@
+/* test_intersect.c - rays whose answers are known: ends, extents, far and odd rays, rays within the surface,
+ * the largest degrees.
+ *
+ * Breaks caught: an end of the ray left out or told twice, a direction taken for a unit vector, t measured
+ * from elsewhere than the origin, an extent ignored or clipped beyond, a double line drawn as a hit, a
+ * point of the surface at the eye lost.
+ */
+#include "intersect_case.h"
+
+static intersect_case c;
+static intersect_answer answer;
+
+static void set_ray(double ox, double oy, double oz, double dx, double dy, double dz, double t_min, double t_max) {
+    c.ray = (algsurf_ray){{ox, oy, oz}, {dx, dy, dz}, t_min, t_max};
+}
+
+/* The ray set, judged; all hits are certain and near the given t (relative to 1). */
+static void expect(int count, const double *t) {
+    intersect_judge(&c, NULL, &answer);
+    if (answer.count != count) intersect_fail("number of hits", &c, &answer);
+    for (int i = 0; i < count; i++)
+        if (answer.all[i].state != ALGSURF_HIT || !(fabs(answer.all[i].t - t[i]) <= 4e-16 * fmax(1, fabs(t[i]))))
+            intersect_fail("t", &c, &answer);
+}
+
+static int with(const char *equation) {
+    intersect_equation(&c, equation);
+    return 1;
+}
+
+static void done(void) { algsurf_surface_free(c.surface); }
+
+static void test_closed_ends(void **state) {
+    (void)state;
+    const double both[] = {1, 3};
+    with("x^2 + y^2 + z^2 - 1");
+    set_ray(0, 0, -2, 0, 0, 1, 1, 3), expect(2, both);
+    set_ray(0, 0, -2, 0, 0, 1, 0, 3), expect(2, both);
+    set_ray(0, 0, -2, 0, 0, 1, 1, 1e6), expect(2, both);
+    set_ray(0, 0, -2, 0, 0, 1, 1, 1), expect(1, both);
+    set_ray(0, 0, -2, 0, 0, 1, 3, 3), expect(1, both + 1);
+    set_ray(0, 0, -2, 0, 0, 1, 2, 2), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, nextafter(1, 2), nextafter(3, 2)), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, 0, nextafter(1, 0)), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, 3, 1), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, INFINITY, INFINITY), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, nextafter(3, 4), INFINITY), expect(0, NULL);
+    set_ray(0, 0, -2, 0, 0, 1, -INFINITY, INFINITY), expect(2, both);
+    set_ray(0, 0, 2, 0, 0, 1, -INFINITY, 0), expect(2, (const double[]){-3, -1});
+    set_ray(0, 0, 2, 0, 0, 1, -2, 7), expect(1, (const double[]){-1});
+    done();
+}
+
+static void test_eye_inside_and_on(void **state) {
+    (void)state;
+    with("x^2 + y^2 + z^2 - 1");
+    set_ray(0, 0, 0, 0, 1, 0, 0, INFINITY), expect(1, (const double[]){1});
+    set_ray(0.5, 0, 0, -1, 0, 0, 0, 9), expect(1, (const double[]){1.5});
+    set_ray(1, 0, 0, -1, 0, 0, 0, INFINITY), expect(2, (const double[]){0, 2});
+    set_ray(1, 0, 0, 1, 0, 0, 0, INFINITY), expect(1, (const double[]){0});
+    set_ray(0.6, 0, -0.8, -0.5, 0, 1, 0, INFINITY); /* 0.6^2 + 0.8^2 is not 1 in doubles */
+    intersect_judge(&c, NULL, &answer);
+    done();
+    with("x*y + y*z + 3 z"); /* through the origin */
+    set_ray(-1, 0, -1, 1, 0, 1, -5, 5), expect(1, (const double[]){1});
+    set_ray(0, 0, 0, 1, 1, 1, 0, INFINITY), expect(1, (const double[]){0});
+    set_ray(0, 0, 0, 1, 1, 1, 0x1p-60, INFINITY), expect(0, NULL);
+    done();
+}
+
+static void test_directions_of_any_length(void **state) {
+    (void)state;
+    with("x^2 + y^2 + z^2 - 1");
+    for (int k = -1000; k <= 1000; k += 125) {
+        double unit = ldexp(1, -k);
+        set_ray(0, 0.25, -2, 0, 0, ldexp(1, k), 0, INFINITY);
+        intersect_judge(&c, NULL, &answer);
+        assert_int_equal(answer.count, 2);
+        double half = sqrt(1 - 0.0625);
+        assert_true(fabs(answer.all[0].t / unit - (2 - half)) < 1e-15 && fabs(answer.all[1].t / unit - (2 + half)) < 1e-15);
+        assert_true(fabs(answer.all[0].normal[1] - 0.25) < 1e-15 && fabs(answer.all[0].normal[2] + half) < 1e-15);
+    }
+    done();
+}
+
+static void test_far_eye(void **state) {
+    (void)state;
+    with("x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8");
+    set_ray(0.75, 0.5, -4, 0.125, 0, 1, 0, INFINITY);
+    intersect_judge(&c, NULL, &answer);
+    algsurf_hit near_hit = answer.first;
+    assert_int_equal(near_hit.state, ALGSURF_HIT);
+    for (int k = 10; k <= 26; k += 4) { /* the same line, exactly, from 2^k further away */
+        double back = ldexp(1, k);
+        set_ray(0.75 - 0.125 * back, 0.5, -4 - back, 0.125, 0, 1, 0, INFINITY);
+        intersect_judge(&c, NULL, &answer);
+        assert_int_equal(answer.first.state, ALGSURF_HIT);
+        for (int i = 0; i < 3; i++) {
+            assert_true(fabs(answer.first.position[i] - near_hit.position[i]) < 1e-14);
+            assert_true(fabs(answer.first.normal[i] - near_hit.normal[i]) < 1e-13);
+        }
+        assert_true(fabs(answer.first.t - back - near_hit.t) <= 0x1p-52 * back);
+    }
+    done();
+}
+
+/* The same scene larger by 2^k: the same bits of t. */
+static void test_scales(void **state) {
+    (void)state;
+    algsurf_term terms[INTERSECT_TERMS];
+    double t = 0;
+    for (int k = -160; k <= 160; k += 40) {
+        with("x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8");
+        for (int i = 0; i < c.count; i++) {
+            terms[i] = c.terms[i];
+            terms[i].a = ldexp(terms[i].a, (4 - terms[i].i - terms[i].j - terms[i].k) * k);
+        }
+        int count = c.count;
+        done();
+        assert_true(intersect_terms(&c, terms, count));
+        double u = ldexp(1, k);
+        set_ray(0.75 * u, 0.5 * u, -4 * u, 0.125 * u, 0, u, 0, 10);
+        intersect_judge(&c, NULL, &answer);
+        assert_int_equal(answer.first.state, ALGSURF_HIT);
+        if (k > -160) assert_true(answer.first.t == t);
+        t = answer.first.t;
+        done();
+    }
+}
+
+static void test_normals(void **state) {
+    (void)state;
+    with("x^3 + 2 y^2 z - x z + 0.25");
+    for (int i = 0; i < 20; i++) {
+        set_ray(0.1 * i - 1, 0.3, -2, 0.01 * i, 0.02, 1, 0, 5);
+        intersect_judge(&c, NULL, &answer);
+        for (int k = 0; k < answer.count; k++) {
+            const algsurf_hit *h = answer.all + k;
+            double g[3], value, size;
+            assert_int_equal(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL), ALGSURF_OK);
+            size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+            for (int j = 0; j < 3; j++) assert_true(fabs(h->normal[j] - g[j] / size) < 1e-12);
+        }
+    }
+    done();
+}
+
+/* With an extent: the hits of the clipped ray, and none outside. */
+static void test_extents(void **state) {
+    (void)state;
+    const algsurf_extent extents[] = {
+        {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0, 0, 0}},      {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}},
+        {ALGSURF_EXTENT_SPHERE, {0.5, 0, 1}, {1, 0, 0}}, {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}},
+        {ALGSURF_EXTENT_BOX, {0, 0, 3}, {1, 2, 1.5}},    {ALGSURF_EXTENT_SPHERE, {9, 9, 9}, {1, 0, 0}},
+    };
+    with("x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8");
+    int kept = 0, cut = 0;
+    for (size_t e = 0; e < sizeof extents / sizeof extents[0]; e++)
+        for (int i = 0; i < 60; i++) {
+            set_ray(0.05 * i - 1.5, 0.6, -7, 0.03, 0.1, 1, 0, INFINITY);
+            intersect_answer whole;
+            intersect_ask(&c, NULL, NULL, &whole);
+            intersect_ask(&c, extents + e, NULL, &answer);
+            assert_null(intersect_agree(&answer));
+            algsurf_ray chord = c.ray;
+            int meets = 0, inside = 0;
+            assert_int_equal(algsurf_extent_clip(extents + e, &c.ray, &chord, &meets), ALGSURF_OK);
+            for (int k = 0; k < whole.count; k++) inside += meets && chord.t_min <= whole.all[k].t && whole.all[k].t <= chord.t_max;
+            assert_int_equal(answer.count, inside);
+            for (int k = 0; k < inside; k++) assert_true(chord.t_min <= answer.all[k].t && answer.all[k].t <= chord.t_max);
+            kept += inside, cut += whole.count - inside;
+        }
+    assert_true(kept > 50 && cut > 50);
+    done();
+}
+
+/* Every point of the ray is one of the surface, or the ray touches a double line: never a plain miss, and
+ * what is not proved is uncertain, with a reason. */
+static void test_rays_within(void **state) {
+    (void)state;
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+    } within[] = {
+        {"x^2 z + y^2", {{0, 0, -2}, {0, 0, 1}, 0, 4}},
+        {"x^2 z + y^2", {{0, 0, -2}, {0, 0, 1}, 0, INFINITY}},
+        {"x^2 z + y^2", {{0, 0, -2}, {0, 0, 3}, -INFINITY, INFINITY}},
+        {"x^2y^2 + x^2z^2 + y^2z^2 + x y z", {{-3, 0, 0}, {1, 0, 0}, 0, 9}},
+        {"x^2y^2 + x^2z^2 + y^2z^2 + x y z", {{0, 0.7, 0}, {0, 0.1, 0}, -4, 9}},
+    };
+    for (size_t i = 0; i < sizeof within / sizeof within[0]; i++) {
+        with(within[i].equation);
+        c.ray = within[i].ray;
+        intersect_ask(&c, NULL, NULL, &answer);
+        assert_null(intersect_agree(&answer));
+        assert_true(answer.first.state != ALGSURF_MISS && answer.count >= 1 && answer.count <= c.degree);
+        int uncertain = 0;
+        for (int k = 0; k < answer.count; k++) {
+            const algsurf_hit *h = answer.all + k;
+            if (h->state == ALGSURF_UNCERTAIN) uncertain += h->reason == ALGSURF_UNDECIDED_ZERO;
+            else assert_true(h->t_lo == h->t_hi); /* an end of the ray, where P is zero exactly */
+            if (h->state == ALGSURF_UNCERTAIN) assert_true(h->t_lo <= 0.25 + fmax(0, c.ray.t_min) && h->t_hi >= 3.75);
+        }
+        assert_int_equal(uncertain, 1);
+        done();
+    }
+    with("x^2y^2 + x^2z^2 + y^2z^2 + x y z"); /* across a double line */
+    set_ray(0, 0.125, -2, 0, 0, 1, 0, 4);
+    intersect_judge(&c, NULL, &answer);
+    assert_int_equal(answer.first.state, ALGSURF_UNCERTAIN);
+    assert_int_equal(answer.first.reason, ALGSURF_UNDECIDED_MULTIPLE);
+    assert_true(fabs(answer.first.t - 2) < 1e-12 && answer.first.t_hi - answer.first.t_lo < 1e-12);
+    done();
+    with("x^2 + y^2 + z^2 - 1"); /* a tangent */
+    set_ray(0, 1, -2, 0, 0, 1, 0, 4);
+    intersect_judge(&c, NULL, &answer);
+    assert_int_equal(answer.first.state, ALGSURF_UNCERTAIN);
+    set_ray(0, nextafter(1, 2), -2, 0, 0, 1, 0, 4), expect(0, NULL);
+    set_ray(0, nextafter(1, 0), -2, 0, 0, 1, 0, 4);
+    intersect_judge(&c, NULL, &answer);
+    assert_int_equal(answer.count, 2);
+    done();
+}
+
+static void test_degrees(void **state) {
+    (void)state;
+    with("5");
+    set_ray(0, 0, -2, 0, 0, 1, 0, INFINITY), expect(0, NULL);
+    done();
+    with("x - 2y + 3z - 1");
+    set_ray(0, 0, 0, 0.5, 0, 0, 0, INFINITY), expect(1, (const double[]){2});
+    done();
+    with("x^64 + y^64 + z^64 - 1");
+    set_ray(0, 0, -2, 0, 0, 1, 0, INFINITY), expect(2, (const double[]){1, 3});
+    set_ray(0.5, -0.25, -1, 0, 0, 1, 0, INFINITY);
+    intersect_judge(&c, NULL, &answer);
+    assert_int_equal(answer.count, 2);
+    set_ray(-3, 0.25, -3.125, 1, 0.015625, 1, 0, 10);
+    intersect_judge(&c, NULL, &answer);
+    done();
+}
+
+/* Chmutov's surface of degree 16, T_16(x) + T_16(y) + T_16(z) + 1, whose coefficients reach 2^17. */
+static void test_chmutov(void **state) {
+    (void)state;
+    const double t16[] = {1, -128, 2688, -21504, 84480, -180224, 212992, -131072, 32768};
+    algsurf_term terms[28];
+    int count = 0, hits = 0, uncertain = 0;
+    for (int k = 0; k <= 8; k++) {
+        terms[count++] = (algsurf_term){2 * k, 0, 0, t16[k]};
+        terms[count++] = (algsurf_term){0, 2 * k, 0, t16[k]};
+        terms[count++] = (algsurf_term){0, 0, 2 * k, t16[k]};
+    }
+    terms[count++] = (algsurf_term){0, 0, 0, 1};
+    assert_true(intersect_terms(&c, terms, count));
+    uint64_t seed = 3;
+    for (int i = 0; i < 150; i++) {
+        double x = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20), y = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20);
+        set_ray(x, y, -4, 0.125 * y, 0.0625 * x, 1, 2.5, 5.5);
+        intersect_judge(&c, NULL, &answer);
+        for (int k = 0; k < answer.count; k++) {
+            hits += answer.all[k].state == ALGSURF_HIT, uncertain += answer.all[k].state != ALGSURF_HIT;
+        }
+    }
+    assert_true(hits > 500 && uncertain == 0);
+    done();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_ends),
+        cmocka_unit_test(test_eye_inside_and_on),
+        cmocka_unit_test(test_directions_of_any_length),
+        cmocka_unit_test(test_far_eye),
+        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_extents),
+        cmocka_unit_test(test_rays_within),
+        cmocka_unit_test(test_degrees),
+        cmocka_unit_test(test_chmutov),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,251 @@
+/* test_intersect_options.c - methods, tolerances, tiers, the rules of the options struct, what is refused, and
+ * the caller's floating-point environment.
+ *
+ * Breaks caught: a tolerance in the wrong unit (it is absolute in t, for any length of direction), a method
+ * number ignored, a fast tier that doubts, outputs written before a failure, an environment left changed.
+ */
+#include "intersect_case.h"
+
+#include "environments.h"
+
+#define SEED 43u
+
+static intersect_case c;
+static intersect_answer answer;
+static const algsurf_intersect_options defaults = {sizeof(algsurf_intersect_options), ALGSURF_TIER_STANDARD,
+                                                   ALGSURF_METHOD_DEFAULT, 0, 0};
+
+static const char *const equations[] = {
+    "x^2 + y^2 + z^2 - 1",
+    "x^2 z + y^2",
+    "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8",
+    "x^2y^2 + x^2z^2 + y^2z^2 + x y z",
+    "x^3 + y^3 + z^3 + 1 - 0.25 (x + y + z + 1)^3",
+    "x^6 + y^6 + z^6 - 3x^2y^2z^2 + x y z - 0.5",
+};
+enum { EQUATIONS = sizeof equations / sizeof equations[0] };
+
+/* From a distance of about 1, with directions of length about 2^length. */
+static void random_ray(uint64_t *seed, int length) {
+    for (int i = 0; i < 3; i++) {
+        double target = exact_random_unit(seed), d = exact_random_unit(seed);
+        c.ray.origin[i] = target - d;
+        c.ray.direction[i] = ldexp(d, length);
+    }
+    c.ray.t_min = 0, c.ray.t_max = ldexp(2, -length);
+}
+
+static void test_methods_and_tolerances(void **state) {
+    (void)state;
+    static const double tolerances[] = {0, 1e-12, 1e-7, 1e-3};
+    uint64_t seed = SEED;
+    int hits = 0, short_of = 0;
+    for (int e = 0; e < EQUATIONS; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < 40; i++) {
+            int length = i % 4 == 0 ? 40 : i % 4 == 1 ? -40 : 0;
+            random_ray(&seed, length);
+            exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
+            for (int m = ALGSURF_METHOD_DEFAULT; m <= ALGSURF_METHOD_REGULA_FALSI; m++)
+                for (int k = 0; k < 4; k++) {
+                    algsurf_intersect_options options = defaults;
+                    options.method = (algsurf_method)m, options.tolerance = ldexp(tolerances[k], -length);
+                    options.max_iterations = m == ALGSURF_METHOD_REGULA_FALSI ? 20000 : 0;
+                    intersect_ask(&c, NULL, &options, &answer);
+                    assert_null(intersect_agree(&answer));
+                    for (int h = 0; h < answer.count; h++) {
+                        const algsurf_hit *hit = answer.all + h;
+                        if (hit->state != ALGSURF_HIT || exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1) continue;
+                        double root = exact_root(&s, hit->t_lo, hit->t_hi, 0), error = fabs(hit->t - root);
+                        /* the bracket's half width is at most the tolerance, t one of its ends; the rest is
+                           for ill-conditioned roots.  Regula falsi ends when its steps are short. */
+                        int within = error <= 2 * options.tolerance + ldexp(1e-10, -length);
+                        if (m == ALGSURF_METHOD_REGULA_FALSI) {
+                            short_of += error > 100 * options.tolerance + ldexp(1e-10, -length);
+                        } else if (!within) {
+                            fprintf(stderr, "method %d tolerance %g error %g\n", m, options.tolerance, error);
+                            intersect_fail("not within the tolerance", &c, &answer);
+                        }
+                        hits++;
+                    }
+                }
+            exact_sturm_clear(&s);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (hits < 2000 || short_of * 100 > hits) fail_msg("%d hits, regula falsi short of %d", hits, short_of);
+}
+
+/* A small limit of iterations: the state is as proved as ever, t is what there was. */
+static void test_iteration_limit(void **state) {
+    (void)state;
+    algsurf_intersect_options options = defaults;
+    options.method = ALGSURF_METHOD_BISECTION, options.max_iterations = 3, options.tolerance = 1e-9;
+    intersect_equation(&c, equations[0]);
+    c.ray = (algsurf_ray){{0.1, 0.2, -3}, {0.05, 0, 1}, 0, 6};
+    intersect_judge(&c, &options, &answer);
+    assert_int_equal(answer.count, 2);
+    algsurf_hit rough = answer.first;
+    options.max_iterations = 0;
+    intersect_judge(&c, &options, &answer);
+    assert_true(fabs(rough.t - answer.first.t) > 1e-6 && fabs(rough.t - answer.first.t) < 1);
+    algsurf_surface_free(c.surface);
+}
+
+static void test_fast_tier(void **state) {
+    (void)state;
+    algsurf_intersect_options fast = defaults;
+    fast.tier = ALGSURF_TIER_FAST;
+    uint64_t seed = SEED;
+    int same = 0, all = 0;
+    for (int e = 0; e < EQUATIONS; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < 150; i++) {
+            intersect_answer proved;
+            random_ray(&seed, 0);
+            if (i % 5 == 0) /* along and across what is singular or tangent */
+                c.ray = (algsurf_ray){{0, i % 2, -2}, {0, i % 3 == 0, 1}, 0, i % 7 ? 4 : INFINITY};
+            intersect_ask(&c, NULL, &fast, &answer);
+            intersect_ask(&c, NULL, NULL, &proved);
+            assert_true(answer.first.state != ALGSURF_UNCERTAIN && answer.occluded != ALGSURF_UNCERTAIN);
+            for (int k = 0; k < answer.count; k++) {
+                assert_true(answer.all[k].state == ALGSURF_HIT && answer.all[k].reason == ALGSURF_OK);
+                assert_true(answer.all[k].t_lo == answer.all[k].t && answer.all[k].t_hi == answer.all[k].t);
+                assert_true(c.ray.t_min <= answer.all[k].t && answer.all[k].t <= c.ray.t_max);
+            }
+            if (proved.first.state == ALGSURF_UNCERTAIN || i % 5 == 0) continue;
+            all++, same += answer.first.state == proved.first.state &&
+                           (answer.first.state == ALGSURF_MISS || fabs(answer.first.t - proved.first.t) < 1e-9);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    assert_true(all > 500 && same == all);
+}
+
+/* ---- what is refused ---- */
+
+static void expect(algsurf_status wanted, const algsurf_surface *s, const algsurf_extent *extent, const algsurf_ray *ray,
+                   const algsurf_intersect_options *options) {
+    algsurf_hit hits[3], untouched[3];
+    algsurf_hit_state occluded = (algsurf_hit_state)77;
+    int count = 77;
+    memset(hits, 0x5a, sizeof hits), memcpy(untouched, hits, sizeof hits);
+    assert_int_equal(algsurf_intersect_first(s, extent, ray, options, hits), wanted);
+    assert_int_equal(algsurf_intersect_all(s, extent, ray, options, hits + 1, 2, &count), wanted);
+    assert_int_equal(algsurf_occluded(s, extent, ray, options, &occluded), wanted);
+    if (wanted == ALGSURF_OK) return;
+    assert_memory_equal(hits, untouched, sizeof hits);
+    assert_true(count == 77 && (int)occluded == 77);
+}
+
+static void test_bad_input(void **state) {
+    (void)state;
+    const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 0, 9};
+    const algsurf_extent sphere = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    algsurf_extent extent = sphere;
+    algsurf_ray ray = good;
+    algsurf_hit hit;
+    int count;
+    intersect_equation(&c, equations[0]);
+    expect(ALGSURF_OK, c.surface, &sphere, &good, &defaults);
+    expect(ALGSURF_E_ARGUMENT, NULL, NULL, &good, NULL);
+    expect(ALGSURF_E_ARGUMENT, c.surface, NULL, NULL, NULL);
+    ray.direction[2] = 0, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
+    ray = good, ray.t_min = NAN, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
+    ray = good, ray.t_max = NAN, expect(ALGSURF_E_ARGUMENT, c.surface, NULL, &ray, NULL);
+    ray = good, ray.origin[1] = NAN, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
+    ray = good, ray.direction[1] = INFINITY, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
+    extent.size[0] = 0, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
+    extent.size[0] = -1, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
+    extent = sphere, extent.kind = (algsurf_extent_kind)7, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
+    assert_int_equal(algsurf_intersect_first(c.surface, NULL, &good, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, NULL, 2, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, 2, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, -1, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded(c.surface, NULL, &good, NULL, NULL), ALGSURF_E_ARGUMENT);
+    algsurf_surface_free(c.surface);
+}
+
+static void test_capacity(void **state) {
+    (void)state;
+    const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
+    algsurf_hit hits[2], untouched[2];
+    int count = 77;
+    memset(hits, 0x5a, sizeof hits), memcpy(untouched, hits, sizeof hits);
+    intersect_equation(&c, equations[0]);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 0, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 1, &count), ALGSURF_E_ARGUMENT);
+    assert_memory_equal(hits, untouched, sizeof hits);
+    assert_int_equal(count, 77);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count), ALGSURF_OK);
+    assert_int_equal(count, 2);
+    algsurf_surface_free(c.surface);
+}
+
+static void test_options(void **state) {
+    (void)state;
+    const algsurf_ray ray = {{0.1, 0.2, -4}, {0, 0, 1}, 0, 9};
+    const algsurf_extent *all = NULL;
+    struct {
+        algsurf_intersect_options known;
+        char unknown[16];
+    } newer = {defaults, {0}};
+    algsurf_intersect_options o = defaults;
+    intersect_equation(&c, equations[0]);
+    newer.known.size = sizeof newer, expect(ALGSURF_OK, c.surface, all, &ray, &newer.known);
+    newer.unknown[3] = 1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &newer.known);
+    o.size = 0, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.size = sizeof o.size - 1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o = defaults, o.tolerance = NAN; /* an older caller's struct ends before this member */
+    o.size = offsetof(algsurf_intersect_options, tolerance), expect(ALGSURF_OK, c.surface, all, &ray, &o);
+    o.size = sizeof o, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.tolerance = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.tolerance = INFINITY, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o = defaults, o.max_iterations = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o = defaults, o.tier = (algsurf_tier)9, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o = defaults, o.method = (algsurf_method)4, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    algsurf_surface_free(c.surface);
+}
+
+/* ---- the environment ---- */
+
+static void test_environment(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int e = 0; e < EQUATIONS; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < 24; i++) {
+            intersect_answer other;
+            algsurf_intersect_options options = defaults;
+            options.tier = i % 3 == 2 ? ALGSURF_TIER_FAST : ALGSURF_TIER_STANDARD;
+            options.method = (algsurf_method)(i % 4);
+            random_ray(&seed, i % 5 ? 0 : -300);
+            if (i % 6 == 0) c.ray = (algsurf_ray){{0, i % 4, -2}, {0, 0, 1}, 0x1p-1060, 4};
+            intersect_ask(&c, NULL, &options, &answer);
+            for (int k = 1; k < ENVIRONMENTS; k++) {
+                memset(&other, 0, sizeof other);
+                environment_set(k);
+                int s1 = algsurf_intersect_first(c.surface, NULL, &c.ray, &options, &other.first);
+                int s2 = algsurf_intersect_all(c.surface, NULL, &c.ray, &options, other.all, ALGSURF_MAX_DEGREE + 1, &other.count);
+                int s3 = algsurf_occluded(c.surface, NULL, &c.ray, &options, &other.occluded);
+                assert_true(environment_unset(k));
+                assert_true(s1 == ALGSURF_OK && s2 == ALGSURF_OK && s3 == ALGSURF_OK);
+                if (memcmp(&answer, &other, sizeof answer) != 0) {
+                    fprintf(stderr, "environment %d\n", k);
+                    intersect_fail("another answer in another environment", &c, &answer);
+                }
+            }
+        }
+        algsurf_surface_free(c.surface);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_methods_and_tolerances), cmocka_unit_test(test_iteration_limit),
+        cmocka_unit_test(test_fast_tier),              cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_capacity),               cmocka_unit_test(test_options),
+        cmocka_unit_test(test_environment),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

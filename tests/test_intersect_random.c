@@ -1,0 +1,110 @@
+/* test_intersect_random.c - random rays of random surfaces, every state judged by a Sturm chain.
+ *
+ * Breaks caught: a sign used inside its bound (a hit or a miss that is none), a later root given as the first,
+ * an interval that leaves its root out, hits of a surface seen from the wrong end, an ever-uncertain tier.
+ */
+#include "intersect_case.h"
+
+#define SEED 41u
+
+static intersect_case c;
+static intersect_answer answer;
+
+static int random_surface(uint64_t *seed, int n, int small) {
+    algsurf_term terms[24];
+    int count = 2 + exact_random_int(seed, 20);
+    for (int i = 0; i < count; i++) {
+        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
+        while (total-- > 0) e[exact_random_int(seed, 3)]++;
+        double a = small ? exact_random_int(seed, 9) - 4 : exact_random_wide(seed, -2, 2);
+        terms[i] = (algsurf_term){e[0], e[1], e[2], a};
+    }
+    return intersect_terms(&c, terms, count);
+}
+
+/* Numbers of at most `bits` bits. */
+static double short_number(uint64_t *seed, int bits) {
+    return ldexp(floor(ldexp(exact_random_unit(seed), bits)), -bits);
+}
+
+static void random_ray(uint64_t *seed, int bits) {
+    double eye = exact_random_int(seed, 4) ? 4 : 0;
+    for (int i = 0; i < 3; i++) {
+        c.ray.direction[i] = exact_random_int(seed, 8) ? short_number(seed, bits) : 0;
+        c.ray.origin[i] = short_number(seed, bits);
+    }
+    if (c.ray.direction[0] == 0 && c.ray.direction[1] == 0) c.ray.direction[2] = 1;
+    for (int i = 0; i < 3; i++) c.ray.origin[i] -= eye * c.ray.direction[i];
+    c.ray.t_min = exact_random_int(seed, 3) ? 0 : -1;
+    c.ray.t_max = exact_random_int(seed, 3) ? eye + 4 : 1e4;
+}
+
+/* Is the polynomial along the ray zero? */
+static int in_the_surface(void) {
+    exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
+    int zero = s.count == 0;
+    exact_sturm_clear(&s);
+    return zero;
+}
+
+static void judge_family(int rounds, int most_degree, int bits, int small, int least_certain) {
+    uint64_t seed = SEED;
+    int done = 0, certain = 0, hits = 0, precise = 0, measured = 0;
+    for (int i = 0; i < rounds; i++) {
+        if (i % 4 == 0) {
+            algsurf_surface_free(c.surface);
+            if (!random_surface(&seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
+                c.surface = NULL;
+                i += 3;
+                continue;
+            }
+        }
+        random_ray(&seed, bits);
+        if (in_the_surface()) continue;
+        intersect_judge(&c, NULL, &answer);
+        done++, certain += answer.first.state != ALGSURF_UNCERTAIN, hits += answer.first.state == ALGSURF_HIT;
+        if (answer.first.state == ALGSURF_HIT && i % 8 == 0) {
+            exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
+            exact_sturm s = exact_sturm_of(line.c, c.degree);
+            double error = intersect_error(&c, &line, &s, &answer.first);
+            measured++, precise += error < 8;
+            if (error > 1000) intersect_fail("far from the root", &c, &answer);
+            exact_sturm_clear(&s), exact_line_clear(&line);
+        }
+    }
+    algsurf_surface_free(c.surface);
+    c.surface = NULL;
+    if (hits * 5 < done || certain * 100 < done * least_certain || precise * 100 < measured * 99)
+        fail_msg("seed %u: %d rays, %d certain, %d hits, %d of %d precise", SEED, done, certain, hits, precise, measured);
+}
+
+static void test_low_degrees(void **state) {
+    (void)state;
+    judge_family(4000, 5, 53, 0, 99);
+}
+
+static void test_high_degrees(void **state) {
+    (void)state;
+    judge_family(2500, 12, 16, 0, 97); /* some surfaces have coordinate planes as double factors */
+}
+
+static void test_high_degrees_all_bits(void **state) {
+    (void)state;
+    judge_family(300, 12, 53, 0, 97);
+}
+
+/* Tangencies, double factors, roots at ends, exact multiple roots. */
+static void test_small_integers(void **state) {
+    (void)state;
+    judge_family(3000, 6, 2, 1, 80);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_low_degrees),
+        cmocka_unit_test(test_high_degrees),
+        cmocka_unit_test(test_high_degrees_all_bits),
+        cmocka_unit_test(test_small_integers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

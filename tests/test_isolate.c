@@ -1,0 +1,236 @@
+/* test_isolate.c - isolate against a Sturm chain over integers, for polynomials made at random or of known
+ * roots, and what is refused.
+ *
+ * Breaks caught: an error bound that is too small (radius of the Bernstein form, of de Casteljau), a stretch
+ * of the line left out, a root at a split point or at an end lost or told twice, a bracket rounded inward,
+ * signs taken from the cell instead of the bracket's ends, a solver that never decides.
+ */
+#include "isolate_case.h"
+
+#define SEED 11u
+
+static isolate_answer answer;
+
+/* ---- random polynomials ---- */
+
+typedef struct family {
+    const char *name;
+    int rounds, most_degree;
+    int low, high;   /* binary exponents of coefficients; low = high = 0: small integers */
+    int share;       /* at least so many per cent of the answers are decided */
+} family;
+
+static void random_coefficients(uint64_t *seed, const family *f, double *c, int n) {
+    for (int k = 0; k <= n; k++)
+        c[k] = f->low < f->high ? exact_random_wide(seed, f->low, f->high) : exact_random_int(seed, 7) - 3;
+    if (c[n] == 0) c[n] = 1;
+}
+
+static void random_interval(uint64_t *seed, double *lo, double *hi) {
+    double a = exact_random_unit(seed) * 3, b = exact_random_unit(seed) * 3;
+    *lo = fmin(a, b), *hi = fmax(a, b);
+    switch (exact_random_int(seed, 9)) {
+    case 0: *hi = INFINITY; break;
+    case 1: *lo = -INFINITY; break;
+    case 2: *lo = -INFINITY, *hi = INFINITY; break;
+    case 3: *hi = nextafter(*lo, INFINITY); break;
+    case 4: *hi = *lo + 0x1p-40; break;
+    case 5: *lo = 1e6, *hi = 1e9; break;
+    case 6: *lo = -1e290, *hi = -1e200; break;
+    case 7: *lo = -0x1p-1074, *hi = 1; break;
+    default: break;
+    }
+}
+
+static void judge_family(const family *f) {
+    uint64_t seed = SEED;
+    double c[21], lo, hi;
+    int decided = 0;
+    for (int i = 0; i < f->rounds; i++) {
+        int n = 1 + exact_random_int(&seed, f->most_degree);
+        random_coefficients(&seed, f, c, n);
+        random_interval(&seed, &lo, &hi);
+        isolate_judge(c, n, lo, hi, &answer);
+        decided += answer.status == ALGSURF_OK;
+    }
+    if (decided * 100 < f->rounds * f->share)
+        fail_msg("%s, seed %u: %d of %d decided", f->name, SEED, decided, f->rounds);
+}
+
+static void test_random(void **state) {
+    (void)state;
+    static const family families[] = {
+        {"one size", 1500, 20, -1, 1, 100},
+        {"sizes of a ray's coefficients", 600, 20, -10, 10, 95},
+        {"small integers, roots at 0, 1, -1, multiple ones", 1500, 20, 0, 0, 99},
+        {"the largest", 200, 12, 1015, 1022, 90},
+    };
+    for (size_t i = 0; i < sizeof families / sizeof families[0]; i++) judge_family(families + i);
+}
+
+/* ---- products of known roots ---- */
+
+/* The entry that holds x, of two that touch there the decided one; null: none. */
+static const algsurf_bracket *entry_at(double x) {
+    const algsurf_bracket *found = NULL;
+    for (int i = 0; i < answer.count; i++) {
+        const algsurf_bracket *b = answer.b + i;
+        if (b->lo <= x && x <= b->hi && (!found || !isolate_decided(found))) found = b;
+    }
+    return found;
+}
+
+static void test_known_roots(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 1200; i++) {
+        int multiplicity[17] = {0}, n = 0, most = 1 + exact_random_int(&seed, 12);
+        double c[20] = {1}, lo = i % 3 ? -2.5 : -INFINITY, hi = i % 5 ? 2.25 : INFINITY;
+        while (n < most) {
+            int at = exact_random_int(&seed, 17), m = exact_random_int(&seed, 3) ? 1 : 1 + exact_random_int(&seed, 4);
+            for (int k = 0; k < m && n < 12 && multiplicity[at] < 4; k++, multiplicity[at]++)
+                n = isolate_times_root(c, n, at - 8, 4);
+        }
+        isolate_judge(c, n, lo, hi, &answer);
+        for (int at = 0; at < 17; at++) {
+            const algsurf_bracket *b = entry_at((at - 8) / 4.0);
+            int m = multiplicity[at];
+            if ((m == 1 && !(b && isolate_decided(b))) || (m > 1 && !(b && b->kind != ALGSURF_ROOT_BRACKET)))
+                isolate_fail("a known root", c, NULL, n, lo, hi, &answer);
+        }
+    }
+}
+
+/* Roots exactly at the ends, the middle, the quarters, in every combination, at all scales. */
+static void test_split_points(void **state) {
+    (void)state;
+    static const int intervals[][2] = {{0, 4}, {-4, 4}, {8, 16}, {-16, 0}, {4, 40}, {-12, -8}};
+    static const int exponents[] = {0, -2, 1, 40, -40, 160, -160};
+    for (size_t k = 0; k < 6 * 7; k++)
+        for (int subset = 1; subset < 32; subset++) {
+            const int *ends = intervals[k / 7];
+            int e = exponents[k % 7], n = 0;
+            double c[6] = {1}, lo = ldexp(ends[0], e), hi = ldexp(ends[1], e);
+            for (int i = 0; i < 5; i++)
+                if (subset >> i & 1) n = isolate_times_root(c, n, ends[0] + (ends[1] - ends[0]) / 4 * i, 1);
+            for (int i = 0; i <= n; i++) c[i] = ldexp(c[i], -i * e);
+            isolate_judge(c, n, lo, hi, &answer);
+            if (answer.status != ALGSURF_OK || answer.count != n) isolate_fail("split points", c, NULL, n, lo, hi, &answer);
+            isolate_judge(c, n, -INFINITY, INFINITY, &answer);
+            if (answer.status != ALGSURF_OK || answer.count != n) isolate_fail("split points", c, NULL, n, -INFINITY, INFINITY, &answer);
+        }
+}
+
+/* The split points that are tried instead of the middle are roots, too. */
+static void test_moved_split_points(void **state) {
+    (void)state;
+    for (int shift = 0; shift < 3; shift++) {
+        double c[8] = {1};
+        int n = 0;
+        for (int k = 22; k <= 26; k++) n = isolate_times_root(c, n, k, 64);
+        for (int k = 0; k <= n; k++) c[k] = ldexp(c[k], -4 * k * shift);
+        isolate_judge(c, n, ldexp(0.25, 4 * shift), ldexp(0.5, 4 * shift), &answer);
+        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_int_equal(answer.count, 5);
+    }
+}
+
+static void test_plus_minus_powers(void **state) {
+    (void)state;
+    for (int k = -460; k <= 460; k += 20) {
+        double x = ldexp(1, k), c[3] = {-x * x, 0, 1};
+        const double ends[][2] = {{-x, x}, {0, x}, {-x, 0}, {-INFINITY, INFINITY}, {x, INFINITY}, {x, x}, {-x, 2 * x}};
+        for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+            isolate_judge(c, 2, ends[i][0], ends[i][1], &answer);
+            if (answer.status != ALGSURF_OK) isolate_fail("undecided", c, NULL, 2, ends[i][0], ends[i][1], &answer);
+        }
+    }
+}
+
+static void test_one_point(void **state) {
+    (void)state;
+    const double c[] = {-3, 4}, third[] = {-1, 3};
+    isolate_judge(c, 1, 0.75, 0.75, &answer);
+    assert_int_equal(answer.count, 1);
+    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    isolate_judge(c, 1, nextafter(0.75, 1), nextafter(0.75, 1), &answer);
+    assert_int_equal(answer.count, 0);
+    isolate_judge(third, 1, 1.0 / 3, 1.0 / 3, &answer); /* off by 2^-55 or so */
+    assert_int_equal(answer.count, 0);
+    isolate_judge(c, 1, INFINITY, INFINITY, &answer);
+    assert_int_equal(answer.count, 0);
+}
+
+/* ---- what is refused ---- */
+
+static void expect(algsurf_status wanted, const double *c, const double *r, int n, double lo, double hi) {
+    algsurf_bracket b[2], untouched;
+    int k = 77;
+    memset(b, 0x5a, sizeof b), memset(&untouched, 0x5a, sizeof untouched);
+    assert_int_equal(algsurf_isolate_all(c, r, n, lo, hi, b, 2, &k), wanted);
+    assert_int_equal(algsurf_isolate_first(c, r, n, lo, hi, b, &k), wanted);
+    assert_int_equal(algsurf_count_roots(c, r, n, lo, hi, &k), wanted);
+    assert_int_equal(k, 77);
+    assert_memory_equal(b, &untouched, sizeof untouched);
+    assert_memory_equal(b + 1, &untouched, sizeof untouched);
+}
+
+static void test_bad_input(void **state) {
+    (void)state;
+    const double c[] = {1, 0, -1}, zero[] = {0, 0, 0}, nan[] = {1, NAN, 1}, inf[] = {1, 0, INFINITY};
+    const double negative[] = {0, -1, 0};
+    expect(ALGSURF_E_ARGUMENT, NULL, NULL, 2, 0, 1);
+    expect(ALGSURF_E_ARGUMENT, c, NULL, -1, 0, 1);
+    expect(ALGSURF_E_ARGUMENT, c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1);
+    expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 1, 0);
+    expect(ALGSURF_E_ARGUMENT, c, NULL, 2, NAN, 1);
+    expect(ALGSURF_E_ARGUMENT, c, NULL, 2, 0, NAN);
+    expect(ALGSURF_E_ARGUMENT, c, negative, 2, 0, 1);
+    expect(ALGSURF_E_NOT_FINITE, nan, NULL, 2, 0, 1);
+    expect(ALGSURF_E_NOT_FINITE, inf, NULL, 2, 0, 1);
+    expect(ALGSURF_E_NOT_FINITE, c, nan, 2, 0, 1);
+    expect(ALGSURF_E_NOT_FINITE, c, inf, 2, 0, 1);
+    expect(ALGSURF_E_ZERO, zero, NULL, 2, 0, 1);
+    expect(ALGSURF_E_ZERO, zero, zero, 2, 0, 1);
+    algsurf_bracket b[2];
+    int k = 77;
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, NULL, 2, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, b, 2, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, b, -1, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, NULL, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, b, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_count_roots(c, NULL, 2, 0, 1, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(k, 77);
+}
+
+static void test_capacity(void **state) {
+    (void)state;
+    const double c[] = {-6, 11, -6, 1};
+    algsurf_bracket b[3], untouched[3];
+    int k = 77;
+    memset(b, 0x5a, sizeof b), memcpy(untouched, b, sizeof b);
+    for (int room = 0; room < 3; room++)
+        assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, b, room, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(k, 77);
+    assert_memory_equal(b, untouched, sizeof b);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, b, 3, &k), ALGSURF_OK);
+    assert_int_equal(k, 3);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 5, 6, b, 0, &k), ALGSURF_OK);
+    assert_int_equal(k, 0);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, b, 1, &k), ALGSURF_OK);
+    assert_int_equal(k, 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),
+        cmocka_unit_test(test_known_roots),
+        cmocka_unit_test(test_split_points),
+        cmocka_unit_test(test_moved_split_points),
+        cmocka_unit_test(test_plus_minus_powers),
+        cmocka_unit_test(test_one_point),
+        cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_capacity),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

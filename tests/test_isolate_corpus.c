@@ -1,0 +1,217 @@
+/* test_isolate_corpus.c - polynomials that have broken root finders, with what is known of their roots.
+ *
+ * Breaks caught: a lost or invented root where coefficients differ by 28 orders of magnitude, a multiple root
+ * stepped over, close pairs merged, a bound that grows so fast that Wilkinson's polynomial stays undecided,
+ * a search whose work is not bounded.
+ */
+#include <float.h>
+#include <time.h>
+
+#include "isolate_case.h"
+
+static isolate_answer answer;
+
+/* The case, judged by Sturm's chain; it must be decided, with this many roots. */
+static void decided(const double *c, int n, double lo, double hi, int roots) {
+    isolate_judge(c, n, lo, hi, &answer);
+    if (answer.status != ALGSURF_OK || answer.count != roots) isolate_fail("corpus", c, NULL, n, lo, hi, &answer);
+}
+
+/* Near x there may be roots that cannot be told apart; everything else must be decided. */
+static void decided_but_near(const double *c, int n, double lo, double hi, double x, double width) {
+    isolate_judge(c, n, lo, hi, &answer);
+    for (int i = 0; i < answer.count; i++)
+        if (!isolate_decided(answer.b + i) && !(answer.b[i].lo > x - width && answer.b[i].hi < x + width))
+            isolate_fail("undecided elsewhere", c, NULL, n, lo, hi, &answer);
+}
+
+/* ---- cases of other people's accidents ---- */
+
+static void test_ghosts_and_losses(void **state) {
+    (void)state;
+    const double ghost[] = {9627.17676, -660.766052, 0.00329589844, 0, 1};
+    const double pair[] = {26471900.25, -1325880, 25449, -240, 1};
+    const double tiny_lead[] = {14482, -83592, 84888, 1.3022974889306702e-11, 8.0779356694631609e-28};
+    const double tiny_ghost[] = {35842, -57720, 59800, -5.2252677e-12, 2.0194839e-28};
+    decided(ghost, 4, -INFINITY, INFINITY, 0);
+    decided(ghost, 4, -1e3, 1e3, 0);
+    decided(pair, 4, -INFINITY, INFINITY, 2);
+    decided(pair, 4, 0, 100, 2);
+    decided(tiny_lead, 4, 0, 10, 2);
+    decided(tiny_ghost, 4, 0, 10, 0);
+    isolate_judge(tiny_lead, 4, -INFINITY, INFINITY, &answer);
+    isolate_judge(tiny_ghost, 4, -INFINITY, INFINITY, &answer);
+}
+
+static void test_multiple_root(void **state) {
+    (void)state;
+    const double fourth[] = {1, -4, 6, -4, 1};
+    decided_but_near(fourth, 4, -INFINITY, INFINITY, 1, 1e-6);
+    assert_int_equal(answer.count, 1);
+    decided_but_near(fourth, 4, 0, 2, 1, 1e-6);
+    assert_int_equal(answer.count, 1);
+    isolate_judge(fourth, 4, 1, 2, &answer);
+    assert_true(answer.count >= 1);
+    decided(fourth, 4, 1.25, INFINITY, 0);
+}
+
+/* The leading coefficient passes through zero: a root comes from infinity. */
+static void test_degree_drop(void **state) {
+    (void)state;
+    for (int k = -60; k <= 60; k++) {
+        double lead = k ? copysign(ldexp(1, -abs(k)), k) : 0, c[] = {-2, 1, 0, lead, 0, 0};
+        isolate_judge(c, 5, -INFINITY, INFINITY, &answer);
+        assert_int_equal(answer.status, ALGSURF_OK);
+        isolate_judge(c, 5, -2.5, 3, &answer);
+        assert_int_equal(answer.status, ALGSURF_OK);
+    }
+}
+
+/* ---- classical families ---- */
+
+static void test_wilkinson(void **state) {
+    (void)state;
+    double c[21] = {1};
+    int n = 0;
+    while (n < 14) n = isolate_times_root(c, n, n + 1, 1); /* exact up to here */
+    decided(c, 14, 0, 20, 14);
+    decided(c, 14, -INFINITY, INFINITY, 14);
+    for (int k = 15; k <= 20; k++) { /* rounded: another polynomial, whose roots Sturm knows */
+        for (int i = k; i >= 0; i--) c[i] = (i > 0 ? c[i - 1] : 0) - (i < k ? k * c[i] : 0);
+        isolate_judge(c, k, 0, 25, &answer);
+        assert_int_equal(answer.status, ALGSURF_OK);
+        isolate_judge(c, k, -INFINITY, INFINITY, &answer);
+        assert_int_equal(answer.status, ALGSURF_OK);
+    }
+}
+
+static void test_chebyshev(void **state) {
+    (void)state;
+    double c[3][32] = {{1}, {0, 1}};
+    for (int n = 2; n <= 30; n++) {
+        double *t = c[n % 3];
+        for (int k = 0; k <= n; k++) t[k] = (k > 0 ? 2 * c[(n + 2) % 3][k - 1] : 0) - (k < n - 1 ? c[(n + 1) % 3][k] : 0);
+        if (n % 4 != 2) continue;
+        decided(t, n, -1, 1, n);
+        decided(t, n, -INFINITY, INFINITY, n);
+        decided(t, n, 0, 1, n / 2);
+    }
+}
+
+/* n! L_n, exact integers: roots from 0.2 to 4 n. */
+static void test_laguerre(void **state) {
+    (void)state;
+    for (int n = 2; n <= 14; n += 3) {
+        double c[16], a = 1;
+        for (int k = n; k >= 0; k--) { /* n! C(n,k) (-1)^k / k!: from the top down */
+            c[k] = k % 2 ? -a : a;
+            a = a * k * k / (n - k + 1);
+        }
+        decided(c, n, 0, INFINITY, n);
+        decided(c, n, -INFINITY, 0, 0);
+    }
+}
+
+/* Mignotte: x^n - 2 (3x - 1)^2 has two roots around 1/3, about 3^-(n+2)/2 apart. */
+static void test_mignotte(void **state) {
+    (void)state;
+    for (int n = 6; n <= 90; n += 6) {
+        double c[91] = {-2, 12, -18};
+        c[n] = 1;
+        if (n <= 48) decided(c, n, 0, 1, 2 + (n % 2 == 0 ? 0 : 1));
+        else decided_but_near(c, n, 0, 1, 1.0 / 3, 1e-12);
+    }
+}
+
+static void test_close_pairs(void **state) {
+    (void)state;
+    for (int k = 1; k <= 26; k++) { /* (2^k x - a)(2^k x - (a+1)), a about 2^k / 3, and a third root */
+        double c[4] = {1}, a = floor(ldexp(1, k) / 3);
+        int n = isolate_times_root(c, 0, a, ldexp(1, k));
+        if (k <= 24) n = isolate_times_root(c, n, a + 1, ldexp(1, k));
+        decided(c, n, 0, 1, n);
+        decided(c, n, -INFINITY, INFINITY, n);
+    }
+    for (int k = 2; k <= 45; k++) { /* (x - 1)^2 - 2^-k, roots 2^(1-k/2) apart */
+        double c[] = {1 - ldexp(1, -k), -2, 1};
+        decided(c, 2, 0, 3, 2);
+    }
+    for (int k = 1; k <= 45; k++) { /* x (x - 2^-k), at 0, and moved there: (x + 1) x (x - 2^-k) */
+        double e = ldexp(1, -k), c[] = {0, -e, 1}, d[] = {0, -e, 1 - e, 1};
+        decided(c, 2, -1, 1, 2);
+        if (k <= 15) decided(d, 3, -2, 1, 3);
+    }
+}
+
+static void test_clusters(void **state) {
+    (void)state;
+    for (int k = 2; k <= 14; k++) { /* roots a-1, a, a+1 over 2^k */
+        double c[5] = {1}, a = floor(ldexp(1, k) / 3) + 1;
+        int n = 0;
+        for (int i = -1; i <= 1; i++) n = isolate_times_root(c, n, a + i, ldexp(1, k));
+        decided(c, n, 0, 1, 3);
+    }
+    for (int k = 2; k <= 50; k++) { /* x^3 - 2^-k x: three roots 2^-k/2 apart */
+        double c[] = {0, -ldexp(1, -k), 0, 1};
+        decided(c, 3, -1, 1, 3);
+    }
+}
+
+/* ---- bounded work ---- */
+
+static void test_bounded_work(void **state) {
+    (void)state;
+    static double c[ALGSURF_MAX_POLY_DEGREE + 1];
+    uint64_t seed = 5;
+    int count;
+    clock_t start = clock();
+    double a = 1;
+    for (int k = 0; k <= 64; k++) { /* (x - 1/2)^64 as far as doubles hold it: rounded, it has no root */
+        c[k] = ldexp(k % 2 ? -a : a, k - 64);
+        a = a * (64 - k) / (k + 1);
+    }
+    isolate_judge(c, 64, -1, 1, &answer);
+    isolate_judge(c, 64, 0.25, INFINITY, &answer);
+    memset(&answer, 0, sizeof answer);
+    for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = exact_random_unit(&seed);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, answer.b, 513, &answer.count), ALGSURF_OK);
+    for (int i = 0; i < answer.count; i++)
+        if (isfinite(answer.b[i].lo)) assert_int_equal(exact_poly_sign(c, 512, answer.b[i].lo), answer.b[i].sign);
+    for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = 0;
+    c[512] = 1, c[0] = -2, c[1] = 12, c[2] = -18;
+    assert_true(algsurf_count_roots(c, NULL, 512, -INFINITY, INFINITY, &count) >= 0);
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    if (seconds > 60) fail_msg("%g s", seconds); /* 1 s where it was written; sanitizers take their time */
+}
+
+/* ---- degenerate polynomials ---- */
+
+static void test_degenerate(void **state) {
+    (void)state;
+    const double constant[] = {-3, 0, 0, 0}, monomial[] = {0, 0, 0, 0x1p-1000}, leading[] = {-1, 2, 0, 0, 0};
+    const double trailing[] = {0, 0, -1, 2, 0}, largest[] = {-DBL_MAX, DBL_MAX, DBL_MAX}, least[] = {-0x1p-1074, 0x1p-1074};
+    decided(constant, 0, -INFINITY, INFINITY, 0);
+    decided(constant, 3, -INFINITY, INFINITY, 0);
+    decided(monomial, 3, -1, 1, 1);
+    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    decided(monomial, 3, 0x1p-1074, 1, 0);
+    decided(monomial, 3, -INFINITY, 0, 1);
+    decided(monomial, 3, 0, 0, 1);
+    decided(leading, 4, -INFINITY, INFINITY, 1);
+    decided(trailing, 4, -INFINITY, INFINITY, 2);
+    decided(trailing, 4, 0, 0.5, 2);
+    isolate_judge(largest, 2, -INFINITY, INFINITY, &answer);
+    isolate_judge(least, 1, -INFINITY, INFINITY, &answer);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ghosts_and_losses), cmocka_unit_test(test_multiple_root),
+        cmocka_unit_test(test_degree_drop),       cmocka_unit_test(test_wilkinson),
+        cmocka_unit_test(test_chebyshev),         cmocka_unit_test(test_laguerre),
+        cmocka_unit_test(test_mignotte),          cmocka_unit_test(test_close_pairs),
+        cmocka_unit_test(test_clusters),          cmocka_unit_test(test_bounded_work),
+        cmocka_unit_test(test_degenerate),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,166 @@
+/* test_isolate_radii.c - coefficients with radii: what isolate says holds for every polynomial in the box;
+ * and results do not depend on the caller's floating-point environment.
+ *
+ * Breaks caught: radii left out of the Bernstein form's bound or of the signs at a bracket's ends, a radius
+ * of the wrong coefficient in a far piece, work done outside the guarded environment.
+ */
+#include "isolate_case.h"
+
+#include "environments.h"
+
+#define SEED 12u
+
+static isolate_answer answer;
+
+/* |p(x)| > sum r_k |x|^k, exactly: the sign at x is that of every member. */
+static int margin_holds(const double *c, const double *r, int n, double x) {
+    mpq_t value, slack;
+    mpq_inits(value, slack, NULL);
+    exact_poly_at(value, c, n, x), exact_poly_at(slack, r, n, fabs(x));
+    mpq_abs(value, value);
+    int holds = mpq_cmp(value, slack) > 0;
+    mpq_clears(value, slack, NULL);
+    return holds;
+}
+
+/* The chain of a member: a corner of the box, or a point halfway. */
+static exact_sturm member(uint64_t *seed, const double *c, const double *r, int n) {
+    double both[2 * 21];
+    mpz_t integer[2 * 21];
+    for (int k = 0; k <= n; k++) both[2 * k] = c[k], both[2 * k + 1] = r[k] / 2;
+    for (int k = 0; k < 2 * n + 2; k++) mpz_init(integer[k]);
+    (void)exact_integers(integer, both, 2 * n + 1);
+    for (int k = 0; k <= n; k++) {
+        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--) mpz_add(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
+        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--) mpz_sub(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
+        mpz_swap(integer[k], integer[2 * k]);
+    }
+    exact_sturm s = exact_sturm_of(integer, n);
+    for (int k = 0; k < 2 * n + 2; k++) mpz_clear(integer[k]);
+    return s;
+}
+
+static void judge_box(uint64_t *seed, const double *c, const double *r, int n, double lo, double hi) {
+    memset(&answer, 0, sizeof answer);
+    answer.status = algsurf_isolate_all(c, r, n, lo, hi, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+    const char *wrong = answer.status < 0 ? "refused" : isolate_form(c, r, n, lo, hi, &answer);
+    for (int i = 0; !wrong && i < answer.count; i++) {
+        const algsurf_bracket *b = answer.b + i;
+        if (b->kind != ALGSURF_ROOT_BRACKET) continue;
+        if ((isfinite(b->lo) && !margin_holds(c, r, n, b->lo)) || (isfinite(b->hi) && !margin_holds(c, r, n, b->hi)))
+            wrong = "no margin at an end";
+    }
+    if (!wrong) wrong = isolate_signs(c, n, &answer);
+    for (int i = 0; !wrong && i < 4; i++) {
+        exact_sturm s = member(seed, c, r, n);
+        if (s.count > 0) wrong = isolate_truth(&s, lo, hi, &answer);
+        exact_sturm_clear(&s);
+    }
+    if (wrong) isolate_fail(wrong, c, r, n, lo, hi, &answer);
+}
+
+static void test_boxes(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    int decided = 0, rounds = 1200, undecided = 0;
+    for (int i = 0; i < rounds; i++) {
+        double c[21], r[21], ends[4] = {-1.5, 2, -INFINITY, INFINITY};
+        int n = 1 + exact_random_int(&seed, 12), bits = 5 + exact_random_int(&seed, 50);
+        for (int k = 0; k <= n; k++) {
+            c[k] = exact_random_wide(&seed, -3, 3);
+            r[k] = exact_random_int(&seed, 3) ? ldexp(fabs(exact_random_unit(&seed)), -bits) : 0.0;
+        }
+        c[n] = 1;
+        double lo = ends[2 * exact_random_int(&seed, 2)], hi = ends[1 + 2 * exact_random_int(&seed, 2)];
+        judge_box(&seed, c, r, n, lo, hi);
+        decided += answer.status == ALGSURF_OK;
+        undecided += answer.status != ALGSURF_OK && bits < 10;
+    }
+    if (decided * 100 < rounds * 80) fail_msg("seed %u: %d of %d decided", SEED, decided, rounds);
+    assert_true(undecided > 0);
+}
+
+/* Known gaps: x^2 - 2 e x + e^2 - d has the roots e +- sqrt d; they part when the radius is below d. */
+static void test_box_decides_where_it_can(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int k = 4; k <= 40; k += 2) {
+        double d = ldexp(1, -k), c[3] = {1 - d, -2, 1}, r[3] = {d / 4, 0, 0};
+        judge_box(&seed, c, r, 2, 0, 4);
+        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_int_equal(answer.count, 2);
+        r[0] = 2 * d;
+        judge_box(&seed, c, r, 2, 0, 4);
+        assert_int_equal(answer.status, ALGSURF_UNDECIDED_MULTIPLE);
+    }
+    const double zero[3] = {0, 0, 0}, some[3] = {0x1p-30, 0, 0x1p-30}; /* nothing is known at all */
+    judge_box(&seed, zero, some, 2, -1, 1);
+    assert_true(answer.status > 0);
+    assert_true(answer.b[0].lo == -1 && answer.b[answer.count - 1].hi == 1);
+    const double lead[3] = {-1, 1, 0}, unsure[3] = {0, 0, 0x1p-30}; /* a root that may be at infinity */
+    assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, answer.b, 3, &answer.count) > 0);
+    judge_box(&seed, lead, unsure, 2, -100, 100);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+
+static void test_one_point_of_a_box(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double c[2] = {-1, 1}, r[2] = {0x1p-20, 0};
+    judge_box(&seed, c, r, 1, 1, 1);
+    assert_int_equal(answer.status, ALGSURF_UNDECIDED_ZERO);
+    judge_box(&seed, c, r, 1, 1.5, 1.5);
+    assert_int_equal(answer.count, 0);
+}
+
+/* ---- the environment ---- */
+
+typedef struct outcome {
+    algsurf_status status[3];
+    int count, found, roots;
+    algsurf_bracket first, b[21];
+} outcome;
+
+static void run(const double *c, const double *r, int n, double lo, double hi, outcome *o) {
+    memset(o, 0, sizeof *o);
+    o->status[0] = algsurf_isolate_all(c, r, n, lo, hi, o->b, 21, &o->count);
+    o->status[1] = algsurf_isolate_first(c, r, n, lo, hi, &o->first, &o->found);
+    o->status[2] = algsurf_count_roots(c, r, n, lo, hi, &o->roots);
+}
+
+static void test_environment(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 150; i++) {
+        double c[21], r[21];
+        int n = 1 + exact_random_int(&seed, 20), tiny = i % 3 == 0, multiple = i % 5 == 0;
+        for (int k = 0; k <= n; k++) {
+            c[k] = exact_random_wide(&seed, tiny ? -1020 : -4, tiny ? -1000 : 4);
+            r[k] = ldexp(fabs(c[k]), -45);
+        }
+        if (multiple) n = 4, c[0] = 4, c[1] = 0, c[2] = -4, c[3] = 0, c[4] = 1;
+        outcome usual, other;
+        const double *radii = i % 2 ? r : NULL;
+        run(c, radii, n, -0x1p-1030, i % 4 ? INFINITY : 2, &usual);
+        for (int e = 1; e < ENVIRONMENTS; e++) {
+            environment_set(e);
+            run(c, radii, n, -0x1p-1030, i % 4 ? INFINITY : 2, &other);
+            int unchanged = environment_unset(e);
+            if (!unchanged) fail_msg("seed %u round %d: environment %d is not restored", SEED, i, e);
+            if (memcmp(&usual, &other, sizeof usual) != 0) {
+                exact_print_doubles("c", c, n + 1);
+                fail_msg("seed %u round %d: another answer in environment %d", SEED, i, e);
+            }
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_box_decides_where_it_can),
+        cmocka_unit_test(test_one_point_of_a_box),
+        cmocka_unit_test(test_environment),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
