@@ -39,10 +39,12 @@ static algsurf_status give(const algsurf_surface *s, const double *q, const doub
 
 static ALGSURF_NOINLINE algsurf_status power(const algsurf_surface *s, const algsurf_ray *ray, double *c,
                                              double *r) {
+    algsurf_status status = check_line(s, ray, c);
+    if (status != ALGSURF_OK) return status;
     double X[3], D[3], q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1];
     for (int i = 0; i < 3; i++) {
-        X[i] = ldexp(ray->origin[i], -s->unit);
-        D[i] = ldexp(ray->direction[i], -s->unit);
+        X[i] = algsurf_i_scaled(ray->origin[i], -s->unit);
+        D[i] = algsurf_i_scaled(ray->direction[i], -s->unit);
     }
     algsurf_i_expand_d(s, X, D, q, qr);
     return give(s, q, qr, c, r);
@@ -50,17 +52,18 @@ static ALGSURF_NOINLINE algsurf_status power(const algsurf_surface *s, const alg
 
 algsurf_status algsurf_expand_power(const algsurf_surface *surface, const algsurf_ray *ray, double *c,
                                     double *r) {
-    algsurf_status status = check_line(surface, ray, c);
-    if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = power(surface, ray, c, r);
+    algsurf_status status = power(surface, ray, c, r);
     algsurf_fpenv_leave(&saved);
     return status;
 }
 
 static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const algsurf_ray *ray, double *b,
                                                  double *r) {
+    algsurf_status status = check_line(s, ray, b);
+    if (status != ALGSURF_OK) return status;
+    if (!(ray->t_min < ray->t_max) || isinf(ray->t_min) || isinf(ray->t_max)) return ALGSURF_E_ARGUMENT;
     double q[ALGSURF_MAX_DEGREE + 1], qr[ALGSURF_MAX_DEGREE + 1], size = 0;
     double value[ALGSURF_MAX_DEGREE + 1], radius[ALGSURF_MAX_DEGREE + 1];
     algsurf_i_frame f;
@@ -79,12 +82,9 @@ static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const
 
 algsurf_status algsurf_expand_bernstein(const algsurf_surface *surface, const algsurf_ray *ray, double *b,
                                         double *r) {
-    algsurf_status status = check_line(surface, ray, b);
-    if (status != ALGSURF_OK) return status;
-    if (!(ray->t_min < ray->t_max) || isinf(ray->t_min) || isinf(ray->t_max)) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = bernstein(surface, ray, b, r);
+    algsurf_status status = bernstein(surface, ray, b, r);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -11,6 +11,11 @@ static double power_above(double x) {
     return m == 0 ? 1 : ldexp(1, m == 0.5 ? e - 1 : e);
 }
 
+double algsurf_i_scaled(double x, int e) {
+    double y = ldexp(x, e);
+    return y == 0 && x != 0 ? copysign(0x1p-1074, x) : y;
+}
+
 /* (s - centre) / step, the difference exact. */
 static algsurf_dd local(double s, const algsurf_i_frame *f) {
     if (isinf(s)) return algsurf_dd_from(s);
@@ -27,8 +32,8 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     int e;
     (void)frexp(algsurf_max_abs(ray->direction), &e);
     for (int i = 0; i < 3; i++) {
-        O[i] = ldexp(ray->origin[i], -surface->unit);
-        f->V[i] = ldexp(ray->direction[i], -e);
+        O[i] = algsurf_i_scaled(ray->origin[i], -surface->unit);
+        f->V[i] = algsurf_i_scaled(ray->direction[i], -e);
     }
     f->exponent = e - surface->unit;
     double lo = ldexp(ray->t_min, f->exponent), hi = ldexp(ray->t_max, f->exponent);
@@ -43,7 +48,7 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
     } else {
         f->step = natural;
     }
-    for (int i = 0; i < 3; i++) f->D[i] = f->step * f->V[i];
+    for (int i = 0; i < 3; i++) f->D[i] = algsurf_i_scaled(f->V[i], ilogb(f->step));
     f->lo = local(lo, f);
     f->hi = local(hi, f);
 }

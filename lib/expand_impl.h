@@ -22,6 +22,10 @@ typedef struct algsurf_i_frame {
     int one_piece;       /* 1: [lo,hi] lies in [-1,1] */
 } algsurf_i_frame;
 
+/* x 2^e; what underflows becomes the least number of its sign, so that it is seen where underflow is
+ * accounted for (the error is at most 2^-1074 either way). */
+double algsurf_i_scaled(double x, int e);
+
 /* A frame for the ray, t_min <= t_max.  About the middle of the chord if that is short against the
  * surface (or `chord` is set; t_min, t_max are then finite), otherwise about the ray's point nearest to
  * the origin of space, with the unit in which the surface's terms balance. */
@@ -38,5 +42,8 @@ void algsurf_i_expand_dd(const algsurf_surface *s, const algsurf_dd X[3], const 
 /* The exact sign of P at origin + t direction: -1, 0, +1, or ALGSURF_SIGN_UNKNOWN when an intermediate
  * product leaves the range of double.  Cost: some hundred times an evaluation in double. */
 int algsurf_i_exact_sign(const algsurf_surface *s, const algsurf_ray *ray, double t);
+
+/* Is the coefficient of t^degree, the form of highest degree at the direction, exactly zero? */
+int algsurf_i_top_vanishes(const algsurf_surface *s, const algsurf_ray *ray);
 
 #endif

@@ -1,6 +1,7 @@
 /* intersect.c - first hit, all hits, occluded: roots along a ray become hits. */
 #include "algsurf/intersect.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "fpenv.h"
@@ -27,6 +28,7 @@ static algsurf_status read_options(const algsurf_intersect_options *given, algsu
     return ALGSURF_OK;
 }
 
+/* Checks the arguments and clips the ray; in the standard environment, where subnormals count. */
 static algsurf_status prepare(query *q, const algsurf_surface *surface, const algsurf_extent *extent,
                               const algsurf_ray *ray, const algsurf_intersect_options *options) {
     if (!surface) return ALGSURF_E_ARGUMENT;
@@ -35,11 +37,8 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status == ALGSURF_OK) status = read_options(options, &q->options);
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
-    return ALGSURF_OK;
-}
-
-static void clip(query *q, const algsurf_extent *extent, const algsurf_ray *ray) {
     q->empty = !algsurf_i_extent_clip(extent, ray, &q->ray);
+    return ALGSURF_OK;
 }
 
 static void set_miss(algsurf_hit *hit) {
@@ -76,47 +75,50 @@ static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_roo
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
     hit->state = root->state;
     hit->reason = root->reason;
-    hit->t = fmin(fmax(t, root->t_lo), root->t_hi);
+    hit->t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
     hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_lo;
     hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_hi;
     for (int i = 0; i < 3; i++) hit->position[i] = ldexp(x[i], q->surface->unit);
     if (!algsurf_unit(gradient, hit->normal)) hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
 }
 
-static ALGSURF_NOINLINE void first(query *q, const algsurf_extent *extent, const algsurf_ray *ray,
-                                   algsurf_hit *hit) {
+static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                             algsurf_hit *hit) {
+    query q;
     algsurf_i_frame frame;
     algsurf_i_ray_root root;
-    clip(q, extent, ray);
-    if (q->empty || !algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_FIRST, &frame, &root, 1))
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    if (q.empty || !algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
         set_miss(hit);
-    else make_hit(q, &frame, &root, hit);
+    else make_hit(&q, &frame, &root, hit);
+    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
                                        const algsurf_ray *ray, const algsurf_intersect_options *options,
                                        algsurf_hit *hit) {
-    query q;
     if (!hit) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
-    if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    first(&q, extent, ray, hit);
+    algsurf_status status = first(surface, extent, ray, options, hit);
     algsurf_fpenv_leave(&saved);
-    return ALGSURF_OK;
+    return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status all(query *q, const algsurf_extent *extent, const algsurf_ray *ray,
+static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
                                            algsurf_hit *hits, int capacity, int *count) {
+    query q;
     algsurf_i_frame frame;
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
-    int room = q->surface->degree > 0 ? q->surface->degree : 1, n;
-    clip(q, extent, ray);
-    n = q->empty ? 0
-                 : algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_ALL, &frame, roots, room);
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    int room = surface->degree > 0 ? surface->degree : 1;
+    int n = q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
     if (n > capacity) return ALGSURF_E_ARGUMENT;
-    for (int i = 0; i < n; i++) make_hit(q, &frame, roots + i, hits + i);
+    for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
     *count = n;
     return ALGSURF_OK;
 }
@@ -124,37 +126,35 @@ static ALGSURF_NOINLINE algsurf_status all(query *q, const algsurf_extent *exten
 algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                      const algsurf_ray *ray, const algsurf_intersect_options *options,
                                      algsurf_hit *hits, int capacity, int *count) {
-    query q;
     if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
-    if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = all(&q, extent, ray, hits, capacity, count);
+    algsurf_status status = all(surface, extent, ray, options, hits, capacity, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_hit_state any(query *q, const algsurf_extent *extent, const algsurf_ray *ray) {
+static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                           algsurf_hit_state *state) {
+    query q;
     algsurf_i_frame frame;
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
-    clip(q, extent, ray);
-    if (q->empty || !algsurf_i_ray_roots(q->surface, &q->ray, &q->options, ALGSURF_WANT_ANY, &frame, roots,
-                                         ALGSURF_MAX_DEGREE + 1))
-        return ALGSURF_MISS;
-    return (algsurf_hit_state)roots[0].state;
+    algsurf_status status = prepare(&q, surface, extent, ray, options);
+    if (status != ALGSURF_OK) return status;
+    int n = q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
+                                              ALGSURF_MAX_DEGREE + 1);
+    *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
+    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                 const algsurf_ray *ray, const algsurf_intersect_options *options,
                                 algsurf_hit_state *state) {
-    query q;
     if (!state) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
-    if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    *state = any(&q, extent, ray);
+    algsurf_status status = any(surface, extent, ray, options, state);
     algsurf_fpenv_leave(&saved);
-    return ALGSURF_OK;
+    return status;
 }

@@ -107,12 +107,13 @@ static int add_undecided(search *s, const algsurf_i_cell *cell) {
 
 /* The root in a bracket found in double.  The signs at the ends are known from the walk; where the
  * computed values disagree, the root is at that end as far as double can tell. */
-static double refine_d(const search *s, const double *c, const algsurf_i_cell *cell) {
+static double refine_d(const search *s, const double *c, int n, const algsurf_i_cell *cell) {
     algsurf_refine_options options = {sizeof options, s->options->method, s->options->max_iterations, 0};
-    int n = s->surface->degree;
-    double lo = cell->lo.hi, hi = cell->hi.hi, v = 0.5 * lo + 0.5 * hi, tolerance = ldexp(s->options->tolerance, s->frame->exponent);
+    double lo = cell->lo.hi, hi = cell->hi.hi, v = fmin(fabs(lo), fabs(hi));
+    double tolerance = ldexp(s->options->tolerance, s->frame->exponent) / s->frame->step;
     algsurf_root root;
-    options.tolerance = tolerance / s->frame->step * (cell->piece->far ? v * v : 1);
+    /* half the wanted error, for the root is an end of the bracket; dt = dv / v^2 in a far piece */
+    options.tolerance = 0.5 * tolerance * (cell->piece->far ? v * v : 1);
     if (algsurf_refine_poly(c, n, lo, hi, &options, &root) >= ALGSURF_OK) return root.root;
     return fabs(cell->value_lo) < fabs(cell->value_hi) ? lo : hi;
 }
@@ -131,11 +132,13 @@ static enum outcome round_in_double(search *s) {
     algsurf_i_cell cell;
     algsurf_i_expand_d(s->surface, X, s->frame->D, q, bounded ? r : NULL);
     if (!finite_all(q, n) || (bounded && !finite_all(r, n))) return OVERFLOWED;
+    while (n > 0 && q[n] == 0 && (!bounded || r[n] == 0)) n--; /* the degree drops in this direction */
+    if (n == 0 && q[0] == 0) n = s->surface->degree;           /* the ray lies in the surface */
     algsurf_i_walk_begin_d(&walk, q, bounded ? r : NULL, n, bounded, s->pieces, s->piece_count);
     walk.any = s->want == ALGSURF_WANT_ANY;
     while (algsurf_i_walk_next_d(&walk, &cell)) {
         if (cell.kind == ALGSURF_ROOT_BRACKET && s->want != ALGSURF_WANT_ANY)
-            add_root(s, &cell, algsurf_dd_from(refine_d(s, walk.local, &cell)), s->options->tolerance == 0);
+            add_root(s, &cell, algsurf_dd_from(refine_d(s, walk.local, n, &cell)), s->options->tolerance == 0);
         else if (cell.kind == ALGSURF_ROOT_UNDECIDED && bounded) return UNDECIDED;
         else add_root(s, &cell, algsurf_dd_scale(algsurf_dd_add(cell.lo, cell.hi), 0.5), 0);
         if (s->want != ALGSURF_WANT_ALL) break;
@@ -159,6 +162,9 @@ static enum outcome round_in_dd(search *s, int *open_lo, int *open_hi) {
     algsurf_i_expand_dd(s->surface, s->frame->X, s->frame->D, q, r);
     for (int i = 0; i <= n; i++)
         if (!isfinite(q[i].hi) || !isfinite(q[i].lo) || !isfinite(r[i])) return OVERFLOWED;
+    if (fabs(q[n].hi) <= r[n] && !s->frame->one_piece && algsurf_i_top_vanishes(s->surface, s->ray)) n--;
+    while (n > 0 && q[n].hi == 0 && r[n] == 0) n--;
+    if (n == 0 && q[0].hi == 0) n = s->surface->degree;
     algsurf_i_walk_begin_dd(&walk, q, r, n, 1, s->pieces, s->piece_count);
     walk.any = s->want == ALGSURF_WANT_ANY;
     while (algsurf_i_walk_next_dd(&walk, &cell)) {
@@ -189,8 +195,12 @@ static void whole_ray_undecided(search *s, algsurf_status reason) {
     s->count = 1;
 }
 
-/* A ray of no length: one point, decided exactly. */
+/* A ray of no length: one point, decided by its value if that is clear of its bound, else exactly. */
 static int single_point(search *s) {
+    algsurf_dd q[ALGSURF_MAX_DEGREE + 1];
+    double r[ALGSURF_MAX_DEGREE + 1];
+    algsurf_i_expand_dd(s->surface, s->frame->X, s->frame->D, q, r);
+    if (isfinite(q[0].hi) && isfinite(r[0]) && fabs(q[0].hi) > r[0]) return 0;
     int sign = algsurf_i_exact_sign(s->surface, s->ray, s->ray->t_min);
     algsurf_dd here = algsurf_dd_from(0);
     double t = s->ray->t_min;

@@ -21,13 +21,7 @@ typedef struct task {
 
 /* Coefficients above the zeros in units of 2^exponent, scaled so that the largest is about 1. */
 static void scale(const algsurf_i_coefficients *p, int exponent, double *q, double *r) {
-    int common = -0x7fffffff;
-    for (int k = p->zeros; k <= p->degree; k++) {
-        double a = fabs(p->c[k]) + (p->r ? p->r[k] : 0);
-        int e;
-        (void)frexp(a, &e);
-        if (a > 0 && e + k * exponent > common) common = e + k * exponent;
-    }
+    int common = algsurf_i_common_exponent(p, p->zeros, exponent);
     for (int k = p->zeros; k <= p->degree; k++) {
         q[k - p->zeros] = ldexp(p->c[k], k * exponent - common);
         r[k - p->zeros] = p->r ? ldexp(p->r[k], k * exponent - common) : 0;
@@ -85,12 +79,12 @@ static int walk(task *t, int (*one)(task *, const algsurf_i_stretch *)) {
     for (int i = 0; i < count && !finished(t); i++) {
         if (zero_due && s[i].lo >= 0) {
             zero_due = 0;
-            if (!algsurf_i_add_exact(&t->found, 0) || finished(t)) return 1;
+            if (!algsurf_i_add_exact(&t->found, 0, t->p.zeros)) return 0;
+            if (finished(t)) return 1;
         }
         if (!one(t, s + i)) return 0;
     }
-    if (zero_due && !finished(t)) (void)algsurf_i_add_exact(&t->found, 0);
-    return 1;
+    return finished(t) || !zero_due || algsurf_i_add_exact(&t->found, 0, t->p.zeros);
 }
 
 /* Undecided at an end of the interval: is that end exactly a root? */
@@ -106,23 +100,31 @@ static int end_is_root(const task *t, double x) {
 static void single_point(task *t) {
     int sign = isinf(t->lo) ? 1 : algsurf_i_sign_at(&t->p, t->lo);
     t->found.count = 0;
-    if (sign == 0) (void)algsurf_i_add_exact(&t->found, t->lo);
+    if (sign == 0) (void)algsurf_i_add_exact(&t->found, t->lo, t->p.degree);
     else if (sign == ALGSURF_SIGN_UNKNOWN) {
         t->found.b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree, ALGSURF_UNDECIDED_ZERO};
         t->found.count = 1;
     }
 }
 
-static ALGSURF_NOINLINE void isolate(task *t) {
+/* More entries than the degree: the last one takes in all the rest. */
+static void cover_rest(task *t) {
+    algsurf_bracket *last = t->found.b + t->found.count - 1;
+    *last = (algsurf_bracket){last->lo,    t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree,
+                              last->status != ALGSURF_OK ? last->status : ALGSURF_UNDECIDED_MULTIPLE};
+}
+
+static void isolate(task *t) {
     if (t->lo == t->hi) {
         single_point(t);
         return;
     }
     if (walk(t, walk_d)) return;
-    (void)walk(t, walk_dd);
+    int fits = walk(t, walk_dd);
     t->zero_at_lo = end_is_root(t, t->lo);
     t->zero_at_hi = end_is_root(t, t->hi);
-    if (t->zero_at_lo || t->zero_at_hi) (void)walk(t, walk_dd);
+    if (t->zero_at_lo || t->zero_at_hi) fits = walk(t, walk_dd);
+    if (!fits && !t->first_only) cover_rest(t);
 }
 
 static algsurf_status check(const double *c, const double *r, int degree, double lo, double hi) {
@@ -138,18 +140,24 @@ static algsurf_status check(const double *c, const double *r, int degree, double
 
 static int exact_zero(const double *c, const double *r, int k) { return c[k] == 0 && (!r || r[k] == 0); }
 
-/* Runs the search into `room` for degree + 1 brackets; the first undecided reason is the status. */
+static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
+    algsurf_status status = check(t->p.c, t->p.r, t->p.degree, t->lo, t->hi);
+    if (status != ALGSURF_OK) return status;
+    while (exact_zero(t->p.c, t->p.r, t->p.degree)) t->p.degree--;
+    while (exact_zero(t->p.c, t->p.r, t->p.zeros)) t->p.zeros++;
+    isolate(t);
+    return ALGSURF_OK;
+}
+
+/* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status. */
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
                           algsurf_bracket *room, int *count) {
-    algsurf_status status = check(c, r, degree, lo, hi);
-    if (status != ALGSURF_OK) return status;
     task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, degree > 0 && !first_only ? degree : 1}};
-    while (exact_zero(c, r, t.p.degree)) t.p.degree--;
-    while (exact_zero(c, r, t.p.zeros)) t.p.zeros++;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    isolate(&t);
+    algsurf_status status = check_and_isolate(&t);
     algsurf_fpenv_leave(&saved);
+    if (status != ALGSURF_OK) return status;
     *count = t.found.count;
     for (int i = 0; i < t.found.count; i++)
         if (room[i].status != ALGSURF_OK) return room[i].status;
@@ -159,7 +167,7 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
 algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
                                      algsurf_bracket *bracket, int *found) {
     algsurf_bracket first;
-    int count;
+    int count = 0;
     if (!bracket || !found) return ALGSURF_E_ARGUMENT;
     algsurf_status status = run(c, r, degree, lo, hi, 1, &first, &count);
     if (status < 0) return status;
@@ -171,7 +179,7 @@ algsurf_status algsurf_isolate_first(const double *c, const double *r, int degre
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
                                    algsurf_bracket *brackets, int capacity, int *count) {
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
-    int n;
+    int n = 0;
     if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
     if (status < 0) return status;
@@ -184,7 +192,7 @@ algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree,
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
-    int n, roots = 0;
+    int n = 0, roots = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
     algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
     if (status < 0) return status;

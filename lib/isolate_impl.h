@@ -84,6 +84,9 @@ typedef struct algsurf_i_stretch {
     int exponent;
 } algsurf_i_stretch;
 
+/* The largest exponent among the coefficients from `first` on (or their radii), in units of 2^unit. */
+int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int first, int unit);
+
 #define ALGSURF_MOST_STRETCHES (2 * ALGSURF_MAX_POLY_DEGREE + 3)
 
 /* The stretches of [lo,hi], lo < hi, from left to right; 0 parts two of them when p has zeros there. */
@@ -99,10 +102,10 @@ typedef struct algsurf_i_brackets {
 /* Certain sign of p at x (may be infinite): -1, +1, 0 for an exact zero, or ALGSURF_SIGN_UNKNOWN. */
 int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x);
 
-/* Appends an exact root, or a cell of a stretch, as a bracket with double ends of certain sign where
- * that is possible.  An undecided one that touches an undecided one before it is joined with it.
- * Returns 0 when there was no room (the last entry then is widened and undecided). */
-int algsurf_i_add_exact(algsurf_i_brackets *found, double x);
+/* Appends an exact root of multiplicity at most `most`, or a cell of a stretch as a bracket with double ends
+ * of certain sign where that is possible.  An undecided one that touches an undecided one before it is
+ * joined with it.  Returns 0, and appends nothing, when there was no room. */
+int algsurf_i_add_exact(algsurf_i_brackets *found, double x, int most);
 int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
                        const algsurf_i_stretch *s, const algsurf_i_cell *cell);
 

@@ -3,10 +3,12 @@
 
 #include "isolate_impl.h"
 
-/* The far variable v = -1/s of an end; infinity is 0. */
+/* The far variable v = -1/s of an end; infinity is 0.  Beyond 2^900, where products would overflow, in
+ * steps: v is then so small that what underflow takes from it is below every bound. */
 static algsurf_dd far_end(algsurf_dd s) {
     if (isinf(s.hi)) return algsurf_dd_from(0);
-    return algsurf_dd_div(algsurf_dd_from(-1), s);
+    if (fabs(s.hi) < 0x1p900) return algsurf_dd_div(algsurf_dd_from(-1), s);
+    return algsurf_dd_scale(algsurf_dd_div(algsurf_dd_from(-1), algsurf_dd_scale(s, 0x1p-200)), 0x1p-200);
 }
 
 static algsurf_dd least(algsurf_dd a, algsurf_dd b) { return algsurf_dd_less(b, a) ? b : a; }

@@ -2,8 +2,13 @@
  *
  * Where coefficients differ by hundreds of orders of magnitude so do the roots, and no single unit
  * serves them all.  The upper convex hull of the points (k, log2 |c_k|) (Newton's polygon) gives the
- * magnitudes of the roots up to a factor of about the degree; they are gathered into groups, the line
- * is cut between groups, and each stretch is walked in the unit of its group.
+ * magnitudes of the roots up to a factor of about the degree; they are gathered into groups, and each
+ * group is looked for in its own unit.
+ *
+ * Between two groups, at the corner m of the hull that parts them, c_m x^m dominates: where
+ * |c_m| x^m > sum over k != m of |c_k| x^k there is no root of magnitude x (Pellet 1881).  The ratio of the
+ * two sides is convex in log x, so if it holds at both ends of an annulus it holds between them, and
+ * the annulus is left out.
  */
 #include <math.h>
 
@@ -11,21 +16,30 @@
 
 #define GROUP_GAP 16 /* binary orders of magnitude between roots that part two groups */
 
-/* log2 of the magnitude of coefficient k, its radius included. */
-static double height(const algsurf_i_coefficients *t, int k) {
-    double a = fabs(t->c[k]) + (t->r ? t->r[k] : 0);
-    return a > 0 ? log2(a) : -HUGE_VAL;
+int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int first, int unit) {
+    int common = -0x7fffffff;
+    for (int k = first; k <= p->degree; k++) {
+        double a = fmax(fabs(p->c[k]), p->r ? p->r[k] : 0);
+        if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
+    }
+    return common;
 }
 
-/* Ends of the edges of the upper hull of (k, height), k increasing; returns how many points. */
-static int upper_hull(const algsurf_i_coefficients *t, int *hull) {
+/* log2 of the largest magnitude coefficient k may have, up to 1. */
+static double height(const algsurf_i_coefficients *p, int k) {
+    double r = p->r ? p->r[k] : 0, a = fmax(fabs(p->c[k]), r);
+    return a > 0 ? log2(a) + (r > 0) : -HUGE_VAL;
+}
+
+/* Corners of the upper hull of (k, height), k increasing; returns how many. */
+static int upper_hull(const algsurf_i_coefficients *p, int *hull) {
     int count = 0;
-    for (int k = t->zeros; k <= t->degree; k++) {
-        double y = height(t, k);
+    for (int k = p->zeros; k <= p->degree; k++) {
+        double y = height(p, k);
         if (isinf(y)) continue;
         while (count >= 2) {
             int a = hull[count - 2], b = hull[count - 1];
-            if ((height(t, b) - height(t, a)) * (k - a) > (y - height(t, a)) * (b - a)) break;
+            if ((height(p, b) - height(p, a)) * (k - a) > (y - height(p, a)) * (b - a)) break;
             count--;
         }
         hull[count++] = k;
@@ -33,20 +47,46 @@ static int upper_hull(const algsurf_i_coefficients *t, int *hull) {
     return count;
 }
 
+/* Does c_m x^m dominate at x = 2^e?  A factor 2 to spare covers the rounding of the logarithms. */
+static int dominates(const algsurf_i_coefficients *p, int m, int e) {
+    double r = p->r ? p->r[m] : 0, lead = fabs(p->c[m]) - r, rest = 0;
+    if (!(lead > 0.5 * fabs(p->c[m]))) return 0;
+    for (int k = p->zeros; k <= p->degree; k++)
+        if (k != m) rest += exp2(height(p, k) - (log2(fabs(p->c[m])) - 1) + (double)(k - m) * e);
+    return rest < 0.5;
+}
+
+/* Roots with magnitudes from inner to outer, looked for in units of 2^exponent. */
 typedef struct group {
-    int exponent;   /* unit 2^exponent */
-    int outer;      /* ends at ALGSURF_CUT 2^outer, where the next one starts */
+    int exponent;
+    double inner, outer;
 } group;
 
-static int groups_of(const algsurf_i_coefficients *t, group *groups) {
-    int hull[ALGSURF_MAX_POLY_DEGREE + 1], points = upper_hull(t, hull), count = 0;
+/* The border between a group and the next one, whose roots begin at 2^next: an annulus without roots about
+ * corner m, or where there is none a single cut. */
+static void part(const algsurf_i_coefficients *p, int m, double last, double next, group *g, group *h) {
+    int from = (int)ceil(last), to = (int)floor(next);
+    while (from < to && !dominates(p, m, from)) from++;
+    while (to > from && !dominates(p, m, to)) to--;
+    if (from < to) {
+        g->outer = ldexp(1, from);
+        h->inner = ldexp(1, to);
+    } else {
+        g->outer = h->inner = ldexp(ALGSURF_CUT, (int)lround(0.5 * (last + next)));
+    }
+}
+
+static int groups_of(const algsurf_i_coefficients *p, group *groups) {
+    int hull[ALGSURF_MAX_POLY_DEGREE + 1], corners = upper_hull(p, hull), count = 0;
     double sum = 0, weight = 0, last = 0;
-    for (int i = 1; i < points; i++) {
+    groups[0].inner = 0;
+    for (int i = 1; i < corners; i++) {
         int roots = hull[i] - hull[i - 1];
-        double size = (height(t, hull[i - 1]) - height(t, hull[i])) / roots;
+        double size = (height(p, hull[i - 1]) - height(p, hull[i])) / roots;
         if (i > 1 && size - last > GROUP_GAP) {
             groups[count].exponent = (int)lround(sum / weight);
-            groups[count++].outer = (int)lround(0.5 * (last + size));
+            part(p, hull[i - 1], last, size, groups + count, groups + count + 1);
+            count++;
             sum = weight = 0;
         }
         sum += roots * size;
@@ -54,32 +94,27 @@ static int groups_of(const algsurf_i_coefficients *t, group *groups) {
         last = size;
     }
     groups[count].exponent = weight > 0 ? (int)lround(sum / weight) : 0;
-    groups[count++].outer = 0;
-    return count;
+    groups[count].outer = HUGE_VAL;
+    return count + 1;
 }
 
-static int stretch_into(double lo, double hi, double from, double to, int exponent, algsurf_i_stretch *s) {
-    s->lo = fmax(from, lo);
-    s->hi = fmin(to, hi);
-    s->exponent = exponent;
+/* The part of [from,to] in [lo,hi]; returns 0 if there is none. */
+static int stretch(double lo, double hi, double from, double to, int exponent, algsurf_i_stretch *s) {
+    *s = (algsurf_i_stretch){fmax(from, lo), fmin(to, hi), exponent};
     return s->lo < s->hi;
 }
 
-int algsurf_i_stretches(const algsurf_i_coefficients *t, double lo, double hi, algsurf_i_stretch s[ALGSURF_MOST_STRETCHES]) {
+int algsurf_i_stretches(const algsurf_i_coefficients *p, double lo, double hi,
+                        algsurf_i_stretch s[ALGSURF_MOST_STRETCHES]) {
     group g[ALGSURF_MAX_POLY_DEGREE + 1];
-    int n = groups_of(t, g), count = 0;
-    for (int i = n - 1; i > 0; i--)
-        count += stretch_into(lo, hi, i == n - 1 ? -HUGE_VAL : -ldexp(ALGSURF_CUT, g[i].outer),
-                              -ldexp(ALGSURF_CUT, g[i - 1].outer), g[i].exponent, s + count);
-    double end = n > 1 ? ldexp(ALGSURF_CUT, g[0].outer) : HUGE_VAL;
-    if (t->zeros) {
-        count += stretch_into(lo, hi, -end, 0, g[0].exponent, s + count);
-        count += stretch_into(lo, hi, 0, end, g[0].exponent, s + count);
+    int n = groups_of(p, g), count = 0;
+    for (int i = n - 1; i > 0; i--) count += stretch(lo, hi, -g[i].outer, -g[i].inner, g[i].exponent, s + count);
+    if (p->zeros) {
+        count += stretch(lo, hi, -g[0].outer, 0, g[0].exponent, s + count);
+        count += stretch(lo, hi, 0, g[0].outer, g[0].exponent, s + count);
     } else {
-        count += stretch_into(lo, hi, -end, end, g[0].exponent, s + count);
+        count += stretch(lo, hi, -g[0].outer, g[0].outer, g[0].exponent, s + count);
     }
-    for (int i = 1; i < n; i++)
-        count += stretch_into(lo, hi, ldexp(ALGSURF_CUT, g[i - 1].outer),
-                              i == n - 1 ? HUGE_VAL : ldexp(ALGSURF_CUT, g[i].outer), g[i].exponent, s + count);
+    for (int i = 1; i < n; i++) count += stretch(lo, hi, g[i].inner, g[i].outer, g[i].exponent, s + count);
     return count;
 }

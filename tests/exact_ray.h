@@ -47,7 +47,8 @@ static inline exact_line exact_line_of(const algsurf_term *terms, int count, int
         power[axis] = exact_polynomials(width, width);
         mpz_set_ui(power[axis][0], 1);
         for (int e = 1; e <= n; e++)
-            exact_multiply(power[axis] + e * width, power[axis] + (e - 1) * width, e - 1, parts + 2 * axis, 1);
+            exact_multiply(power[axis] + e * width, power[axis] + (e - 1) * width, e - 1, parts + 2 * axis,
+                           1);
     }
     double *a = calloc((size_t)count, sizeof *a);
     mpz_t *factor = exact_polynomials(1, count);
@@ -91,7 +92,8 @@ static inline exact_line exact_magnitudes_of(const algsurf_term *terms, int coun
     return line;
 }
 
-static inline exact_sturm exact_sturm_along(const algsurf_term *terms, int count, int n, const algsurf_ray *ray) {
+static inline exact_sturm exact_sturm_along(const algsurf_term *terms, int count, int n,
+                                            const algsurf_ray *ray) {
     exact_line line = exact_line_of(terms, count, n, ray);
     exact_sturm s = exact_sturm_of(line.c, n);
     exact_line_clear(&line);

@@ -169,8 +169,10 @@ static inline double exact_root(const exact_sturm *s, double lo, double hi, int 
     for (;;) {
         double middle = 0.5 * lo + 0.5 * hi;
         if (!(middle > lo && middle < hi)) return exact_is_root(s, hi) ? hi : lo;
-        if (before - exact_variations(s, middle) > k) hi = middle;
-        else lo = middle;
+        if (before - exact_variations(s, middle) > k)
+            hi = middle;
+        else
+            lo = middle;
     }
 }
 

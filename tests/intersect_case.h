@@ -43,16 +43,19 @@ static inline void intersect_equation(intersect_case *c, const char *text) {
     assert_int_equal(algsurf_surface_terms(c->surface, c->terms), ALGSURF_OK);
 }
 
-static inline _Noreturn void intersect_fail(const char *what, const intersect_case *c, const intersect_answer *a) {
+static inline _Noreturn void intersect_fail(const char *what, const intersect_case *c,
+                                            const intersect_answer *a) {
     for (int i = 0; i < c->count; i++)
         fprintf(stderr, "{%d, %d, %d, %a}, ", c->terms[i].i, c->terms[i].j, c->terms[i].k, c->terms[i].a);
     fprintf(stderr, "\n");
     exact_print_doubles("origin", c->ray.origin, 3), exact_print_doubles("direction", c->ray.direction, 3);
-    fprintf(stderr, "first: state %d at %a in [%a, %a]\n", a->first.state, a->first.t, a->first.t_lo, a->first.t_hi);
+    fprintf(stderr, "first: state %d at %a in [%a, %a]\n", a->first.state, a->first.t, a->first.t_lo,
+            a->first.t_hi);
     for (int i = 0; i < a->count; i++)
         fprintf(stderr, "all: state %d reason %d at %a in [%a, %a]\n", a->all[i].state, (int)a->all[i].reason,
                 a->all[i].t, a->all[i].t_lo, a->all[i].t_hi);
-    fail_msg("%s: degree %d, t in [%a, %a], occluded %d", what, c->degree, c->ray.t_min, c->ray.t_max, (int)a->occluded);
+    fail_msg("%s: degree %d, t in [%a, %a], occluded %d", what, c->degree, c->ray.t_min, c->ray.t_max,
+             (int)a->occluded);
     abort();
 }
 
@@ -60,7 +63,8 @@ static inline void intersect_ask(const intersect_case *c, const algsurf_extent *
                                  const algsurf_intersect_options *options, intersect_answer *a) {
     memset(a, 0, sizeof *a);
     assert_int_equal(algsurf_intersect_first(c->surface, extent, &c->ray, options, &a->first), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all, ALGSURF_MAX_DEGREE + 1, &a->count),
+    assert_int_equal(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all,
+                                           ALGSURF_MAX_DEGREE + 1, &a->count),
                      ALGSURF_OK);
     assert_int_equal(algsurf_occluded(c->surface, extent, &c->ray, options, &a->occluded), ALGSURF_OK);
 }
@@ -85,32 +89,39 @@ static inline const char *intersect_form(const intersect_case *c, const algsurf_
     for (int i = 0; i < 3 && isfinite(h->t); i++) {
         double x = fma(h->t, c->ray.direction[i], c->ray.origin[i]);
         double size = fabs(c->ray.origin[i]) + fabs(h->t * c->ray.direction[i]);
-        double far = fmax(fabs(h->t_lo), fabs(h->t_hi)) * fabs(c->ray.direction[i]); /* offsets are doubled doubles */
-        if (!(fabs(h->position[i] - x) <= 0x1p-50 * size + (isfinite(far) ? 0x1p-90 * (far + 1) : 0x1p-90))) return "position is not origin + t direction";
+        double far =
+            fmax(fabs(h->t_lo), fabs(h->t_hi)) * fabs(c->ray.direction[i]); /* offsets are doubled doubles */
+        if (!(fabs(h->position[i] - x) <= 0x1p-50 * size + (isfinite(far) ? 0x1p-90 * (far + 1) : 0x1p-90)))
+            return "position is not origin + t direction";
     }
     return NULL;
 }
 
 /* The exact roots against the intervals of the hits: every hit isolates one, and all roots are in them. */
-static inline const char *intersect_truth(const intersect_case *c, const exact_sturm *s, const intersect_answer *a) {
+static inline const char *intersect_truth(const intersect_case *c, const exact_sturm *s,
+                                          const intersect_answer *a) {
     double lo = c->ray.t_min, hi = c->ray.t_max;
     int outside = exact_count_roots(s, lo, hi), total = outside;
     for (int i = 0; i < a->count; i++) {
         const algsurf_hit *h = a->all + i;
         int inside = exact_count_roots(s, h->t_lo, h->t_hi);
         if (h->state == ALGSURF_HIT && inside < 1) return "a hit without a root";
-        if (i > 0 && !(h[-1].t <= h->t && h[-1].t_lo <= h->t_lo && h[-1].t_hi <= h->t_hi)) return "hits out of order";
+        if (i > 0 && !(h[-1].t <= h->t && h[-1].t_lo <= h->t_lo && h[-1].t_hi <= h->t_hi))
+            return "hits out of order";
         outside -= inside;
     }
     if (outside > 0) return "a root outside of the hits"; /* below 0: intervals overlap by their rounding */
     const algsurf_hit *f = &a->first;
     if (f->state == ALGSURF_MISS && total > 0) return "a first miss where there is a root";
     if (a->occluded == ALGSURF_MISS && total > 0) return "not occluded where there is a root";
-    if (f->state == ALGSURF_HIT && exact_count_roots(s, f->t_lo, f->t_hi) < 1) return "a first hit without a root";
-    if (f->state != ALGSURF_MISS && exact_count_roots(s, lo, f->t_lo) > exact_count_roots(s, f->t_lo, f->t_lo) &&
+    if (f->state == ALGSURF_HIT && exact_count_roots(s, f->t_lo, f->t_hi) < 1)
+        return "a first hit without a root";
+    if (f->state != ALGSURF_MISS &&
+        exact_count_roots(s, lo, f->t_lo) > exact_count_roots(s, f->t_lo, f->t_lo) &&
         exact_count_roots(s, lo, nextafter(f->t_lo, -INFINITY)) > 0)
         return "a root before the first hit";
-    if (f->state == ALGSURF_HIT && exact_count_roots(s, lo, f->t_hi) != 1 && exact_count_roots(s, lo, f->t) > 1)
+    if (f->state == ALGSURF_HIT && exact_count_roots(s, lo, f->t_hi) != 1 &&
+        exact_count_roots(s, lo, f->t) > 1)
         return "the first hit is a later root";
     if (a->occluded == ALGSURF_HIT && total == 0) return "occluded by nothing";
     return NULL;
@@ -122,15 +133,22 @@ static inline const char *intersect_agree(const intersect_answer *a) {
     int any = 0;
     for (int i = 0; i < a->count; i++) any = any || a->all[i].state == ALGSURF_HIT;
     if (a->count > 0 && a->first.state != a->all[0].state) return "first is not the first of all";
-    if (a->count > 0 && !(a->first.t_lo <= a->all[0].t_hi && a->all[0].t_lo <= a->first.t_hi)) return "first is elsewhere";
+    if (a->count > 0 && !(a->first.t_lo <= a->all[0].t_hi && a->all[0].t_lo <= a->first.t_hi))
+        return "first is elsewhere";
+    if (a->first.state == ALGSURF_UNCERTAIN &&
+        (a->first.t_lo != a->all[0].t_lo || a->first.t_hi != a->all[0].t_hi))
+        return "first is in doubt elsewhere than all";
     algsurf_hit_state wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
     /* an odd number of hits that cannot be told apart is a hit for occluded alone */
-    return a->occluded == wanted || (wanted == ALGSURF_UNCERTAIN && a->occluded == ALGSURF_HIT) ? NULL : "occluded disagrees";
+    return a->occluded == wanted || (wanted == ALGSURF_UNCERTAIN && a->occluded == ALGSURF_HIT)
+               ? NULL
+               : "occluded disagrees";
 }
 
 /* |t - exact root| in units of what rounding P's input at the hit can do, u S(X)/|p'(t)|, for a hit that
  * isolates its root. */
-static inline double intersect_error(const intersect_case *c, exact_line *line, const exact_sturm *s, const algsurf_hit *h) {
+static inline double intersect_error(const intersect_case *c, exact_line *line, const exact_sturm *s,
+                                     const algsurf_hit *h) {
     double lo = h->t_lo, hi = h->t_hi, reach = fabs(h->t) * 0.5 + 1e-3;
     lo = fmax(lo, h->t - reach), hi = fmin(hi, h->t + reach);
     if (exact_count_roots(s, lo, hi) != 1) return exact_count_roots(s, h->t_lo, h->t_hi) == 1 ? 1e300 : 0;
@@ -152,7 +170,8 @@ static inline double intersect_error(const intersect_case *c, exact_line *line, 
 }
 
 /* Everything that must be true of the standard tier; the ray must not lie in the surface. */
-static inline void intersect_judge(const intersect_case *c, const algsurf_intersect_options *options, intersect_answer *a) {
+static inline void intersect_judge(const intersect_case *c, const algsurf_intersect_options *options,
+                                   intersect_answer *a) {
     intersect_ask(c, NULL, options, a);
     exact_sturm s = exact_sturm_along(c->terms, c->count, c->degree, &c->ray);
     const char *wrong = s.count == 0 ? "the ray lies in the surface" : intersect_form(c, &a->first);

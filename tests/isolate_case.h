@@ -16,19 +16,20 @@
 typedef struct isolate_answer {
     algsurf_status status;
     int count;
-    algsurf_bracket first; /* what isolate_first says, which need not be b[0] but must be about the same root */
+    algsurf_bracket
+        first; /* what isolate_first says, which need not be b[0] but must be about the same root */
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
 } isolate_answer;
 
 static inline int isolate_decided(const algsurf_bracket *b) { return b->kind != ALGSURF_ROOT_UNDECIDED; }
 
-static inline _Noreturn void isolate_fail(const char *what, const double *c, const double *r, int n, double lo,
-                                          double hi, const isolate_answer *a) {
+static inline _Noreturn void isolate_fail(const char *what, const double *c, const double *r, int n,
+                                          double lo, double hi, const isolate_answer *a) {
     exact_print_doubles("c", c, n + 1);
     if (r) exact_print_doubles("r", r, n + 1);
     for (int i = 0; i < a->count; i++)
-        fprintf(stderr, "  kind %d sign %d most %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign, a->b[i].most,
-                (int)a->b[i].status, a->b[i].lo, a->b[i].hi);
+        fprintf(stderr, "  kind %d sign %d most %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign,
+                a->b[i].most, (int)a->b[i].status, a->b[i].lo, a->b[i].hi);
     fail_msg("%s: degree %d on [%a, %a], status %d", what, n, lo, hi, (int)a->status);
     abort();
 }
@@ -44,7 +45,8 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
         double before = i > 0 ? b[-1].hi : lo;
         if (!(b->lo >= before && b->hi <= hi && b->lo <= b->hi)) return "out of order, or of the interval";
         if (isolate_decided(b) != (b->status == ALGSURF_OK) || b->status < 0) return "status of an entry";
-        if (b->kind == ALGSURF_ROOT_BRACKET && !(b->lo < b->hi && b->sign * b->sign == 1)) return "no bracket";
+        if (b->kind == ALGSURF_ROOT_BRACKET && !(b->lo < b->hi && b->sign * b->sign == 1))
+            return "no bracket";
         if (b->kind == ALGSURF_ROOT_EXACT && !(b->lo == b->hi)) return "not one point";
         if (b->kind != ALGSURF_ROOT_BRACKET && b->sign != 0) return "a sign where there is none";
         if (b->most < 1) return "an entry without roots";
@@ -55,7 +57,8 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
     algsurf_status status = algsurf_isolate_first(c, r, n, lo, hi, &a->first, &found);
     if (found != (a->count > 0)) return "first and all disagree";
     if (found && status != a->first.status) return "status of the first";
-    if (found && (a->first.kind != a->b[0].kind || a->first.sign != a->b[0].sign)) return "first is not the first of all";
+    if (found && (a->first.kind != a->b[0].kind || a->first.sign != a->b[0].sign))
+        return "first is not the first of all";
     if (found && !(a->first.lo <= a->b[0].hi && a->b[0].lo <= a->first.hi)) return "first is elsewhere";
     if (algsurf_count_roots(c, r, n, lo, hi, &roots) != a->status || roots != decided) return "count differs";
     return NULL;

@@ -1,9 +1,9 @@
-/* test_eft_expansion.c - exact sums and products, the signs computed with them, and the double-double refiner,
- * against rational arithmetic.
+/* test_eft_expansion.c - exact sums and products, the signs computed with them, and the double-double
+ * refiner, against rational arithmetic.
  *
- * Breaks caught: a component dropped or added twice, an order that makes the last component not the largest,
- * `exact` kept where a product underflowed or overflowed or the room ran out, a sign of the wrong end, a
- * refiner that stops at double precision.
+ * Breaks caught, each tried: zero components kept (the last is not the largest), `exact` kept where a product
+ * underflowed, or not taken over from a factor, a coefficient skipped, a refiner that stops at double
+ * precision.
  */
 #include <float.h>
 #include <setjmp.h>
@@ -65,12 +65,21 @@ static void test_sums_and_products(void **state) {
             a = exact_random_wide(&seed, -range, range), b = exact_random_wide(&seed, -range, range);
             exact_set(x, a), exact_set(y, b);
             switch (exact_random_int(&seed, 5)) {
-            case 0: algsurf_i_expansion_add_double(&e, a), mpq_add(value, value, x); break;
-            case 1: algsurf_i_expansion_add_product(&e, a, b), mpq_mul(x, x, y), mpq_add(value, value, x); break;
-            case 2: algsurf_i_expansion_add_double(&f, a), mpq_add(other, other, x); break;
-            case 3: algsurf_i_expansion_add(&e, &f), mpq_add(value, value, other); break;
+            case 0:
+                algsurf_i_expansion_add_double(&e, a), mpq_add(value, value, x);
+                break;
+            case 1:
+                algsurf_i_expansion_add_product(&e, a, b), mpq_mul(x, x, y), mpq_add(value, value, x);
+                break;
+            case 2:
+                algsurf_i_expansion_add_double(&f, a), mpq_add(other, other, x);
+                break;
+            case 3:
+                algsurf_i_expansion_add(&e, &f), mpq_add(value, value, other);
+                break;
             default:
-                if (e.count * f.count < 300) algsurf_i_expansion_multiply(&e, &f), mpq_mul(value, value, other);
+                if (e.count * f.count < 300)
+                    algsurf_i_expansion_multiply(&e, &f), mpq_mul(value, value, other);
             }
             judge(&e, value, i), judge(&f, other, i);
             if (range <= 60 && k < 8) assert_true(f.exact);
@@ -98,7 +107,8 @@ static void test_cancellation_and_zero(void **state) {
 
 static void test_range(void **state) {
     (void)state;
-    static const double pairs[][2] = {{0x1p-600, 0x1.8p-500}, {0x1p600, 0x1p600}, {0x1.fp-1040, 0x1.1p-30}, {DBL_MAX, 2}};
+    static const double pairs[][2] = {
+        {0x1p-600, 0x1.8p-500}, {0x1p600, 0x1p600}, {0x1.fp-1040, 0x1.1p-30}, {DBL_MAX, 2}};
     algsurf_i_expansion e;
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         algsurf_i_expansion_set(&e, 1);
@@ -120,7 +130,8 @@ static void test_room(void **state) {
     } room = {.guard = {7, 7, 7, 7}};
     algsurf_i_expansion_set(&room.e, 0);
     for (int i = 0; i < 33; i++) algsurf_i_expansion_add_double(&room.e, ldexp(1, 60 * i - 1000));
-    for (int i = 0; i < 400; i++) algsurf_i_expansion_add_product(&room.e, ldexp(1, 5 * i - 950), 1 + 0x1p-26);
+    for (int i = 0; i < 400; i++)
+        algsurf_i_expansion_add_product(&room.e, ldexp(1, 5 * i - 950), 1 + 0x1p-26);
     assert_true(room.e.count <= ALGSURF_EXPANSION_SIZE);
     for (int i = 0; i < 4; i++) assert_true(room.guard[i] == 7);
 }
@@ -130,8 +141,8 @@ static void test_polynomial_sign(void **state) {
     uint64_t seed = SEED;
     int known = 0, rounds = 2000;
     for (int i = 0; i < rounds; i++) {
-        double c[21], wide = i % 5 == 0;
-        int n = exact_random_int(&seed, 21);
+        double c[21];
+        int n = exact_random_int(&seed, 21), wide = i % 5 == 0;
         for (int k = 0; k <= n; k++) c[k] = exact_random_wide(&seed, wide ? -80 : -3, wide ? 80 : 3);
         double x = exact_random_wide(&seed, -10, 3);
         int sign = algsurf_i_poly_exact_sign(c, n, x);
@@ -165,7 +176,8 @@ static void test_surface_sign(void **state) {
             ray.direction[k] = small ? exact_random_int(&seed, 9) - 4 : exact_random_unit(&seed);
         }
         for (int k = 0; k < count; k++)
-            terms[k] = (algsurf_term){exact_random_int(&seed, 4), exact_random_int(&seed, 4), exact_random_int(&seed, 4),
+            terms[k] = (algsurf_term){exact_random_int(&seed, 4), exact_random_int(&seed, 4),
+                                      exact_random_int(&seed, 4),
                                       small ? exact_random_int(&seed, 9) - 4 : exact_random_unit(&seed)};
         if (algsurf_surface_from_terms(terms, (size_t)count, &s) != ALGSURF_OK) continue;
         algsurf_term merged[13];
@@ -174,7 +186,8 @@ static void test_surface_sign(void **state) {
         exact_line line = exact_line_of(merged, (int)algsurf_surface_term_count(s), n, &ray);
         double t = small ? exact_random_int(&seed, 5) - 2 : exact_random_unit(&seed);
         int wanted = exact_integers_sign(line.c, n, t), sign = algsurf_i_exact_sign(s, &ray, t);
-        if (sign != ALGSURF_SIGN_UNKNOWN && sign != wanted) fail_msg("seed %u round %d: sign %d", SEED, i, sign);
+        if (sign != ALGSURF_SIGN_UNKNOWN && sign != wanted)
+            fail_msg("seed %u round %d: sign %d", SEED, i, sign);
         known += sign != ALGSURF_SIGN_UNKNOWN, zeros += sign == 0;
         exact_line_clear(&line);
         algsurf_surface_free(s);
@@ -209,9 +222,12 @@ static void test_refine_dd(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sums_and_products), cmocka_unit_test(test_cancellation_and_zero),
-        cmocka_unit_test(test_range),             cmocka_unit_test(test_room),
-        cmocka_unit_test(test_polynomial_sign),   cmocka_unit_test(test_surface_sign),
+        cmocka_unit_test(test_sums_and_products),
+        cmocka_unit_test(test_cancellation_and_zero),
+        cmocka_unit_test(test_range),
+        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_polynomial_sign),
+        cmocka_unit_test(test_surface_sign),
         cmocka_unit_test(test_refine_dd),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,8 +1,9 @@
 /* test_expand.c - the polynomial along a ray, and its radii, against integers.
  *
- * Breaks caught: a term in the wrong place, a radius of fewer roundings than there are (2 u per factor fails),
- * radii that leave out the point's rounding or the chord's ends, an absolute part that is missing where
- * components underflow, an expansion about a far origin.
+ * Breaks caught, each tried: radii of a quarter of a rounding, radii sixteen times too wide, radii not scaled
+ * like the coefficients, the pad for underflow left out, the middle of the chord computed without its
+ * rounding error, an expansion about a far origin.  (Radii that count half of the roundings still hold: those
+ * add up like a random walk.)
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -52,7 +53,8 @@ static void make_ray(random_case *r, uint64_t *seed, double distance, int expone
     for (int i = 0; i < 3; i++) d[i] = exact_random_int(seed, 5) ? exact_random_unit(seed) : 0;
     if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[exact_random_int(seed, 3)] = 1;
     for (int i = 0; i < 3; i++) {
-        r->ray.origin[i] = ldexp(exact_random_int(seed, 6) ? exact_random_unit(seed) - distance * d[i] : 0, exponent);
+        r->ray.origin[i] =
+            ldexp(exact_random_int(seed, 6) ? exact_random_unit(seed) - distance * d[i] : 0, exponent);
         r->ray.direction[i] = ldexp(d[i], exponent + length);
     }
     r->ray.t_min = ldexp(distance - fabs(exact_random_unit(seed)), -length);
@@ -64,7 +66,8 @@ static _Noreturn void expand_fail(const char *what, const random_case *r, int ro
         fprintf(stderr, "{%d, %d, %d, %a}, ", r->terms[i].i, r->terms[i].j, r->terms[i].k, r->terms[i].a);
     fprintf(stderr, "\n");
     exact_print_doubles("origin", r->ray.origin, 3), exact_print_doubles("direction", r->ray.direction, 3);
-    fail_msg("%s: seed %u round %d coefficient %d, t in [%a, %a]", what, SEED, round, k, r->ray.t_min, r->ray.t_max);
+    fail_msg("%s: seed %u round %d coefficient %d, t in [%a, %a]", what, SEED, round, k, r->ray.t_min,
+             r->ray.t_max);
     abort();
 }
 
@@ -119,8 +122,8 @@ static const struct {
     double distance;
     int exponent, length; /* of the scene, of the direction, in powers of two */
 } families[] = {
-    {600, 4, 0, 0},    {200, 1e4, 0, 0},   {200, 1e8, 0, 0},   {200, 0, 0, 0},     {40, 4, 0, 900},
-    {40, 4, 0, -900},  {40, 4, 90, 0},     {40, 4, -90, 0},    {30, 4, 90, -300},  {30, 1e8, -90, 300},
+    {600, 4, 0, 0},   {200, 1e4, 0, 0}, {200, 1e8, 0, 0}, {200, 0, 0, 0},    {40, 4, 0, 900},
+    {40, 4, 0, -900}, {40, 4, 90, 0},   {40, 4, -90, 0},  {30, 4, 90, -300}, {30, 1e8, -90, 300},
 };
 
 static void test_radii_hold(void **state) {
@@ -138,10 +141,13 @@ static void test_radii_hold(void **state) {
                 judge_power(&r, i, c, radius);
                 assert_int_equal(algsurf_expand_power(r.surface, &r.ray, alone, NULL), ALGSURF_OK);
                 assert_memory_equal(c, alone, (size_t)(r.degree + 1) * sizeof *c);
-            } else assert_int_equal(status, ALGSURF_E_RANGE);
+            } else
+                assert_int_equal(status, ALGSURF_E_RANGE);
             status = algsurf_expand_bernstein(r.surface, &r.ray, c, radius);
-            if (status == ALGSURF_OK) judge_bernstein(&r, i, c, radius);
-            else assert_int_equal(status, ALGSURF_E_RANGE);
+            if (status == ALGSURF_OK)
+                judge_bernstein(&r, i, c, radius);
+            else
+                assert_int_equal(status, ALGSURF_E_RANGE);
             done += status == ALGSURF_OK, all++;
             algsurf_surface_free(r.surface);
         }
@@ -196,21 +202,25 @@ static void test_radii_are_small(void **state) {
         for (int k = 0; k <= r.degree && count < 4000; k++) {
             exact_line_coefficient(q, &size, k);
             double magnitude = mpq_get_d(q);
-            if (magnitude > 0) ratio[count++] = radius[k] / (0x1p-53 * (r.degree + 1) * magnitude);
-            else assert_true(radius[k] <= 0x1p-900);
+            if (magnitude > 0)
+                ratio[count++] = radius[k] / (0x1p-53 * (r.degree + 1) * magnitude);
+            else
+                assert_true(radius[k] <= 0x1p-900);
         }
         mpq_clear(q), exact_line_clear(&size);
         algsurf_surface_free(r.surface);
     }
     qsort(ratio, (size_t)count, sizeof *ratio, ascending);
     assert_true(count > 1000);
-    if (!(ratio[count / 2] < 6 && ratio[count - 1] < 7)) fail_msg("median %g, largest %g", ratio[count / 2], ratio[count - 1]);
+    if (!(ratio[count / 2] < 6 && ratio[count - 1] < 7))
+        fail_msg("median %g, largest %g", ratio[count / 2], ratio[count - 1]);
 }
 
 /* The same chord of the same line, seen from far away: the Bernstein radii stay what they were. */
 static void test_far_camera(void **state) {
     (void)state;
-    const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5}, {0, 0, 6, 1}, {1, 1, 1, 2}, {0, 0, 0, -1}};
+    const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5},
+                                   {0, 0, 6, 1}, {1, 1, 1, 2},  {0, 0, 0, -1}};
     algsurf_surface *s;
     assert_int_equal(algsurf_surface_from_terms(sextic, 6, &s), ALGSURF_OK);
     double radii[2][7], b[2][7], p[7], pr[7];
@@ -228,10 +238,12 @@ static void test_far_camera(void **state) {
     algsurf_surface_free(s);
 }
 
-static void expect(algsurf_status wanted, algsurf_status bernstein, const algsurf_surface *s, const algsurf_ray *ray) {
+static void expect(algsurf_status wanted, algsurf_status bernstein, const algsurf_surface *s,
+                   const algsurf_ray *ray) {
     double c[3] = {7, 7, 7}, r[3] = {8, 8, 8};
     assert_int_equal(algsurf_expand_power(s, ray, c, r), wanted);
-    if (wanted != ALGSURF_OK) assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
+    if (wanted != ALGSURF_OK)
+        assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
     c[0] = c[1] = c[2] = 7, r[0] = r[1] = r[2] = 8;
     assert_int_equal(algsurf_expand_bernstein(s, ray, c, r), bernstein);
     assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
@@ -285,9 +297,9 @@ static void test_environment(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_radii_hold), cmocka_unit_test(test_tiny_components),
+        cmocka_unit_test(test_radii_hold),      cmocka_unit_test(test_tiny_components),
         cmocka_unit_test(test_radii_are_small), cmocka_unit_test(test_far_camera),
-        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_bad_input),       cmocka_unit_test(test_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,16 +1,17 @@
 /* test_intersect.c - rays whose answers are known: ends, extents, far and odd rays, rays within the surface,
  * the largest degrees.
  *
- * Breaks caught: an end of the ray left out or told twice, a direction taken for a unit vector, t measured
- * from elsewhere than the origin, an extent ignored or clipped beyond, a double line drawn as a hit, a
- * point of the surface at the eye lost.
+ * Breaks caught, each tried: the exact test of an end left out, an extent ignored, a frame about a far
+ * origin, a position in the surface's unit instead of the caller's, signs used inside their bound (a tangent
+ * drawn).
  */
 #include "intersect_case.h"
 
 static intersect_case c;
 static intersect_answer answer;
 
-static void set_ray(double ox, double oy, double oz, double dx, double dy, double dz, double t_min, double t_max) {
+static void set_ray(double ox, double oy, double oz, double dx, double dy, double dz, double t_min,
+                    double t_max) {
     c.ray = (algsurf_ray){{ox, oy, oz}, {dx, dy, dz}, t_min, t_max};
 }
 
@@ -19,7 +20,8 @@ static void expect(int count, const double *t) {
     intersect_judge(&c, NULL, &answer);
     if (answer.count != count) intersect_fail("number of hits", &c, &answer);
     for (int i = 0; i < count; i++)
-        if (answer.all[i].state != ALGSURF_HIT || !(fabs(answer.all[i].t - t[i]) <= 4e-16 * fmax(1, fabs(t[i]))))
+        if (answer.all[i].state != ALGSURF_HIT ||
+            !(fabs(answer.all[i].t - t[i]) <= 4e-16 * fmax(1, fabs(t[i]))))
             intersect_fail("t", &c, &answer);
 }
 
@@ -77,8 +79,10 @@ static void test_directions_of_any_length(void **state) {
         intersect_judge(&c, NULL, &answer);
         assert_int_equal(answer.count, 2);
         double half = sqrt(1 - 0.0625);
-        assert_true(fabs(answer.all[0].t / unit - (2 - half)) < 1e-15 && fabs(answer.all[1].t / unit - (2 + half)) < 1e-15);
-        assert_true(fabs(answer.all[0].normal[1] - 0.25) < 1e-15 && fabs(answer.all[0].normal[2] + half) < 1e-15);
+        assert_true(fabs(answer.all[0].t / unit - (2 - half)) < 1e-15 &&
+                    fabs(answer.all[1].t / unit - (2 + half)) < 1e-15);
+        assert_true(fabs(answer.all[0].normal[1] - 0.25) < 1e-15 &&
+                    fabs(answer.all[0].normal[2] + half) < 1e-15);
     }
     done();
 }
@@ -137,7 +141,8 @@ static void test_normals(void **state) {
         for (int k = 0; k < answer.count; k++) {
             const algsurf_hit *h = answer.all + k;
             double g[3], value, size;
-            assert_int_equal(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL), ALGSURF_OK);
+            assert_int_equal(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL),
+                             ALGSURF_OK);
             size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
             for (int j = 0; j < 3; j++) assert_true(fabs(h->normal[j] - g[j] / size) < 1e-12);
         }
@@ -165,9 +170,11 @@ static void test_extents(void **state) {
             algsurf_ray chord = c.ray;
             int meets = 0, inside = 0;
             assert_int_equal(algsurf_extent_clip(extents + e, &c.ray, &chord, &meets), ALGSURF_OK);
-            for (int k = 0; k < whole.count; k++) inside += meets && chord.t_min <= whole.all[k].t && whole.all[k].t <= chord.t_max;
+            for (int k = 0; k < whole.count; k++)
+                inside += meets && chord.t_min <= whole.all[k].t && whole.all[k].t <= chord.t_max;
             assert_int_equal(answer.count, inside);
-            for (int k = 0; k < inside; k++) assert_true(chord.t_min <= answer.all[k].t && answer.all[k].t <= chord.t_max);
+            for (int k = 0; k < inside; k++)
+                assert_true(chord.t_min <= answer.all[k].t && answer.all[k].t <= chord.t_max);
             kept += inside, cut += whole.count - inside;
         }
     assert_true(kept > 50 && cut > 50);
@@ -197,9 +204,12 @@ static void test_rays_within(void **state) {
         int uncertain = 0;
         for (int k = 0; k < answer.count; k++) {
             const algsurf_hit *h = answer.all + k;
-            if (h->state == ALGSURF_UNCERTAIN) uncertain += h->reason == ALGSURF_UNDECIDED_ZERO;
-            else assert_true(h->t_lo == h->t_hi); /* an end of the ray, where P is zero exactly */
-            if (h->state == ALGSURF_UNCERTAIN) assert_true(h->t_lo <= 0.25 + fmax(0, c.ray.t_min) && h->t_hi >= 3.75);
+            if (h->state == ALGSURF_UNCERTAIN)
+                uncertain += h->reason == ALGSURF_UNDECIDED_ZERO;
+            else
+                assert_true(h->t_lo == h->t_hi); /* an end of the ray, where P is zero exactly */
+            if (h->state == ALGSURF_UNCERTAIN)
+                assert_true(h->t_lo <= 0.25 + fmax(0, c.ray.t_min) && h->t_hi >= 3.75);
         }
         assert_int_equal(uncertain, 1);
         done();
@@ -255,7 +265,8 @@ static void test_chmutov(void **state) {
     assert_true(intersect_terms(&c, terms, count));
     uint64_t seed = 3;
     for (int i = 0; i < 150; i++) {
-        double x = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20), y = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20);
+        double x = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20),
+               y = ldexp(floor(ldexp(exact_random_unit(&seed), 20)), -20);
         set_ray(x, y, -4, 0.125 * y, 0.0625 * x, 1, 2.5, 5.5);
         intersect_judge(&c, NULL, &answer);
         for (int k = 0; k < answer.count; k++) {

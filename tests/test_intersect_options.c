@@ -1,8 +1,9 @@
-/* test_intersect_options.c - methods, tolerances, tiers, the rules of the options struct, what is refused, and
- * the caller's floating-point environment.
+/* test_intersect_options.c - methods, tolerances, tiers, the rules of the options struct, what is refused,
+ * and the caller's floating-point environment.
  *
- * Breaks caught: a tolerance in the wrong unit (it is absolute in t, for any length of direction), a method
- * number ignored, a fast tier that doubts, outputs written before a failure, an environment left changed.
+ * Breaks caught, each tried: a tolerance in the wrong unit (it is absolute in t, for any length of
+ * direction), the method and the limit ignored, a capacity not looked at, an unknown tail of options not
+ * looked at, an environment left as the caller's.
  */
 #include "intersect_case.h"
 
@@ -55,7 +56,8 @@ static void test_methods_and_tolerances(void **state) {
                     assert_null(intersect_agree(&answer));
                     for (int h = 0; h < answer.count; h++) {
                         const algsurf_hit *hit = answer.all + h;
-                        if (hit->state != ALGSURF_HIT || exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1) continue;
+                        if (hit->state != ALGSURF_HIT || exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1)
+                            continue;
                         double root = exact_root(&s, hit->t_lo, hit->t_hi, 0), error = fabs(hit->t - root);
                         /* the bracket's half width is at most the tolerance, t one of its ends; the rest is
                            for ill-conditioned roots.  Regula falsi ends when its steps are short. */
@@ -114,8 +116,9 @@ static void test_fast_tier(void **state) {
                 assert_true(c.ray.t_min <= answer.all[k].t && answer.all[k].t <= c.ray.t_max);
             }
             if (proved.first.state == ALGSURF_UNCERTAIN || i % 5 == 0) continue;
-            all++, same += answer.first.state == proved.first.state &&
-                           (answer.first.state == ALGSURF_MISS || fabs(answer.first.t - proved.first.t) < 1e-9);
+            all++,
+                same += answer.first.state == proved.first.state &&
+                        (answer.first.state == ALGSURF_MISS || fabs(answer.first.t - proved.first.t) < 1e-9);
         }
         algsurf_surface_free(c.surface);
     }
@@ -124,8 +127,8 @@ static void test_fast_tier(void **state) {
 
 /* ---- what is refused ---- */
 
-static void expect(algsurf_status wanted, const algsurf_surface *s, const algsurf_extent *extent, const algsurf_ray *ray,
-                   const algsurf_intersect_options *options) {
+static void expect(algsurf_status wanted, const algsurf_surface *s, const algsurf_extent *extent,
+                   const algsurf_ray *ray, const algsurf_intersect_options *options) {
     algsurf_hit hits[3], untouched[3];
     algsurf_hit_state occluded = (algsurf_hit_state)77;
     int count = 77;
@@ -157,11 +160,14 @@ static void test_bad_input(void **state) {
     ray = good, ray.direction[1] = INFINITY, expect(ALGSURF_E_NOT_FINITE, c.surface, NULL, &ray, NULL);
     extent.size[0] = 0, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
     extent.size[0] = -1, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
-    extent = sphere, extent.kind = (algsurf_extent_kind)7, expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
+    extent = sphere, extent.kind = (algsurf_extent_kind)7,
+    expect(ALGSURF_E_ARGUMENT, c.surface, &extent, &good, NULL);
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &good, NULL, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, NULL, 2, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, NULL, 2, &count),
+                     ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, 2, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, -1, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &good, NULL, &hit, -1, &count),
+                     ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded(c.surface, NULL, &good, NULL, NULL), ALGSURF_E_ARGUMENT);
     algsurf_surface_free(c.surface);
 }
@@ -226,7 +232,8 @@ static void test_environment(void **state) {
                 memset(&other, 0, sizeof other);
                 environment_set(k);
                 int s1 = algsurf_intersect_first(c.surface, NULL, &c.ray, &options, &other.first);
-                int s2 = algsurf_intersect_all(c.surface, NULL, &c.ray, &options, other.all, ALGSURF_MAX_DEGREE + 1, &other.count);
+                int s2 = algsurf_intersect_all(c.surface, NULL, &c.ray, &options, other.all,
+                                               ALGSURF_MAX_DEGREE + 1, &other.count);
                 int s3 = algsurf_occluded(c.surface, NULL, &c.ray, &options, &other.occluded);
                 assert_true(environment_unset(k));
                 assert_true(s1 == ALGSURF_OK && s2 == ALGSURF_OK && s3 == ALGSURF_OK);
@@ -242,9 +249,12 @@ static void test_environment(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_methods_and_tolerances), cmocka_unit_test(test_iteration_limit),
-        cmocka_unit_test(test_fast_tier),              cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_capacity),               cmocka_unit_test(test_options),
+        cmocka_unit_test(test_methods_and_tolerances),
+        cmocka_unit_test(test_iteration_limit),
+        cmocka_unit_test(test_fast_tier),
+        cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_capacity),
+        cmocka_unit_test(test_options),
         cmocka_unit_test(test_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

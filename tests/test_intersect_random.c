@@ -1,7 +1,8 @@
 /* test_intersect_random.c - random rays of random surfaces, every state judged by a Sturm chain.
  *
- * Breaks caught: a sign used inside its bound (a hit or a miss that is none), a later root given as the first,
- * an interval that leaves its root out, hits of a surface seen from the wrong end, an ever-uncertain tier.
+ * Breaks caught, each tried: a sign used inside its bound, an undecided cell taken for a hit, an interval
+ * moved off its root, the final Newton step left out, the middle of the chord without its rounding error, a
+ * first hit in doubt that swallows the hit behind it, an ever-uncertain tier.
  */
 #include "intersect_case.h"
 
@@ -75,7 +76,8 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
     algsurf_surface_free(c.surface);
     c.surface = NULL;
     if (hits * 5 < done || certain * 100 < done * least_certain || precise * 100 < measured * 99)
-        fail_msg("seed %u: %d rays, %d certain, %d hits, %d of %d precise", SEED, done, certain, hits, precise, measured);
+        fail_msg("seed %u: %d rays, %d certain, %d hits, %d of %d precise", SEED, done, certain, hits,
+                 precise, measured);
 }
 
 static void test_low_degrees(void **state) {

@@ -1,9 +1,10 @@
 /* test_isolate.c - isolate against a Sturm chain over integers, for polynomials made at random or of known
  * roots, and what is refused.
  *
- * Breaks caught: an error bound that is too small (radius of the Bernstein form, of de Casteljau), a stretch
- * of the line left out, a root at a split point or at an end lost or told twice, a bracket rounded inward,
- * signs taken from the cell instead of the bracket's ends, a solver that never decides.
+ * Breaks caught, each tried: no bound on the Bernstein form, signs used inside their bound, the far piece of
+ * the line left out, the exact test of an end or the zero at 0 left out, a bracket rounded inward, a bracket
+ * whose signs at the ends are not looked at, a bracket that ends on another root, a solver that never
+ * decides.
  */
 #include "isolate_case.h"
 
@@ -16,8 +17,8 @@ static isolate_answer answer;
 typedef struct family {
     const char *name;
     int rounds, most_degree;
-    int low, high;   /* binary exponents of coefficients; low = high = 0: small integers */
-    int share;       /* at least so many per cent of the answers are decided */
+    int low, high; /* binary exponents of coefficients; low = high = 0: small integers */
+    int share;     /* at least so many per cent of the answers are decided */
 } family;
 
 static void random_coefficients(uint64_t *seed, const family *f, double *c, int n) {
@@ -30,15 +31,32 @@ static void random_interval(uint64_t *seed, double *lo, double *hi) {
     double a = exact_random_unit(seed) * 3, b = exact_random_unit(seed) * 3;
     *lo = fmin(a, b), *hi = fmax(a, b);
     switch (exact_random_int(seed, 9)) {
-    case 0: *hi = INFINITY; break;
-    case 1: *lo = -INFINITY; break;
-    case 2: *lo = -INFINITY, *hi = INFINITY; break;
-    case 3: *hi = nextafter(*lo, INFINITY); break;
-    case 4: *hi = *lo + 0x1p-40; break;
-    case 5: *lo = 1e6, *hi = 1e9; break;
-    case 6: *lo = -1e290, *hi = -1e200; break;
-    case 7: *lo = -0x1p-1074, *hi = 1; break;
-    default: break;
+    case 0:
+        *hi = INFINITY;
+        break;
+    case 1:
+        *lo = -INFINITY;
+        break;
+    case 2:
+        *lo = -INFINITY, *hi = INFINITY;
+        break;
+    case 3:
+        *hi = nextafter(*lo, INFINITY);
+        break;
+    case 4:
+        *hi = *lo + 0x1p-40;
+        break;
+    case 5:
+        *lo = 1e6, *hi = 1e9;
+        break;
+    case 6:
+        *lo = -1e290, *hi = -1e200;
+        break;
+    case 7:
+        *lo = -0x1p-1074, *hi = 1;
+        break;
+    default:
+        break;
     }
 }
 
@@ -87,7 +105,8 @@ static void test_known_roots(void **state) {
         int multiplicity[17] = {0}, n = 0, most = 1 + exact_random_int(&seed, 12);
         double c[20] = {1}, lo = i % 3 ? -2.5 : -INFINITY, hi = i % 5 ? 2.25 : INFINITY;
         while (n < most) {
-            int at = exact_random_int(&seed, 17), m = exact_random_int(&seed, 3) ? 1 : 1 + exact_random_int(&seed, 4);
+            int at = exact_random_int(&seed, 17),
+                m = exact_random_int(&seed, 3) ? 1 : 1 + exact_random_int(&seed, 4);
             for (int k = 0; k < m && n < 12 && multiplicity[at] < 4; k++, multiplicity[at]++)
                 n = isolate_times_root(c, n, at - 8, 4);
         }
@@ -115,9 +134,11 @@ static void test_split_points(void **state) {
                 if (subset >> i & 1) n = isolate_times_root(c, n, ends[0] + (ends[1] - ends[0]) / 4 * i, 1);
             for (int i = 0; i <= n; i++) c[i] = ldexp(c[i], -i * e);
             isolate_judge(c, n, lo, hi, &answer);
-            if (answer.status != ALGSURF_OK || answer.count != n) isolate_fail("split points", c, NULL, n, lo, hi, &answer);
+            if (answer.status != ALGSURF_OK || answer.count != n)
+                isolate_fail("split points", c, NULL, n, lo, hi, &answer);
             isolate_judge(c, n, -INFINITY, INFINITY, &answer);
-            if (answer.status != ALGSURF_OK || answer.count != n) isolate_fail("split points", c, NULL, n, -INFINITY, INFINITY, &answer);
+            if (answer.status != ALGSURF_OK || answer.count != n)
+                isolate_fail("split points", c, NULL, n, -INFINITY, INFINITY, &answer);
         }
 }
 
@@ -139,10 +160,12 @@ static void test_plus_minus_powers(void **state) {
     (void)state;
     for (int k = -460; k <= 460; k += 20) {
         double x = ldexp(1, k), c[3] = {-x * x, 0, 1};
-        const double ends[][2] = {{-x, x}, {0, x}, {-x, 0}, {-INFINITY, INFINITY}, {x, INFINITY}, {x, x}, {-x, 2 * x}};
+        const double ends[][2] = {{-x, x},       {0, x}, {-x, 0},    {-INFINITY, INFINITY},
+                                  {x, INFINITY}, {x, x}, {-x, 2 * x}};
         for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
             isolate_judge(c, 2, ends[i][0], ends[i][1], &answer);
-            if (answer.status != ALGSURF_OK) isolate_fail("undecided", c, NULL, 2, ends[i][0], ends[i][1], &answer);
+            if (answer.status != ALGSURF_OK)
+                isolate_fail("undecided", c, NULL, 2, ends[i][0], ends[i][1], &answer);
         }
     }
 }

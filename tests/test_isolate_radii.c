@@ -1,8 +1,8 @@
 /* test_isolate_radii.c - coefficients with radii: what isolate says holds for every polynomial in the box;
  * and results do not depend on the caller's floating-point environment.
  *
- * Breaks caught: radii left out of the Bernstein form's bound or of the signs at a bracket's ends, a radius
- * of the wrong coefficient in a far piece, work done outside the guarded environment.
+ * Breaks caught, each tried: radii left out of the Bernstein form's bound, the radius of the wrong
+ * coefficient in a far piece, work done outside the guarded environment, an environment not restored.
  */
 #include "isolate_case.h"
 
@@ -31,8 +31,10 @@ static exact_sturm member(uint64_t *seed, const double *c, const double *r, int 
     for (int k = 0; k < 2 * n + 2; k++) mpz_init(integer[k]);
     (void)exact_integers(integer, both, 2 * n + 1);
     for (int k = 0; k <= n; k++) {
-        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--) mpz_add(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
-        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--) mpz_sub(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
+        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--)
+            mpz_add(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
+        for (int e = exact_random_int(seed, 5) - 2; e > 0; e--)
+            mpz_sub(integer[2 * k], integer[2 * k], integer[2 * k + 1]);
         mpz_swap(integer[k], integer[2 * k]);
     }
     exact_sturm s = exact_sturm_of(integer, n);
@@ -42,12 +44,14 @@ static exact_sturm member(uint64_t *seed, const double *c, const double *r, int 
 
 static void judge_box(uint64_t *seed, const double *c, const double *r, int n, double lo, double hi) {
     memset(&answer, 0, sizeof answer);
-    answer.status = algsurf_isolate_all(c, r, n, lo, hi, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+    answer.status =
+        algsurf_isolate_all(c, r, n, lo, hi, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
     const char *wrong = answer.status < 0 ? "refused" : isolate_form(c, r, n, lo, hi, &answer);
     for (int i = 0; !wrong && i < answer.count; i++) {
         const algsurf_bracket *b = answer.b + i;
         if (b->kind != ALGSURF_ROOT_BRACKET) continue;
-        if ((isfinite(b->lo) && !margin_holds(c, r, n, b->lo)) || (isfinite(b->hi) && !margin_holds(c, r, n, b->hi)))
+        if ((isfinite(b->lo) && !margin_holds(c, r, n, b->lo)) ||
+            (isfinite(b->hi) && !margin_holds(c, r, n, b->hi)))
             wrong = "no margin at an end";
     }
     if (!wrong) wrong = isolate_signs(c, n, &answer);
@@ -101,6 +105,21 @@ static void test_box_decides_where_it_can(void **state) {
     assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, answer.b, 3, &answer.count) > 0);
     judge_box(&seed, lead, unsure, 2, -100, 100);
     assert_int_equal(answer.status, ALGSURF_OK);
+}
+
+/* Far from 0 the radius of the leading coefficient counts, not that of the constant. */
+static void test_far_radii(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double c[2] = {1, 0x1p-10}, lead[2] = {0, 0x1p-9}, constant[2] = {0x1p-9, 0};
+    algsurf_bracket first;
+    int found = -1;
+    assert_true(algsurf_isolate_first(c, lead, 1, 2, INFINITY, &first, &found) > 0 && found);
+    assert_true(first.lo <= 1024); /* 1 - 2^-10 x */
+    judge_box(&seed, c, lead, 1, 2, 900);
+    assert_int_equal(answer.count, 0);
+    judge_box(&seed, c, constant, 1, 2, INFINITY);
+    assert_int_equal(answer.count, 0);
 }
 
 static void test_one_point_of_a_box(void **state) {
@@ -157,9 +176,8 @@ static void test_environment(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_box_decides_where_it_can),
-        cmocka_unit_test(test_one_point_of_a_box),
+        cmocka_unit_test(test_boxes),       cmocka_unit_test(test_box_decides_where_it_can),
+        cmocka_unit_test(test_far_radii),   cmocka_unit_test(test_one_point_of_a_box),
         cmocka_unit_test(test_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,225 @@
+/* test_regressions.c - one case for each defect that was found and mended in isolate, expand, intersect.
+ *
+ * Each once gave a wrong or a needlessly undecided answer; what was wrong is said above it. */
+#include "isolate_case.h"
+#include "intersect_case.h"
+#include <float.h>
+#include "algsurf/expand.h"
+#include "environments.h"
+#include "poly_exact.h"
+
+static isolate_answer answer;
+static intersect_case c;
+static intersect_answer hits;
+
+/* A root was lost when there were more entries than the degree. */
+static void lost_root(void **state) {
+    (void)state;
+    const double p[] = {0x1.90e2a2d88acf1p+97, 0x1.436b07756fbffp+293, 0x1.5535f08e37ea1p-227,
+                        -0x1.54179f651fcf7p-283};
+    isolate_judge(p, 3, -INFINITY, INFINITY, &answer);
+}
+static void lost_root_with_radii(void **state) {
+    (void)state;
+    const double p[] = {-1, 1, 0}, r[] = {0, 0, 0x1p-30};
+    algsurf_bracket b[3];
+    int n = 0;
+    assert_true(algsurf_isolate_all(p, r, 2, -INFINITY, INFINITY, b, 3, &n) > 0);
+    assert_true(b[n - 1].hi ==
+                INFINITY); /* x - 1 + 2^-30 x^2 / 2 has a root at -2^31; -2^-30 x^2 / 2 one at +2^31 */
+}
+/* Stretches between groups of roots stayed undecided. */
+static void gap_between_groups(void **state) {
+    (void)state;
+    const double p[] = {1, 0, 0, 0, -0x1p300, 0x1p-300};
+    isolate_judge(p, 5, -INFINITY, INFINITY, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+static void gap_ordinary(void **state) {
+    (void)state; /* coefficients between 2^-10 and 2^10 */
+    const double p[] = {0x1.8699ddff70eaep-9,   -0x1.0aa588a8f941ep+9, 0x1.1926a5c0c9d89p-10,
+                        -0x1.536b012bf476cp+5,  0x1.c9a4a1041ff32p+0,  0x1.9bc53dd3e1e3ep+0,
+                        0x1.11d09464557e5p+2,   -0x1.4d491cef191acp-2, 0x1.f9d5254a73d7ep+7,
+                        0x1.9d53d1c86fb7dp-6,   -0x1.4cbe606301a84p+0, -0x1.b0eebd1443416p+3,
+                        0x1.b14e616ac45p+2,     -0x1.61c5e1f0e985ep-9, 0x1.dec11c82ab7efp-2,
+                        -0x1.0032fdad83ba9p-10, -0x1.2d788d120c85fp+9};
+    isolate_judge(p, 16, -INFINITY, INFINITY, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+/* Signs were evaluated unscaled. */
+static void range_largest(void **state) {
+    (void)state;
+    const double p[] = {-DBL_MAX, DBL_MAX, DBL_MAX};
+    isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+static void range_subnormal(void **state) {
+    (void)state;
+    const double p[] = {0x1p-1074, 0, -0x1p-1060};
+    isolate_judge(p, 2, -1, 1, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+static void range_power(void **state) {
+    (void)state; /* test_plus_minus_powers: k to +-500 */
+    const double p[] = {-0x1p-1000, 0, 1};
+    isolate_judge(p, 2, -0x1p-500, 0x1p-500, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+static void range_overflow(void **state) {
+    (void)state;
+    const double p[] = {0, 0x1p300, 0x1p-600};
+    isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+/* The far end of an interval overflowed. */
+static void huge_end(void **state) {
+    (void)state;
+    const double p[] = {1, -2};
+    isolate_judge(p, 1, -1e300, -1e200, &answer);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+/* Arguments were checked before flush-to-zero was switched off. */
+static void daz_isolate(void **state) {
+    (void)state;
+    const double p[] = {0x1p-1074, 0, -0x1p-1060};
+    int n = 0;
+    environment_set(4);
+    algsurf_status s = algsurf_count_roots(p, NULL, 2, -1, 1, &n);
+    environment_set(0);
+    assert_true(s >= 0);
+}
+static void daz_intersect(void **state) {
+    (void)state;
+    intersect_equation(&c, "x^2 + y^2 + z^2 - 1");
+    c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 0x1p-1030}, 0, INFINITY};
+    double p[3];
+    environment_set(4);
+    algsurf_status s = algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hits.first);
+    algsurf_status e = algsurf_expand_power(c.surface, &c.ray, p, NULL);
+    environment_set(0);
+    assert_true(s == ALGSURF_OK && e == ALGSURF_OK);
+    algsurf_surface_free(c.surface);
+}
+/* Brackets had infinite ends. */
+static void infinite_bracket(void **state) {
+    (void)state;
+    const double p[] = {3, -4, 1};
+    isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
+    for (int i = 0; i < answer.count; i++) assert_true(isfinite(answer.b[i].lo) && isfinite(answer.b[i].hi));
+}
+/* The most roots an entry holds came out below its multiplicity, or above the degree. */
+static void most(void **state) {
+    (void)state;
+    const double p[] = {0, 0, -1, 1}, q[] = {-12, 4, 12, -4, -3, 1};
+    isolate_judge(p, 3, -2, 2, &answer);
+    assert_true(answer.b[0].most >= 2); /* 0 is a double root */
+    isolate_judge(q, 5, 0, 4, &answer); /* (x^2 - 2)^2 (x - 3) */
+    assert_true(answer.b[0].most <= 5);
+}
+/* A later bracket was swallowed by an undecided first one. */
+static void first_swallows(void **state) {
+    (void)state;
+    const double q[] = {-12, 4, 12, -4, -3, 1};
+    isolate_judge(q, 5, 0, 4, &answer);
+    assert_true(answer.first.hi == answer.b[0].hi);
+}
+/* A direction that underflows in natural units became 0 without a radius. */
+static void expand_underflow(void **state) {
+    (void)state;
+    double p[3], r[3];
+    mpq_t q;
+    mpq_init(q);
+    intersect_equation(&c, "x^2 + 1e100 y - 1e200");
+    c.ray = (algsurf_ray){{0, 0, 0}, {1, 1e-250, 0}, 0, 1};
+    assert_int_equal(algsurf_expand_power(c.surface, &c.ray, p, r), ALGSURF_OK);
+    exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
+    for (int k = 0; k < 3; k++) exact_line_coefficient(q, &line, k), assert_true(exact_within(p[k], q, r[k]));
+    exact_line_clear(&line), mpq_clear(q);
+    algsurf_surface_free(c.surface);
+}
+/* The tolerance was taken for the wrong unit far out. */
+static void tolerance(void **state) {
+    (void)state;
+    algsurf_intersect_options o = {sizeof o, ALGSURF_TIER_STANDARD, ALGSURF_METHOD_BISECTION, 0, 1e-3};
+    intersect_equation(&c, "x z - 10 + y");
+    c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 1e-8}, 0, INFINITY};
+    for (int m = 0; m < 3; m++) {
+        o.method = (algsurf_method)m;
+        intersect_ask(&c, NULL, &o, &hits);
+        if (!(fabs(hits.first.t - 31622.776601683792) < 2e-3)) fail_msg("method %d: t = %g", m, hits.first.t);
+    }
+    algsurf_surface_free(c.surface);
+}
+static void drop(const char *equation, algsurf_ray ray, int count) {
+    intersect_equation(&c, equation);
+    c.ray = ray;
+    intersect_judge(&c, NULL, &hits);
+    if (hits.count != count || (count && hits.all[count - 1].state != ALGSURF_HIT))
+        intersect_fail("degree drop", &c, &hits);
+    algsurf_surface_free(c.surface);
+}
+/* A vanishing leading coefficient left infinite rays undecided. */
+static void degree_drop(void **state) {
+    (void)state;
+    drop("x^2 + y^2 - 1", (algsurf_ray){{0, 0, -2}, {0, 0, 1}, 0, INFINITY}, 0);
+    drop("x^2 z + y^2", (algsurf_ray){{0, 1, 1}, {1, 0, 0}, 0, INFINITY}, 0);
+    drop("x^2 z + y^2", (algsurf_ray){{-2, 1, -1}, {1, 0, 0}, 0, INFINITY}, 2);
+    drop("x^2 z + y^2", (algsurf_ray){{1, 1, -2}, {0, 0, 1}, 0, INFINITY}, 1);
+    drop("x^2y^2 + x^2z^2 + y^2z^2 + x y z", (algsurf_ray){{0.125, 0.125, -2}, {0, 0, 1}, 0, INFINITY}, 2);
+    drop("x^3 + y^3 + z^3 - 1", (algsurf_ray){{1, 0, 0}, {1, -1, 0}, -INFINITY, INFINITY}, 2);
+}
+/* A ray of no length was undecided where the exact sign overflows. */
+static void single_point(void **state) {
+    (void)state;
+    intersect_equation(&c, "x^64 + y^64 + z^64 - 1");
+    c.ray = (algsurf_ray){{0.3, 0.7, -1.5}, {0.1, 0.2, 1}, 0, 0};
+    intersect_ask(&c, NULL, NULL, &hits);
+    assert_int_equal(hits.first.state, ALGSURF_MISS);
+    algsurf_surface_free(c.surface);
+    intersect_equation(&c, "(x + y + z - 1)^20");
+    c.ray = (algsurf_ray){{0.3, 0.7, 0.5}, {0.1, 0.2, 1}, 0, 0};
+    intersect_ask(&c, NULL, NULL, &hits);
+    assert_int_equal(hits.first.state, ALGSURF_MISS);
+    algsurf_surface_free(c.surface);
+}
+/* A hit beyond the range of double had t = inf. */
+static void t_infinite(void **state) {
+    (void)state;
+    intersect_equation(&c, "x^2 + y^2 + z^2 - 1");
+    c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 1e-320}, -INFINITY, INFINITY};
+    intersect_ask(&c, NULL, NULL, &hits);
+    assert_true(hits.first.state != ALGSURF_HIT || isfinite(hits.first.t));
+    algsurf_surface_free(c.surface);
+}
+/* The exact sign gave up for full mantissas at degree 20. */
+static void exact_sign_depth(void **state) {
+    (void)state;
+    double p[21];
+    for (int k = 0; k <= 20; k++) p[k] = k % 2 ? -1.0 / (k + 1) : 1.0 / (k + 3);
+    assert_true(algsurf_i_poly_exact_sign(p, 20, 0x1.23456789abcdfp-6) != ALGSURF_SIGN_UNKNOWN);
+}
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lost_root),
+        cmocka_unit_test(lost_root_with_radii),
+        cmocka_unit_test(gap_between_groups),
+        cmocka_unit_test(gap_ordinary),
+        cmocka_unit_test(range_largest),
+        cmocka_unit_test(range_subnormal),
+        cmocka_unit_test(range_power),
+        cmocka_unit_test(range_overflow),
+        cmocka_unit_test(huge_end),
+        cmocka_unit_test(daz_isolate),
+        cmocka_unit_test(daz_intersect),
+        cmocka_unit_test(infinite_bracket),
+        cmocka_unit_test(most),
+        cmocka_unit_test(first_swallows),
+        cmocka_unit_test(expand_underflow),
+        cmocka_unit_test(tolerance),
+        cmocka_unit_test(degree_drop),
+        cmocka_unit_test(single_point),
+        cmocka_unit_test(t_infinite),
+        cmocka_unit_test(exact_sign_depth),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
