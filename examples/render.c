@@ -47,6 +47,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_quality(scene, options->quality));
     demand(algsurf_scene_set_antialias(scene, options->antialias));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
+    demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
 }
 
@@ -56,7 +57,7 @@ static char *numbered(const char *path, const run *r, int picture) {
     size_t room = strlen(path) + 16;
     char *name = malloc(room);
     if (!name) cli_no_memory();
-    if (r->options->turn == 0 || strcmp(path, "-") == 0) return strcpy(name, path);
+    if (r->options->sweep.pictures == 0 || strcmp(path, "-") == 0) return strcpy(name, path);
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
     int stem = (int)(dot ? dot - path : (ptrdiff_t)strlen(path));
     snprintf(name, room, "%.*s-%04d%s", stem, path, picture + 1, dot ? dot : "");
@@ -76,19 +77,21 @@ static char *surface_text(const cli_surface *surface) {
 
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
-        "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\ntier\t%s\nthreads\t%d\n"
+        "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nthreads\t%d\n"
         "rays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nshadow_rays\t%" PRIu64 "\n"
+        "iterations\t%" PRIu64 "\n"
         "solve_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\nversion\t%s\n";
-    enum { NUMBERS = 15 * 32 }; /* room for what the format's fields become */
+    enum { NUMBERS = 17 * 32 }; /* room for what the format's fields become */
+    int is_complex = r->options->space.is_complex;
     char *surface = surface_text(&r->options->surface);
     size_t room = sizeof format + strlen(surface) + NUMBERS;
     char *text = malloc(room);
     if (!text) cli_no_memory();
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->width,
-             r->options->height, render_quality_name(r->options->quality),
-             render_tier_name(r->options->intersect.tier), stats->threads, stats->rays, stats->hits,
-             stats->uncertain, stats->shadow_rays, stats->solve_s, stats->shade_s, stats->total_s,
-             algsurf_version());
+             r->options->height, render_quality_name(r->options->quality), is_complex ? "complex" : "real",
+             is_complex ? "-" : render_tier_name(r->options->intersect.tier), stats->threads, stats->rays,
+             stats->hits, stats->uncertain, stats->shadow_rays, stats->iterations, stats->solve_s,
+             stats->shade_s, stats->total_s, algsurf_version());
     output_text(set, path, text);
     free(text);
     free(surface);
@@ -96,7 +99,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
 
 static void draw_picture(run *r, const render_view *view, int picture) {
     const render_options *options = r->options;
-    algsurf_camera camera = render_make_camera(view, picture, options->turn);
+    const render_sweep *sweep = &options->sweep;
+    algsurf_camera camera =
+        render_make_camera(view, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
+    algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
     char *output = numbered(options->output, r, picture);
     char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
     output_check(output);
@@ -108,6 +114,7 @@ static void draw_picture(run *r, const render_view *view, int picture) {
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
+    demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
     demand(algsurf_render(r->scene, &how, r->pixels, 3 * (size_t)options->width, r->hits, &counted));
 
     output_set set = {.count = 0};
@@ -124,6 +131,7 @@ static void draw(const render_options *options, const algsurf_surface *surface,
                  const catalogue_entry *entry) {
     render_view view = render_make_view(options, entry);
     (void)render_make_camera(&view, 0, 1); /* a bad camera is told before anything else is done */
+    render_check_degree(&options->space, &options->sweep, algsurf_surface_degree(surface));
     run r = {.options = options, .surface = surface};
     r.scene = make_scene(options, surface, entry, &view.extent);
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->height;
@@ -131,7 +139,7 @@ static void draw(const render_options *options, const algsurf_surface *surface,
     r.pixels = malloc(3 * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
     if (!r.pixels || (options->hits && !r.hits)) cli_no_memory();
-    int pictures = options->turn > 0 ? options->turn : 1;
+    int pictures = options->sweep.pictures > 0 ? options->sweep.pictures : 1;
     progress_begin(&r.bar, options->progress, pictures);
     for (int i = 0; i < pictures; i++) draw_picture(&r, &view, i);
     progress_end(&r.bar);

@@ -60,15 +60,28 @@ static void set_quality(const cli_option *option, const char *value, void *field
     *(algsurf_quality *)field = qualities[cli_choice(option, value)];
 }
 
+/* How real roots are found: not for complex space. */
+static algsurf_intersect_options *real_only(const cli_option *option, void *field) {
+    render_options *options = field;
+    options->space.real_only = option->name;
+    return &options->intersect;
+}
+
+static void set_method(const cli_option *option, const char *value, void *field) {
+    cli_set_method(option, value, &real_only(option, field)->method);
+}
+
+static void set_tolerance(const cli_option *option, const char *value, void *field) {
+    cli_set_tolerance(option, value, &real_only(option, field)->tolerance);
+}
+
+static void set_tier(const cli_option *option, const char *value, void *field) {
+    cli_set_tier(option, value, &real_only(option, field)->tier);
+}
+
 static void set_progress(const cli_option *option, const char *value, void *field) {
     static const progress_mode modes[] = {PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER};
     *(progress_mode *)field = modes[cli_choice(option, value)];
-}
-
-static void set_sweep(const cli_option *option, const char *value, void *field) {
-    if (strncmp(value, "turn:", 5) != 0 || !cli_whole(value + 5, 1, 9999, field))
-        cli_fail(CLI_BAD_INPUT, "%s: expected turn:N, N from 1 to 9999, got '%s'", option->name,
-                 cli_quote(value).text);
 }
 
 #define FIELD(member) offsetof(render_options, member), 0, 0
@@ -101,14 +114,30 @@ static const cli_option options_table[] = {
      cli_set_extent, FIELD(extent)},
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,
      FIELD(centre)},
-    {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
-     FIELD(intersect.method)},
+    {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
+     0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
-     cli_set_tolerance, FIELD(intersect.tolerance)},
-    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", cli_set_tier,
-     FIELD(intersect.tier)},
-    {"--sweep", "turn:N", "N pictures NAME-0001.png ... of a turn about the upward axis", set_sweep,
-     FIELD(turn)},
+     set_tolerance, 0, 0, 0},
+    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", set_tier, 0,
+     0, 0},
+    {"--sigma", "S",
+     "complex space: shows, of the complex roots t along each ray from the\n"
+     "eye, the one of least |t| among those with S <= |arg t| <= S + D;\n"
+     "radians, as 0.2 or 7pi/18, default 0.  --method, --tolerance, --tier\n"
+     "and --quality full (shadows) play no part there and are refused",
+     render_set_sigma, FIELD(space)},
+    {"--delta", "D", "complex space: D, default 1e-10, which shows the real surface", render_set_delta,
+     FIELD(space)},
+    {"--imag", "K=V",
+     "complex space: adds V i to the coefficient of t^K, K from 0 to the\ndegree (repeatable)",
+     render_set_imaginary, FIELD(space)},
+    {"--coherence", "none|neighbours",
+     "complex space: each ray's roots are found from scratch, or from those\n"
+     "of its neighbours (default): the same picture in less time",
+     render_set_coherence, FIELD(space)},
+    {"--sweep", "turn:N|delta:A:B:N|imag:K:A:B:N",
+     "N pictures NAME-0001.png ...: a turn about the upward axis; --delta\nfrom A to B; --imag K from A to B",
+     render_set_sweep, FIELD(sweep)},
     {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
      offsetof(render_options, threads), 0, 256},
     {"--rows", "A:B", "only the rows A to B-1 of the picture, from 0 at the top", set_rows, 0, 0, 0},
@@ -147,7 +176,7 @@ static void check_output(render_options *options) {
         !output_is_special(options->output))
         cli_fail(CLI_BAD_INPUT, "--output: expected a name that ends in .png, .bmp or .ppm, got '%s'",
                  cli_quote(options->output).text);
-    if (options->turn > 0 && strcmp(options->output, "-") == 0)
+    if (options->sweep.pictures > 0 && strcmp(options->output, "-") == 0)
         cli_fail(CLI_BAD_INPUT, "--output: '-' holds one picture, not a --sweep");
     check_standard_output(options);
 }
@@ -157,7 +186,8 @@ render_options render_parse_options(int argc, char **argv) {
                               .height = 768,
                               .quality = ALGSURF_QUALITY_STANDARD,
                               .antialias = 1,
-                              .intersect = {.size = sizeof options.intersect}};
+                              .intersect = {.size = sizeof options.intersect},
+                              .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
     cli_parse(&program, argc, argv, &options);
     if (options.list) return options;
     if (options.fov > 0 && options.orthographic > 0)
@@ -165,6 +195,8 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.row_end > options.height)
         cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
                  options.height);
+    if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
+    render_check_space(&options.space, &options.sweep);
     check_output(&options);
     return options;
 }

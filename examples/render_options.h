@@ -4,6 +4,7 @@
 #include "cli.h"
 #include "image.h"
 #include "progress.h"
+#include "render_space.h"
 
 typedef struct render_options {
     int list;
@@ -20,7 +21,8 @@ typedef struct render_options {
     algsurf_intersect_options intersect;
     int threads;
     int row_begin, row_end; /* both 0: all rows */
-    int turn;               /* pictures of a turn; 0: one picture, no turn */
+    render_space space;
+    render_sweep sweep;
     progress_mode progress;
     cli_surface surface;
 } render_options;

@@ -21,7 +21,8 @@ static int all_finite(const double *c, const double *r, int n) {
 }
 
 /* Undoes the surface's scale; a result under the normal range is off by at most 2^-1075 more. */
-static algsurf_status give(const algsurf_surface *s, const double *q, const double *qr, double *c, double *r) {
+static algsurf_status give(const algsurf_surface *s, const double *q, const double *qr, double *c,
+                           double *r) {
     double value[ALGSURF_MAX_DEGREE + 1], radius[ALGSURF_MAX_DEGREE + 1];
     for (int i = 0; i <= s->degree; i++) {
         value[i] = ldexp(q[i], -s->scale);

@@ -13,7 +13,8 @@ static inline double num_from(double a) { return a; }
 
 #include "expand_horner.inc"
 
-void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q, double *r) {
+void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q,
+                        double *r) {
     line_coordinate c[3];
     for (int i = 0; i < 3; i++) c[i] = (line_coordinate){X[i], D[i], fabs(X[i]), fabs(D[i])};
     expand(s, c, q, r);

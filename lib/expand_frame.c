@@ -27,7 +27,8 @@ static void place(algsurf_i_frame *f, const double O[3], double centre) {
     for (int i = 0; i < 3; i++) f->X[i] = algsurf_dd_add_d(algsurf_two_prod(centre, f->V[i]), O[i]);
 }
 
-void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, int chord, algsurf_i_frame *f) {
+void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, int chord,
+                        algsurf_i_frame *f) {
     double O[3];
     int e;
     (void)frexp(algsurf_max_abs(ray->direction), &e);

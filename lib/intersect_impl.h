@@ -23,4 +23,10 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                         const algsurf_intersect_options *options, algsurf_i_want want,
                         algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity);
 
+/* algsurf_intersect_complex, and how many corrections of roots it took. */
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray *ray, const algsurf_complex_space *space,
+                                           const algsurf_complex *start, algsurf_complex *roots,
+                                           algsurf_hit *hit, algsurf_complex *root, int *iterations);
+
 #endif

@@ -47,8 +47,10 @@ static void set_interval(const search *s, const algsurf_i_cell *cell, algsurf_i_
         return;
     }
     int first = cell->piece == s->pieces, last = cell->piece == s->pieces + s->piece_count - 1;
-    root->t_lo = first && cell->at_lo ? s->ray->t_min : fmax(s->ray->t_min, t_outward(s, cell->piece, cell->lo, -1));
-    root->t_hi = last && cell->at_hi ? s->ray->t_max : fmin(s->ray->t_max, t_outward(s, cell->piece, cell->hi, 1));
+    root->t_lo =
+        first && cell->at_lo ? s->ray->t_min : fmax(s->ray->t_min, t_outward(s, cell->piece, cell->lo, -1));
+    root->t_hi =
+        last && cell->at_hi ? s->ray->t_max : fmin(s->ray->t_max, t_outward(s, cell->piece, cell->hi, 1));
 }
 
 /* Appends a root; when there is no room the last one grows and becomes undecided (the fast tier does
@@ -90,7 +92,10 @@ static int add_undecided(search *s, const algsurf_i_cell *cell) {
     algsurf_i_ray_root here = {ALGSURF_UNCERTAIN, reason_for(s, cell), 0, {0, 0}, 0, 0};
     set_interval(s, cell, &here);
     algsurf_dd middle = algsurf_dd_scale(algsurf_dd_add(cell->lo, cell->hi), 0.5);
-    here.offset = offset_of(s, cell->piece, isinf(here.t_lo) ? cell->hi : isinf(here.t_hi) ? cell->lo : middle);
+    here.offset = offset_of(s, cell->piece,
+                            isinf(here.t_lo)   ? cell->hi
+                            : isinf(here.t_hi) ? cell->lo
+                                               : middle);
     if (s->count > 0) {
         algsurf_i_ray_root *last = s->roots + s->count - 1;
         if (last->state == ALGSURF_UNCERTAIN && last->t_hi >= here.t_lo) {
@@ -100,8 +105,10 @@ static int add_undecided(search *s, const algsurf_i_cell *cell) {
         if (s->want == ALGSURF_WANT_FIRST) return 0;
     }
     algsurf_i_ray_root *root = append(s);
-    if (root) *root = here;
-    else s->roots[s->count - 1].t_hi = here.t_hi;
+    if (root)
+        *root = here;
+    else
+        s->roots[s->count - 1].t_hi = here.t_hi;
     return 1;
 }
 
@@ -138,9 +145,12 @@ static enum outcome round_in_double(search *s) {
     walk.any = s->want == ALGSURF_WANT_ANY;
     while (algsurf_i_walk_next_d(&walk, &cell)) {
         if (cell.kind == ALGSURF_ROOT_BRACKET && s->want != ALGSURF_WANT_ANY)
-            add_root(s, &cell, algsurf_dd_from(refine_d(s, walk.local, n, &cell)), s->options->tolerance == 0);
-        else if (cell.kind == ALGSURF_ROOT_UNDECIDED && bounded) return UNDECIDED;
-        else add_root(s, &cell, algsurf_dd_scale(algsurf_dd_add(cell.lo, cell.hi), 0.5), 0);
+            add_root(s, &cell, algsurf_dd_from(refine_d(s, walk.local, n, &cell)),
+                     s->options->tolerance == 0);
+        else if (cell.kind == ALGSURF_ROOT_UNDECIDED && bounded)
+            return UNDECIDED;
+        else
+            add_root(s, &cell, algsurf_dd_scale(algsurf_dd_add(cell.lo, cell.hi), 0.5), 0);
         if (s->want != ALGSURF_WANT_ALL) break;
     }
     return DONE;
@@ -177,7 +187,8 @@ static enum outcome round_in_dd(search *s, int *open_lo, int *open_hi) {
         if (s->want == ALGSURF_WANT_FIRST && s->count > 0) break;
         if (cell.kind == ALGSURF_ROOT_EXACT || s->want == ALGSURF_WANT_ANY)
             add_root(s, &cell, cell.lo, 0);
-        else add_root(s, &cell, algsurf_i_refine_dd(walk.local, n, cell.lo, cell.hi, cell.sign), 0);
+        else
+            add_root(s, &cell, algsurf_i_refine_dd(walk.local, n, cell.lo, cell.hi, cell.sign), 0);
         if (s->want == ALGSURF_WANT_ANY) keep_only_last(s);
         if (s->want != ALGSURF_WANT_ALL) break;
     }
@@ -211,19 +222,22 @@ static int single_point(search *s) {
 }
 
 int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
-                        const algsurf_intersect_options *options, algsurf_i_want want,
-                        algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity) {
+                        const algsurf_intersect_options *options, algsurf_i_want want, algsurf_i_frame *frame,
+                        algsurf_i_ray_root *roots, int capacity) {
     search s = {surface, ray, options, want, frame, {{0, {0, 0}, {0, 0}, 0, 0}}, 0, roots, 0, capacity};
     int open_lo, open_hi;
     algsurf_i_frame_of(surface, ray, 0, frame);
     if (ray->t_min == ray->t_max) return isfinite(ray->t_min) ? single_point(&s) : 0;
     s.piece_count = algsurf_i_cut_line(frame->lo, frame->hi, s.pieces);
     enum outcome outcome = round_in_double(&s);
-    if (outcome == UNDECIDED) outcome = round_in_dd(&s, &open_lo, &open_hi);
-    else open_lo = open_hi = 0;
+    if (outcome == UNDECIDED)
+        outcome = round_in_dd(&s, &open_lo, &open_hi);
+    else
+        open_lo = open_hi = 0;
     if (outcome == OVERFLOWED) whole_ray_undecided(&s, ALGSURF_UNDECIDED_RANGE);
     if (outcome == DONE && (open_lo || open_hi)) {
-        int zero_lo = open_lo && end_is_root(&s, ray->t_min), zero_hi = open_hi && end_is_root(&s, ray->t_max);
+        int zero_lo = open_lo && end_is_root(&s, ray->t_min),
+            zero_hi = open_hi && end_is_root(&s, ray->t_max);
         s.pieces[0].zero_at_lo = zero_lo;
         s.pieces[s.piece_count - 1].zero_at_hi = zero_hi;
         if (zero_lo || zero_hi) (void)round_in_dd(&s, &open_lo, &open_hi);

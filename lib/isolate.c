@@ -29,7 +29,8 @@ static void scale(const algsurf_i_coefficients *p, int exponent, double *q, doub
 }
 
 static int pieces_of(const task *t, const algsurf_i_stretch *s, algsurf_i_piece *pieces) {
-    algsurf_dd lo = algsurf_dd_from(ldexp(s->lo, -s->exponent)), hi = algsurf_dd_from(ldexp(s->hi, -s->exponent));
+    algsurf_dd lo = algsurf_dd_from(ldexp(s->lo, -s->exponent)),
+               hi = algsurf_dd_from(ldexp(s->hi, -s->exponent));
     int count = algsurf_i_cut_line(lo, hi, pieces);
     if (count > 0 && s->lo <= t->lo) pieces[0].zero_at_lo = t->zero_at_lo;
     if (count > 0 && s->hi >= t->hi) pieces[count - 1].zero_at_hi = t->zero_at_hi;
@@ -92,7 +93,8 @@ static int end_is_root(const task *t, double x) {
     if (t->p.r || x == 0 || isinf(x)) return 0;
     for (int i = 0; i < t->found.count; i++) {
         const algsurf_bracket *b = t->found.b + i;
-        if (b->kind == ALGSURF_ROOT_UNDECIDED && b->lo <= x && x <= b->hi) return algsurf_i_sign_at(&t->p, x) == 0;
+        if (b->kind == ALGSURF_ROOT_UNDECIDED && b->lo <= x && x <= b->hi)
+            return algsurf_i_sign_at(&t->p, x) == 0;
     }
     return 0;
 }
@@ -100,9 +102,11 @@ static int end_is_root(const task *t, double x) {
 static void single_point(task *t) {
     int sign = isinf(t->lo) ? 1 : algsurf_i_sign_at(&t->p, t->lo);
     t->found.count = 0;
-    if (sign == 0) (void)algsurf_i_add_exact(&t->found, t->lo, t->p.degree);
+    if (sign == 0)
+        (void)algsurf_i_add_exact(&t->found, t->lo, t->p.degree);
     else if (sign == ALGSURF_SIGN_UNKNOWN) {
-        t->found.b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree, ALGSURF_UNDECIDED_ZERO};
+        t->found.b[0] =
+            (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree, ALGSURF_UNDECIDED_ZERO};
         t->found.count = 1;
     }
 }
@@ -110,8 +114,9 @@ static void single_point(task *t) {
 /* More entries than the degree: the last one takes in all the rest. */
 static void cover_rest(task *t) {
     algsurf_bracket *last = t->found.b + t->found.count - 1;
-    *last = (algsurf_bracket){last->lo,    t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree,
-                              last->status != ALGSURF_OK ? last->status : ALGSURF_UNDECIDED_MULTIPLE};
+    *last = (algsurf_bracket){
+        last->lo, t->hi,       ALGSURF_ROOT_UNDECIDED,
+        0,        t->p.degree, last->status != ALGSURF_OK ? last->status : ALGSURF_UNDECIDED_MULTIPLE};
 }
 
 static void isolate(task *t) {

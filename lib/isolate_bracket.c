@@ -11,7 +11,8 @@
 #include "poly_exact.h"
 
 int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
-    double value, bound, lead = p->c[p->degree], c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    double value, bound, lead = p->c[p->degree], c[ALGSURF_MAX_POLY_DEGREE + 1],
+                         r[ALGSURF_MAX_POLY_DEGREE + 1];
     if (isinf(x)) {
         if (p->r && fabs(lead) <= p->r[p->degree]) return ALGSURF_SIGN_UNKNOWN;
         return (lead > 0) == (x > 0 || p->degree % 2 == 0) ? 1 : -1;
@@ -50,10 +51,11 @@ int algsurf_i_add_exact(algsurf_i_brackets *found, double x, int most) {
     return append(found, (algsurf_bracket){x, x, ALGSURF_ROOT_EXACT, 0, most, ALGSURF_OK});
 }
 
-static int add_undecided(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
-                         const algsurf_i_cell *cell) {
-    algsurf_bracket b = {end_of(s, cell, -1, 2), end_of(s, cell, 1, 2), ALGSURF_ROOT_UNDECIDED, 0,
-                         cell->most,             ALGSURF_UNDECIDED_MULTIPLE};
+static int add_undecided(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
+                         const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
+    algsurf_bracket b = {
+        end_of(s, cell, -1, 2),    end_of(s, cell, 1, 2), ALGSURF_ROOT_UNDECIDED, 0, cell->most,
+        ALGSURF_UNDECIDED_MULTIPLE};
     algsurf_bracket *last = found->count > 0 ? found->b + found->count - 1 : NULL;
     if (cell->at_lo || cell->at_hi) b.status = ALGSURF_UNDECIDED_END;
     if (cell->at_lo && cell->at_hi) b.status = ALGSURF_UNDECIDED_ZERO;
@@ -74,6 +76,7 @@ static int add_undecided(algsurf_i_brackets *found, const algsurf_i_coefficients
 static int draw_in(const algsurf_i_coefficients *p, double *end, double other) {
     double side = *end > 0 ? 1 : -1;
     int at_infinity = algsurf_i_sign_at(p, *end);
+    if (isinf(other)) return 0;
     for (int e = side * other > 0 ? ilogb(other) + 1 : -1074; e < 1024; e++)
         if (algsurf_i_sign_at(p, ldexp(side, e)) == at_infinity) {
             *end = ldexp(side, e);
@@ -114,10 +117,11 @@ static int exact_between(const algsurf_i_coefficients *p, double lo, double hi, 
     return 0;
 }
 
-int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
-                       const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
+int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                       const algsurf_i_cell *cell) {
     double before = found->count > 0 ? found->b[found->count - 1].hi : -HUGE_VAL, root;
-    if (cell->kind == ALGSURF_ROOT_EXACT) return algsurf_i_add_exact(found, cell->at_lo ? s->lo : s->hi, p->degree);
+    if (cell->kind == ALGSURF_ROOT_EXACT)
+        return algsurf_i_add_exact(found, cell->at_lo ? s->lo : s->hi, p->degree);
     if (cell->kind == ALGSURF_ROOT_UNDECIDED) return add_undecided(found, p, s, cell);
     for (int steps = 2; steps >= -1; steps--) {
         double lo = fmax(end_of(s, cell, -1, steps), before), hi = end_of(s, cell, 1, steps);

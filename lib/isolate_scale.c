@@ -108,7 +108,8 @@ int algsurf_i_stretches(const algsurf_i_coefficients *p, double lo, double hi,
                         algsurf_i_stretch s[ALGSURF_MOST_STRETCHES]) {
     group g[ALGSURF_MAX_POLY_DEGREE + 1];
     int n = groups_of(p, g), count = 0;
-    for (int i = n - 1; i > 0; i--) count += stretch(lo, hi, -g[i].outer, -g[i].inner, g[i].exponent, s + count);
+    for (int i = n - 1; i > 0; i--)
+        count += stretch(lo, hi, -g[i].outer, -g[i].inner, g[i].exponent, s + count);
     if (p->zeros) {
         count += stretch(lo, hi, -g[0].outer, 0, g[0].exponent, s + count);
         count += stretch(lo, hi, 0, g[0].outer, g[0].exponent, s + count);

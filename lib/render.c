@@ -85,16 +85,42 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
                                  .solve_s = total->solve_s,
                                  .shade_s = total->shade_s,
                                  .total_s = seconds,
-                                 .threads = threads};
+                                 .threads = threads,
+                                 .iterations = total->iterations};
     memset(stats, 0, size);
     memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
+}
+
+typedef struct work_memory {
+    algsurf_i_pixel *pixels; /* a row for each worker */
+    algsurf_complex *roots;  /* two rows for each in complex space, else null */
+} work_memory;
+
+/* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
+static int hire(const algsurf_i_picture *picture, int threads, work_memory *memory,
+                algsurf_i_worker *workers) {
+    size_t width = (size_t)picture->width,
+           row = width * (size_t)algsurf_surface_degree(picture->scene->surface);
+    int rooted = picture->scene->complex && row > 0;
+    memory->pixels = calloc((size_t)threads, width * sizeof *memory->pixels);
+    memory->roots = rooted ? calloc((size_t)threads, 2 * row * sizeof *memory->roots) : NULL;
+    if (!memory->pixels || (rooted && !memory->roots)) return 0;
+    for (size_t i = 0; i < (size_t)threads; i++) {
+        workers[i] = (algsurf_i_worker){.pixels = memory->pixels + i * width};
+        if (!rooted) continue;
+        workers[i].trail.row = memory->roots + 2 * i * row;
+        workers[i].trail.above = workers[i].trail.row + row;
+    }
+    return 1;
 }
 
 algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                               uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
     double begin = algsurf_i_render_clock();
     algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits};
+    algsurf_i_worker workers[ALGSURF_MAX_THREADS];
     algsurf_render_options o;
+    work_memory memory;
     algsurf_i_tally total;
     algsurf_fpenv saved;
     int threads;
@@ -109,10 +135,11 @@ algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_o
     if (status != ALGSURF_OK) return status;
 
     threads = thread_count(&o);
-    algsurf_i_pixel *buffers = calloc((size_t)threads, (size_t)o.width * sizeof *buffers);
-    if (!buffers) return ALGSURF_E_NO_MEMORY;
-    status = algsurf_i_render_crew(&picture, &o, threads, buffers, &total, &threads);
-    free(buffers);
+    status = hire(&picture, threads, &memory, workers)
+                 ? algsurf_i_render_crew(&picture, &o, threads, workers, &total, &threads)
+                 : ALGSURF_E_NO_MEMORY;
+    free(memory.pixels);
+    free(memory.roots);
     if (status >= 0 && stats) write_stats(stats, &total, algsurf_i_render_clock() - begin, threads);
     return status;
 }

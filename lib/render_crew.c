@@ -1,8 +1,10 @@
 /* render_crew.c - the threads that draw a picture.
  *
- * Rows are handed out one by one, in order, to whoever asks.  The calling thread works like the others
- * and is the only one that calls progress: after each of its rows, and ten times a second while it
- * waits for the others' last ones.  Who draws a row changes nothing in it.
+ * Rows are handed out in order, to whoever asks: one by one, or, where a row starts from the one above, in
+ * batches; the first row of a batch has none above, so that what a row starts from does not depend on the
+ * threads.  The calling thread works like the others and is the only one that calls progress: after each
+ * of its rows, and ten times a second while it waits for the others' last ones.  Who draws a row changes
+ * nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
 #include "render_impl.h"
@@ -13,6 +15,7 @@
 #include "fpenv.h"
 
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
+#define BATCH 8            /* rows: one in eight has none above; few enough to keep many threads busy */
 
 typedef struct crew {
     algsurf_i_picture *picture;
@@ -26,7 +29,7 @@ typedef struct crew {
 
 typedef struct helper {
     crew *team;
-    algsurf_i_pixel *buffer;
+    algsurf_i_worker *worker;
     pthread_t thread;
 } helper;
 
@@ -40,22 +43,38 @@ static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->hits += more->hits;
     total->uncertain += more->uncertain;
     total->shadow_rays += more->shadow_rays;
+    total->iterations += more->iterations;
     total->solve_s += more->solve_s;
     total->shade_s += more->shade_s;
 }
 
-/* Takes the next row and draws it; returns 0 when there was none left to take. */
-static int draw_next(crew *team, algsurf_i_pixel *buffer) {
+/* Gives the worker rows when it has none left; returns 0 when there are none to give.  Has the lock. */
+static int take_rows(crew *team, algsurf_i_worker *worker) {
+    const algsurf_i_picture *picture = team->picture;
+    if (team->status != ALGSURF_OK) return 0;
+    if (worker->row < worker->row_end) return 1;
+    if (team->next_row >= picture->row_end) return 0;
+    int batch =
+        picture->scene->complex && picture->scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
+    worker->row = team->next_row;
+    worker->row_end = worker->row + batch;
+    if (worker->row_end > picture->row_end) worker->row_end = picture->row_end;
+    worker->trail.has_above = 0;
+    team->next_row = worker->row_end;
+    return 1;
+}
+
+/* Draws the worker's next row; returns 0 when there was none left to take. */
+static int draw_next(crew *team, algsurf_i_worker *worker) {
     algsurf_i_tally tally = {0};
     algsurf_fpenv saved;
     pthread_mutex_lock(&team->lock);
-    int row = team->status == ALGSURF_OK ? team->next_row : team->picture->row_end;
-    if (row < team->picture->row_end) team->next_row++;
+    int taken = take_rows(team, worker);
     pthread_mutex_unlock(&team->lock);
-    if (row >= team->picture->row_end) return 0;
+    if (!taken) return 0;
 
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_render_row(team->picture, row, buffer, &tally);
+    algsurf_status status = algsurf_i_render_row(team->picture, worker->row++, worker, &tally);
     algsurf_fpenv_leave(&saved);
 
     pthread_mutex_lock(&team->lock);
@@ -71,7 +90,7 @@ static int draw_next(crew *team, algsurf_i_pixel *buffer) {
 static void *help(void *data) {
     const helper *me = data;
     crew *team = me->team;
-    while (draw_next(team, me->buffer)) {
+    while (draw_next(team, me->worker)) {
     }
     pthread_mutex_lock(&team->lock);
     team->helpers_at_work--;
@@ -122,12 +141,12 @@ static int init_sync(crew *team) {
 }
 
 /* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many. */
-static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_pixel *buffers) {
+static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_worker *workers) {
     int started = 0;
     for (; started < wanted; started++) {
         helper *next = &helpers[started];
         next->team = team;
-        next->buffer = buffers + (size_t)started * (size_t)team->picture->width;
+        next->worker = &workers[started];
         pthread_mutex_lock(&team->lock);
         team->helpers_at_work++;
         pthread_mutex_unlock(&team->lock);
@@ -142,13 +161,13 @@ static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_pixe
 }
 
 algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                     int threads, algsurf_i_pixel *buffers, algsurf_i_tally *total,
+                                     int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used) {
     crew team = {.picture = picture, .options = options, .next_row = picture->row_begin};
     helper helpers[ALGSURF_MAX_THREADS];
     if (!init_sync(&team)) return ALGSURF_E_THREAD;
-    int started = start_helpers(&team, helpers, threads - 1, buffers + picture->width);
-    while (draw_next(&team, buffers)) report(&team);
+    int started = start_helpers(&team, helpers, threads - 1, workers + 1);
+    while (draw_next(&team, workers)) report(&team);
     if (started > 0)
         while (wait_for_helpers(&team) > 0) report(&team);
     for (int i = 0; i < started; i++) (void)pthread_join(helpers[i].thread, NULL);

@@ -25,19 +25,23 @@ static int stopped(const algsurf_i_picture *picture) {
 
 /* The ray through offset (sx,sy) in each pixel of the row, and its hit. */
 static algsurf_status solve_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                 algsurf_i_pixel *buffer, algsurf_i_tally *tally) {
+                                 algsurf_i_worker *worker, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
     for (int x = 0; x < picture->width; x++) {
-        algsurf_i_pixel *pixel = &buffer[x];
+        algsurf_i_pixel *pixel = &worker->pixels[x];
         if (stopped(picture)) return ALGSURF_CANCELLED;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &pixel->ray);
-        algsurf_status status = algsurf_intersect_first(scene->surface, &scene->extent, &pixel->ray,
-                                                        &scene->intersect, &pixel->hit);
+        algsurf_status status = scene->complex
+                                    ? algsurf_i_render_complex(picture, x, &worker->trail, pixel, tally)
+                                    : algsurf_intersect_first(scene->surface, &scene->extent, &pixel->ray,
+                                                              &scene->intersect, &pixel->hit);
         if (status < 0) return status;
         tally->rays++;
         tally->hits += pixel->hit.state == ALGSURF_HIT;
         tally->uncertain += pixel->hit.state == ALGSURF_UNCERTAIN;
     }
+    algsurf_i_trail *trail = &worker->trail;
+    *trail = (algsurf_i_trail){.above = trail->row, .row = trail->above, .has_above = 1};
     return ALGSURF_OK;
 }
 
@@ -64,7 +68,7 @@ static algsurf_status colour_of(const algsurf_i_picture *picture, const algsurf_
                                 depth_of(picture, hit->position), colour);
         return ALGSURF_OK;
     }
-    if (scene->quality == ALGSURF_QUALITY_FULL) {
+    if (scene->quality == ALGSURF_QUALITY_FULL && !scene->complex) {
         shares = visible;
         algsurf_status status = algsurf_i_render_shadows(picture, pixel, shares, shadow_rays);
         if (status < 0) return status;
@@ -101,8 +105,9 @@ static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i
     }
 }
 
-algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_pixel *buffer,
+algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
+    algsurf_i_pixel *buffer = worker->pixels;
     int n = picture->scene->antialias;
     for (int x = 0; x < picture->width; x++) {
         for (int i = 0; i < 3; i++) buffer[x].colour[i] = 0;
@@ -110,7 +115,7 @@ algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, a
     }
     for (int k = 0; k < n * n; k++) {
         double begin = algsurf_i_render_clock();
-        algsurf_status status = solve_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, buffer, tally);
+        algsurf_status status = solve_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
         double middle = algsurf_i_render_clock();
         if (status == ALGSURF_OK) status = shade_pass(picture, buffer, tally);
         tally->solve_s += middle - begin;

@@ -42,6 +42,7 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
     made->quality = ALGSURF_QUALITY_STANDARD;
     made->antialias = 1;
     made->intersect.size = sizeof made->intersect;
+    made->coherence = ALGSURF_COHERENCE_NEIGHBOURS;
     *scene = made;
     return ALGSURF_OK;
 }
@@ -122,6 +123,28 @@ algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_i
         o.max_iterations < 0 || !(o.tolerance >= 0) || isinf(o.tolerance))
         return ALGSURF_E_ARGUMENT;
     scene->intersect = o;
+    return ALGSURF_OK;
+}
+
+/* The checks are those of the function that will get it, made on a ray without points. */
+algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
+    const algsurf_ray nothing = {{0, 0, 0}, {1, 0, 0}, 1, 0};
+    algsurf_hit miss;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    if (space) {
+        algsurf_status status =
+            algsurf_intersect_complex(scene->surface, NULL, &nothing, space, NULL, NULL, &miss, NULL);
+        if (status != ALGSURF_OK) return status;
+        (void)algsurf_options_read(&scene->space, sizeof scene->space, space);
+    }
+    scene->complex = space != NULL;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence) {
+    if (!scene || (coherence != ALGSURF_COHERENCE_NONE && coherence != ALGSURF_COHERENCE_NEIGHBOURS))
+        return ALGSURF_E_ARGUMENT;
+    scene->coherence = coherence;
     return ALGSURF_OK;
 }
 

@@ -16,6 +16,9 @@ struct algsurf_scene {
     algsurf_quality quality;
     int antialias;
     algsurf_intersect_options intersect;
+    int complex; /* 1: complex space, what of it is in space; 0: real space */
+    algsurf_complex_space space;
+    algsurf_coherence coherence;
 };
 
 /* A ball about what is shown: the extent's own; for all of space the one about the origin that fills

@@ -44,4 +44,11 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
  * carry relative errors of at most u each (point rounded from an exact one). */
 double algsurf_i_surface_value_bound(const algsurf_surface *s, const double x[3], double *bound);
 
+/* The gradient at a complex point, same units. */
+typedef struct algsurf_i_complex {
+    double re, im;
+} algsurf_i_complex;
+void algsurf_i_surface_gradient_complex(const algsurf_surface *s, const algsurf_i_complex x[3],
+                                        algsurf_i_complex gradient[3]);
+
 #endif

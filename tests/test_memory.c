@@ -101,6 +101,16 @@ static algsurf_status scene(void) {
     return status;
 }
 
+static algsurf_status root_solver(void) {
+    algsurf_root_solver *s = untouched;
+    algsurf_status status = algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &s);
+    if (status == ALGSURF_OK)
+        algsurf_root_solver_free(s);
+    else
+        assert_ptr_equal(s, untouched);
+    return status;
+}
+
 enum { WIDTH = 48, HEIGHT = 32 };
 static algsurf_scene *stage;
 static uint8_t reference[HEIGHT][WIDTH * 3];
@@ -145,6 +155,11 @@ static void test_surface(void **state) {
     assert_true(refuse_each(from_equation) > 0);
 }
 
+static void test_root_solver(void **state) {
+    (void)state;
+    assert_true(refuse_each(root_solver) > 0);
+}
+
 static void test_scene_and_render(void **state) {
     (void)state;
     algsurf_surface *s = make_surface();
@@ -160,7 +175,7 @@ static void test_scene_and_render(void **state) {
 
 int main(void) {
     atomic_store(&until_failure, -1);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface), cmocka_unit_test(test_root_solver),
                                        cmocka_unit_test(test_scene_and_render)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

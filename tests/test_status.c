@@ -32,6 +32,7 @@ static const struct {
     {ALGSURF_UNDECIDED_RANGE, 4, "ALGSURF_UNDECIDED_RANGE"},
     {ALGSURF_NOT_CONVERGED, 5, "ALGSURF_NOT_CONVERGED"},
     {ALGSURF_CANCELLED, 6, "ALGSURF_CANCELLED"},
+    {ALGSURF_NOT_VERIFIED, 7, "ALGSURF_NOT_VERIFIED"},
 };
 #define RELEASED (sizeof released / sizeof released[0])
 
@@ -62,7 +63,7 @@ static void test_texts(void **state) {
 
 static void test_unknown(void **state) {
     (void)state;
-    static const int numbers[] = {-9, -100, 7, 1000};
+    static const int numbers[] = {-9, -100, 8, 1000};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         assert_string_equal(algsurf_status_text((algsurf_status)numbers[i]), "unknown status");
         assert_string_equal(algsurf_status_name((algsurf_status)numbers[i]), "unknown");

@@ -2,9 +2,12 @@
 #ifndef ALGSURF_ALGSURF_H
 #define ALGSURF_ALGSURF_H
 #include "algsurf/status.h"
+#include "algsurf/interval.h"
 #include "algsurf/poly.h"
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
+#include "algsurf/allroots.h"
+#include "algsurf/select.h"
 #include "algsurf/surface.h"
 #include "algsurf/ray.h"
 #include "algsurf/expand.h"

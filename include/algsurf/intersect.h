@@ -3,6 +3,7 @@
 #define ALGSURF_INTERSECT_H
 #include "algsurf/ray.h"
 #include "algsurf/refine.h"
+#include "algsurf/select.h"
 #include "algsurf/surface.h"
 
 #ifdef __cplusplus
@@ -73,6 +74,35 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             algsurf_hit_state *state);
+
+/* What of complex space is seen. */
+typedef struct algsurf_complex_space {
+    size_t size;             /* sizeof(algsurf_complex_space) */
+    algsurf_sector sector;   /* of the arguments of t that count */
+    double imaginary[ALGSURF_MAX_DEGREE + 1]; /* times i, added to the coefficient p_k of t^k */
+} algsurf_complex_space;
+
+/* The first hit in complex space.  The polynomial along the ray, p(t) = P(origin + t direction)
+ * + i sum_k imaginary[k] t^k, k up to the surface's degree, has degree-many complex roots t.  Of those
+ * whose argument lies in the sector and whose magnitude lies in the part [t_min, t_max] of the ray
+ * inside the extent, t_min >= 0, the one of least magnitude is shown.
+ *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
+ *          normal of the surface shown when the direction varies about a fixed origin (with g the complex
+ *          gradient of P at origin + t direction: Re(g / p'(t)) corrected along the ray), the gradient's
+ *          direction for a real root.  state UNCERTAIN: whether a root is in the sector or range, or which
+ *          one is the least, stays open; the hit then is the least root that may be meant
+ *   root   the complex root t shown; may be null
+ *   start  null, or degree-many start values for the roots t, from a neighbouring ray say: they change
+ *          the time, not the answer
+ *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
+ *          is missing is NaN
+ * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
+ * algsurf_roots, 2 to 10 microseconds for degrees 4 to 10.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
+                                                     const algsurf_extent *extent, const algsurf_ray *ray,
+                                                     const algsurf_complex_space *space,
+                                                     const algsurf_complex *start, algsurf_complex *roots,
+                                                     algsurf_hit *hit, algsurf_complex *root);
 
 #ifdef __cplusplus
 }

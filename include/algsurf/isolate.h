@@ -40,7 +40,7 @@ typedef struct algsurf_bracket {
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative radius),
  * E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero).
  * Cost: O(degree^2) for each interval visited, their number bounded by a small multiple of
- * degree * 50; no allocation; about 100 bytes of stack a degree.  Since 1.0. */
+ * degree * 50; no allocation; about 100 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, algsurf_bracket *bracket, int *found);
 

@@ -54,7 +54,8 @@ extern "C" {
     X(ALGSURF_UNDECIDED_ZERO, 3, "the polynomial vanishes, or cannot be told from zero")           \
     X(ALGSURF_UNDECIDED_RANGE, 4, "overflow or underflow hides the answer")                        \
     X(ALGSURF_NOT_CONVERGED, 5, "the iteration limit was reached")                                 \
-    X(ALGSURF_CANCELLED, 6, "cancelled by the caller")
+    X(ALGSURF_CANCELLED, 6, "cancelled by the caller")                                             \
+    X(ALGSURF_NOT_VERIFIED, 7, "an inclusion could not be verified")
 
 typedef enum algsurf_status {
 #define ALGSURF_STATUS_ENUM(name, number, text) name = number,

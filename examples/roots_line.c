@@ -1,0 +1,111 @@
+/* roots_line.c - see roots_line.h.
+ *
+ * The real roots are isolated, with proof, and refined, without: the refined bracket's ends are then moved
+ * outward until the signs there are certain, so that what is printed as verified is. */
+#include "roots_line.h"
+
+#include <float.h>
+#include <math.h>
+
+int roots_parse(size_t line, char *const *field, int count, roots_polynomial *p) {
+    if (count > ROOTS_MAX_FIELDS) {
+        cli_complain("line %zu: degree %d, the limit is %d", line, count - 1, ALGSURF_MAX_POLY_DEGREE);
+        return 0;
+    }
+    for (int i = 0; i < count; i++) {
+        double parts[2] = {0, 0};
+        if (!cli_numbers(field[i], ',', 1, parts) && !cli_numbers(field[i], ',', 2, parts)) {
+            cli_complain("line %zu: coefficient %d: expected finite numbers, re or re,im, got '%s'", line, i,
+                         cli_quote(field[i]).text);
+            return 0;
+        }
+        p->c[i] = (algsurf_complex){parts[0], parts[1]};
+    }
+    p->degree = count - 1;
+    while (p->degree > 0 && p->c[p->degree].re == 0 && p->c[p->degree].im == 0) p->degree--;
+    return 1;
+}
+
+static int refused(size_t line, algsurf_status status) {
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    cli_complain("line %zu: %s", line, algsurf_status_text(status));
+    return -1;
+}
+
+int roots_all(size_t line, algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows) {
+    algsurf_enclosure e[ALGSURF_MAX_POLY_DEGREE];
+    int count;
+    algsurf_status status = algsurf_root_solver_run(solver, p->c, NULL, p->degree, NULL, e, &count, NULL);
+    if (status < 0) return refused(line, status);
+    for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].value, e[i].box, e[i].multiplicity, 1};
+    return count;
+}
+
+/* The sign of sum c_k t^k where it is certain, else 0. */
+static int certain_sign(const double *c, const double *r, int degree, double t) {
+    double value, bound;
+    if (algsurf_poly_eval_compensated(c, r, degree, t, &value, &bound) != ALGSURF_OK) return 0;
+    return (value > bound) - (value < -bound);
+}
+
+/* From a refined end outward to the bracket's own end, in steps that double, until p has that sign. */
+static double certain_end(const double *c, int degree, double from, double limit, int sign) {
+    double step = fabs(limit - from) * DBL_EPSILON, least = 2 * DBL_EPSILON * fabs(from) + DBL_MIN;
+    int side = limit < from ? -1 : 1;
+    step = fmin(step, least);
+    for (double t = from; side * t < side * limit; t += side * step, step *= 2)
+        if (certain_sign(c, NULL, degree, t) == sign) return t;
+    return limit;
+}
+
+/* A bracket made narrow. */
+static roots_row refined(const double *c, int degree, const algsurf_bracket *b, double tolerance) {
+    const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
+    algsurf_interval re = {b->lo, b->hi};
+    algsurf_root root;
+    if (algsurf_refine_poly(c, degree, b->lo, b->hi, &options, &root) == ALGSURF_OK) {
+        if (root.value == 0) root.lo = root.hi = root.root;
+        re = (algsurf_interval){certain_end(c, degree, root.lo, b->lo, b->sign),
+                                certain_end(c, degree, root.hi, b->hi, -b->sign)};
+    } else {
+        root.root = algsurf_interval_mid(re);
+    }
+    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->most == 1, 1};
+}
+
+/* An exact root is simple where the derivative certainly does not vanish; else its multiplicity is open. */
+static roots_row exact(const double *c, int degree, double t) {
+    double d[ROOTS_MAX_FIELDS] = {0}, r[ROOTS_MAX_FIELDS] = {0};
+    for (int k = 1; k <= degree; k++) {
+        d[k - 1] = k * c[k];
+        r[k - 1] = DBL_EPSILON * fabs(d[k - 1]) + DBL_TRUE_MIN;
+    }
+    int simple = degree > 0 && certain_sign(d, r, degree - 1, t) != 0;
+    return (roots_row){{t, 0}, {{t, t}, {0, 0}}, simple, 1};
+}
+
+static roots_row undecided(const algsurf_bracket *b) {
+    algsurf_interval re = {b->lo, b->hi};
+    return (roots_row){{algsurf_interval_mid(re), 0}, {re, {0, 0}}, 0, 0};
+}
+
+int roots_real(size_t line, const roots_polynomial *p, const roots_interval *where, double tolerance,
+               roots_row *rows) {
+    double c[ROOTS_MAX_FIELDS];
+    algsurf_bracket b[ROOTS_MAX_FIELDS];
+    int count;
+    for (int i = 0; i <= p->degree; i++) {
+        c[i] = p->c[i].re;
+        if (p->c[i].im == 0) continue;
+        cli_complain("line %zu: coefficient %d is not real, as --real needs it", line, i);
+        return -1;
+    }
+    algsurf_status status =
+        algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, b, ROOTS_MAX_FIELDS, &count);
+    if (status < 0) return refused(line, status);
+    for (int i = 0; i < count; i++)
+        rows[i] = b[i].kind == ALGSURF_ROOT_BRACKET ? refined(c, p->degree, &b[i], tolerance)
+                  : b[i].kind == ALGSURF_ROOT_EXACT ? exact(c, p->degree, b[i].lo)
+                                                    : undecided(&b[i]);
+    return count;
+}

@@ -1,0 +1,168 @@
+/* interval_complex.c - rectangles of the complex plane: division, modulus, powers, the public operations.
+ *
+ * Division is a * (1/b) with the exact hull of 1/b up to rounding (Rokne, Lancaster, Complex interval
+ * arithmetic, Comm. ACM 14, 1971).  Re 1/b = x / (x^2 + y^2) is harmonic, so its extremes lie on the border
+ * of the rectangle. For x > 0 it falls with |y|; along x it rises up to x = |y| and falls after.  Hence the
+ * largest value over a rectangle that reaches into x > 0 is at the least |y|, at the x nearest to that; over
+ * one in x <= 0 it is at the greatest |y|, at one of the two ends of x.  The smallest value is that of the
+ * mirrored rectangle with the sign turned, and Im 1/b = -y / (x^2 + y^2) is the same function with x and y
+ * exchanged.
+ *
+ * Squares of components leave the range of double long before their quotients do: where a magnitude is
+ * outside 2^+-300, it is brought near 1 by a power of two, rounded outward.
+ */
+#include "interval_impl.h"
+#include "interval_public.h"
+
+/* 0 if a number of that size can be squared and divided at ease, otherwise its binary exponent. */
+static int awkward_exponent(double size) {
+    if (size == 0 || isinf(size) || (size >= 0x1p-300 && size <= 0x1p300)) return 0;
+    int k;
+    (void)frexp(size, &k);
+    return k;
+}
+
+static algsurf_cinterval scale(algsurf_cinterval a, int k) {
+    return (algsurf_cinterval){algsurf_i_interval_scale(a.re, k), algsurf_i_interval_scale(a.im, k)};
+}
+
+static algsurf_interval sum_of_squares(algsurf_interval x, algsurf_interval y) {
+    return algsurf_i_interval_add(algsurf_i_interval_sqr(x), algsurf_i_interval_sqr(y));
+}
+
+/* sqrt(x^2 + y^2), x, y >= 0 */
+static algsurf_interval modulus(double x, double y) {
+    int k = awkward_exponent(x > y ? x : y);
+    algsurf_interval u = algsurf_i_interval_scale((algsurf_interval){x, x}, -k);
+    algsurf_interval v = algsurf_i_interval_scale((algsurf_interval){y, y}, -k);
+    return algsurf_i_interval_scale(algsurf_i_interval_sqrt(sum_of_squares(u, v)), k);
+}
+
+algsurf_interval algsurf_i_cinterval_abs(algsurf_cinterval a) {
+    algsurf_interval x = algsurf_i_interval_abs(a.re), y = algsurf_i_interval_abs(a.im);
+    return (algsurf_interval){modulus(x.lo, y.lo).lo, modulus(x.hi, y.hi).hi};
+}
+
+/* x / (x^2 + y^2), x, y >= 0; its limit 0 at infinity, and everything at x = y = 0. */
+static algsurf_interval inverse_part(double x, double y) {
+    double size = x > y ? x : y;
+    if (size == 0) return (algsurf_interval){0, INFINITY};
+    if (isinf(size)) return (algsurf_interval){0, 0};
+    int k = awkward_exponent(size);
+    algsurf_interval u = algsurf_i_interval_scale((algsurf_interval){x, x}, -k);
+    algsurf_interval v = algsurf_i_interval_scale((algsurf_interval){y, y}, -k);
+    return algsurf_i_interval_scale(algsurf_i_interval_div(u, sum_of_squares(u, v)), -k);
+}
+
+/* The largest x / (x^2 + y^2), rounded up.  size_y = { |y| } */
+static double largest_part(algsurf_interval x, algsurf_interval size_y) {
+    if (x.hi > 0) {
+        double least = x.lo > 0 ? x.lo : 0, y = size_y.lo;
+        return inverse_part(y < least ? least : y > x.hi ? x.hi : y, y).hi;
+    }
+    double left = inverse_part(-x.lo, size_y.hi).lo, right = inverse_part(-x.hi, size_y.hi).lo;
+    return 0.0 - (left < right ? left : right);
+}
+
+/* { x / (x^2 + y^2) } */
+static algsurf_interval range_of_part(algsurf_interval x, algsurf_interval y) {
+    y = algsurf_i_interval_abs(y);
+    return (algsurf_interval){0.0 - largest_part(algsurf_i_interval_neg(x), y), largest_part(x, y)};
+}
+
+static algsurf_cinterval inverse(algsurf_cinterval b) {
+    return (algsurf_cinterval){range_of_part(b.re, b.im), algsurf_i_interval_neg(range_of_part(b.im, b.re))};
+}
+
+/* The exponent that brings the larger component near 1. */
+static int size_exponent(algsurf_cinterval a) {
+    double x = algsurf_i_interval_abs(a.re).hi, y = algsurf_i_interval_abs(a.im).hi;
+    return awkward_exponent(x > y ? x : y);
+}
+
+algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval b) {
+    int i = size_exponent(a), j = size_exponent(b);
+    return scale(algsurf_i_cinterval_mul(scale(a, -i), inverse(scale(b, -j))), i - j);
+}
+
+static algsurf_status divide(algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result) {
+    if (!result || !algsurf_i_cinterval_valid(a) || !algsurf_i_cinterval_valid(b)) return ALGSURF_E_ARGUMENT;
+    if (algsurf_i_cinterval_has_zero(b)) return ALGSURF_E_RANGE;
+    *result = algsurf_i_cinterval_div(a, b);
+    return ALGSURF_OK;
+}
+
+/* For n < 0 the inverse comes first: a power of the rectangle might contain 0 although a does not. */
+static algsurf_status raise_to(algsurf_cinterval a, int n, algsurf_cinterval *result) {
+    if (!result || !algsurf_i_cinterval_valid(a)) return ALGSURF_E_ARGUMENT;
+    if (n < 0 && algsurf_i_cinterval_has_zero(a)) return ALGSURF_E_RANGE;
+    if (n < 0) a = inverse(a);
+    algsurf_cinterval y = {{1, 1}, {0, 0}};
+    for (unsigned k = n < 0 ? 0u - (unsigned)n : (unsigned)n; k > 0; k >>= 1, a = algsurf_i_cinterval_sqr(a))
+        if (k & 1) y = algsurf_i_cinterval_mul(y, a);
+    *result = y;
+    return ALGSURF_OK;
+}
+
+static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
+    if (!result || !algsurf_i_cinterval_valid(a)) return ALGSURF_E_ARGUMENT;
+    if (algsurf_i_cinterval_has_zero(a)) return ALGSURF_E_RANGE;
+    *result = algsurf_i_cinterval_arg(a);
+    return ALGSURF_OK;
+}
+
+static algsurf_status intersect(algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result) {
+    if (!result || !algsurf_i_cinterval_valid(a) || !algsurf_i_cinterval_valid(b)) return ALGSURF_E_ARGUMENT;
+    algsurf_cinterval both = {algsurf_i_interval_meet(a.re, b.re), algsurf_i_interval_meet(a.im, b.im)};
+    if (both.re.lo > both.re.hi || both.im.lo > both.im.hi) return ALGSURF_E_RANGE;
+    *result = both;
+    return ALGSURF_OK;
+}
+
+static algsurf_cinterval hull(algsurf_cinterval a, algsurf_cinterval b) {
+    return (algsurf_cinterval){algsurf_i_interval_hull(a.re, b.re), algsurf_i_interval_hull(a.im, b.im)};
+}
+
+static double width(algsurf_cinterval a) {
+    double re = algsurf_i_interval_width(a.re), im = algsurf_i_interval_width(a.im);
+    return re > im ? re : im;
+}
+
+static int contains(algsurf_cinterval a, algsurf_complex z) {
+    return algsurf_i_interval_contains(a.re, z.re) && algsurf_i_interval_contains(a.im, z.im);
+}
+
+static int inside(algsurf_cinterval a, algsurf_cinterval b) {
+    return algsurf_i_interval_inside(a.re, b.re) && algsurf_i_interval_inside(a.im, b.im);
+}
+
+static int interior(algsurf_cinterval a, algsurf_cinterval b) {
+    return algsurf_i_interval_interior(a.re, b.re) && algsurf_i_interval_interior(a.im, b.im);
+}
+
+#define PUBLIC_1(type, name, work) ALGSURF_I_PUBLIC(type, cinterval_##name, work, (algsurf_cinterval a), (a))
+#define PUBLIC_2(type, name, work)                                                                           \
+    ALGSURF_I_PUBLIC(type, cinterval_##name, work, (algsurf_cinterval a, algsurf_cinterval b), (a, b))
+
+ALGSURF_I_PUBLIC(algsurf_cinterval, cinterval_point, algsurf_i_cinterval_point, (algsurf_complex z), (z))
+PUBLIC_1(algsurf_cinterval, neg, algsurf_i_cinterval_neg)
+PUBLIC_1(algsurf_cinterval, conj, algsurf_i_cinterval_conj)
+PUBLIC_2(algsurf_cinterval, add, algsurf_i_cinterval_add)
+PUBLIC_2(algsurf_cinterval, sub, algsurf_i_cinterval_sub)
+PUBLIC_2(algsurf_cinterval, mul, algsurf_i_cinterval_mul)
+ALGSURF_I_PUBLIC(algsurf_status, cinterval_div, divide,
+                 (algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result), (a, b, result))
+PUBLIC_1(algsurf_cinterval, sqr, algsurf_i_cinterval_sqr)
+ALGSURF_I_PUBLIC(algsurf_status, cinterval_pow, raise_to,
+                 (algsurf_cinterval a, int n, algsurf_cinterval *result), (a, n, result))
+PUBLIC_1(algsurf_interval, abs, algsurf_i_cinterval_abs)
+ALGSURF_I_PUBLIC(algsurf_status, cinterval_arg, argument, (algsurf_cinterval a, algsurf_interval *result),
+                 (a, result))
+PUBLIC_2(algsurf_cinterval, hull, hull)
+ALGSURF_I_PUBLIC(algsurf_status, cinterval_intersect, intersect,
+                 (algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result), (a, b, result))
+PUBLIC_1(double, width, width)
+PUBLIC_1(algsurf_complex, mid, algsurf_i_cinterval_mid)
+ALGSURF_I_PUBLIC(int, cinterval_contains, contains, (algsurf_cinterval a, algsurf_complex z), (a, z))
+PUBLIC_2(int, inside, inside)
+PUBLIC_2(int, interior, interior)

@@ -1,0 +1,235 @@
+/* test_allroots_properties.c - algsurf_roots on random polynomials whose roots are known exactly.
+ *
+ * Products of linear factors with roots in doubles, multiplied out in rational arithmetic: simple roots,
+ * multiplicities to 8, clusters 1e-1 .. 1e-12 wide, conjugate pairs, magnitudes far apart; solved as they
+ * are where the coefficients are doubles, and with radii that cover the rounding where they are not.
+ * Catches: a disc too small for its root, a residual that belongs to another point, radii that are left
+ * out, a box whose count is wrong, boxes that meet or are not conjugate, a scale that is lost.
+ * (Seen to fail with the discs a tenth of their size, discs that touch kept apart, the radii dropped from the
+ * residual of either refinement, boxes or their mirror images not joined.)
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "algsurf/algsurf.h"
+#include "allroots_case.h"
+
+static uint64_t seed = 20240917;
+
+/* A number with few bits, so that products stay exact. */
+static double dyadic(int bits) {
+    int size = 1 << bits;
+    return ldexp(exact_random_int(&seed, 2 * size + 1) - size, -exact_random_int(&seed, bits + 1));
+}
+
+static allroots_case random_case(int most, int bits, int real) {
+    static const int multiplicities[] = {1, 1, 1, 1, 2, 3, 4, 8};
+    allroots_case p = {.n = 0};
+    int n = 1 + exact_random_int(&seed, most);
+    while (p.n < n) {
+        double re = dyadic(bits), im = exact_random_int(&seed, 3) == 0 ? 0 : dyadic(bits);
+        int m = multiplicities[exact_random_int(&seed, 8)];
+        if (p.n + 2 * m > CASE_MAX) break;
+        case_add(&p, re, im, m);
+        if (real && im != 0) case_add(&p, re, -im, m);
+        if (exact_random_int(&seed, 4) == 0 && !real) /* a close neighbour, 1e-1 .. 1e-12 away */
+            case_add(&p, re + ldexp(1, -3 - exact_random_int(&seed, 37)), im, 1);
+    }
+    return p;
+}
+
+static void verdict(const allroots_case *p, const char *what, algsurf_status status,
+                    const algsurf_enclosure *e, int count) {
+    if (status == ALGSURF_OK) {
+        const char *wrong = case_wrong(p, e, count);
+        if (!wrong) return;
+        case_print(p, e, count);
+        fail_msg("%s: %s (seed %llu)", what, wrong, (unsigned long long)seed);
+    }
+    case_print(p, e, 0);
+    fail_msg("%s: %s (seed %llu)", what, algsurf_status_text(status), (unsigned long long)seed);
+}
+
+static int conjugate_boxes(const algsurf_enclosure *e, int count) {
+    for (int i = 0; i < count; i++) {
+        int mirrored = 0;
+        for (int j = 0; j < count; j++)
+            mirrored += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
+                        e[i].box.im.lo == -e[j].box.im.hi && e[i].multiplicity == e[j].multiplicity;
+        if (mirrored != 1) return 0;
+    }
+    return 1;
+}
+
+static void test_exact_products(void **state) {
+    (void)state;
+    int solved = 0, boxes = 0, roots = 0;
+    for (int round = 0; round < 6000; round++) {
+        allroots_case p = random_case(12, 1 + exact_random_int(&seed, 10), round % 2);
+        case_expand(&p, dyadic(3) + 0.0625);
+        if (!p.exact) continue;
+        algsurf_enclosure e[CASE_MAX];
+        int count = 0;
+        algsurf_status status = algsurf_roots(p.c, NULL, p.n, e, &count);
+        verdict(&p, "exact product", status, e, count);
+        int real = 1;
+        for (int k = 0; k <= p.n; k++) real = real && p.c[k].im == 0;
+        if (real && !conjugate_boxes(e, count)) {
+            case_print(&p, e, count);
+            fail_msg("boxes that are not conjugate");
+        }
+        solved++, boxes += count;
+        for (int i = 0; i < p.n; i++) {
+            int first = 1;
+            for (int j = 0; j < i; j++)
+                first = first && memcmp(&p.root[i], &p.root[j], sizeof p.root[i]) != 0;
+            roots += first;
+        }
+    }
+    assert_true(solved > 2500);
+    assert_true(boxes > 0.9 * roots); /* one box for everything would be true, and no use */
+}
+
+/* Coefficients rounded, with radii that say so: the exact product is one of the polynomials meant. */
+static void test_rounded_products(void **state) {
+    (void)state;
+    int boxes = 0, roots = 0;
+    for (int round = 0; round < 1500; round++) {
+        allroots_case p = random_case(20, 20, 0);
+        case_expand(&p, 1.0);
+        algsurf_enclosure e[CASE_MAX];
+        int count = 0;
+        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        verdict(&p, "rounded product", status, e, count);
+        boxes += count, roots += p.n;
+    }
+    assert_true(boxes > roots / 8);
+}
+
+/* Centre and radii drawn about an exact product; the wider the radii, the wider the boxes. */
+static void test_members(void **state) {
+    (void)state;
+    int boxes = 0;
+    for (int round = 0; round < 1500; round++) {
+        allroots_case p = random_case(8, 6, 0);
+        case_expand(&p, 1.0);
+        double scale = ldexp(1, -2 - exact_random_int(&seed, 40));
+        for (int k = 0; k <= p.n; k++) {
+            double dr = scale * exact_random_unit(&seed), di = scale * exact_random_unit(&seed);
+            double slack = DBL_EPSILON * (fabs(p.c[k].re) + fabs(p.c[k].im) + scale);
+            p.c[k].re += dr;
+            p.c[k].im += di;
+            p.r[k] += hypot(dr, di) + slack;
+        }
+        algsurf_enclosure e[CASE_MAX];
+        int count = 0;
+        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        verdict(&p, "member of a wide polynomial", status, e, count);
+        boxes += count > 1;
+    }
+    assert_true(boxes > 500);
+}
+
+/* Magnitudes spread over hundreds of binades: the wide way of evaluating. */
+static void test_far_apart(void **state) {
+    (void)state;
+    int alone = 0, roots = 0;
+    for (int round = 0; round < 1500; round++) {
+        allroots_case p = {.n = 0};
+        int n = 2 + exact_random_int(&seed, 10), reach = 10 + exact_random_int(&seed, 90);
+        for (int i = 0; i < n; i++)
+            case_add(&p, exact_random_wide(&seed, -reach, reach),
+                     exact_random_int(&seed, 2) ? exact_random_wide(&seed, -reach, reach) : 0, 1);
+        case_expand(&p, 1.0);
+        int in_range = 1;
+        for (int k = 0; k <= p.n; k++)
+            in_range =
+                in_range && hypot(p.c[k].re, p.c[k].im) > 0x1p-1000 && hypot(p.c[k].re, p.c[k].im) < 0x1p1000;
+        if (!in_range) continue;
+        algsurf_enclosure e[CASE_MAX];
+        int count = 0;
+        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        verdict(&p, "roots far apart", status, e, count);
+        alone += count, roots += p.n;
+    }
+    assert_true(roots > 5000 && alone > 0.98 * roots);
+}
+
+/* The product of (X - box), times the leading coefficient, encloses the coefficients. */
+static void check_reconstruction(const allroots_case *p, const algsurf_enclosure *e, int count) {
+    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
+    int n = 0;
+    q[0] = algsurf_cinterval_point(p->c[p->n]);
+    for (int i = 0; i < count; i++)
+        for (int m = 0; m < e[i].multiplicity; m++) {
+            n++;
+            for (int k = n; k >= 0; k--) {
+                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
+                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
+            }
+        }
+    for (int k = 0; k <= p->n; k++)
+        if (!case_in(p->c[k], q[k])) {
+            case_print(p, e, count);
+            fail_msg("coefficient %d is not enclosed", k);
+        }
+}
+
+static void test_reconstruction(void **state) {
+    (void)state;
+    for (int round = 0; round < 400; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
+                                       round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
+        algsurf_enclosure e[CASE_MAX];
+        int count = 0;
+        assert_int_equal(algsurf_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
+        assert_null(case_boxes_wrong(p.n, e, count));
+        check_reconstruction(&p, e, count);
+    }
+}
+
+/* Multiplying the value or the variable by a power of two changes nothing but exponents. */
+static void test_scaling(void **state) {
+    (void)state;
+    for (int round = 0; round < 600; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
+        q = p;
+        int value = exact_random_int(&seed, 601) - 300, variable = exact_random_int(&seed, 41) - 20;
+        for (int k = 0; k <= p.n; k++) {
+            q.c[k].re = ldexp(p.c[k].re, value - k * variable);
+            q.c[k].im = ldexp(p.c[k].im, value - k * variable);
+        }
+        algsurf_enclosure e[CASE_MAX], f[CASE_MAX];
+        int count = 0, count_scaled = 0;
+        assert_int_equal(algsurf_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_roots(q.c, NULL, p.n, f, &count_scaled), ALGSURF_OK);
+        assert_int_equal(count, count_scaled);
+        for (int i = 0; i < count; i++) {
+            const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
+            if (ldexp(a->lo, variable) != b->lo || ldexp(a->hi, variable) != b->hi ||
+                ldexp(e[i].box.im.lo, variable) != f[i].box.im.lo ||
+                ldexp(e[i].box.im.hi, variable) != f[i].box.im.hi) {
+                case_print(&p, e, count), case_print(&q, f, count);
+                fail_msg("scaling the variable by 2^%d, the value by 2^%d changes digits", variable, value);
+            }
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_exact_products), cmocka_unit_test(test_rounded_products),
+        cmocka_unit_test(test_members),        cmocka_unit_test(test_far_apart),
+        cmocka_unit_test(test_reconstruction), cmocka_unit_test(test_scaling)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

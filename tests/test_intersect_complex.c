@@ -1,0 +1,251 @@
+/* test_intersect_complex.c - the first hit in complex space.
+ *
+ * The sphere with an imaginary part m in p_0 has roots in closed form, t = -b +- sqrt(b^2 - c - i m).
+ * Catches: magnitude or argument taken from the re-centred parameter instead of from the eye, a wrong
+ * power of the scale in the imaginary part, a normal that is not that of the surface shown, answers
+ * that depend on start values. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <string.h>
+
+#include "algsurf/intersect.h"
+#include "exact.h"
+
+static const double pi = 3.141592653589793;
+
+static algsurf_surface *surface_of(const char *equation) {
+    algsurf_surface *surface = NULL;
+    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    return surface;
+}
+
+static algsurf_complex_space space_of(double sigma, double delta) {
+    return (algsurf_complex_space){.size = sizeof(algsurf_complex_space), .sector = {sigma, delta}};
+}
+
+static algsurf_ray ray_towards(const double eye[3], const double target[3]) {
+    algsurf_ray ray = {{eye[0], eye[1], eye[2]}, {0, 0, 0}, 0, HUGE_VAL};
+    double length = 0;
+    for (int i = 0; i < 3; i++) length += (target[i] - eye[i]) * (target[i] - eye[i]);
+    for (int i = 0; i < 3; i++) ray.direction[i] = (target[i] - eye[i]) / sqrt(length);
+    return ray;
+}
+
+static algsurf_hit hit_of(const algsurf_surface *s, const algsurf_ray *ray,
+                          const algsurf_complex_space *space) {
+    algsurf_hit hit;
+    assert_int_equal(algsurf_intersect_complex(s, NULL, ray, space, NULL, NULL, &hit, NULL), ALGSURF_OK);
+    return hit;
+}
+
+/* Real space is sigma = 0 and a small delta: the same hits as the real branch. */
+static void test_real_space(void **state) {
+    (void)state;
+    const char *equations[] = {"x^2+y^2+z^2=1", "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "x^2 z+y^2",
+                               "(x^2+y^2+z^2+5.44)^2 = 25 (x^2+y^2)"};
+    const algsurf_complex_space space = space_of(0, 1e-10);
+    uint64_t seed = 7;
+    int hits = 0;
+    for (int e = 0; e < 4; e++) {
+        algsurf_surface *s = surface_of(equations[e]);
+        for (int i = 0; i < 300; i++) {
+            const double eye[3] = {6, 5, 4};
+            double target[3];
+            for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
+            algsurf_ray ray = ray_towards(eye, target);
+            algsurf_hit real, complex = hit_of(s, &ray, &space);
+            assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+            if (complex.state == ALGSURF_UNCERTAIN || real.state == ALGSURF_UNCERTAIN) continue;
+            assert_int_equal(complex.state, real.state);
+            if (real.state != ALGSURF_HIT) continue;
+            hits++;
+            assert_true(fabs(complex.t - real.t) <= 1e-9 * real.t);
+            for (int k = 0; k < 3; k++) assert_true(fabs(complex.normal[k] - real.normal[k]) < 1e-6);
+        }
+        algsurf_surface_free(s);
+    }
+    assert_true(hits > 300);
+}
+
+/* Closed form for the unit sphere: t^2 + 2 b t + c + i m = 0, unit direction. */
+static double sphere_magnitude(const algsurf_ray *ray, double m, double delta) {
+    double b = 0, c = -1, best = HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        b += ray->origin[i] * ray->direction[i];
+        c += ray->origin[i] * ray->origin[i];
+    }
+    double re = b * b - c, size = hypot(re, m), p = sqrt(0.5 * (size + fabs(re))), q = fabs(m) / (2 * p);
+    double sr = re >= 0 ? p : q, si = re >= 0 ? q : p;
+    if (m > 0) si = -si;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        double tr = -b + sign * sr, ti = sign * si;
+        if (fabs(atan2(ti, tr)) <= delta) best = fmin(best, hypot(tr, ti));
+    }
+    return best;
+}
+
+static void test_complex_sphere(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
+    uint64_t seed = 11;
+    int seen = 0, lost = 0;
+    for (int i = 0; i < 2000; i++) {
+        const double eye[3] = {2, 1.5, -1}, m = i % 2 ? 0.3 : -0.8,
+                     delta = 0.02 + 0.2 * fabs(exact_random_unit(&seed));
+        double target[3];
+        for (int k = 0; k < 3; k++) target[k] = exact_random_unit(&seed);
+        algsurf_ray ray = ray_towards(eye, target);
+        algsurf_complex_space space = space_of(0, delta);
+        space.imaginary[0] = m;
+        algsurf_hit hit = hit_of(s, &ray, &space);
+        double expected = sphere_magnitude(&ray, m, delta);
+        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        assert_int_equal(hit.state, isinf(expected) ? ALGSURF_MISS : ALGSURF_HIT);
+        if (hit.state == ALGSURF_HIT) {
+            assert_true(fabs(hit.t - expected) < 1e-12);
+            assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && hit.t_hi - hit.t_lo < 1e-10);
+            for (int k = 0; k < 3; k++)
+                assert_true(fabs(hit.position[k] - (ray.origin[k] + hit.t * ray.direction[k])) < 1e-12);
+        }
+        *(hit.state == ALGSURF_HIT ? &seen : &lost) += 1;
+    }
+    assert_true(seen > 500 && lost > 100);
+    algsurf_surface_free(s);
+}
+
+/* The normal is orthogonal to how the shown point moves when the direction turns. */
+static void test_normal(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
+    algsurf_complex_space space = space_of(0, pi / 6);
+    uint64_t seed = 5;
+    int checked = 0;
+    space.imaginary[0] = 2;
+    space.imaginary[1] = -0.1;
+    for (int i = 0; i < 300; i++) {
+        const double eye[3] = {6, 5, 4}, h = 1e-5;
+        double target[3], turn[3], along = 0;
+        for (int k = 0; k < 3; k++) {
+            target[k] = 2 * exact_random_unit(&seed);
+            turn[k] = exact_random_unit(&seed);
+        }
+        algsurf_ray ray = ray_towards(eye, target), left = ray, right = ray;
+        for (int k = 0; k < 3; k++) along += turn[k] * ray.direction[k];
+        for (int k = 0; k < 3; k++) {
+            turn[k] -= along * ray.direction[k];
+            left.direction[k] -= h * turn[k];
+            right.direction[k] += h * turn[k];
+        }
+        algsurf_hit middle = hit_of(s, &ray, &space), a = hit_of(s, &left, &space),
+                    b = hit_of(s, &right, &space);
+        if (middle.state != ALGSURF_HIT || a.state != ALGSURF_HIT || b.state != ALGSURF_HIT) continue;
+        if (fabs(a.t - b.t) > 1e-2) continue; /* another sheet */
+        double move = 0, length = 0;
+        for (int k = 0; k < 3; k++) {
+            move += middle.normal[k] * (b.position[k] - a.position[k]);
+            length += (b.position[k] - a.position[k]) * (b.position[k] - a.position[k]);
+        }
+        assert_true(fabs(move) <= 1e-3 * sqrt(length));
+        checked++;
+    }
+    assert_true(checked > 50);
+    algsurf_surface_free(s);
+}
+
+/* Start values change the time, not the answer. */
+static void test_start_values(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
+    algsurf_complex_space space = space_of(0, pi / 10);
+    algsurf_complex roots[4], again[4];
+    algsurf_hit cold, warm;
+    const double eye[3] = {6, 5, 4};
+    uint64_t seed = 3;
+    space.imaginary[0] = 1;
+    for (int i = 0; i < 500; i++) {
+        double target[3];
+        for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
+        algsurf_ray ray = ray_towards(eye, target);
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL),
+                         ALGSURF_OK);
+        for (int k = 0; k < 4; k++) roots[k].re *= 1.01, roots[k].im *= 0.97;
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL),
+                         ALGSURF_OK);
+        assert_int_equal(cold.state, warm.state);
+        if (cold.state != ALGSURF_HIT) continue;
+        assert_memory_equal(&cold.t, &warm.t, sizeof cold.t);
+        assert_memory_equal(cold.normal, warm.normal, sizeof cold.normal);
+    }
+    algsurf_surface_free(s);
+}
+
+static void test_far_eye(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
+    const algsurf_complex_space space = space_of(0, 1e-10);
+    const double eye[3] = {6e5, 5e5, 4e5}, target[3] = {0.1, 0.2, 0.3};
+    algsurf_ray ray = ray_towards(eye, target);
+    algsurf_hit real, hit = hit_of(s, &ray, &space);
+    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_true(fabs(hit.t - real.t) <= 4e-16 * real.t);
+    for (int k = 0; k < 3; k++) assert_true(fabs(hit.position[k] - real.position[k]) < 1e-12);
+    algsurf_surface_free(s);
+}
+
+static void test_bad_arguments(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
+    const algsurf_ray ray = {{-4, 0, 0}, {1, 0, 0}, 0, HUGE_VAL}, bad_ray = {{NAN, 0, 0}, {1, 0, 0}, 0, 1};
+    const algsurf_extent bad_extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {-1, 0, 0}};
+    algsurf_complex_space good = space_of(0, 1), bad;
+    algsurf_hit hit, before;
+    memset(&hit, 0x5a, sizeof hit);
+    before = hit;
+    assert_int_equal(algsurf_intersect_complex(NULL, NULL, &ray, &good, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, NULL, &good, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, NULL, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &good, NULL, NULL, NULL, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &bad_ray, &good, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_intersect_complex(s, &bad_extent, &ray, &good, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    bad = space_of(-1, 1);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    bad = space_of(0, 4);
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    bad = good;
+    bad.imaginary[1] = NAN;
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_NOT_FINITE);
+    bad = good;
+    bad.imaginary[3] = 1; /* above the degree */
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    bad = good;
+    bad.size = 1;
+    assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &bad, NULL, NULL, &hit, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_memory_equal(&hit, &before, sizeof hit);
+    algsurf_surface_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_real_space), cmocka_unit_test(test_complex_sphere),
+        cmocka_unit_test(test_normal),     cmocka_unit_test(test_start_values),
+        cmocka_unit_test(test_far_eye),    cmocka_unit_test(test_bad_arguments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,373 @@
+/* test_render_complex.c - pictures of complex space: against the single rays, against the real renderer,
+ * and the same bytes with spatial coherence and without, for any threads and slices.
+ *
+ * Breaks tried, each caught by the test named:
+ *   space not handed on, |t| not in the hits, shadows                            pixel_by_pixel
+ *   start values from a wrong pixel, sums not divided, never warm                iterations_saved
+ *   a row lost in a batch, rows beyond the last one drawn                        same_bytes
+ *   uncertain from a warm start kept                                             border_is_uncertain
+ *   a cluster from a warm start kept                                             cluster_is_found_again
+ *   sector of real space too narrow or too wide                                  real_space
+ *   rows of roots too short, a null row read                                     odd_surfaces
+ *   a refused space kept, null space refused                                     setters
+ *   more of a caller's struct written than it has                                older_stats
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <fenv.h>
+
+#include "catalogue.h"
+#include "render_case.h"
+
+#define PI 3.14159265358979323846
+
+static algsurf_complex_space space_of(double delta, int k, double imaginary) {
+    algsurf_complex_space space = {.size = sizeof space, .sector = {0, delta}};
+    space.imaginary[k] = imaginary;
+    return space;
+}
+
+/* A named surface as the catalogue frames it. */
+static algsurf_scene *named(const char *name, algsurf_surface **surface) {
+    const catalogue_entry *entry = catalogue_find(name);
+    algsurf_scene *scene = NULL;
+    algsurf_camera camera;
+    *surface = surface_of(entry->equation);
+    assert_int_equal(algsurf_scene_create(*surface, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, &entry->extent), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(&camera, entry->eye, entry->look_at, entry->up, entry->fov),
+                     ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    return scene;
+}
+
+static algsurf_scene *complex_scene(const char *name, const algsurf_complex_space *space,
+                                    algsurf_surface **surface) {
+    algsurf_scene *scene = named(name, surface);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, space), ALGSURF_OK);
+    return scene;
+}
+
+static void release(algsurf_scene *scene, algsurf_surface *surface) {
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+static picture *drawn_with(algsurf_scene *scene, algsurf_coherence coherence, int threads) {
+    assert_int_equal(algsurf_scene_set_coherence(scene, coherence), ALGSURF_OK);
+    return drawn(scene, threads);
+}
+
+/* Bytes and hits from the public single steps. */
+static void pixel_by_pixel(void **state) {
+    const algsurf_material plain = {{0.9, 0.5, 0.3}, {0.2, 0.4, 0.8}, 0.3, 0.6, 0.4, 20};
+    const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4};
+    const algsurf_complex_space space = space_of(PI / 18, 2, 0.05);
+    const catalogue_entry *entry = catalogue_find("tangle");
+    algsurf_surface *surface;
+    algsurf_scene *scene = complex_scene("tangle", &space, &surface);
+    algsurf_camera camera;
+    uint64_t hits = 0;
+    (void)state;
+    assert_int_equal(algsurf_camera_pinhole(&camera, entry->eye, entry->look_at, entry->up, entry->fov),
+                     ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_lights(scene, &light, 1), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+    picture *p = drawn(scene, 2);
+    for (int k = 0; k < W * H; k++) {
+        double c[3] = {1, 1, 1};
+        algsurf_ray ray;
+        algsurf_hit hit;
+        assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
+        assert_int_equal(
+            algsurf_intersect_complex(surface, &entry->extent, &ray, &space, NULL, NULL, &hit, NULL),
+            ALGSURF_OK);
+        hits += hit.state == ALGSURF_HIT;
+        if (hit.state != ALGSURF_MISS)
+            assert_int_equal(
+                algsurf_shade(&plain, &light, 1, NULL, hit.position, hit.normal, ray.direction, c),
+                ALGSURF_OK);
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(p->bytes[k / W * STRIDE + k % W * 3 + i], (int)(255 * fmin(1, c[i]) + 0.5));
+        if (hit.state == ALGSURF_MISS)
+            assert_true(isnan(p->hits[k]));
+        else
+            assert_true(p->hits[k] == hit.t);
+    }
+    assert_true(p->stats.hits == hits && p->stats.rays == W * H && p->stats.shadow_rays == 0);
+    assert_in_range(hits, W * H / 5, W * H * 9 / 10);
+    free(p);
+    release(scene, surface);
+}
+
+/* Surfaces, what gets an imaginary part, and delta. */
+static const struct {
+    const char *name;
+    int k, antialias;
+    double imaginary, delta;
+} shots[] = {{"sphere", 0, 1, 1, 7 * PI / 18}, {"whitney", 0, 2, 1.5, PI / 18},
+             {"steiner", 0, 1, 0, PI / 36},    {"tangle", 0, 1, 2, PI / 180},
+             {"boy", 4, 1, 10, PI / 18},       {"barth-decic", 0, 1, 0, 1e-10}};
+enum { SHOTS = sizeof shots / sizeof *shots };
+
+/* Draws the picture in slices, from the bottom up, with changing numbers of threads. */
+static picture *sliced(const algsurf_scene *scene) {
+    static const int cuts[6] = {0, 1, 9, 16, 20, H};
+    picture *p = malloc(sizeof *p);
+    assert_non_null(p);
+    blank(p);
+    for (int k = 4; k >= 0; k--) {
+        algsurf_render_options o = options_for(k % 2 + 1);
+        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
+        render(scene, &o, p);
+    }
+    return p;
+}
+
+static void same_bytes(void **state) {
+    static const int threads[3] = {1, 2, 5};
+    (void)state;
+    for (int s = 0; s < SHOTS; s++) {
+        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
+        algsurf_surface *surface;
+        algsurf_scene *scene = complex_scene(shots[s].name, &space, &surface);
+        assert_int_equal(algsurf_scene_set_antialias(scene, shots[s].antialias), ALGSURF_OK);
+        picture *one = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
+        assert_in_range(one->stats.hits * 100 / one->stats.rays, 10, 90);
+        assert_true(one->stats.uncertain <= one->stats.rays / 200);
+        for (int c = ALGSURF_COHERENCE_NONE; c <= ALGSURF_COHERENCE_NEIGHBOURS; c++) {
+            picture *other;
+            for (int k = 0; k < 3; k++) {
+                other = drawn_with(scene, (algsurf_coherence)c, threads[k]);
+                assert_same_picture(one, other);
+                assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits &&
+                            other->stats.uncertain == one->stats.uncertain);
+                free(other);
+            }
+            other = sliced(scene);
+            assert_same_picture(one, other);
+            free(other);
+        }
+        fesetround(FE_DOWNWARD);
+        picture *other = drawn(scene, 2);
+        fesetround(FE_TONEAREST);
+        assert_same_picture(one, other);
+        free(other), free(one);
+        release(scene, surface);
+    }
+}
+
+/* Neighbours' roots save a fifth of the iterations even in a picture as coarse as this one (in a large one
+ * they save half), and how many are needed does not depend on the threads. */
+static void iterations_saved(void **state) {
+    (void)state;
+    for (int s = 0; s < SHOTS; s++) {
+        const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
+        algsurf_surface *surface;
+        algsurf_scene *scene = complex_scene(shots[s].name, &space, &surface);
+        picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 2);
+        picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2), *again = drawn(scene, 5);
+        assert_true(warm->stats.iterations * 5 < cold->stats.iterations * 4);
+        assert_true(warm->stats.iterations >= cold->stats.hits);
+        assert_true(warm->stats.iterations == again->stats.iterations);
+        assert_int_equal(algsurf_scene_set_complex_space(scene, NULL), ALGSURF_OK);
+        free(again), again = drawn(scene, 1);
+        assert_true(again->stats.iterations == 0);
+        free(cold), free(warm), free(again);
+        release(scene, surface);
+    }
+}
+
+/* sigma = 0, delta = 1e-10 is real space. */
+static void real_space(void **state) {
+    static const char *const names[4] = {"sphere", "tangle", "torus", "boy"};
+    const algsurf_complex_space space = space_of(1e-10, 0, 0);
+    (void)state;
+    for (int s = 0; s < 4; s++) {
+        algsurf_surface *surface;
+        algsurf_scene *scene = named(names[s], &surface);
+        picture *real = drawn(scene, 2);
+        assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+        picture *complex = drawn(scene, 2);
+        uint64_t differ = 0;
+        assert_true(real->stats.hits > W * H / 10);
+        for (int k = 0; k < W * H; k++) {
+            if (isnan(real->hits[k]) != isnan(complex->hits[k]))
+                differ++;
+            else if (!isnan(real->hits[k]))
+                assert_true(fabs(real->hits[k] - complex->hits[k]) <= 1e-9);
+        }
+        assert_true(differ <= real->stats.uncertain + complex->stats.uncertain);
+        assert_true(complex->stats.uncertain <= W * H / 200);
+        free(real), free(complex);
+        release(scene, surface);
+    }
+}
+
+static algsurf_scene *from_above(const algsurf_surface *surface, double height) {
+    const double eye[3] = {0, 0, height}, up[3] = {0, 1, 0};
+    algsurf_camera camera;
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    assert_int_equal(algsurf_camera_orthographic(&camera, eye, origin, up, 2), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK);
+    return scene;
+}
+
+/* Every ray has the root 4 + i, and delta is its argument: open for each, however it was started.  With
+ * z = 4 - t:  z (z+20) - 1 + (28 - 2t) i = (t - 4 - i)(t - 24 - i). */
+static void border_is_uncertain(void **state) {
+    algsurf_surface *surface = surface_of("z (z+20) - 1");
+    algsurf_scene *scene = from_above(surface, 4);
+    algsurf_complex_space space = space_of(atan2(1, 4), 0, 28);
+    space.imaginary[1] = -2;
+    (void)state;
+    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
+    picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
+    assert_true(cold->stats.uncertain == W * H && warm->stats.uncertain == W * H);
+    assert_true(fabs(cold->hits[0] - sqrt(17)) < 1e-12);
+    assert_true(warm->stats.iterations > cold->stats.iterations); /* each was done again */
+    assert_same_picture(cold, warm);
+    free(cold), free(warm);
+    release(scene, surface);
+}
+
+/* (z+1)^3 = x - c, drawn warm and cold; returns how many iterations the warm picture took. */
+static uint64_t cubic_column(double c) {
+    const algsurf_term terms[5] = {{0, 0, 3, 1}, {0, 0, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1 + c}, {1, 0, 0, -1}};
+    const algsurf_complex_space space = space_of(PI / 4, 0, 0);
+    algsurf_surface *surface;
+    assert_int_equal(algsurf_surface_from_terms(terms, 5, &surface), ALGSURF_OK);
+    algsurf_scene *scene = from_above(surface, 4);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
+    picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 1);
+    uint64_t iterations = warm->stats.iterations;
+    assert_true(cold->stats.hits == W * H);
+    assert_same_picture(cold, warm);
+    free(cold), free(warm);
+    release(scene, surface);
+    return iterations;
+}
+
+/* Along the rays of one column the three roots, 3e-5 apart, come as one cluster, certainly in the sector:
+ * each of its pixels is solved again from the cold start, which takes many iterations. */
+static void cluster_is_found_again(void **state) {
+    const double eye[3] = {0, 0, 4}, up[3] = {0, 1, 0};
+    algsurf_camera camera;
+    algsurf_ray ray;
+    (void)state;
+    assert_int_equal(algsurf_camera_orthographic(&camera, eye, origin, up, 2), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray), ALGSURF_OK);
+    uint64_t clustered = cubic_column(ray.origin[0] - 4e-15), apart = cubic_column(ray.origin[0] - 1e-3);
+    assert_true(clustered > apart + 40 * H);
+}
+
+/* No roots at all, fewer than the degree along every ray, one multiple root along every ray. */
+static void odd_surfaces(void **state) {
+    static const char *const equations[3] = {"1", "x z + 0.3 x^2 + 1", "(z + 1)^2"};
+    const algsurf_complex_space space = space_of(PI / 4, 0, 0);
+    (void)state;
+    for (int s = 0; s < 3; s++) {
+        algsurf_surface *surface = surface_of(equations[s]);
+        algsurf_scene *scene = from_above(surface, 4);
+        assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+        picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
+        picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
+        assert_same_picture(cold, warm);
+        assert_true(cold->stats.iterations == warm->stats.iterations); /* nothing to start from */
+        assert_true(s == 0 ? cold->stats.hits + cold->stats.uncertain == 0
+                           : cold->stats.hits + cold->stats.uncertain > W * H / 4);
+        free(cold), free(warm);
+        release(scene, surface);
+    }
+}
+
+static void setters(void **state) {
+    algsurf_complex_space good = space_of(0.3, 0, 1), bad;
+    algsurf_surface *surface;
+    algsurf_scene *scene = named("tangle", &surface);
+    picture *real = drawn(scene, 1), *before, *after;
+    (void)state;
+    assert_int_equal(algsurf_scene_set_complex_space(scene, &good), ALGSURF_OK);
+    before = drawn(scene, 1);
+    assert_true(memcmp(real->bytes, before->bytes, sizeof real->bytes) != 0);
+    assert_int_equal(algsurf_scene_set_complex_space(NULL, &good), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_complex_space(NULL, NULL), ALGSURF_E_ARGUMENT);
+#define REFUSE(change, status)                                                                               \
+    (bad = good, (change), assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_##status))
+    REFUSE(bad.size = 1, ARGUMENT);
+    REFUSE(bad.sector.sigma = -0.1, ARGUMENT);
+    REFUSE(bad.sector.delta = -0.1, ARGUMENT);
+    REFUSE(bad.sector.delta = 4, ARGUMENT);
+    REFUSE((bad.sector.sigma = 2, bad.sector.delta = 1.5), ARGUMENT);
+    REFUSE(bad.sector.sigma = NAN, ARGUMENT);
+    REFUSE(bad.sector.delta = INFINITY, ARGUMENT);
+    REFUSE(bad.imaginary[0] = NAN, NOT_FINITE);
+    REFUSE(bad.imaginary[4] = INFINITY, NOT_FINITE);
+    REFUSE(bad.imaginary[5] = 1, ARGUMENT); /* above the degree */
+    REFUSE(bad.imaginary[ALGSURF_MAX_DEGREE] = 1, ARGUMENT);
+#undef REFUSE
+    assert_int_equal(algsurf_scene_set_coherence(NULL, ALGSURF_COHERENCE_NONE), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_coherence(scene, (algsurf_coherence)2), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_coherence(scene, (algsurf_coherence)-1), ALGSURF_E_ARGUMENT);
+    after = drawn(scene, 1); /* a refused value leaves the scene as it was */
+    assert_same_picture(before, after);
+    assert_true(after->stats.iterations == before->stats.iterations);
+    free(after);
+    bad = good;
+    good.imaginary[0] = 7; /* it was copied */
+    after = drawn(scene, 1);
+    assert_same_picture(before, after);
+    free(after);
+    bad.size = offsetof(algsurf_complex_space, imaginary) + sizeof(double); /* an older caller: p_0 only */
+    algsurf_complex_space *older = malloc(bad.size);
+    assert_non_null(older);
+    memcpy(older, &bad, bad.size);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, older), ALGSURF_OK);
+    free(older);
+    after = drawn(scene, 1);
+    assert_same_picture(before, after);
+    free(after);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, NULL), ALGSURF_OK);
+    after = drawn(scene, 1);
+    assert_same_picture(real, after);
+    free(after), free(before), free(real);
+    release(scene, surface);
+}
+
+/* A caller who does not know iterations yet. */
+static void older_stats(void **state) {
+    const algsurf_complex_space space = space_of(0.3, 0, 1);
+    algsurf_surface *surface;
+    algsurf_scene *scene = complex_scene("sphere", &space, &surface);
+    picture *whole = drawn(scene, 1), p;
+    algsurf_render_options o = options_for(1);
+    (void)state;
+    blank(&p);
+    p.stats.size = offsetof(algsurf_render_stats, iterations);
+    assert_int_equal(algsurf_render(scene, &o, p.bytes, STRIDE, p.hits, &p.stats), ALGSURF_OK);
+    assert_same_picture(whole, &p);
+    assert_true(p.stats.hits == whole->stats.hits && p.stats.threads == 1 && whole->stats.iterations > 0);
+    for (size_t i = 0; i < sizeof p.stats.iterations; i++)
+        assert_int_equal(((const unsigned char *)&p.stats.iterations)[i], SENTINEL);
+    free(whole);
+    release(scene, surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pixel_by_pixel),      cmocka_unit_test(same_bytes),
+        cmocka_unit_test(iterations_saved),    cmocka_unit_test(real_space),
+        cmocka_unit_test(border_is_uncertain), cmocka_unit_test(cluster_is_found_again),
+        cmocka_unit_test(odd_surfaces),        cmocka_unit_test(setters),
+        cmocka_unit_test(older_stats),
+    };
+    return cmocka_run_group_tests_name("render: complex space", tests, NULL, NULL);
+}

@@ -1,0 +1,144 @@
+/* truth_polys.c - all complex roots of the corpus's polynomials, against the certified answers.
+ *
+ *     truth_polys DATA_FOLDER
+ *
+ * For every polynomial the boxes are disjoint, hold as many roots as they say, and all roots; a real
+ * polynomial has conjugate boxes and its isolated simple real roots proved real.  A solver that only says
+ * "somewhere" is no use either: roots that stand alone are alone in their box, and unless ill-conditioned
+ * it is a few units in the last place wide.
+ * Catches: a disc that is too small, a step after which the residual is not bounded anew, a box rounded
+ * inward, a root lost or counted twice, a cluster that takes its neighbours along.  (Seen to fail with the
+ * discs a tenth of their size and with the ends of boxes rounded inward.)
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "poly_corpus.h"
+
+enum { WIDTHS = 64 };
+
+static struct {
+    int violations;
+    long separated, alone;          /* roots that stand alone; those alone in their box */
+    long widths, width[WIDTHS + 1]; /* of the parts of those: how many are so many ulps wide */
+} tally;
+
+static void wrong(const poly_case *p, const char *what) {
+    tally.violations++;
+    printf("WRONG %s (%s, %s): %s\n", p->id, p->family, p->label, what);
+}
+
+static int meet(algsurf_cinterval a, algsurf_cinterval b) {
+    return a.re.lo <= b.re.hi && b.re.lo <= a.re.hi && a.im.lo <= b.im.hi && b.im.lo <= a.im.hi;
+}
+
+static int is_mirror(algsurf_cinterval a, algsurf_cinterval b) {
+    return a.re.lo == b.re.lo && a.re.hi == b.re.hi && a.im.lo == -b.im.hi && a.im.hi == -b.im.lo;
+}
+
+static void judge_boxes(const poly_case *p, const algsurf_enclosure *e, int count) {
+    int sum = 0;
+    for (int i = 0; i < count; i++) {
+        int inside = 0, mirrored = 0;
+        algsurf_cinterval box = e[i].box;
+        sum += e[i].multiplicity;
+        for (int k = 0; k < p->distinct; k++)
+            if (poly_root_in(&p->root[k], box)) inside += p->root[k].multiplicity;
+        if (inside != e[i].multiplicity) wrong(p, "a box does not hold as many roots as it says");
+        for (int j = 0; j < i; j++)
+            if (meet(box, e[j].box)) wrong(p, "two boxes meet");
+        for (int j = 0; j < count; j++) mirrored += is_mirror(box, e[j].box);
+        if (p->real && mirrored != 1) wrong(p, "a real polynomial, and boxes that are not conjugate");
+        if (!(box.re.lo <= e[i].value.re && e[i].value.re <= box.re.hi && box.im.lo <= e[i].value.im &&
+              e[i].value.im <= box.im.hi))
+            wrong(p, "a value outside of its box");
+        int zero = box.re.lo == 0 && box.re.hi == 0;
+        if (e[i].real &&
+            (box.im.lo != 0 || box.im.hi != 0 || (!zero && (!p->real || e[i].multiplicity != 1))))
+            wrong(p, "a root that cannot be known to be real");
+    }
+    if (sum != p->degree) wrong(p, "the multiplicities do not add up to the degree");
+}
+
+/* Width in units in the last place of the root's part; parts that overflow or underflow do not count. */
+static void measure(algsurf_interval part, double at) {
+    if (!(fabs(at) < HUGE_VAL && fabs(at) > 0x1p-1000)) return;
+    double ulps = (part.hi - part.lo) / ldexp(1, ilogb(at) - 52);
+    tally.widths++;
+    tally.width[ulps < WIDTHS ? (int)ceil(ulps) : WIDTHS]++;
+}
+
+static void judge_root(const poly_case *p, const poly_root *root, const algsurf_enclosure *e, int count) {
+    const algsurf_enclosure *at = NULL;
+    for (int i = 0; i < count; i++)
+        if (poly_root_in(root, e[i].box)) at = &e[i];
+    if (!at) {
+        wrong(p, "a root is in no box");
+        return;
+    }
+    int simple = root->multiplicity == 1, alone = at->multiplicity == 1;
+    if (p->real && simple && alone && strchr(root->flags, 'R') && !at->real)
+        wrong(p, "a real root, isolated, that is not said to be real");
+    if (!simple || !(root->sep > 1e-6 * hypot(root->re_hi, root->im_hi))) return;
+    tally.separated++;
+    tally.alone += alone;
+    if (!alone || root->kappa > 1e7) return;
+    measure(at->box.re, root->re_hi);
+    measure(at->box.im, root->im_hi);
+}
+
+static void judge(const poly_case *p) {
+    algsurf_enclosure e[ALGSURF_MAX_DEGREE], again[ALGSURF_MAX_DEGREE];
+    double real[ALGSURF_MAX_DEGREE + 1];
+    int count = -1, count_again = -1;
+    clock_t start = clock();
+    algsurf_status status = algsurf_roots(p->c, NULL, p->degree, e, &count);
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    if (status != ALGSURF_OK) {
+        wrong(p, algsurf_status_text(status));
+        return;
+    }
+    if (seconds > 1) wrong(p, "more than a second");
+    judge_boxes(p, e, count);
+    for (int k = 0; k < p->distinct; k++) judge_root(p, &p->root[k], e, count);
+    if (!p->real) return;
+    for (int k = 0; k <= p->degree; k++) real[k] = p->c[k].re;
+    if (algsurf_roots_real(real, NULL, p->degree, again, &count_again) != ALGSURF_OK || count_again != count)
+        wrong(p, "as a real polynomial it has other roots");
+    for (int i = 0; i < count && count_again == count; i++)
+        if (memcmp(&e[i].box, &again[i].box, sizeof e[i].box) != 0)
+            wrong(p, "as a real polynomial it has other boxes");
+}
+
+/* The smallest number of ulps that holds the share of all widths. */
+static int quantile(double share) {
+    long below = 0;
+    for (int w = 0; w <= WIDTHS; w++) {
+        below += tally.width[w];
+        if ((double)below >= share * (double)tally.widths) return w;
+    }
+    return WIDTHS;
+}
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        fprintf(stderr, "usage: truth_polys DATA_FOLDER\n");
+        return 2;
+    }
+    poly_corpus corpus = poly_corpus_read(argv[1]);
+    for (size_t i = 0; i < corpus.count; i++) judge(&corpus.poly[i]);
+    double alone = (double)tally.alone / (double)tally.separated;
+    int median = quantile(0.5), most = quantile(0.99);
+    printf("%zu polynomials, %ld roots that stand alone, %.2f %% of them alone in their box, widths %d ulp "
+           "(median), %d ulp (99 %%)\n",
+           corpus.count, tally.separated, 100 * alone, median, most);
+    printf("%d violations\n", tally.violations);
+    int poor = tally.separated < 5000 || alone < 0.99 || median > 2 || most > 4;
+    if (poor) printf("WRONG: not as good as promised\n");
+    poly_corpus_free(&corpus);
+    return tally.violations > 0 || poor;
+}
