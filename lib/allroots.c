@@ -139,16 +139,32 @@ static void tighten_all(algsurf_i_roots *p) {
     }
 }
 
-/* A disc that would make its box wider than an ulp deserves another step. */
+/* The larger part of an ulp of the smaller part of root i. */
+static double fine(const algsurf_i_roots *p, int i) {
+    double least = p->y[i] == 0 ? fabs(p->x[i]) : fmin(fabs(p->x[i]), fabs(p->y[i]));
+    return 0x1p-54 * least;
+}
+
+/* Isolated roots whose discs would make their boxes wider than an ulp get another step; returns how many. */
 static int tighten_wide(algsurf_i_roots *p) {
     int again = 0;
     for (int i = 0; i < p->n; i++) {
-        double least = p->y[i] == 0 ? fabs(p->x[i]) : fmin(fabs(p->x[i]), fabs(p->y[i]));
-        if (!p->done[i] || p->disc[i] <= 0x1p-56 * least) continue;
-        again = 1;
+        if (!p->done[i] || p->disc[i] <= 0.25 * fine(p, i)) continue;
+        again++;
         p->residual[i] = HUGE_VAL;
         p->xl[i] = p->yl[i] = 0;
         (void)algsurf_i_roots_tighten(p, i);
+    }
+    return again;
+}
+
+/* What still is wide then is ill conditioned: a step in double-double. */
+static int sharpen_wide(algsurf_i_roots *p) {
+    int again = 0;
+    for (int i = 0; i < p->n; i++) {
+        if (!p->done[i] || p->disc[i] <= fine(p, i)) continue;
+        again++;
+        algsurf_i_roots_sharpen(p, i);
     }
     return again;
 }
@@ -166,6 +182,7 @@ static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int un
     tighten_all(p);
     int crowded = algsurf_i_roots_group(p);
     if (tighten_wide(p)) crowded = algsurf_i_roots_group(p);
+    if (sharpen_wide(p)) crowded = algsurf_i_roots_group(p);
     if (crowded) {
         algsurf_i_roots_retry(p);
         (void)algsurf_i_roots_group(p);

@@ -66,6 +66,8 @@ void algsurf_i_roots_propose(algsurf_i_roots *p);
 /* One Newton step of root i with a residual in doubled precision; sets low parts and residual.
  * Returns 0 when the root is too uncertain for that. */
 int algsurf_i_roots_tighten(algsurf_i_roots *p, int i);
+/* One Newton step of root i in double-double; sets its residual. */
+void algsurf_i_roots_sharpen(algsurf_i_roots *p, int i);
 /* Ehrlich-Aberth iteration in double-double of the roots whose done[i] is 0; sets residuals. */
 void algsurf_i_roots_retry(algsurf_i_roots *p);
 /* Inclusion discs of all roots, from their residuals; groups of discs that touch.  Returns the number

@@ -2,8 +2,12 @@
  *
  * Clusters down to a relative distance of about 1e-15 come apart; the members of a multiple root of
  * order k close in on it to about (u^2 cond)^(1/k).  The other approximations stay fixed and serve as
- * they are.  Bound on |p|: Horner's rule with 8 operations a step, each of a relative error of at most
- * ALGSURF_DD_U: 16 (n + 2) ALGSURF_DD_U S, S = sum |c_k| |z|^k. */
+ * they are.
+ *
+ * Bound on the error of p(z), running along Horner's rule s <- s z + c: with u^2 = 2^-106 a product of
+ * double-doubles is off by 7 u^2, a sum by 3 u^2, so each part of s z by 10 u^2 |s| |z|, the number by
+ * 15 u^2 |s| |z| (sqrt 2, higher orders); adding c costs 2 u^2 of each part.  Earlier errors are multiplied
+ * by z along.  Where partial sums cancel this is far below the bound by sum |c_k| |z|^k. */
 #include <math.h>
 
 #include "allroots_impl.h"
@@ -28,8 +32,12 @@ static complex_dd sum(complex_dd a, complex_dd b) {
     return (complex_dd){algsurf_dd_add(a.re, b.re), algsurf_dd_add(a.im, b.im)};
 }
 
+/* At least the modulus, at most sqrt 2 of it. */
+static double extent(complex_dd a) { return fabs(a.re.hi) + fabs(a.im.hi); }
+
 typedef struct value {
     complex_dd p, d; /* p(z), p'(z) */
+    double error;    /* bound on that of p(z) */
     double size, radius;
     algsurf_i_local c;
     double scale;
@@ -46,11 +54,14 @@ static value evaluate(algsurf_i_roots *p, int i) {
     const algsurf_dd zero = {0, 0};
     v.p = (complex_dd){algsurf_dd_from(v.c.cr[p->n]), algsurf_dd_from(v.c.ci[p->n])};
     v.d = (complex_dd){zero, zero};
+    v.error = 0;
     v.size = v.c.size[p->n];
     v.radius = v.c.radius[p->n];
     for (int k = p->n - 1; k >= 0; k--) {
         v.d = sum(times(v.d, v.z), v.p);
+        v.error = (v.error + 15 * 0x1p-106 * extent(v.p)) * az;
         v.p = plus(times(v.p, v.z), v.c.cr[k], v.c.ci[k]);
+        v.error += 3 * 0x1p-106 * extent(v.p);
         v.size = v.size * az + v.c.size[k];
         v.radius = v.radius * az + v.c.radius[k];
     }
@@ -59,9 +70,7 @@ static value evaluate(algsurf_i_roots *p, int i) {
 
 static void set_residual(algsurf_i_roots *p, int i) {
     value v = evaluate(p, i);
-    double a = fabs(v.p.re.hi) + fabs(v.p.im.hi), n = p->n;
-    p->residual[i] =
-        (a + 16 * (n + 2) * ALGSURF_DD_U * v.size + v.radius) * (1 + 16 * (n + 2) * ALGSURF_U) + 0x1p-1000;
+    p->residual[i] = (extent(v.p) + v.error + v.radius) * (1 + 16 * (p->n + 2) * ALGSURF_U) + 0x1p-1000;
     p->exponent[i] = v.c.exponent;
 }
 
@@ -86,7 +95,7 @@ static int correct(algsurf_i_roots *p, int i) {
     attraction(p, i, v.scale, &sr, &si);
     double qr = v.d.re.hi / v.size - (pr * sr - pi * si), qi = v.d.im.hi / v.size - (pr * si + pi * sr);
     double q = qr * qr + qi * qi;
-    if (sqrt(pr * pr + pi * pi) <= 4 * ALGSURF_DD_U || !(q > 0)) return 1;
+    if (extent(v.p) <= 2 * (v.error + v.radius) || !(q > 0)) return 1; /* closer would be into the noise */
     double xr = -(pr * qr + pi * qi) / q, xi = -(pi * qr - pr * qi) / q;
     if (!isfinite(xr) || !isfinite(xi)) return 1;
     algsurf_dd x = algsurf_dd_add_d(v.z.re, xr), y = algsurf_dd_add_d(v.z.im, xi);
@@ -128,4 +137,18 @@ void algsurf_i_roots_retry(algsurf_i_roots *p) {
     }
     for (int i = 0; i < p->n; i++) /* of the point where it stopped */
         if (p->done[i] != 1) set_residual(p, i);
+}
+
+void algsurf_i_roots_sharpen(algsurf_i_roots *p, int i) {
+    value v = evaluate(p, i);
+    double pr = v.p.re.hi / v.size, pi = v.p.im.hi / v.size, dr = v.d.re.hi / v.size, di = v.d.im.hi / v.size;
+    double d2 = dr * dr + di * di, xr = -(pr * dr + pi * di) / d2, xi = -(pi * dr - pr * di) / d2;
+    if (isfinite(xr) && isfinite(xi)) {
+        algsurf_dd x = algsurf_dd_add_d(v.z.re, xr), y = algsurf_dd_add_d(v.z.im, xi);
+        p->x[i] = x.hi / v.scale;
+        p->xl[i] = x.lo / v.scale;
+        p->y[i] = y.hi / v.scale;
+        p->yl[i] = y.lo / v.scale;
+    }
+    set_residual(p, i);
 }

@@ -113,7 +113,7 @@ static void set_hit(const complex_query *q, const algsurf_enclosure *local, cons
     for (int i = 0; i < 3; i++)
         hit->position[i] =
             ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
-    set_normal(q, local->value, hit->normal);
+    if (local->multiplicity == 1) set_normal(q, local->value, hit->normal); /* a cluster has none */
     if (root) *root = (algsurf_complex){ldexp(s->value.re, -f->exponent), ldexp(s->value.im, -f->exponent)};
 }
 

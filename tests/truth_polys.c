@@ -86,7 +86,7 @@ static void judge_root(const poly_case *p, const poly_root *root, const algsurf_
     if (!simple || !(root->sep > 1e-6 * hypot(root->re_hi, root->im_hi))) return;
     tally.separated++;
     tally.alone += alone;
-    if (!alone || root->kappa > 1e7) return;
+    if (!alone || root->kappa > 1e12) return;
     measure(at->box.re, root->re_hi);
     measure(at->box.im, root->im_hi);
 }

@@ -68,7 +68,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
 ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the roots of rays in complex space are found from those of their neighbours: half the iterations,
- * 3 to 15 per cent less time (most of it goes into the proof), and the same picture.  Source:
+ * 2 to 12 per cent less time (most of it goes into the proof), and the same picture.  Source:
  * Sanjuan-Estrada, Casado, Garcia, section 3. */
 ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
 
