@@ -23,8 +23,8 @@ typedef struct algsurf_i_roots {
     double reach, unit_of_reach; /* largest start radius, its inverse; all roots lie within twice that
                                     (Fujiwara 1916) */
     /* degree+1 each: */
-    double *cr, *ci;         /* coefficients */
-    double *size, *radius;   /* |c_k|, rounded up; bound on its error */
+    double *cr, *ci;           /* coefficients */
+    double *size, *radius;     /* |c_k|, rounded up; bound on its error */
     double *lr, *li, *ls, *le; /* the same in the unit of one root (algsurf_i_in_unit_of) */
     /* degree each: */
     double *x, *y, *xl, *yl; /* roots: high and low parts */
@@ -48,7 +48,8 @@ typedef struct algsurf_i_roots_memory {
 /* algsurf_root_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment;
  * memory->p.iterations tells what it took.  Here radii of real coefficients mean real numbers. */
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
-                                   int degree, const algsurf_complex *start, algsurf_enclosure *roots, int *count);
+                                   int degree, const algsurf_complex *start, algsurf_enclosure *roots,
+                                   int *count);
 
 /* Coefficients in units of 2^unit of the variable, divided by 2^exponent. */
 typedef struct algsurf_i_local {

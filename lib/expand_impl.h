@@ -13,7 +13,7 @@
 #include "surface_impl.h"
 
 typedef struct algsurf_i_frame {
-    int exponent;        /* natural parameter s = t 2^exponent; direction V has largest component in [1/2,1) */
+    int exponent; /* natural parameter s = t 2^exponent; direction V has largest component in [1/2,1) */
     double centre, step; /* s = centre + step v, step a power of two */
     algsurf_dd X[3];     /* the point at v = 0, relative error 2^-104 */
     double V[3];         /* direction by s */

@@ -17,10 +17,13 @@ typedef struct query {
     algsurf_intersect_options options;
 } query;
 
-static algsurf_status read_options(const algsurf_intersect_options *given, algsurf_intersect_options *options) {
-    const algsurf_intersect_options defaults = {sizeof defaults, ALGSURF_TIER_STANDARD, ALGSURF_METHOD_DEFAULT, 0, 0};
+static algsurf_status read_options(const algsurf_intersect_options *given,
+                                   algsurf_intersect_options *options) {
+    const algsurf_intersect_options defaults = {sizeof defaults, ALGSURF_TIER_STANDARD,
+                                                ALGSURF_METHOD_DEFAULT, 0, 0};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if (options->tier != ALGSURF_TIER_STANDARD && options->tier != ALGSURF_TIER_FAST) return ALGSURF_E_ARGUMENT;
+    if (options->tier != ALGSURF_TIER_STANDARD && options->tier != ALGSURF_TIER_FAST)
+        return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
     if (options->max_iterations < 0 || !(options->tolerance >= 0) || isinf(options->tolerance))
@@ -46,8 +49,7 @@ static void set_miss(algsurf_hit *hit) {
 }
 
 static void point_at(const algsurf_i_frame *f, algsurf_dd offset, double x[3]) {
-    for (int i = 0; i < 3; i++)
-        x[i] = algsurf_dd_add(f->X[i], algsurf_dd_mul_d(offset, f->V[i])).hi;
+    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_dd_mul_d(offset, f->V[i])).hi;
 }
 
 /* Newton steps on P at the point itself, in natural units: they take out what the expansion over a long
@@ -70,8 +72,10 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
 static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
     double x[3], gradient[3];
     point_at(f, root->offset, x);
-    if (root->polish) polish(q, f, root, x, gradient);
-    else (void)algsurf_i_surface_value(q->surface, x, gradient);
+    if (root->polish)
+        polish(q, f, root, x, gradient);
+    else
+        (void)algsurf_i_surface_value(q->surface, x, gradient);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
     hit->state = root->state;
     hit->reason = root->reason;
@@ -92,7 +96,8 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
     if (status != ALGSURF_OK) return status;
     if (q.empty || !algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
         set_miss(hit);
-    else make_hit(&q, &frame, &root, hit);
+    else
+        make_hit(&q, &frame, &root, hit);
     return ALGSURF_OK;
 }
 
@@ -116,7 +121,8 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int room = surface->degree > 0 ? surface->degree : 1;
-    int n = q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
+    int n =
+        q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
     *count = n;
@@ -142,8 +148,9 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
-    int n = q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
-                                              ALGSURF_MAX_DEGREE + 1);
+    int n = q.empty ? 0
+                    : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
+                                          ALGSURF_MAX_DEGREE + 1);
     *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
     return ALGSURF_OK;
 }

@@ -7,11 +7,11 @@
 /* A root along a ray, or a place where one may be.  Positions are offsets from the frame's centre in
  * its natural parameter s, kept apart so that a far origin costs nothing. */
 typedef struct algsurf_i_ray_root {
-    int state;              /* ALGSURF_HIT or ALGSURF_UNCERTAIN */
+    int state; /* ALGSURF_HIT or ALGSURF_UNCERTAIN */
     algsurf_status reason;
-    int polish;             /* 1: found in double, worth a Newton step on P itself */
-    algsurf_dd offset;      /* s = centre + offset */
-    double t_lo, t_hi;      /* encloses, in the caller's t */
+    int polish;        /* 1: found in double, worth a Newton step on P itself */
+    algsurf_dd offset; /* s = centre + offset */
+    double t_lo, t_hi; /* encloses, in the caller's t */
 } algsurf_i_ray_root;
 
 typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT_ANY } algsurf_i_want;
@@ -20,8 +20,8 @@ typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT
  * when there would be more, the last entry is undecided and covers the rest.  The frame they refer to
  * is returned too.  WANT_ANY: the first entry that is a hit, unrefined, or the first undecided one. */
 int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
-                        const algsurf_intersect_options *options, algsurf_i_want want,
-                        algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity);
+                        const algsurf_intersect_options *options, algsurf_i_want want, algsurf_i_frame *frame,
+                        algsurf_i_ray_root *roots, int capacity);
 
 /* algsurf_intersect_complex, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,

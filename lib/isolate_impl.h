@@ -22,18 +22,18 @@
 
 typedef struct algsurf_i_piece {
     int far;
-    algsurf_dd lo, hi;        /* ends in the local variable, lo < hi */
+    algsurf_dd lo, hi;          /* ends in the local variable, lo < hi */
     int zero_at_lo, zero_at_hi; /* 1: the polynomial is known to be exactly zero at that end */
 } algsurf_i_piece;
 
 /* A place where roots are, in the local variable of its piece. */
 typedef struct algsurf_i_cell {
     const algsurf_i_piece *piece;
-    int kind;                /* an algsurf_root_kind */
-    int sign;                /* at lo, of the local polynomial, for a bracket */
-    int most;                /* for undecided: variations at most */
-    int at_lo, at_hi;        /* 1: the cell touches that end of its piece */
-    algsurf_dd lo, hi;       /* its ends, to double-double */
+    int kind;                  /* an algsurf_root_kind */
+    int sign;                  /* at lo, of the local polynomial, for a bracket */
+    int most;                  /* for undecided: variations at most */
+    int at_lo, at_hi;          /* 1: the cell touches that end of its piece */
+    algsurf_dd lo, hi;         /* its ends, to double-double */
     double value_lo, value_hi; /* of the local polynomial, approximate */
 } algsurf_i_cell;
 
@@ -45,15 +45,15 @@ static inline algsurf_dd algsurf_i_dd_from_int(int64_t i) {
 #define ALGSURF_WALK_STRUCTS(suffix, number)                                                                 \
     typedef struct algsurf_i_walk_##suffix {                                                                 \
         int degree;                                                                                          \
-        const number *c;      /* q, degree+1 coefficients */                                                 \
-        const double *r;      /* their radii, or null for none */                                            \
-        int bounded;          /* 0: no rounding errors are accounted for (the fast tier) */                  \
-        int any;              /* 1: a cell with an odd number of roots will do, it need not be one */        \
+        const number *c; /* q, degree+1 coefficients */                                                      \
+        const double *r; /* their radii, or null for none */                                                 \
+        int bounded;     /* 0: no rounding errors are accounted for (the fast tier) */                       \
+        int any;         /* 1: a cell with an odd number of roots will do, it need not be one */             \
         const algsurf_i_piece *pieces;                                                                       \
         int count, index, active;                                                                            \
         int64_t position, stride; /* next cell starts here, in 2^-62 of the piece; width to try */           \
         int hi_told;                                                                                         \
-        double radius, largest;  /* error bound and largest magnitude of b */                                \
+        double radius, largest; /* error bound and largest magnitude of b */                                 \
         double cell_radius;                                                                                  \
         number local[ALGSURF_MAX_POLY_DEGREE + 1]; /* power basis in the local variable */                   \
         number b[ALGSURF_MAX_POLY_DEGREE + 1];     /* Bernstein basis over the piece */                      \
@@ -106,7 +106,7 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x);
  * of certain sign where that is possible.  An undecided one that touches an undecided one before it is
  * joined with it.  Returns 0, and appends nothing, when there was no room. */
 int algsurf_i_add_exact(algsurf_i_brackets *found, double x, int most);
-int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
-                       const algsurf_i_stretch *s, const algsurf_i_cell *cell);
+int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                       const algsurf_i_cell *cell);
 
 #endif

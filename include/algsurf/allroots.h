@@ -110,7 +110,8 @@ typedef struct algsurf_cpoly_zero {
  * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
  * Cost: O(degree^2) times the steps; 110 KiB of stack.  Source: as above, AllCPolyZeros.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
-                                               const algsurf_complex *start, const algsurf_zero_options *options,
+                                               const algsurf_complex *start,
+                                               const algsurf_zero_options *options,
                                                algsurf_cpoly_zero *zeros, int *complete);
 
 /* ---- the robust solver with its own memory ---- */
