@@ -11,6 +11,7 @@
 #include <math.h>
 
 #include "allroots_impl.h"
+#include "poly_hull.h"
 
 #define SWEEPS 60 /* cubic convergence needs about ten; clusters converge linearly and end in retry */
 
@@ -35,29 +36,17 @@ static double log_size(const algsurf_i_roots *p, int k) {
     return size > 0 ? log2(size) + p->shift[k] : -HUGE_VAL;
 }
 
-/* Corners of the upper hull of (k, log2 |c_k|); returns their number. */
-static int hull(algsurf_i_roots *p, int *corner) {
-    int count = 0;
-    for (int k = 0; k <= p->n; k++) {
-        double y = log_size(p, k);
-        if (isinf(y)) continue;
-        for (; count >= 2; count--) {
-            int a = corner[count - 2], b = corner[count - 1];
-            if ((log_size(p, b) - log_size(p, a)) * (k - a) > (y - log_size(p, a)) * (b - a)) break;
-        }
-        corner[count++] = k;
-    }
-    return count;
-}
-
 void algsurf_i_roots_start(algsurf_i_roots *p) {
     const double turn = 6.283185307179586, golden = 0.6180339887498949;
-    int corner[ALGSURF_MAX_POLY_DEGREE + 1], count = hull(p, corner), i = 0;
+    double height[ALGSURF_MAX_POLY_DEGREE + 1];
+    int corner[ALGSURF_MAX_POLY_DEGREE + 1], i = 0;
+    for (int k = 0; k <= p->n; k++) height[k] = log_size(p, k);
+    int count = algsurf_i_upper_hull(height, 0, p->n, corner);
     double limit = 400.0 / p->n; /* values within twice that radius stay within the range of double */
     p->reach = 0;
     for (int e = 1; e < count; e++) {
         int from = corner[e - 1], m = corner[e] - from;
-        double slope = (log_size(p, from) - log_size(p, corner[e])) / m;
+        double slope = (height[from] - height[corner[e]]) / m;
         if (!(fabs(slope) < limit)) p->narrow = 0;
         double rho = exp2(fmin(fmax(slope, -1000), 1000));
         p->reach = fmax(p->reach, rho);

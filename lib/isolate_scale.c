@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "isolate_impl.h"
+#include "poly_hull.h"
 
 #define GROUP_GAP 16 /* binary orders of magnitude between roots that part two groups */
 
@@ -26,33 +27,17 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int first, int un
 }
 
 /* log2 of the largest magnitude coefficient k may have, up to 1. */
-static double height(const algsurf_i_coefficients *p, int k) {
+static double height_of(const algsurf_i_coefficients *p, int k) {
     double r = p->r ? p->r[k] : 0, a = fmax(fabs(p->c[k]), r);
     return a > 0 ? log2(a) + (r > 0) : -HUGE_VAL;
 }
 
-/* Corners of the upper hull of (k, height), k increasing; returns how many. */
-static int upper_hull(const algsurf_i_coefficients *p, int *hull) {
-    int count = 0;
-    for (int k = p->zeros; k <= p->degree; k++) {
-        double y = height(p, k);
-        if (isinf(y)) continue;
-        while (count >= 2) {
-            int a = hull[count - 2], b = hull[count - 1];
-            if ((height(p, b) - height(p, a)) * (k - a) > (y - height(p, a)) * (b - a)) break;
-            count--;
-        }
-        hull[count++] = k;
-    }
-    return count;
-}
-
 /* Does c_m x^m dominate at x = 2^e?  A factor 2 to spare covers the rounding of the logarithms. */
-static int dominates(const algsurf_i_coefficients *p, int m, int e) {
+static int dominates(const algsurf_i_coefficients *p, const double *height, int m, int e) {
     double r = p->r ? p->r[m] : 0, lead = fabs(p->c[m]) - r, rest = 0;
     if (!(lead > 0.5 * fabs(p->c[m]))) return 0;
     for (int k = p->zeros; k <= p->degree; k++)
-        if (k != m) rest += exp2(height(p, k) - (log2(fabs(p->c[m])) - 1) + (double)(k - m) * e);
+        if (k != m) rest += exp2(height[k] - (log2(fabs(p->c[m])) - 1) + (double)(k - m) * e);
     return rest < 0.5;
 }
 
@@ -64,10 +49,11 @@ typedef struct group {
 
 /* The border between a group and the next one, whose roots begin at 2^next: an annulus without roots about
  * corner m, or where there is none a single cut. */
-static void part(const algsurf_i_coefficients *p, int m, double last, double next, group *g, group *h) {
+static void part(const algsurf_i_coefficients *p, const double *height, int m, double last, double next,
+                 group *g, group *h) {
     int from = (int)ceil(last), to = (int)floor(next);
-    while (from < to && !dominates(p, m, from)) from++;
-    while (to > from && !dominates(p, m, to)) to--;
+    while (from < to && !dominates(p, height, m, from)) from++;
+    while (to > from && !dominates(p, height, m, to)) to--;
     if (from < to) {
         g->outer = ldexp(1, from);
         h->inner = ldexp(1, to);
@@ -77,15 +63,18 @@ static void part(const algsurf_i_coefficients *p, int m, double last, double nex
 }
 
 static int groups_of(const algsurf_i_coefficients *p, group *groups) {
-    int hull[ALGSURF_MAX_POLY_DEGREE + 1], corners = upper_hull(p, hull), count = 0;
+    double height[ALGSURF_MAX_POLY_DEGREE + 1];
+    int hull[ALGSURF_MAX_POLY_DEGREE + 1], count = 0;
+    for (int k = p->zeros; k <= p->degree; k++) height[k] = height_of(p, k);
+    int corners = algsurf_i_upper_hull(height, p->zeros, p->degree, hull);
     double sum = 0, weight = 0, last = 0;
     groups[0].inner = 0;
     for (int i = 1; i < corners; i++) {
         int roots = hull[i] - hull[i - 1];
-        double size = (height(p, hull[i - 1]) - height(p, hull[i])) / roots;
+        double size = (height[hull[i - 1]] - height[hull[i]]) / roots;
         if (i > 1 && size - last > GROUP_GAP) {
             groups[count].exponent = (int)lround(sum / weight);
-            part(p, hull[i - 1], last, size, groups + count, groups + count + 1);
+            part(p, height, hull[i - 1], last, size, groups + count, groups + count + 1);
             count++;
             sum = weight = 0;
         }

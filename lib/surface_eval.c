@@ -113,13 +113,6 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
     return p.v;
 }
 
-double algsurf_i_surface_value_bound(const algsurf_surface *s, const double x[3], double *bound) {
-    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
-    double b = bound_factor(s->degree) * m.v;
-    *bound = b < HUGE_VAL ? b : HUGE_VAL;
-    return value_only(s, x[0], x[1], x[2]);
-}
-
 /* A number with an error bound. */
 typedef struct bounded {
     double value, bound;

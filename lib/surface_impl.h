@@ -40,10 +40,6 @@ struct algsurf_surface {
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
-/* The value, and an error bound on it, in natural units and scale, for a point whose coordinates
- * carry relative errors of at most u each (point rounded from an exact one). */
-double algsurf_i_surface_value_bound(const algsurf_surface *s, const double x[3], double *bound);
-
 /* The gradient at a complex point, same units. */
 typedef struct algsurf_i_complex {
     double re, im;
