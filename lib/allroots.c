@@ -123,10 +123,10 @@ static void tighten_all(algsurf_i_roots *p) {
     int *mate = p->group;
     for (int i = 0; i < p->n; i++) {
         p->xl[i] = p->yl[i] = 0;
-        p->residual[i] = HUGE_VAL;
+        p->residual[i] = mate[i] < 0 ? HUGE_VAL : 0;
         p->exponent[i] = 0;
-        if (mate[i] < 0) (void)algsurf_i_roots_tighten(p, i);
     }
+    algsurf_i_roots_tighten(p);
     for (int i = 0; i < p->n; i++) {
         int j = mate[i];
         if (j < 0) continue;
@@ -153,8 +153,8 @@ static int tighten_wide(algsurf_i_roots *p) {
         again++;
         p->residual[i] = HUGE_VAL;
         p->xl[i] = p->yl[i] = 0;
-        (void)algsurf_i_roots_tighten(p, i);
     }
+    if (again) algsurf_i_roots_tighten(p);
     return again;
 }
 

@@ -64,9 +64,10 @@ algsurf_i_local algsurf_i_in_unit_of(algsurf_i_roots *p, double x, double y);
 void algsurf_i_roots_start(algsurf_i_roots *p);
 /* Ehrlich-Aberth iteration in double from the values in x, y. */
 void algsurf_i_roots_propose(algsurf_i_roots *p);
-/* One Newton step of root i with a residual in doubled precision; sets low parts and residual.
- * Returns 0 when the root is too uncertain for that. */
-int algsurf_i_roots_tighten(algsurf_i_roots *p, int i);
+/* One Newton step with a residual in doubled precision for each root whose residual is HUGE_VAL, that is
+ * unknown, and whose low parts are 0; sets low parts and residual, or nothing where the root is too
+ * uncertain for that. */
+void algsurf_i_roots_tighten(algsurf_i_roots *p);
 /* One Newton step of root i in double-double; sets its residual. */
 void algsurf_i_roots_sharpen(algsurf_i_roots *p, int i);
 /* Ehrlich-Aberth iteration in double-double of the roots whose done[i] is 0; sets residuals. */

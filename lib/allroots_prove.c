@@ -27,24 +27,38 @@ static double distance2(const algsurf_i_roots *p, int i, int j, int *exponent) {
     return dx * dx + dy * dy;
 }
 
+/* product[i] 2^(exponent/2) *= factor: prod |z_i - z_j|^2, kept from overflow and underflow. */
+static void multiply(double *product, int *exponent, double factor, int factor_exponent) {
+    int e;
+    *product *= factor;
+    *exponent += 2 * factor_exponent;
+    if ((*product > 0x1p-100 && *product < 0x1p100) || !(*product > 0 && *product < HUGE_VAL)) return;
+    (void)frexp(*product, &e);
+    e -= e % 2;
+    *product = ldexp(*product, -e);
+    *exponent += e;
+}
+
 /* n |W_i|, rounded up; +inf when two approximations coincide. */
-static double disc_radius(const algsurf_i_roots *p, int i) {
-    int n = p->n, exponent = 0; /* prod |z_i - z_j| = sqrt(product) 2^exponent */
-    double product = 1, lead = p->size[n] * (1 - 8 * ALGSURF_U) - p->radius[n];
-    if (!(lead > 0)) return HUGE_VAL;
-    for (int j = 0; j < n; j++) {
-        int e;
-        if (j == i) continue;
-        product *= distance2(p, i, j, &e);
-        exponent += e;
-        if (product > 0x1p-100 && product < 0x1p100) continue;
-        if (!(product > 0 && product < HUGE_VAL)) return HUGE_VAL;
-        (void)frexp(product, &e);
-        product = ldexp(product, -(e - e % 2));
-        exponent += e / 2;
+static void set_discs(algsurf_i_roots *p) {
+    int n = p->n, *exponent = p->group;
+    double *product = p->disc, lead = p->size[n] * (1 - 8 * ALGSURF_U) - p->radius[n];
+    for (int i = 0; i < n; i++) {
+        product[i] = 1;
+        exponent[i] = 0;
+        for (int j = 0; j < i; j++) {
+            int e;
+            double d2 = distance2(p, i, j, &e);
+            multiply(product + i, exponent + i, d2, e);
+            multiply(product + j, exponent + j, d2, e);
+        }
     }
-    double w = n * p->residual[i] / (lead * sqrt(product)) * (1 + 32 * (n + 2) * ALGSURF_U);
-    return ldexp(w, p->exponent[i] - p->shift[n] - exponent) + 0x1p-1070;
+    for (int i = 0; i < n; i++) {
+        int bounded = lead > 0 && product[i] > 0 && product[i] < HUGE_VAL;
+        double w = n * p->residual[i] / (lead * sqrt(product[i])) * (1 + 32 * (n + 2) * ALGSURF_U);
+        p->disc[i] =
+            bounded ? ldexp(w, p->exponent[i] - p->shift[n] - exponent[i] / 2) + 0x1p-1070 : HUGE_VAL;
+    }
 }
 
 static int root_of(const int *group, int i) {
@@ -52,24 +66,33 @@ static int root_of(const int *group, int i) {
     return i;
 }
 
+/* Most discs are so far apart that the high parts show it, whose low ones are at most u of them. */
+static int clearly_apart(const algsurf_i_roots *p, int i, int j, double reach) {
+    double dx = fabs(p->x[i] - p->x[j]), dy = fabs(p->y[i] - p->y[j]);
+    double noise = 0x1p-50 * (fabs(p->x[i]) + fabs(p->x[j]) + fabs(p->y[i]) + fabs(p->y[j]));
+    return dx > 2 * (reach + noise) || dy > 2 * (reach + noise);
+}
+
 static int discs_touch(const algsurf_i_roots *p, int i, int j) {
+    double reach = p->disc[i] + p->disc[j];
+    if (clearly_apart(p, i, j, reach)) return 0;
     int e;
-    double d = sqrt(distance2(p, i, j, &e)), reach = p->disc[i] + p->disc[j];
+    double d = sqrt(distance2(p, i, j, &e));
     return !(ldexp(d * (1 - 16 * ALGSURF_U), e) > reach);
 }
 
 int algsurf_i_roots_group(algsurf_i_roots *p) {
     int n = p->n, crowded = 0;
+    set_discs(p);
     for (int i = 0; i < n; i++) {
-        p->disc[i] = disc_radius(p, i);
         p->group[i] = i;
         p->done[i] = 1;
-    }
-    for (int i = 0; i < n; i++)
         for (int j = 0; j < i; j++) {
+            if (!discs_touch(p, i, j)) continue;
             int a = root_of(p->group, i), b = root_of(p->group, j);
-            if (a != b && discs_touch(p, i, j)) p->group[a > b ? a : b] = a > b ? b : a;
+            p->group[a > b ? a : b] = a > b ? b : a;
         }
+    }
     for (int i = 0; i < n; i++) {
         p->group[i] = root_of(p->group, i);
         if (p->group[i] != i) p->done[i] = p->done[p->group[i]] = 0;
@@ -119,7 +142,7 @@ static int find_pair(const algsurf_enclosure *e, int count, int real, int *first
     for (int i = 0; i < count; i++) {
         algsurf_cinterval image = mirror(e[i].box);
         int met = -1;
-        for (int j = 0; j < count; j++) {
+        for (int j = real ? 0 : i + 1; j < count; j++) {
             *first = i, *second = j;
             if (j > i && meet(e[i].box, e[j].box)) return 1;
             if (!real || !meet(image, e[j].box)) continue;

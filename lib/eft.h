@@ -11,8 +11,9 @@
 #define ALGSURF_EFT_H
 #include <math.h>
 
-#define ALGSURF_U 0x1p-53     /* unit roundoff of double */
-#define ALGSURF_DD_U 0x1p-102 /* bound on the relative error of one double-double operation */
+#define ALGSURF_U 0x1p-53            /* unit roundoff of double */
+#define ALGSURF_DD_U 0x1p-102        /* bound on the relative error of one double-double operation */
+#define ALGSURF_SPLITTER 134217729.0 /* 2^27 + 1: Veltkamp's split into 26 bits each */
 
 typedef struct algsurf_dd {
     double hi, lo;
@@ -34,8 +35,7 @@ static inline algsurf_dd algsurf_two_prod(double a, double b) {
 #if defined(__FMA__) || defined(__aarch64__)
     return (algsurf_dd){p, __builtin_fma(a, b, -p)};
 #else
-    const double splitter = 134217729.0; /* 2^27 + 1: Veltkamp's split into 26 bits each */
-    double ta = splitter * a, tb = splitter * b;
+    double ta = ALGSURF_SPLITTER * a, tb = ALGSURF_SPLITTER * b;
     double ah = ta - (ta - a), al = a - ah, bh = tb - (tb - b), bl = b - bh;
     return (algsurf_dd){p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
 #endif
