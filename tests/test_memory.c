@@ -130,6 +130,40 @@ static algsurf_status render(void) {
     return status;
 }
 
+/* A picture of complex space: what it shows, and what it tells of it. */
+typedef struct complex_picture {
+    uint8_t pixels[HEIGHT][WIDTH * 3];
+    double hits[HEIGHT * WIDTH];
+    algsurf_render_stats stats;
+} complex_picture;
+
+static complex_picture complex_reference;
+
+static algsurf_status draw_complex(complex_picture *p) {
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 2};
+    memset(p, 0xa5, sizeof *p);
+    p->stats.size = sizeof p->stats;
+    return algsurf_render(stage, &options, &p->pixels[0][0], sizeof p->pixels[0], p->hits, &p->stats);
+}
+
+/* Does without nothing: there is a picture, or E_NO_MEMORY and every output as it was. */
+static algsurf_status render_complex(void) {
+    static complex_picture p, before;
+    memset(&before, 0xa5, sizeof before);
+    before.stats.size = sizeof before.stats;
+    algsurf_status status = draw_complex(&p);
+    assert_int_equal(status, atomic_load(&failed) ? ALGSURF_E_NO_MEMORY : ALGSURF_OK);
+    if (status != ALGSURF_OK) {
+        assert_memory_equal(&p, &before, sizeof p);
+        return status;
+    }
+    assert_memory_equal(p.pixels, complex_reference.pixels, sizeof p.pixels);
+    assert_memory_equal(p.hits, complex_reference.hits, sizeof p.hits);
+    assert_true(p.stats.hits == complex_reference.stats.hits);
+    return status;
+}
+
 /* Runs attempt with the first, second, ... allocation refused until none is; the number refused. */
 static int refuse_each(algsurf_status (*attempt)(void)) {
     for (int n = 0; n < 100000; n++) {
@@ -173,9 +207,26 @@ static void test_scene_and_render(void **state) {
     algsurf_surface_free(s);
 }
 
+static void test_complex_space(void **state) {
+    algsurf_complex_space space = {.size = sizeof space, .sector = {0.01, 0.2}, .imaginary = {[0] = 0.5}};
+    algsurf_surface *s = make_surface();
+    (void)state;
+    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_complex_space(stage, &space), ALGSURF_OK);
+    assert_int_equal(draw_complex(&complex_reference), ALGSURF_OK);
+    assert_in_range(complex_reference.stats.hits, WIDTH * HEIGHT / 10, WIDTH * HEIGHT * 9 / 10);
+    for (int c = ALGSURF_COHERENCE_NONE; c <= ALGSURF_COHERENCE_NEIGHBOURS; c++) {
+        assert_int_equal(algsurf_scene_set_coherence(stage, (algsurf_coherence)c), ALGSURF_OK);
+        assert_true(refuse_each(render_complex) > 0);
+    }
+    algsurf_scene_free(stage);
+    algsurf_surface_free(s);
+}
+
 int main(void) {
     atomic_store(&until_failure, -1);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface), cmocka_unit_test(test_root_solver),
-                                       cmocka_unit_test(test_scene_and_render)};
+                                       cmocka_unit_test(test_scene_and_render),
+                                       cmocka_unit_test(test_complex_space)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,31 @@
+/* measure.h - what every benchmark shares: time, order statistics, random numbers, a line on the machine. */
+#ifndef MEASURE_H
+#define MEASURE_H
+#include <stddef.h>
+#include <stdint.h>
+
+/* CPU seconds that all threads of this process have used; never goes back. */
+double measure_cpu(void);
+
+/* CPU seconds of one call of work(data), averaged over as many calls as the clock needs to tell. */
+double measure_call(void (*work)(void *data), void *data);
+
+/* Into increasing order; no value may be NaN. */
+void measure_sort(double *values, size_t count);
+
+/* The least of the sorted values that at least that share of them does not exceed: share 0 is the minimum,
+ * 0.5 the median (the lower one of two), 1 the maximum.  count > 0. */
+double measure_quantile(const double *sorted, size_t count, double share);
+
+/* A generator of random numbers; any seed will do. */
+typedef struct measure_random {
+    uint64_t state;
+} measure_random;
+
+uint64_t measure_bits(measure_random *random);
+double measure_uniform(measure_random *random, double lo, double hi); /* in [lo, hi] */
+
+/* Processor, number of cores, compiler and flags of this build, in one line without its end. */
+void measure_machine(char *line, size_t size);
+
+#endif

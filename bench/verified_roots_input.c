@@ -1,0 +1,116 @@
+/* verified_roots_input.c - see verified_roots_input.h.
+ *
+ * A ray is re-centred before it is expanded: its origin becomes the middle of the chord, its direction half
+ * the chord.  The neighbour is the ray one pixel to the left; its roots are brought to the variable of the
+ * ray by way of the distance from the eye, which both measure alike.
+ */
+#include "verified_roots_input.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+
+enum { WIDTH = 1024, HEIGHT = 768, TRIES = 1000 };
+
+/* A real polynomial keeps start values that are real, or come in conjugate pairs, so for ever; at a
+ * silhouette two real roots of the neighbour are a pair of this ray.  So all move off the axis, in half
+ * chords. */
+static const double OFF_AXIS = 1e-4;
+
+typedef struct view {
+    const algsurf_surface *surface;
+    const algsurf_extent *extent;
+    algsurf_camera camera;
+} view;
+
+/* t = middle + half X, t measured from the eye. */
+typedef struct chord {
+    double middle, half;
+} chord;
+
+static void must(algsurf_status status, const char *what) {
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
+}
+
+/* The polynomial along the ray of a pixel; 0 when the ray has no chord or the polynomial no roots. */
+static int expand_pixel(const view *v, int x, int y, chord *on, polynomial *p) {
+    algsurf_ray ray;
+    double c[ALGSURF_MAX_DEGREE + 1];
+    int meets;
+    must(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), "ray");
+    must(algsurf_extent_clip(v->extent, &ray, &ray, &meets), "extent");
+    if (!meets || !(ray.t_min < ray.t_max)) return 0;
+    on->middle = 0.5 * (ray.t_min + ray.t_max);
+    on->half = 0.5 * (ray.t_max - ray.t_min);
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] += on->middle * ray.direction[i];
+        ray.direction[i] *= on->half;
+    }
+    must(algsurf_expand_power(v->surface, &ray, c, NULL), "expansion");
+    p->degree = algsurf_surface_degree(v->surface);
+    for (int k = 0; k <= p->degree; k++) p->c[k] = (algsurf_complex){c[k], 0};
+    while (p->degree > 0 && c[p->degree] == 0) p->degree--;
+    return p->degree > 0;
+}
+
+static int by_magnitude(const void *left, const void *right) {
+    const algsurf_complex *a = left, *b = right;
+    double x = hypot(a->re, a->im), y = hypot(b->re, b->im);
+    return (x > y) - (x < y);
+}
+
+/* Start values for p, on its chord, from the roots of the neighbour on its own, if they are all simple. */
+static void start_near(polynomial *p, chord on, const polynomial *neighbour, chord other) {
+    algsurf_enclosure root[ALGSURF_MAX_DEGREE];
+    int count;
+    p->has_near = 0;
+    if (neighbour->degree != p->degree ||
+        algsurf_roots(neighbour->c, NULL, neighbour->degree, root, &count) != ALGSURF_OK ||
+        count != p->degree)
+        return;
+    double shift = (other.middle - on.middle) / on.half, scale = other.half / on.half;
+    for (int i = 0; i < count; i++) {
+        p->near[i].re = shift + scale * root[i].value.re;
+        p->near[i].im = scale * root[i].value.im + OFF_AXIS;
+    }
+    qsort(p->near, (size_t)count, sizeof *p->near, by_magnitude);
+    p->has_near = 1;
+}
+
+/* A whole number in 0..below-1. */
+static int pick(measure_random *random, int below) { return (int)(measure_bits(random) % (uint64_t)below); }
+
+static void polynomial_of_ray(const view *v, measure_random *random, polynomial *p) {
+    polynomial neighbour;
+    chord on, other;
+    for (int i = 0; i < TRIES; i++) {
+        int x = pick(random, WIDTH), y = pick(random, HEIGHT);
+        if (!expand_pixel(v, x, y, &on, p)) continue;
+        p->has_near = 0;
+        if (expand_pixel(v, x - 1, y, &other, &neighbour)) start_near(p, on, &neighbour, other);
+        return;
+    }
+    cli_fail(CLI_BROKEN, "hardly a ray meets what is shown");
+}
+
+void polynomials_of_rays(const catalogue_entry *entry, measure_random *random, polynomial *p, int count) {
+    algsurf_surface *surface;
+    view v = {.extent = &entry->extent};
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
+    v.surface = surface;
+    must(algsurf_camera_pinhole(&v.camera, entry->eye, entry->look_at, entry->up, entry->fov), entry->name);
+    for (int i = 0; i < count; i++) polynomial_of_ray(&v, random, &p[i]);
+    algsurf_surface_free(surface);
+}
+
+void polynomials_at_random(int degree, measure_random *random, polynomial *p, int count) {
+    for (int i = 0; i < count; i++) {
+        p[i].degree = degree;
+        p[i].has_near = 0;
+        for (int k = 0; k <= degree; k++) {
+            p[i].c[k].re = measure_uniform(random, -1, 1);
+            p[i].c[k].im = measure_uniform(random, -1, 1);
+        }
+    }
+}
