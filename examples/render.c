@@ -77,11 +77,12 @@ static char *surface_text(const cli_surface *surface) {
 
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
-        "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nthreads\t%d\n"
-        "rays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nshadow_rays\t%" PRIu64 "\n"
-        "iterations\t%" PRIu64 "\n"
-        "solve_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\nversion\t%s\n";
-    enum { NUMBERS = 17 * 32 }; /* room for what the format's fields become */
+        "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
+        "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nsingle_rays\t%" PRIu64
+        "\nshadow_rays\t%" PRIu64 "\niterations\t%" PRIu64
+        "\nexpand_s\t%.17g\nsolve_s\t%.17g\npoint_s\t%.17g\nshadow_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\n"
+        "version\t%s\n";
+    enum { NUMBERS = 24 * 32 }; /* room for what the format's fields become */
     int is_complex = r->options->space.is_complex;
     char *surface = surface_text(&r->options->surface);
     size_t room = sizeof format + strlen(surface) + NUMBERS;
@@ -89,8 +90,9 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     if (!text) cli_no_memory();
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->width,
              r->options->height, render_quality_name(r->options->quality), is_complex ? "complex" : "real",
-             is_complex ? "-" : render_tier_name(r->options->intersect.tier), stats->threads, stats->rays,
-             stats->hits, stats->uncertain, stats->shadow_rays, stats->iterations, stats->solve_s,
+             is_complex ? "-" : render_tier_name(r->options->intersect.tier), stats->kernel, stats->threads,
+             stats->rays, stats->hits, stats->uncertain, stats->single_rays, stats->shadow_rays,
+             stats->iterations, stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s,
              stats->shade_s, stats->total_s, algsurf_version());
     output_text(set, path, text);
     free(text);

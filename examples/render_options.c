@@ -79,6 +79,21 @@ static void set_tier(const cli_option *option, const char *value, void *field) {
     cli_set_tier(option, value, &real_only(option, field)->tier);
 }
 
+/* Unlike the other settings, which kernels there are depends on the machine. */
+static void set_kernel(const cli_option *option, const char *value, void *field) {
+    const char *name;
+    char names[128] = "";
+    for (int i = 0; (name = algsurf_kernel_name(i)); i++) {
+        if (strcmp(name, value) == 0) {
+            real_only(option, field)->kernel = name;
+            return;
+        }
+        strncat(strncat(names, i ? ", " : "", sizeof names - strlen(names) - 1), name,
+                sizeof names - strlen(names) - 1);
+    }
+    cli_fail(CLI_BAD_INPUT, "%s: this machine runs %s, not '%s'", option->name, names, cli_quote(value).text);
+}
+
 static void set_progress(const cli_option *option, const char *value, void *field) {
     static const progress_mode modes[] = {PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER};
     *(progress_mode *)field = modes[cli_choice(option, value)];
@@ -120,11 +135,14 @@ static const cli_option options_table[] = {
      set_tolerance, 0, 0, 0},
     {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", set_tier, 0,
      0, 0},
+    {"--kernel", "baseline|avx2|avx512",
+     "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,
+     0},
     {"--sigma", "S",
      "complex space: shows, of the complex roots t along each ray from the\n"
      "eye, the one of least |t| among those with S <= |arg t| <= S + D;\n"
-     "radians, as 0.2 or 7pi/18, default 0.  --method, --tolerance, --tier\n"
-     "and --quality full (shadows) play no part there and are refused",
+     "radians, as 0.2 or 7pi/18, default 0.  --method, --tolerance, --tier,\n"
+     "--kernel and --quality full (shadows) play no part there and are refused",
      render_set_sigma, FIELD(space)},
     {"--delta", "D", "complex space: D, default 1e-10, which shows the real surface", render_set_delta,
      FIELD(space)},

@@ -6,6 +6,7 @@
 
 #include "fpenv.h"
 #include "intersect_impl.h"
+#include "kernels/kernel.h"
 #include "options.h"
 #include "ray_impl.h"
 #include "vec.h"
@@ -17,10 +18,9 @@ typedef struct query {
     algsurf_intersect_options options;
 } query;
 
-static algsurf_status read_options(const algsurf_intersect_options *given,
-                                   algsurf_intersect_options *options) {
-    const algsurf_intersect_options defaults = {sizeof defaults, ALGSURF_TIER_STANDARD,
-                                                ALGSURF_METHOD_DEFAULT, 0, 0};
+algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
+                                                algsurf_intersect_options *options) {
+    static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
     if (options->tier != ALGSURF_TIER_STANDARD && options->tier != ALGSURF_TIER_FAST)
         return ALGSURF_E_ARGUMENT;
@@ -28,6 +28,11 @@ static algsurf_status read_options(const algsurf_intersect_options *given,
         return ALGSURF_E_ARGUMENT;
     if (options->max_iterations < 0 || !(options->tolerance >= 0) || isinf(options->tolerance))
         return ALGSURF_E_ARGUMENT;
+    if (options->kernel) {
+        const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
+        if (!kernel) return ALGSURF_E_ARGUMENT;
+        options->kernel = kernel->name; /* the caller's string need not live on */
+    }
     return ALGSURF_OK;
 }
 
@@ -37,7 +42,7 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (!surface) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = read_options(options, &q->options);
+    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
     q->empty = !algsurf_i_extent_clip(extent, ray, &q->ray);
@@ -86,9 +91,11 @@ static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_roo
     if (!algsurf_unit(gradient, hit->normal)) hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
 }
 
-static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                             algsurf_hit *hit) {
+ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface,
+                                                          const algsurf_extent *extent,
+                                                          const algsurf_ray *ray,
+                                                          const algsurf_intersect_options *options,
+                                                          algsurf_hit *hit) {
     query q;
     algsurf_i_frame frame;
     algsurf_i_ray_root root;
@@ -107,7 +114,7 @@ algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const alg
     if (!hit) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = first(surface, extent, ray, options, hit);
+    algsurf_status status = algsurf_i_intersect_first(surface, extent, ray, options, hit);
     algsurf_fpenv_leave(&saved);
     return status;
 }
@@ -140,9 +147,10 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                           algsurf_hit_state *state) {
+ALGSURF_NOINLINE algsurf_status algsurf_i_occluded(const algsurf_surface *surface,
+                                                   const algsurf_extent *extent, const algsurf_ray *ray,
+                                                   const algsurf_intersect_options *options,
+                                                   algsurf_hit_state *state) {
     query q;
     algsurf_i_frame frame;
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
@@ -161,7 +169,7 @@ algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_ex
     if (!state) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = any(surface, extent, ray, options, state);
+    algsurf_status status = algsurf_i_occluded(surface, extent, ray, options, state);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -23,6 +23,19 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                         const algsurf_intersect_options *options, algsurf_i_want want, algsurf_i_frame *frame,
                         algsurf_i_ray_root *roots, int capacity);
 
+/* Reads and checks a caller's options (null: the defaults); a kernel's name becomes the library's own string.
+ */
+algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
+                                                algsurf_intersect_options *options);
+
+/* algsurf_intersect_first and algsurf_occluded in the standard floating-point environment. */
+algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                         const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                         algsurf_hit *hit);
+algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                                  const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                  algsurf_hit_state *state);
+
 /* algsurf_intersect_complex, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
                                            const algsurf_ray *ray, const algsurf_complex_space *space,

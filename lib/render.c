@@ -67,6 +67,8 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
     algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
     picture->reach = reach_of(scene, picture->radius);
+    picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
+    if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -75,7 +77,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
 
 /* The caller's struct may be shorter or longer than ours; what is unknown here becomes 0. */
 static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *total, double seconds,
-                        int threads) {
+                        int threads, const char *kernel) {
     size_t size = stats->size;
     algsurf_render_stats ours = {.size = size,
                                  .rays = total->rays,
@@ -86,44 +88,129 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
                                  .shade_s = total->shade_s,
                                  .total_s = seconds,
                                  .threads = threads,
-                                 .iterations = total->iterations};
+                                 .iterations = total->iterations,
+                                 .single_rays = total->single_rays,
+                                 .expand_s = total->expand_s,
+                                 .point_s = total->point_s,
+                                 .shadow_s = total->shadow_s,
+                                 .kernel = kernel};
     memset(stats, 0, size);
     memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
 }
 
+/* All the memory of a picture, in five blocks. */
 typedef struct work_memory {
-    algsurf_i_pixel *pixels; /* a row for each worker */
-    algsurf_complex *roots;  /* two rows for each in complex space, else null */
+    double *doubles;        /* lines of all workers, and the frame */
+    int *ints;              /* a row for each worker */
+    uint16_t *counts;       /* likewise */
+    uint8_t *bytes;         /* likewise */
+    algsurf_complex *roots; /* two rows for each worker in complex space, else null */
 } work_memory;
 
+#define LINE_DOUBLES 18 /* for each pixel, besides a share of each light */
+#define APART 24        /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
+
+static double *take(double **from, size_t count) {
+    double *taken = *from;
+    *from += count;
+    return taken;
+}
+
+static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
+    width += APART;
+    line->points.t = take(doubles, width);
+    for (int k = 0; k < 3; k++) {
+        line->points.position[k] = take(doubles, width);
+        line->points.normal[k] = take(doubles, width);
+        line->points.direction[k] = take(doubles, width);
+    }
+    line->colour = take(doubles, 3 * width);
+    line->depth = take(doubles, width);
+    line->sum = take(doubles, 3 * width);
+    line->nearest = take(doubles, width);
+    line->visible = take(doubles, lights * width);
+}
+
+static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
+    frame->q = take(doubles, side * side * side);
+    frame->basis = take(doubles, side * side);
+    frame->sizes = take(doubles, side * side);
+    frame->along = take(doubles, side * side);
+}
+
 /* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
-static int hire(const algsurf_i_picture *picture, int threads, work_memory *memory,
-                algsurf_i_worker *workers) {
-    size_t width = (size_t)picture->width,
-           row = width * (size_t)algsurf_surface_degree(picture->scene->surface);
+static int hire(algsurf_i_picture *picture, int threads, work_memory *memory, algsurf_i_worker *workers) {
+    int degree = algsurf_surface_degree(picture->scene->surface);
+    size_t width = (size_t)picture->width, row = width * (size_t)degree, count = (size_t)threads;
+    size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
+    size_t lights = picture->scene->quality == ALGSURF_QUALITY_FULL ? (size_t)picture->light_count : 0;
     int rooted = picture->scene->complex && row > 0;
-    memory->pixels = calloc((size_t)threads, width * sizeof *memory->pixels);
-    memory->roots = rooted ? calloc((size_t)threads, 2 * row * sizeof *memory->roots) : NULL;
-    if (!memory->pixels || (rooted && !memory->roots)) return 0;
-    for (size_t i = 0; i < (size_t)threads; i++) {
-        workers[i] = (algsurf_i_worker){.pixels = memory->pixels + i * width};
+    memory->doubles =
+        calloc(count * (width + APART) * (LINE_DOUBLES + lights) + frame, sizeof *memory->doubles);
+    memory->ints = calloc(count * width, sizeof *memory->ints);
+    memory->counts = calloc(count * width, sizeof *memory->counts);
+    memory->bytes = calloc(count * width, 1);
+    memory->roots = rooted ? calloc(count, 2 * row * sizeof *memory->roots) : NULL;
+    if (!memory->doubles || !memory->ints || !memory->counts || !memory->bytes || (rooted && !memory->roots))
+        return 0;
+    double *doubles = memory->doubles;
+    for (size_t i = 0; i < count; i++) {
+        workers[i] = (algsurf_i_worker){.line = {.pixel = memory->ints + i * width,
+                                                 .samples = memory->counts + i * width,
+                                                 .state = memory->bytes + i * width}};
+        lay_out_line(&workers[i].line, width, lights, &doubles);
         if (!rooted) continue;
         workers[i].trail.row = memory->roots + 2 * i * row;
         workers[i].trail.above = workers[i].trail.row + row;
     }
+    if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
     return 1;
+}
+
+static void release(work_memory *memory) {
+    free(memory->doubles);
+    free(memory->ints);
+    free(memory->counts);
+    free(memory->bytes);
+    free(memory->roots);
+}
+
+/* Brings P to the picture's view; a frame that leaves the range of double is done without packets. */
+static algsurf_status make_frame(algsurf_i_picture *picture) {
+    if (!picture->packets) return ALGSURF_OK;
+    const algsurf_surface *surface = picture->scene->surface;
+    void *memory = malloc(algsurf_i_frame_memory(surface->degree));
+    if (!memory) return ALGSURF_E_NO_MEMORY;
+    if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
+    free(memory);
+    return ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
+                                            algsurf_i_tally *total, int *threads_used) {
+    algsurf_i_worker workers[ALGSURF_MAX_THREADS];
+    work_memory memory;
+    int threads = thread_count(options);
+    double begun = algsurf_i_render_clock();
+    algsurf_status status = ALGSURF_E_NO_MEMORY;
+    if (hire(picture, threads, &memory, workers)) status = make_frame(picture);
+    double expanded = algsurf_i_render_clock();
+    if (status == ALGSURF_OK)
+        status = algsurf_i_render_crew(picture, options, threads, workers, total, threads_used);
+    total->expand_s += expanded - begun;
+    release(&memory);
+    return status;
 }
 
 algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                               uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
     double begin = algsurf_i_render_clock();
-    algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits};
-    algsurf_i_worker workers[ALGSURF_MAX_THREADS];
+    algsurf_i_packets packets;
+    algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits, .packets = &packets};
     algsurf_render_options o;
-    work_memory memory;
-    algsurf_i_tally total;
+    algsurf_i_tally total = {0};
     algsurf_fpenv saved;
-    int threads;
+    int threads = 0;
 
     if (!scene || !pixels || (stats && stats->size < sizeof stats->size)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
@@ -131,15 +218,9 @@ algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_o
     if (stride < 3 * (size_t)o.width) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv_enter(&saved);
     status = prepare(scene, &o, &picture);
+    if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
     algsurf_fpenv_leave(&saved);
-    if (status != ALGSURF_OK) return status;
-
-    threads = thread_count(&o);
-    status = hire(&picture, threads, &memory, workers)
-                 ? algsurf_i_render_crew(&picture, &o, threads, workers, &total, &threads)
-                 : ALGSURF_E_NO_MEMORY;
-    free(memory.pixels);
-    free(memory.roots);
-    if (status >= 0 && stats) write_stats(stats, &total, algsurf_i_render_clock() - begin, threads);
+    if (status >= 0 && stats)
+        write_stats(stats, &total, algsurf_i_render_clock() - begin, threads, picture.kernel->name);
     return status;
 }

@@ -47,20 +47,19 @@ static int start_values(const algsurf_i_picture *picture, const algsurf_i_trail 
     return 1;
 }
 
-algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail,
-                                        algsurf_i_pixel *pixel, algsurf_i_tally *tally) {
+algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
+                                        algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
     const int n = algsurf_surface_degree(scene->surface);
     algsurf_complex start[ALGSURF_MAX_DEGREE], *roots = n > 0 ? trail->row + x * n : NULL;
     int warm = start_values(picture, trail, x, n, start), iterations;
-    algsurf_status status =
-        algsurf_i_intersect_complex(scene->surface, &scene->extent, &pixel->ray, &scene->space,
-                                    warm ? start : NULL, roots, &pixel->hit, NULL, &iterations);
+    algsurf_status status = algsurf_i_intersect_complex(scene->surface, &scene->extent, ray, &scene->space,
+                                                        warm ? start : NULL, roots, hit, NULL, &iterations);
     if (status < 0) return status;
     tally->iterations += (uint64_t)iterations;
-    if (!warm || (all_found(roots, n) && pixel->hit.state != ALGSURF_UNCERTAIN)) return ALGSURF_OK;
-    status = algsurf_i_intersect_complex(scene->surface, &scene->extent, &pixel->ray, &scene->space, NULL,
-                                         roots, &pixel->hit, NULL, &iterations);
+    if (!warm || (all_found(roots, n) && hit->state != ALGSURF_UNCERTAIN)) return ALGSURF_OK;
+    status = algsurf_i_intersect_complex(scene->surface, &scene->extent, ray, &scene->space, NULL, roots, hit,
+                                         NULL, &iterations);
     tally->iterations += (uint64_t)iterations;
     return status;
 }

@@ -44,7 +44,11 @@ static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->uncertain += more->uncertain;
     total->shadow_rays += more->shadow_rays;
     total->iterations += more->iterations;
+    total->single_rays += more->single_rays;
+    total->expand_s += more->expand_s;
     total->solve_s += more->solve_s;
+    total->point_s += more->point_s;
+    total->shadow_s += more->shadow_s;
     total->shade_s += more->shade_s;
 }
 

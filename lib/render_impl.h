@@ -3,6 +3,8 @@
  *     render.c         checks the arguments, owns the memory, reports
  *     render_crew.c    hands rows to threads, calls progress, cancels
  *     render_row.c     one row: samples -> hits -> colours -> bytes
+ *     render_view.c    camera and extent in the units of packets
+ *     render_packets.c the hits of a row by packets
  *     render_complex.c one sample in complex space, started from its neighbours' roots
  *     render_shadow.c  which share of a light reaches a point
  */
@@ -11,17 +13,33 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
+#include "kernels/kernel.h"
 #include "scene_impl.h"
 
 #define ALGSURF_MAX_THREADS 256
 
-/* One sample of one pixel on its way through a row, and the pixel's sums over its samples. */
-typedef struct algsurf_i_pixel {
-    algsurf_ray ray;
-    algsurf_hit hit;
-    double colour[3]; /* sum of clamped colours */
-    double nearest;   /* smallest t, NaN where none */
-} algsurf_i_pixel;
+/* The points of a row that are seen through one sample of its pixels, and the pixels' sums over samples. */
+typedef struct algsurf_i_line {
+    int count;  /* points: hits and uncertain ones */
+    int *pixel; /* of each point, in no particular order */
+    algsurf_i_points points;
+    double *colour;    /* 3 for each point */
+    double *visible;   /* light_count for each point, in full quality */
+    double *depth;     /* of each pixel: where packets found it */
+    uint8_t *state;    /* of each pixel: an ALGSURF_LANE */
+    uint16_t *samples; /* of each pixel: how many of its samples show a point */
+    double *sum;       /* 3 for each such pixel: their clamped colours */
+    double *nearest;   /* and their smallest t */
+} algsurf_i_line;
+
+/* What packets need to know of a picture. */
+typedef struct algsurf_i_packets {
+    algsurf_i_frame_form frame;
+    int orthographic;
+    double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
+    double near;                        /* depth of the eye */
+    double extent_size[3], tolerance;   /* in the view's unit */
+} algsurf_i_packets;
 
 /* The roots of the pixels drawn last, in complex space: degree-many for each pixel of a row, in the order
  * algsurf_intersect_complex returns them.  Null in real space. */
@@ -32,15 +50,15 @@ typedef struct algsurf_i_trail {
 
 /* What one thread draws with, and where it is. */
 typedef struct algsurf_i_worker {
-    algsurf_i_pixel *pixels; /* width of them */
+    algsurf_i_line line;
     algsurf_i_trail trail;
     int row, row_end; /* what is left of the rows it has taken */
 } algsurf_i_worker;
 
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
-    uint64_t rays, hits, uncertain, shadow_rays, iterations;
-    double solve_s, shade_s;
+    uint64_t rays, hits, uncertain, shadow_rays, iterations, single_rays;
+    double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
 
 /* What all rows of a picture share; only stop ever changes. */
@@ -51,6 +69,8 @@ typedef struct algsurf_i_picture {
     int light_count;
     double centre[3], radius; /* the ball about what is shown */
     double reach;             /* how far it reaches from its centre along the view */
+    const algsurf_i_kernel *kernel;
+    algsurf_i_packets *packets; /* null: every ray by itself */
     uint8_t *pixels;
     size_t stride;
     double *hits;    /* or null */
@@ -62,14 +82,28 @@ typedef struct algsurf_i_picture {
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally);
 
-/* pixel->hit of pixel x of a row in complex space, from pixel->ray; the roots go to the trail. */
-algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail,
-                                        algsurf_i_pixel *pixel, algsurf_i_tally *tally);
+/* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
+int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
 
-/* visible[l] = the share of light l's samples that reach the pixel's hit, for shading with
- * algsurf_i_shade: 0 where that adds nothing whatever the share. */
-algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, const algsurf_i_pixel *pixel,
-                                        double *visible, uint64_t *shadow_rays);
+/* The pixels of a row whose rays may meet the ball of radius 1 about the view's centre. */
+void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end);
+
+/* The points of a row seen through offset (sx,sy) in each pixel. */
+algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                        algsurf_i_line *line, algsurf_i_tally *tally);
+
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, and counts it. */
+void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
+                        algsurf_i_tally *tally);
+
+/* The hit of pixel x of a row in complex space, along its ray; the roots go to the trail. */
+algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
+                                        algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally);
+
+/* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
+ * point's colour whatever the share. */
+algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
+                                        uint64_t *shadow_rays);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
  * for each.  threads_used receives how many could be had. */

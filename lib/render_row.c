@@ -7,6 +7,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "render_impl.h"
 
+#include <string.h>
 #include <time.h>
 
 #include "camera_impl.h"
@@ -23,25 +24,44 @@ static int stopped(const algsurf_i_picture *picture) {
     return atomic_load_explicit(&picture->stop, memory_order_relaxed);
 }
 
-/* The ray through offset (sx,sy) in each pixel of the row, and its hit. */
-static algsurf_status solve_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                 algsurf_i_worker *worker, algsurf_i_tally *tally) {
+void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
+                        algsurf_i_tally *tally) {
+    const algsurf_i_points *points = &line->points;
+    int i = line->count;
+    tally->hits += hit->state == ALGSURF_HIT;
+    tally->uncertain += hit->state == ALGSURF_UNCERTAIN;
+    if (hit->state == ALGSURF_MISS) return;
+    line->pixel[line->count++] = x;
+    points->t[i] = hit->t;
+    for (int k = 0; k < 3; k++) {
+        points->position[k][i] = hit->position[k];
+        points->normal[k][i] = hit->normal[k];
+        points->direction[k][i] = ray->direction[k];
+    }
+}
+
+/* The points seen through offset (sx,sy) in each pixel, ray by ray. */
+static algsurf_status solve_singly(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
+    double begun = algsurf_i_render_clock();
     for (int x = 0; x < picture->width; x++) {
-        algsurf_i_pixel *pixel = &worker->pixels[x];
+        algsurf_ray ray;
+        algsurf_hit hit;
         if (stopped(picture)) return ALGSURF_CANCELLED;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &pixel->ray);
-        algsurf_status status = scene->complex
-                                    ? algsurf_i_render_complex(picture, x, &worker->trail, pixel, tally)
-                                    : algsurf_intersect_first(scene->surface, &scene->extent, &pixel->ray,
-                                                              &scene->intersect, &pixel->hit);
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
+        algsurf_status status =
+            scene->complex
+                ? algsurf_i_render_complex(picture, x, &ray, &worker->trail, &hit, tally)
+                : algsurf_intersect_first(scene->surface, &scene->extent, &ray, &scene->intersect, &hit);
         if (status < 0) return status;
         tally->rays++;
-        tally->hits += pixel->hit.state == ALGSURF_HIT;
-        tally->uncertain += pixel->hit.state == ALGSURF_UNCERTAIN;
+        tally->single_rays++;
+        algsurf_i_line_add(&worker->line, x, &ray, &hit, tally);
     }
     algsurf_i_trail *trail = &worker->trail;
     *trail = (algsurf_i_trail){.above = trail->row, .row = trail->above, .has_above = 1};
+    tally->solve_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
 }
 
@@ -54,74 +74,100 @@ static double depth_of(const algsurf_i_picture *picture, const double point[3]) 
     return fmin(1, fmax(0, 0.5 + 0.5 * along));
 }
 
-static algsurf_status colour_of(const algsurf_i_picture *picture, const algsurf_i_pixel *pixel,
-                                double colour[3], uint64_t *shadow_rays) {
+static void shade_preview(const algsurf_i_picture *picture, algsurf_i_line *line) {
+    const algsurf_i_points *p = &line->points;
+    for (int i = 0; i < line->count; i++) {
+        double position[3], normal[3], direction[3];
+        for (int k = 0; k < 3; k++) {
+            position[k] = p->position[k][i];
+            normal[k] = p->normal[k][i];
+            direction[k] = p->direction[k][i];
+        }
+        algsurf_i_shade_preview(&picture->scene->material, normal, direction, depth_of(picture, position),
+                                line->colour + 3 * i);
+    }
+}
+
+/* Colours of the points. */
+static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_line *line,
+                                 algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    const algsurf_hit *hit = &pixel->hit;
-    double visible[ALGSURF_MAX_LIGHTS], *shares = NULL;
-    if (hit->state == ALGSURF_MISS) {
-        for (int i = 0; i < 3; i++) colour[i] = scene->background[i];
-        return ALGSURF_OK;
+    int shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
+    double begun = algsurf_i_render_clock();
+    if (shadows) {
+        algsurf_status status = algsurf_i_render_shadows(picture, line, &tally->shadow_rays);
+        if (status < 0) return status;
+        double now = algsurf_i_render_clock();
+        tally->shadow_s += now - begun;
+        begun = now;
     }
     if (scene->quality == ALGSURF_QUALITY_PREVIEW) {
-        algsurf_i_shade_preview(&scene->material, hit->normal, pixel->ray.direction,
-                                depth_of(picture, hit->position), colour);
-        return ALGSURF_OK;
+        shade_preview(picture, line);
+    } else {
+        const algsurf_i_colour_job job = {&scene->material, picture->lights, picture->light_count};
+        picture->kernel->colours(&job, &line->points, line->count, shadows ? line->visible : NULL,
+                                 line->colour);
     }
-    if (scene->quality == ALGSURF_QUALITY_FULL && !scene->complex) {
-        shares = visible;
-        algsurf_status status = algsurf_i_render_shadows(picture, pixel, shares, shadow_rays);
-        if (status < 0) return status;
-    }
-    algsurf_i_shade(&scene->material, picture->lights, picture->light_count, shares, hit->position,
-                    hit->normal, pixel->ray.direction, colour);
+    tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
 }
 
-static algsurf_status shade_pass(const algsurf_i_picture *picture, algsurf_i_pixel *buffer,
-                                 algsurf_i_tally *tally) {
+static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
+
+/* Adds a pass's colours to the pixels' sums. */
+static void add_pass(algsurf_i_line *line) {
+    for (int i = 0; i < line->count; i++) {
+        int x = line->pixel[i], first = line->samples[x]++ == 0;
+        double t = line->points.t[i];
+        for (int k = 0; k < 3; k++)
+            line->sum[3 * x + k] = clamped(line->colour[3 * i + k]) + (first ? 0 : line->sum[3 * x + k]);
+        line->nearest[x] = first || t < line->nearest[x] ? t : line->nearest[x];
+    }
+}
+
+static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
+
+/* The averages over the samples as bytes; samples without a point show the background. */
+static void store_colours(const algsurf_i_picture *picture, const algsurf_i_line *line, uint8_t *bytes) {
+    int all = picture->scene->antialias * picture->scene->antialias;
+    double share = 1.0 / all;
+    size_t length = 3 * (size_t)picture->width, done = 3;
+    double sky[3];
+    for (int k = 0; k < 3; k++) {
+        sky[k] = clamped(picture->scene->background[k]);
+        bytes[k] = byte_of(sky[k]);
+    }
+    for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
     for (int x = 0; x < picture->width; x++) {
-        algsurf_i_pixel *pixel = &buffer[x];
-        double colour[3];
-        if (stopped(picture)) return ALGSURF_CANCELLED;
-        algsurf_status status = colour_of(picture, pixel, colour, &tally->shadow_rays);
-        if (status < 0) return status;
-        for (int i = 0; i < 3; i++) pixel->colour[i] += fmin(1, fmax(0, colour[i]));
-        if (pixel->hit.state != ALGSURF_MISS && !(pixel->nearest <= pixel->hit.t))
-            pixel->nearest = pixel->hit.t;
+        int samples = line->samples[x];
+        const double *sum = line->sum + 3 * x;
+        if (samples == 0) continue;
+        for (int k = 0; k < 3; k++) bytes[3 * x + k] = byte_of((sum[k] + (all - samples) * sky[k]) * share);
     }
-    return ALGSURF_OK;
 }
 
-/* The averages over the samples as bytes, and the nearest hits. */
-static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i_pixel *buffer) {
+static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i_line *line) {
     size_t index = (size_t)(row - picture->row_begin), width = (size_t)picture->width;
-    double samples = (double)picture->scene->antialias * picture->scene->antialias;
-    uint8_t *bytes = picture->pixels + index * picture->stride;
-    for (size_t x = 0; x < width; x++) {
-        for (int i = 0; i < 3; i++)
-            bytes[3 * x + (size_t)i] = (uint8_t)(255 * (buffer[x].colour[i] / samples) + 0.5);
-        if (picture->hits) picture->hits[index * width + x] = buffer[x].nearest;
-    }
+    store_colours(picture, line, picture->pixels + index * picture->stride);
+    for (size_t x = 0; picture->hits && x < width; x++)
+        picture->hits[index * width + x] = line->samples[x] > 0 ? line->nearest[x] : NAN;
 }
 
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
-    algsurf_i_pixel *buffer = worker->pixels;
+    algsurf_i_line *line = &worker->line;
     int n = picture->scene->antialias;
-    for (int x = 0; x < picture->width; x++) {
-        for (int i = 0; i < 3; i++) buffer[x].colour[i] = 0;
-        buffer[x].nearest = NAN;
-    }
+    memset(line->samples, 0, (size_t)picture->width * sizeof *line->samples);
     for (int k = 0; k < n * n; k++) {
-        double begin = algsurf_i_render_clock();
-        algsurf_status status = solve_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
-        double middle = algsurf_i_render_clock();
-        if (status == ALGSURF_OK) status = shade_pass(picture, buffer, tally);
-        tally->solve_s += middle - begin;
-        tally->shade_s += algsurf_i_render_clock() - middle;
+        double sx = (k % n + 0.5) / n, sy = (k / n + 0.5) / n;
+        line->count = 0;
+        if (stopped(picture)) return ALGSURF_CANCELLED;
+        algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
+                                                 : solve_singly(picture, row, sx, sy, worker, tally);
+        if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
         if (status != ALGSURF_OK) return status;
+        add_pass(line);
     }
-    store_row(picture, row, buffer);
+    store_row(picture, row, line);
     return ALGSURF_OK;
 }

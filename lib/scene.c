@@ -5,6 +5,7 @@
 
 #include "camera_impl.h"
 #include "fpenv.h"
+#include "intersect_impl.h"
 #include "options.h"
 #include "ray_impl.h"
 #include "shade_impl.h"
@@ -115,13 +116,10 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
 }
 
 algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
-    static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     algsurf_intersect_options o;
-    if (!scene || !algsurf_options_read(&o, sizeof o, options ? options : &defaults) ||
-        (o.tier != ALGSURF_TIER_STANDARD && o.tier != ALGSURF_TIER_FAST) ||
-        (int)o.method < ALGSURF_METHOD_DEFAULT || (int)o.method > ALGSURF_METHOD_REGULA_FALSI ||
-        o.max_iterations < 0 || !(o.tolerance >= 0) || isinf(o.tolerance))
-        return ALGSURF_E_ARGUMENT;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_intersect_read_options(options, &o);
+    if (status != ALGSURF_OK) return status;
     scene->intersect = o;
     return ALGSURF_OK;
 }

@@ -201,6 +201,16 @@ static algsurf_status lay_out(algsurf_surface *s) {
     return ALGSURF_OK;
 }
 
+static void set_strides(algsurf_surface *s) {
+    int odd[3] = {0, 0, 0};
+    for (size_t t = 0; t < s->term_count; t++) {
+        odd[0] |= s->terms[t].i % 2;
+        odd[1] |= s->terms[t].j % 2;
+        odd[2] |= s->terms[t].k % 2;
+    }
+    for (int axis = 0; axis < 3; axis++) s->stride[axis] = odd[axis] ? 1 : 2;
+}
+
 static ALGSURF_NOINLINE algsurf_status make(const algsurf_term *terms, size_t count,
                                             algsurf_surface **surface) {
     algsurf_surface *s = calloc(1, sizeof *s);
@@ -209,6 +219,10 @@ static ALGSURF_NOINLINE algsurf_status make(const algsurf_term *terms, size_t co
     if (status == ALGSURF_OK) {
         choose_unit(s);
         status = lay_out(s);
+    }
+    if (status == ALGSURF_OK) {
+        set_strides(s);
+        if (!algsurf_i_surface_set_nodes(s)) status = ALGSURF_E_NO_MEMORY;
     }
     if (status == ALGSURF_OK) {
         *surface = s;
@@ -236,6 +250,7 @@ void algsurf_surface_free(algsurf_surface *surface) {
     free(surface->levels);
     free(surface->rows);
     free(surface->coef);
+    free(surface->nodes);
     free(surface);
 }
 

@@ -34,7 +34,22 @@ struct algsurf_surface {
     algsurf_level *levels;
     algsurf_row *rows;
     double *coef;
+    int stride[3]; /* 2 for a coordinate of which P has only even powers, else 1 */
+    /* For packets of rays, null for degree 0 and above ALGSURF_MAX_PACKET_DEGREE: node_degree + 1 nodes in
+     * [-1,1], and the matrix that makes of P's values at them the Bernstein coefficients over [-1,1]: row j
+     * for coefficient j, entries with a relative error below (3 node_degree + 4) u. */
+    int node_degree; /* at least degree */
+    double *nodes, *to_bernstein;
+    double amplification; /* the largest sum of |entries| in a row */
 };
+
+/* The rounding of values counts amplification times, which doubles with each degree.  Of rays on Chmutov's
+ * surfaces, 0.6 % cannot be decided in double for degree 14, 10 % for 16, 99 % for 20; on random ones, 8 %
+ * for 20, 80 % for 24. */
+#define ALGSURF_MAX_PACKET_DEGREE 20
+
+/* Sets node_degree, nodes, to_bernstein and amplification; 0 when there is no memory. */
+int algsurf_i_surface_set_nodes(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
  * natural coordinates), in double, no bounds: gradient may be null. */

@@ -3,10 +3,10 @@
  *     truth_rays DATA_FOLDER
  *
  * Every ray of truth/rays.tsv is asked for its first hit (both tiers), all its hits (both tiers) and
- * whether it is blocked at all (standard tier).  In the standard tier no answer may be wrong, an
- * enclosure must enclose the exact root, t must be as good as the inputs' last digits allow, and
- * "uncertain" is accepted only where the exact answer hangs on the last bit of the input.  The fast
- * tier is judged on the rays whose roots a careful computation in double can see.
+ * whether it is blocked at all (standard tier), and once more by the calls for packets.  In the standard tier
+ * no answer may be wrong, an enclosure must enclose the exact root, t must be as good as the inputs' last
+ * digits allow, and "uncertain" is accepted only where the exact answer hangs on the last bit of the input.
+ * The fast tier is judged on the rays whose roots a careful computation in double can see.
  *
  * Prints a table for each query, a line for each violation, and fails if there is one.  Catches: a
  * second root taken for the first, a root lost at an end of the ray, an enclosure off by one ulp, a
@@ -35,10 +35,11 @@ enum {
     RAY_COLUMNS
 };
 enum { ROOT_ID, ROOT_K, ROOT_MULT, ROOT_HI = 4, ROOT_LO, ROOT_COLUMNS };
-enum { KINDS = 16, QUERIES = 5 };
+enum { KINDS = 16, QUERIES = 7 };
 
-static const char *const query_name[QUERIES] = {"first hit, standard", "first hit, fast",
-                                                "all hits, standard", "all hits, fast", "occluded, standard"};
+static const char *const query_name[QUERIES] = {
+    "first hit, standard", "first hit, fast",   "all hits, standard", "all hits, fast",
+    "occluded, standard",  "first hit, packet", "occluded, packet"};
 
 typedef struct exact_root {
     algsurf_dd t; /* to 2^-104, and exactly t.hi when t.lo is 0 */
@@ -138,31 +139,35 @@ static void judge_error(int query, const truth *r, const algsurf_hit *hit, doubl
     }
 }
 
-static void judge_first(const algsurf_surface *s, const truth *r) {
-    algsurf_hit hit;
-    if (algsurf_intersect_first(s, NULL, &r->ray, NULL, &hit) != ALGSURF_OK) {
-        wrong(0, r, "refused", NULL);
-        return;
-    }
-    count_state(0, r, hit.state);
-    if (hit.state == ALGSURF_MISS) {
-        if (r->n || r->in_surface) wrong(0, r, "a miss is told, there is a root", &hit);
-        if (!(hit.t == INFINITY && hit.t_lo == INFINITY && hit.t_hi == INFINITY))
-            wrong(0, r, "a miss with a finite t", &hit);
-    } else if (hit.state == ALGSURF_HIT) {
+static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
+    count_state(query, r, hit->state);
+    if (hit->state == ALGSURF_MISS) {
+        if (r->n || r->in_surface) wrong(query, r, "a miss is told, there is a root", hit);
+        if (!(hit->t == INFINITY && hit->t_lo == INFINITY && hit->t_hi == INFINITY))
+            wrong(query, r, "a miss with a finite t", hit);
+    } else if (hit->state == ALGSURF_HIT) {
         if (r->in_surface) return;
         if (!r->n) {
-            wrong(0, r, "a hit is told, there is no root", &hit);
+            wrong(query, r, "a hit is told, there is no root", hit);
             return;
         }
-        if (!at_least(r->root[0].t, hit.t_lo) || !at_most(r->root[0].t, hit.t_hi))
-            wrong(0, r, "the first root is not enclosed", &hit);
-        judge_error(0, r, &hit, 4);
+        if (!at_least(r->root[0].t, hit->t_lo) || !at_most(r->root[0].t, hit->t_hi))
+            wrong(query, r, "the first root is not enclosed", hit);
+        judge_error(query, r, hit, 4);
     } else {
-        if (!may_stay_open(r)) wrong(0, r, "uncertain, but decidable", &hit);
-        if (hit.reason <= ALGSURF_OK) wrong(0, r, "uncertain for no reason", &hit);
-        if (r->n && !at_least(r->root[0].t, hit.t_lo)) wrong(0, r, "a root before the doubtful place", &hit);
+        if (!may_stay_open(r)) wrong(query, r, "uncertain, but decidable", hit);
+        if (hit->reason <= ALGSURF_OK) wrong(query, r, "uncertain for no reason", hit);
+        if (r->n && !at_least(r->root[0].t, hit->t_lo))
+            wrong(query, r, "a root before the doubtful place", hit);
     }
+}
+
+static void judge_first(const algsurf_surface *s, const truth *r) {
+    algsurf_hit hit;
+    if (algsurf_intersect_first(s, NULL, &r->ray, NULL, &hit) != ALGSURF_OK)
+        wrong(0, r, "refused", NULL);
+    else
+        judge_first_hit(0, r, &hit);
 }
 
 static const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
@@ -242,17 +247,44 @@ static void judge_all_fast(const algsurf_surface *s, const truth *r) {
     if (r->n <= 2 && visible_in_double(r) && count != r->n) wrong(3, r, "the number of hits", NULL);
 }
 
+static void judge_whether(int query, const truth *r, int state) {
+    count_state(query, r, state);
+    if (state == ALGSURF_MISS && (r->n || r->in_surface)) wrong(query, r, "told free", NULL);
+    if (state == ALGSURF_HIT && !r->n && !r->in_surface) wrong(query, r, "told occluded", NULL);
+    if (state == ALGSURF_UNCERTAIN && !may_stay_open(r) && !has_multiple(r))
+        wrong(query, r, "uncertain, but decidable", NULL);
+}
+
 static void judge_occluded(const algsurf_surface *s, const truth *r) {
     algsurf_hit_state state;
-    if (algsurf_occluded(s, NULL, &r->ray, NULL, &state) != ALGSURF_OK) {
+    if (algsurf_occluded(s, NULL, &r->ray, NULL, &state) != ALGSURF_OK)
         wrong(4, r, "refused", NULL);
+    else
+        judge_whether(4, r, (int)state);
+}
+
+/* Packets of one ray: their answers do not depend on others. */
+static void judge_packets(const algsurf_surface *s, const truth *r) {
+    const double *o = r->ray.origin, *d = r->ray.direction;
+    const algsurf_ray_packet ray = {.size = sizeof ray,
+                                    .count = 1,
+                                    .origin = {o, o + 1, o + 2},
+                                    .direction = {d, d + 1, d + 2},
+                                    .t_min = &r->ray.t_min,
+                                    .t_max = &r->ray.t_max};
+    algsurf_hit hit;
+    unsigned char state, occluded;
+    algsurf_hit_packet to = {.size = sizeof to, .state = &state, .t = &hit.t};
+    to.t_lo = &hit.t_lo, to.t_hi = &hit.t_hi;
+    if (algsurf_intersect_packet(s, NULL, &ray, NULL, &to) != ALGSURF_OK ||
+        algsurf_occluded_packet(s, NULL, &ray, NULL, &occluded) != ALGSURF_OK) {
+        wrong(5, r, "refused", NULL);
         return;
     }
-    count_state(4, r, (int)state);
-    if (state == ALGSURF_MISS && (r->n || r->in_surface)) wrong(4, r, "told free", NULL);
-    if (state == ALGSURF_HIT && !r->n && !r->in_surface) wrong(4, r, "told occluded", NULL);
-    if (state == ALGSURF_UNCERTAIN && !may_stay_open(r) && !has_multiple(r))
-        wrong(4, r, "uncertain, but decidable", NULL);
+    hit.state = state;
+    hit.reason = ALGSURF_UNDECIDED_MULTIPLE; /* packets do not tell */
+    judge_first_hit(5, r, &hit);
+    judge_whether(6, r, occluded);
 }
 
 static double number_or(const char *text, double otherwise) {
@@ -307,6 +339,7 @@ int main(int argc, char **argv) {
         judge_all(s, &r);
         judge_all_fast(s, &r);
         judge_occluded(s, &r);
+        judge_packets(s, &r);
     }
     print_tables();
     printf("%zu rays, %zu roots, %d violations\n", rays.rows, next, violations);

@@ -95,10 +95,15 @@ typedef struct algsurf_render_stats {
                              surface seems to touch) */
     uint64_t shadow_rays; /* only lights and samples above the tangent plane get one */
     double solve_s;       /* seconds spent in intersection, summed over threads */
-    double shade_s;       /* seconds spent in shading and shadows, summed over threads */
+    double shade_s;       /* seconds spent in shading, summed over threads */
     double total_s;       /* wall time */
     int threads;          /* used, the caller's among them */
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
+    uint64_t single_rays; /* of the rays, those solved one by one: what packets left in doubt, or all */
+    double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
+    double point_s;       /* seconds spent in positions and normals of what packets found */
+    double shadow_s;      /* seconds spent in shadows; with the four others, summed over threads */
+    const char *kernel;   /* the packet code's name (algsurf_kernel_name) */
 } algsurf_render_stats;
 
 /* Draws rows row_begin .. row_end-1 of the picture.

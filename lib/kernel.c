@@ -1,0 +1,29 @@
+/* kernel.c - which kernel this machine can run. */
+#include "kernels/kernel.h"
+
+#include <string.h>
+
+const algsurf_i_kernel *algsurf_i_kernel_baseline(void);
+const algsurf_i_kernel *algsurf_i_kernel_avx2(void);
+const algsurf_i_kernel *algsurf_i_kernel_avx512(void);
+
+const algsurf_i_kernel *algsurf_i_kernel_at(int index) {
+    const algsurf_i_kernel *usable[3];
+    int count = 0;
+#if defined(__x86_64__)
+    __builtin_cpu_init(); /* asks the processor, and the operating system for the registers it saves */
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        usable[count++] = algsurf_i_kernel_avx512();
+    if (__builtin_cpu_supports("avx2")) usable[count++] = algsurf_i_kernel_avx2();
+#endif
+    usable[count++] = algsurf_i_kernel_baseline();
+    return index >= 0 && index < count ? usable[index] : NULL;
+}
+
+const algsurf_i_kernel *algsurf_i_kernel_find(const char *name) {
+    const algsurf_i_kernel *kernel;
+    for (int i = 0; (kernel = algsurf_i_kernel_at(i)); i++)
+        if (!name || strcmp(name, kernel->name) == 0) return kernel;
+    return NULL;
+}

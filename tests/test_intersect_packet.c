@@ -1,0 +1,833 @@
+/* test_intersect_packet.c - packets of rays against single calls, and against exact arithmetic.
+ *
+ * Breaks caught, each tried: the rounding of the values, of the chord's middle or of its ends left out of the
+ * bounds, the bound of the ends without that of the extent, a doubtful lane told as a miss, a far origin
+ * without double-double, a lane that depends on its neighbours, a mask or a count not looked at, an answer
+ * written before all rays were checked, a kernel that doubts everything.
+ */
+#include "intersect_case.h"
+
+#include "catalogue.h"
+#include "environments.h"
+#include "kernels/kernel.h"
+
+#define SEED 47u
+enum { MOST = 33 };
+
+/* Rays and answers, side by side. */
+typedef struct packet_case {
+    double origin[3][MOST], direction[3][MOST], t_min[MOST], t_max[MOST];
+    unsigned char active[MOST];
+    int masked;
+    unsigned char state[MOST], occluded[MOST];
+    double t[MOST], t_lo[MOST], t_hi[MOST], position[3][MOST], normal[3][MOST];
+} packet_case;
+
+static packet_case p, q;
+static const algsurf_surface *surface;
+
+static void put_ray(packet_case *c, int i, const algsurf_ray *ray) {
+    for (int k = 0; k < 3; k++) {
+        c->origin[k][i] = ray->origin[k];
+        c->direction[k][i] = ray->direction[k];
+    }
+    c->t_min[i] = ray->t_min;
+    c->t_max[i] = ray->t_max;
+}
+
+static algsurf_ray ray_at(const packet_case *c, int i) {
+    return (algsurf_ray){{c->origin[0][i], c->origin[1][i], c->origin[2][i]},
+                         {c->direction[0][i], c->direction[1][i], c->direction[2][i]},
+                         c->t_min[i],
+                         c->t_max[i]};
+}
+
+static algsurf_hit hit_at(const packet_case *c, int i) {
+    return (algsurf_hit){c->state[i],
+                         ALGSURF_OK,
+                         c->t[i],
+                         c->t_lo[i],
+                         c->t_hi[i],
+                         {c->position[0][i], c->position[1][i], c->position[2][i]},
+                         {c->normal[0][i], c->normal[1][i], c->normal[2][i]}};
+}
+
+/* Both calls for rays first .. first+count-1. */
+static algsurf_status ask(packet_case *c, int first, int count, const algsurf_extent *extent,
+                          const algsurf_intersect_options *options) {
+    algsurf_ray_packet rays = {.size = sizeof rays, .count = (size_t)count};
+    algsurf_hit_packet hits = {.size = sizeof hits, .state = c->state + first};
+    rays.t_min = c->t_min + first, rays.t_max = c->t_max + first;
+    if (c->masked) rays.active = c->active + first;
+    hits.t = c->t + first, hits.t_lo = c->t_lo + first, hits.t_hi = c->t_hi + first;
+    for (int k = 0; k < 3; k++) {
+        rays.origin[k] = c->origin[k] + first;
+        rays.direction[k] = c->direction[k] + first;
+        hits.position[k] = c->position[k] + first;
+        hits.normal[k] = c->normal[k] + first;
+    }
+    algsurf_status status = algsurf_intersect_packet(surface, extent, &rays, options, &hits);
+    algsurf_status other = algsurf_occluded_packet(surface, extent, &rays, options, c->occluded + first);
+    assert_int_equal(status, other);
+    return status;
+}
+
+static _Noreturn void packet_fail(const char *what, const packet_case *c, int i, const algsurf_hit *single) {
+    algsurf_ray ray = ray_at(c, i);
+    exact_print_doubles("origin", ray.origin, 3), exact_print_doubles("direction", ray.direction, 3);
+    fprintf(stderr, "t in [%a, %a]\n", ray.t_min, ray.t_max);
+    fprintf(stderr, "packet: state %d at %a in [%a, %a], occluded %d\n", c->state[i], c->t[i], c->t_lo[i],
+            c->t_hi[i], c->occluded[i]);
+    if (single)
+        fprintf(stderr, "single: state %d at %a in [%a, %a]\n", single->state, single->t, single->t_lo,
+                single->t_hi);
+    fail_msg("seed %u: %s: ray %d", SEED, what, i);
+    abort();
+}
+
+typedef struct tally {
+    int rays, hits, misses, uncertain, normals;
+} tally;
+
+static tally tallied;
+
+/* What the rounding of P, and of a point far from the origin of the ray, can do to t. */
+static double t_bound(const algsurf_ray *ray, const algsurf_hit *hit) {
+    double value, gradient[3], bound, slope = 0, size = fabs(hit->t), longest = 0;
+    if (algsurf_surface_gradient(surface, hit->position, &value, gradient, &bound, NULL) != ALGSURF_OK)
+        return INFINITY;
+    for (int k = 0; k < 3; k++) longest = fmax(longest, fabs(ray->direction[k]));
+    for (int k = 0; k < 3; k++) slope += gradient[k] * (ray->direction[k] / longest);
+    for (int k = 0; k < 3; k++) size = fmax(size, fabs(ray->origin[k]) / longest);
+    return slope == 0 ? INFINITY : 4 * bound / fabs(slope) / longest + 0x1p-50 * size;
+}
+
+/* The normal is the gradient's direction, where the gradient is not mostly cancelled. */
+static void judge_normal(const packet_case *c, int i, const algsurf_hit *hit) {
+    double value, gradient[3], bound[3], size = 0, cancelled = 0, difference = 0;
+    if (algsurf_surface_gradient(surface, hit->position, &value, gradient, NULL, bound) != ALGSURF_OK) return;
+    for (int k = 0; k < 3; k++) size += gradient[k] * gradient[k], cancelled = fmax(cancelled, bound[k]);
+    size = sqrt(size);
+    if (!(size > 1e10 * cancelled && size < INFINITY)) return;
+    for (int k = 0; k < 3; k++) difference = fmax(difference, fabs(hit->normal[k] - gradient[k] / size));
+    if (!(difference < 1e-6)) packet_fail("normal", c, i, NULL);
+    tallied.normals++;
+}
+
+/* Ray i of a packet that was asked, beside the single calls. */
+static void judge(const packet_case *c, int i, const algsurf_extent *extent,
+                  const algsurf_intersect_options *options) {
+    algsurf_ray ray = ray_at(c, i);
+    algsurf_hit single, hit = hit_at(c, i);
+    algsurf_hit_state occluded;
+    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, options, &single), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded(surface, extent, &ray, options, &occluded), ALGSURF_OK);
+    if (hit.state != single.state) packet_fail("state", c, i, &single);
+    if (c->occluded[i] != occluded) packet_fail("occluded", c, i, &single);
+    tallied.rays++, tallied.hits += hit.state == ALGSURF_HIT;
+    tallied.misses += hit.state == ALGSURF_MISS, tallied.uncertain += hit.state == ALGSURF_UNCERTAIN;
+    if (hit.state != ALGSURF_HIT) {
+        single.reason = ALGSURF_OK;
+        if (memcmp(&hit, &single, sizeof hit) != 0)
+            packet_fail("not what a single call writes", c, i, &single);
+        return;
+    }
+    int fast = options && options->tier == ALGSURF_TIER_FAST;
+    if (!(hit.t_lo <= hit.t && hit.t <= hit.t_hi)) packet_fail("t outside of its interval", c, i, &single);
+    if (!fast && !(hit.t_lo <= single.t_hi && single.t_lo <= hit.t_hi))
+        packet_fail("intervals apart", c, i, &single);
+    if (fast && !(hit.t_lo == hit.t && hit.t_hi == hit.t)) packet_fail("interval", c, i, &single);
+    double bound = t_bound(&ray, &hit);
+    if (!(fabs(hit.t - single.t) <= bound)) packet_fail("t", c, i, &single);
+    for (int k = 0; k < 3; k++) {
+        double reach = bound * fabs(ray.direction[k]) + 0x1p-50 * fabs(hit.position[k]);
+        if (bound < INFINITY && !(fabs(hit.position[k] - single.position[k]) <= reach))
+            packet_fail("position", c, i, &single);
+    }
+    judge_normal(c, i, &hit);
+}
+
+/* The first `count` rays by every kernel: the same bits, and what single calls say. */
+static void judge_all(int count, const algsurf_extent *extent, algsurf_tier tier) {
+    for (int k = 0; algsurf_kernel_name(k); k++) {
+        algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
+        options.kernel = algsurf_kernel_name(k);
+        packet_case *c = k ? &q : &p;
+        if (k) q = p, memset(q.state, 9, (size_t)count), memset(q.t, 9, (size_t)count * sizeof *q.t);
+        assert_int_equal(ask(c, 0, count, extent, &options), ALGSURF_OK);
+        for (int i = 0; k == 0 && i < count; i++) judge(c, i, extent, &options);
+        if (k && memcmp(&p, &q, sizeof p) != 0) fail_msg("seed %u: %s differs", SEED, options.kernel);
+    }
+}
+
+enum kind { OUTSIDE, INSIDE, FAR, LENGTHS, AXIS, ON_SURFACE, ENDS, PARTS, GRAZING, KINDS };
+
+static double size_of(const algsurf_extent *e) { return e->size[0]; }
+
+/* Towards a point of the extent's middle, from a distance in its sizes. */
+static algsurf_ray ray_from(uint64_t *seed, const algsurf_extent *e, double distance) {
+    algsurf_ray ray = {.t_min = 0, .t_max = INFINITY};
+    double size = size_of(e), eye[3], length = 0;
+    for (int k = 0; k < 3; k++) eye[k] = exact_random_unit(seed), length += eye[k] * eye[k];
+    for (int k = 0; k < 3; k++) {
+        ray.origin[k] = e->centre[k] + distance * size * eye[k] / sqrt(length);
+        ray.direction[k] = e->centre[k] + 0.7 * size * exact_random_unit(seed) - ray.origin[k];
+    }
+    return ray;
+}
+
+/* A hit, to aim at; 0 if that ray has none. */
+static int find_hit(uint64_t *seed, const algsurf_extent *e, double distance, algsurf_ray *ray,
+                    algsurf_hit *hit) {
+    *ray = ray_from(seed, e, distance);
+    assert_int_equal(algsurf_intersect_first(surface, e, ray, NULL, hit), ALGSURF_OK);
+    return hit->state == ALGSURF_HIT;
+}
+
+/* Past the hit at a distance, across its normal. */
+static algsurf_ray tangent_at(uint64_t *seed, const algsurf_hit *hit, double distance) {
+    algsurf_ray ray = {.t_min = -1, .t_max = 3};
+    double a[3], d[3];
+    for (int k = 0; k < 3; k++) a[k] = exact_random_unit(seed);
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        d[k] = a[i] * hit->normal[j] - a[j] * hit->normal[i];
+    }
+    for (int k = 0; k < 3; k++) {
+        ray.direction[k] = d[k];
+        ray.origin[k] = hit->position[k] + distance * hit->normal[k] - d[k];
+    }
+    return ray;
+}
+
+static algsurf_ray make_ray(uint64_t *seed, const algsurf_extent *e, enum kind kind) {
+    algsurf_ray ray = ray_from(seed, e,
+                               kind == INSIDE  ? 0.5 * fabs(exact_random_unit(seed))
+                               : kind == FAR   ? pow(10, 1 + exact_random_int(seed, 6))
+                               : kind == PARTS ? 1.5
+                                               : 4);
+    algsurf_hit hit;
+    if (kind == LENGTHS) {
+        int k = exact_random_int(seed, 81) - 40;
+        for (int i = 0; i < 3; i++) ray.direction[i] = ldexp(ray.direction[i], k);
+    } else if (kind == AXIS) {
+        int axis = exact_random_int(seed, 3);
+        for (int i = 0; i < 3; i++) {
+            if (i != axis) ray.origin[i] += ray.direction[i];
+            if (i != axis) ray.direction[i] = exact_random_int(seed, 2) ? 0 : -0.0;
+        }
+    } else if (kind == ON_SURFACE && find_hit(seed, e, 4, &ray, &hit)) {
+        for (int i = 0; i < 3; i++) {
+            ray.origin[i] = hit.position[i] + (exact_random_int(seed, 2) ? 1e-9 * hit.normal[i] : 0);
+            ray.direction[i] = exact_random_unit(seed);
+        }
+    } else if (kind == ENDS && find_hit(seed, e, exact_random_int(seed, 2) ? 4 : 1e6, &ray, &hit)) {
+        double t = nextafter(hit.t, exact_random_unit(seed));
+        if (exact_random_int(seed, 2))
+            ray.t_max = exact_random_int(seed, 2) ? t : hit.t;
+        else
+            ray.t_min = exact_random_int(seed, 2) ? t : hit.t;
+    } else if (kind == PARTS) {
+        ray.t_min = exact_random_unit(seed) * 2;
+        ray.t_max = exact_random_int(seed, 9) ? ray.t_min + exact_random_unit(seed) : ray.t_min;
+    } else if (kind == GRAZING && find_hit(seed, e, 4, &ray, &hit)) {
+        double side = exact_random_int(seed, 2) ? 1 : -1;
+        ray = tangent_at(seed, &hit, side * ldexp(size_of(e), -exact_random_int(seed, 60)));
+    }
+    return ray;
+}
+
+/* Rays of one kind with one entry of the catalogue, in its ball, in a box, or in all of space. */
+static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind kind) {
+    const algsurf_extent *ball = &entry->extent;
+    double s = size_of(ball);
+    const algsurf_extent box = {
+        ALGSURF_EXTENT_BOX, {ball->centre[0], ball->centre[1], ball->centre[2]}, {0.5 * s, 0.6 * s, 0.7 * s}};
+    const algsurf_extent *const extents[] = {ball, &box, NULL};
+    for (int e = 0; e < 3; e++) {
+        for (int i = 0; i < MOST; i++) {
+            algsurf_ray ray = make_ray(seed, ball, kind);
+            double ends[2] = {0, 0}, d = 0;
+            for (int k = 0; k < 3; k++) d = fmax(d, fabs(ray.direction[k]));
+            for (int k = 0; k < 3; k++) ends[1] = fmax(ends[1], fabs(ray.origin[k] - ball->centre[k]) / d);
+            if (!extents[e] && i % 8) { /* no extent: finite, but for some */
+                ray.t_min = fmax(ray.t_min, ends[1] - 3 * s / d);
+                ray.t_max = fmin(ray.t_max, ends[1] + 3 * s / d);
+            }
+            put_ray(&p, i, &ray);
+        }
+        judge_all(MOST, extents[e], ALGSURF_TIER_STANDARD);
+        if (kind < ON_SURFACE && extents[e]) judge_all(MOST, extents[e], ALGSURF_TIER_FAST);
+    }
+}
+
+static void test_catalogue(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        algsurf_surface *s;
+        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        surface = s;
+        tallied = (tally){0};
+        for (int kind = 0; kind < KINDS; kind++)
+            for (int round = 0; round < 4; round++) judge_kind(&seed, entry, kind);
+        if (tallied.hits * 4 < tallied.rays || tallied.misses * 20 < tallied.rays ||
+            tallied.normals * 4 < tallied.hits * 3)
+            fail_msg("%s: %d rays, %d hits, %d misses, %d uncertain, %d normals", entry->name, tallied.rays,
+                     tallied.hits, tallied.misses, tallied.uncertain, tallied.normals);
+        algsurf_surface_free(s);
+    }
+}
+
+/* Surfaces whose terms cancel: their values are small against the rounding of the terms. */
+static void test_cancellation(void **state) {
+    (void)state;
+    static const char *const equations[] = {
+        "(x-9)^2 + (y-300)^2 + (z-2)^2 - 1",
+        "(x-20)^4 - 5(x-20)^2 + (y-20)^4 - 5(y-20)^2 + (z+20)^4 - 5(z+20)^2 + 11.8",
+        "4(2.618(x-3)^2 - (y-4)^2)(2.618(y-4)^2 - z^2)(2.618z^2 - (x-3)^2) - 4.236((x-3)^2+(y-4)^2+z^2-1)^2",
+    };
+    static const double centres[][3] = {{9, 300, 2}, {20, 20, -20}, {3, 4, 0}};
+    uint64_t seed = SEED;
+    tallied = (tally){0};
+    for (int i = 0; i < 3; i++) {
+        algsurf_surface *s;
+        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, &s, NULL), ALGSURF_OK);
+        surface = s;
+        const algsurf_extent ball = {
+            ALGSURF_EXTENT_SPHERE, {centres[i][0], centres[i][1], centres[i][2]}, {3, 0, 0}};
+        for (int round = 0; round < 60; round++) {
+            for (int j = 0; j < MOST; j++) {
+                algsurf_ray ray = make_ray(&seed, &ball, round % 4 ? GRAZING : ENDS);
+                put_ray(&p, j, &ray);
+            }
+            judge_all(MOST, &ball, ALGSURF_TIER_STANDARD);
+        }
+        algsurf_surface_free(s);
+    }
+    assert_true(tallied.hits > 1000 && tallied.misses > 1000 && tallied.uncertain < 200);
+}
+
+/* A ball through the hit which the ray leaves there at a slope of about 2^-k. */
+static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const algsurf_hit *hit, int k) {
+    algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0, 0, 0}};
+    double a[3], along = 0, square = 0, size = 0;
+    for (int i = 0; i < 3; i++) a[i] = exact_random_unit(seed);
+    for (int i = 0; i < 3; i++) {
+        along += a[i] * ray->direction[i];
+        square += ray->direction[i] * ray->direction[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        e.centre[i] =
+            hit->position[i] + a[i] - (along / square + ldexp(1, -k) / sqrt(square)) * ray->direction[i];
+        size += pow(hit->position[i] - e.centre[i], 2);
+    }
+    e.size[0] = sqrt(size);
+    return e;
+}
+
+/* The extent ends where the surface is hit, to the last digits. */
+static void test_hits_on_the_extent(void **state) {
+    (void)state;
+    const catalogue_entry *entry = catalogue_find("tangle");
+    algsurf_surface *s;
+    uint64_t seed = SEED;
+    assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+    surface = s;
+    tallied = (tally){0};
+    for (int round = 0; round < 1500; round++) {
+        algsurf_ray ray;
+        algsurf_hit hit;
+        int axis = exact_random_int(&seed, 3), box = round % 2;
+        if (!find_hit(&seed, &entry->extent, round % 3 ? 2 : 1e5, &ray, &hit)) continue;
+        algsurf_extent e = ball_through(&seed, &ray, &hit, exact_random_int(&seed, 30));
+        if (box) {
+            e = (algsurf_extent){ALGSURF_EXTENT_BOX, {0.1, -0.2, 0.3}, {4, 4, 4}};
+            e.size[axis] = fabs(hit.position[axis] - e.centre[axis]);
+        }
+        double *size = &e.size[box ? axis : 0];
+        *size = nextafter(nextafter(nextafter(*size, 0), 0), 0);
+        for (int i = 0; i < 7; i++) { /* seven neighbouring sizes */
+            put_ray(&p, 0, &ray);
+            judge_all(1, &e, ALGSURF_TIER_STANDARD);
+            *size = nextafter(*size, 9);
+        }
+    }
+    assert_true(tallied.hits > 1000 && tallied.misses > 1000);
+    algsurf_surface_free(s);
+}
+
+/* Exactly tangent, exactly at the ends, along double lines: what is uncertain stays so. */
+static void test_doubtful_rays(void **state) {
+    (void)state;
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+    } odd[] = {
+        {"x^2 + y^2 + z^2 - 1", {{-4, 1, 0}, {1, 0, 0}, 0, 9}},
+        {"x^2 + y^2 + z^2 - 1", {{-4, 0, 0}, {1, 0, 0}, 0, 3}},
+        {"x^2 + y^2 + z^2 - 1", {{-4, 0, 0}, {1, 0, 0}, 3, 9}},
+        {"x^2 + y^2 + z^2 - 1", {{-4, 0, 0}, {1, 0, 0}, 5, 5}},
+        {"x^2 + y^2 + z^2 - 1", {{-4, 0, 0}, {1, 0, 0}, 3.5, 4.5}},
+        {"x^2 z + y^2", {{0, 0, -2}, {0, 0, 1}, 0, 4}},
+        {"x^2 z + y^2", {{-1, 0, 1}, {1, 0, 0}, 0, 4}},
+        {"x^2y^2 + x^2z^2 + y^2z^2 + x y z", {{-3, 0, 0}, {1, 0, 0}, 0, 9}},
+        {"x^2y^2 + x^2z^2 + y^2z^2 + x y z", {{-3, -3, 0}, {1, 1, 0}, 0, 9}},
+        {"(x^2 + y^2 + z^2 - 1)^2", {{-4, 0.1, 0}, {1, 0, 0}, 0, 9}},
+        {"x - 1", {{0, 0, 0}, {0, 1, 0}, 0, 9}},
+        {"x - 1", {{1, 0, 0}, {0, 1, 0}, 0, 9}},
+        {"x - 1", {{0, 0, 0}, {1, 1, 0}, 0, INFINITY}},
+        {"x - 1", {{0, 0, 0}, {1, 1, 0}, -INFINITY, INFINITY}},
+        {"x y z", {{1, 1, 1}, {-1, -1, -1}, 0, 3}},
+        {"7", {{1, 1, 1}, {-1, -1, -1}, 0, 3}},
+    };
+    const algsurf_extent wide = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {64, 0, 0}};
+    tallied = (tally){0};
+    for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
+        algsurf_surface *s;
+        assert_int_equal(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        surface = s;
+        put_ray(&p, 0, &odd[i].ray);
+        judge_all(1, NULL, ALGSURF_TIER_STANDARD);
+        judge_all(1, &wide, ALGSURF_TIER_STANDARD);
+        algsurf_surface_free(s);
+    }
+    assert_true(tallied.uncertain > 8 && tallied.hits > 8);
+}
+
+static intersect_case c;
+
+static int random_surface(uint64_t *seed, int n) {
+    algsurf_term terms[24];
+    int count = 2 + exact_random_int(seed, 20);
+    for (int i = 0; i < count; i++) {
+        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
+        while (total-- > 0) e[exact_random_int(seed, 3)]++;
+        terms[i] = (algsurf_term){e[0], e[1], e[2], exact_random_wide(seed, -2, 2)};
+    }
+    return intersect_terms(&c, terms, count);
+}
+
+/* Ray i of the packet, with the packet's answers in place of a single call's, judged by a Sturm chain. */
+static int judge_exactly(int i, double *error) {
+    intersect_answer answer;
+    c.ray = ray_at(&p, i);
+    exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
+    exact_sturm s = exact_sturm_of(line.c, c.degree);
+    if (s.count > 0) {
+        intersect_ask(&c, NULL, NULL, &answer);
+        algsurf_hit hit = hit_at(&p, i);
+        if (hit.state != answer.first.state) intersect_fail("state", &c, &answer);
+        hit.reason = answer.first.reason;
+        answer.first = hit;
+        answer.occluded = (algsurf_hit_state)p.occluded[i];
+        const char *wrong = intersect_form(&c, &hit);
+        if (!wrong) wrong = intersect_truth(&c, &s, &answer);
+        if (!wrong) wrong = intersect_agree(&answer);
+        if (wrong) intersect_fail(wrong, &c, &answer);
+        *error = hit.state == ALGSURF_HIT ? intersect_error(&c, &line, &s, &hit) : 0;
+        if (*error > 1000) intersect_fail("far from the root", &c, &answer);
+    }
+    exact_sturm_clear(&s), exact_line_clear(&line);
+    return s.count > 0;
+}
+
+static void test_exact(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    int judged = 0, hits = 0, precise = 0;
+    for (int round = 0; round < 60; round++) {
+        if (!random_surface(&seed, 1 + round % 12)) continue;
+        surface = c.surface;
+        for (int i = 0; i < MOST; i++) {
+            algsurf_ray ray = {.t_min = 0};
+            double eye = exact_random_int(&seed, 3) ? 4 : 0;
+            for (int k = 0; k < 3; k++) {
+                ray.direction[k] = exact_random_int(&seed, 8) ? exact_random_unit(&seed) : 0;
+                ray.origin[k] = exact_random_unit(&seed) - eye * ray.direction[k];
+            }
+            if (ray.direction[0] == 0 && ray.direction[1] == 0) ray.direction[2] = 1;
+            ray.t_min = exact_random_int(&seed, 3) ? 0 : -1;
+            ray.t_max = exact_random_int(&seed, 8) ? eye + 4 : 1e4;
+            put_ray(&p, i, &ray);
+        }
+        assert_int_equal(ask(&p, 0, MOST, NULL, NULL), ALGSURF_OK);
+        for (int i = 0; i < MOST; i++) {
+            double error = 0;
+            if (!judge_exactly(i, &error)) continue;
+            judged++, hits += p.state[i] == ALGSURF_HIT;
+            precise += p.state[i] == ALGSURF_HIT && error < 8;
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (judged < 1500 || hits * 5 < judged || precise * 100 < hits * 99)
+        fail_msg("seed %u: %d rays, %d hits, %d precise", SEED, judged, hits, precise);
+}
+
+/* All terms of a degree, their sizes such that P is about the same in all directions (Kostlan). */
+static algsurf_surface *dense_surface(uint64_t *seed, int n) {
+    static algsurf_term terms[50000];
+    int count = 0;
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; i + j <= n; j++)
+            for (int k = 0; i + j + k <= n; k++) {
+                double ways =
+                    lgamma(n + 1) - lgamma(i + 1) - lgamma(j + 1) - lgamma(k + 1) - lgamma(n - i - j - k + 1);
+                terms[count++] = (algsurf_term){i, j, k, exact_random_unit(seed) * exp(0.5 * ways)};
+            }
+    algsurf_surface *s;
+    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &s), ALGSURF_OK);
+    return s;
+}
+
+/* Doubtful ones among some rays, by the kernel itself. */
+static int doubts(const algsurf_extent *extent, int any) {
+    algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any, .bounded = 1};
+    algsurf_i_rays_hits hits = {.state = q.state, .t = q.t};
+    int count = 0;
+    for (int k = 0; k < 3; k++) job.origin[k] = p.origin[k], job.direction[k] = p.direction[k];
+    job.t_min = p.t_min, job.t_max = p.t_max;
+    algsurf_i_kernel_find(NULL)->solve_rays(&job, MOST, &hits);
+    for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_DOUBTFUL;
+    return count;
+}
+
+/* Every degree, those without packet code among them; how many rays the packet code decides is counted. */
+static void test_degrees(void **state) {
+    (void)state;
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.2, 0, 0}};
+    const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 33, 64};
+    uint64_t seed = SEED;
+    for (size_t d = 0; d < sizeof degrees / sizeof degrees[0]; d++) {
+        int n = degrees[d], left = 0, rays = 0;
+        algsurf_surface *s = dense_surface(&seed, n);
+        surface = s;
+        for (int round = 0; round < (n > 20 ? 1 : 12); round++) {
+            for (int i = 0; i < MOST; i++) {
+                algsurf_ray ray = ray_from(&seed, &ball, 4);
+                put_ray(&p, i, &ray);
+            }
+            if (round < 2) judge_all(n > 20 ? 5 : MOST, &ball, ALGSURF_TIER_STANDARD);
+            if (n <= 20) left += doubts(&ball, 0) + doubts(&ball, 1), rays += 2 * MOST;
+        }
+        /* the bounds grow with the degree; 8 % for 20 were measured */
+        if (left * 100 > rays * (n < 15 ? 1 : 20)) fail_msg("degree %d: %d of %d in doubt", n, left, rays);
+        algsurf_surface_free(s);
+    }
+}
+
+static void test_catalogue_is_decided(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        algsurf_surface *s;
+        int left = 0, rays = 0;
+        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        surface = s;
+        for (int round = 0; round < 60; round++) {
+            for (int i = 0; i < MOST; i++) {
+                algsurf_ray ray = ray_from(&seed, &entry->extent, round % 2 ? 4 : 1e5);
+                put_ray(&p, i, &ray);
+            }
+            left += doubts(&entry->extent, 0), rays += MOST;
+        }
+        if (left * 100 > rays) fail_msg("%s: %d of %d in doubt", entry->name, left, rays);
+        algsurf_surface_free(s);
+    }
+}
+
+static algsurf_surface *barth(void) {
+    algsurf_surface *s;
+    assert_int_equal(algsurf_surface_from_equation(catalogue_find("barth")->equation, NULL, 0, &s, NULL),
+                     ALGSURF_OK);
+    surface = s;
+    return s;
+}
+
+static void fill(uint64_t *seed, const algsurf_extent *extent) {
+    memset(&p, 0x5a, sizeof p);
+    p.masked = 0;
+    for (int i = 0; i < MOST; i++) {
+        algsurf_ray ray = make_ray(seed, extent, i % 5 ? OUTSIDE : GRAZING);
+        put_ray(&p, i, &ray);
+        p.active[i] = exact_random_int(seed, 3) ? (unsigned char)(1 + exact_random_int(seed, 255)) : 0;
+    }
+}
+
+/* Any count, any mask, any split: the same bits, and not a byte of the others touched. */
+static void test_counts_masks_splits(void **state) {
+    (void)state;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    packet_case untouched = p, whole = p, single = p;
+    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
+    for (int i = 0; i < MOST; i++) assert_int_equal(ask(&single, i, 1, extent, NULL), ALGSURF_OK);
+    assert_memory_equal(&whole, &single, sizeof whole);
+    for (int count = 0; count <= MOST; count++)
+        for (int masked = 0; masked < 2; masked++) {
+            packet_case got = untouched, wanted = untouched;
+            got.masked = wanted.masked = masked;
+            for (int i = 0; i < count; i++) {
+                if (masked && !wanted.active[i]) continue;
+                wanted.state[i] = whole.state[i], wanted.occluded[i] = whole.occluded[i];
+                wanted.t[i] = whole.t[i], wanted.t_lo[i] = whole.t_lo[i], wanted.t_hi[i] = whole.t_hi[i];
+                for (int k = 0; k < 3; k++) {
+                    wanted.position[k][i] = whole.position[k][i];
+                    wanted.normal[k][i] = whole.normal[k][i];
+                }
+            }
+            if (masked) /* what is not active may be anything */
+                for (int i = 0; i < count; i++)
+                    if (!got.active[i])
+                        got.origin[0][i] = wanted.origin[0][i] = i % 2 ? INFINITY : NAN,
+                        got.direction[1][i] = wanted.direction[1][i] = 0;
+            assert_int_equal(ask(&got, 0, count, extent, NULL), ALGSURF_OK);
+            if (memcmp(&got, &wanted, sizeof got) != 0)
+                fail_msg("seed %u: count %d, masked %d", SEED, count, masked);
+        }
+    algsurf_surface_free(s);
+}
+
+/* Every array but state may be missing; t_min and t_max then are 0 and infinity. */
+static void test_missing_arrays(void **state) {
+    (void)state;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    packet_case untouched = p, whole = p;
+    for (int i = 0; i < MOST; i++) whole.t_min[i] = 0, whole.t_max[i] = INFINITY;
+    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
+    algsurf_ray_packet rays = {.size = sizeof rays, .count = MOST};
+    for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
+    for (int given = 0; given < 10; given++) { /* the one result asked for; 9: none */
+        packet_case got = untouched;
+        double *const results[] = {got.t,           got.t_lo,        got.t_hi,
+                                   got.position[0], got.position[1], got.position[2],
+                                   got.normal[0],   got.normal[1],   got.normal[2]};
+        double *const wanted[] = {whole.t,           whole.t_lo,        whole.t_hi,
+                                  whole.position[0], whole.position[1], whole.position[2],
+                                  whole.normal[0],   whole.normal[1],   whole.normal[2]};
+        algsurf_hit_packet hits = {.size = sizeof hits, .state = got.state};
+        double **const members[] = {&hits.t,           &hits.t_lo,        &hits.t_hi,
+                                    &hits.position[0], &hits.position[1], &hits.position[2],
+                                    &hits.normal[0],   &hits.normal[1],   &hits.normal[2]};
+        if (given < 9) *members[given] = results[given];
+        assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_OK);
+        assert_memory_equal(got.state, whole.state, sizeof got.state);
+        for (int i = 0; i < 9; i++)
+            assert_memory_equal(results[i], i == given ? wanted[i] : untouched.t, sizeof untouched.t);
+    }
+    algsurf_surface_free(s);
+}
+
+/* Refused by both calls, nothing written. */
+static void refuse(algsurf_status expected, const algsurf_extent *extent,
+                   const algsurf_intersect_options *options) {
+    packet_case before = p;
+    assert_int_equal(ask(&p, 0, MOST, extent, options), expected);
+    assert_memory_equal(&p, &before, sizeof p);
+}
+
+static void test_errors(void **state) {
+    (void)state;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    algsurf_extent bad = *extent;
+    algsurf_intersect_options options = {.size = sizeof options};
+    fill(&seed, extent);
+    packet_case good = p;
+    for (int i = 0; i < MOST; i += 16) {
+        p = good, p.origin[1][i] = NAN, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
+        p = good, p.direction[2][i] = INFINITY, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
+        p = good, p.t_min[i] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
+        p = good, p.t_max[i] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
+        p = good, p.direction[0][i] = p.direction[1][i] = p.direction[2][i] = 0;
+        refuse(ALGSURF_E_ARGUMENT, extent, NULL);
+    }
+    p = good, p.t_max[20] = NAN, p.origin[0][21] = NAN, refuse(ALGSURF_E_ARGUMENT, extent, NULL);
+    p.masked = 1, p.active[20] = 0, p.active[21] = 1, refuse(ALGSURF_E_NOT_FINITE, extent, NULL);
+    p = good;
+    bad.size[0] = 0, refuse(ALGSURF_E_ARGUMENT, &bad, NULL);
+    options.kernel = "avx1024", refuse(ALGSURF_E_ARGUMENT, extent, &options);
+    options.kernel = "", refuse(ALGSURF_E_ARGUMENT, extent, &options);
+    options.kernel = NULL, options.tolerance = -1, refuse(ALGSURF_E_ARGUMENT, extent, &options);
+
+    algsurf_ray_packet rays = {.size = sizeof rays, .count = 1};
+    for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
+    algsurf_hit_packet hits = {.size = sizeof hits, .state = p.state};
+    assert_int_equal(algsurf_intersect_packet(NULL, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(s, NULL, NULL, NULL, &hits), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded_packet(s, NULL, &rays, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded_packet(s, NULL, NULL, NULL, p.state), ALGSURF_E_ARGUMENT);
+    hits.state = NULL;
+    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    hits.state = p.state, rays.origin[2] = NULL;
+    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    rays.origin[2] = p.origin[2], rays.size = 1;
+    assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
+    rays.size = offsetof(algsurf_ray_packet, t_min); /* an older caller */
+    assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_OK);
+    const algsurf_ray_packet none = {.size = sizeof none};
+    const algsurf_hit_packet nowhere = {.size = sizeof nowhere};
+    assert_int_equal(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded_packet(s, extent, &none, NULL, NULL), ALGSURF_OK);
+    algsurf_surface_free(s);
+}
+
+static void test_kernel_names(void **state) {
+    (void)state;
+    const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
+    algsurf_surface *s = barth();
+    algsurf_intersect_options options = {.size = sizeof options};
+    algsurf_hit hit;
+    algsurf_hit_state occluded;
+    int count = 0, room;
+    while (algsurf_kernel_name(count)) {
+        char name[16];
+        snprintf(name, sizeof name, "%s", algsurf_kernel_name(count++));
+        options.kernel = name;
+        assert_int_equal(algsurf_intersect_first(s, NULL, &ray, &options, &hit), ALGSURF_OK);
+    }
+    assert_true(count >= 1 && count <= 3);
+    assert_string_equal(algsurf_kernel_name(count - 1), "baseline");
+    assert_null(algsurf_kernel_name(-1));
+    options.kernel = "sse9";
+    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, &options, &hit), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_intersect_all(s, NULL, &ray, &options, &hit, 1, &room), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_occluded(s, NULL, &ray, &options, &occluded), ALGSURF_E_ARGUMENT);
+    algsurf_surface_free(s);
+}
+
+/* Other methods, limits and tolerances: the bits of single calls, or as near as asked. */
+static void test_options(void **state) {
+    (void)state;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    for (int method = ALGSURF_METHOD_DEFAULT; method <= ALGSURF_METHOD_REGULA_FALSI; method++) {
+        algsurf_intersect_options options = {.size = sizeof options, .method = (algsurf_method)method};
+        options.max_iterations = method == ALGSURF_METHOD_DEFAULT ? 100 : 0;
+        options.tolerance = 1e-4;
+        assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+        for (int i = 0; i < MOST; i++) {
+            algsurf_ray ray = ray_at(&p, i);
+            algsurf_hit single, hit = hit_at(&p, i);
+            assert_int_equal(algsurf_intersect_first(s, extent, &ray, &options, &single), ALGSURF_OK);
+            single.reason = ALGSURF_OK;
+            assert_memory_equal(&hit, &single, sizeof hit);
+        }
+    }
+    algsurf_intersect_options options = {.size = sizeof options, .tolerance = 1e-4};
+    assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+    for (int i = 0; i < MOST; i++) {
+        algsurf_ray ray = ray_at(&p, i);
+        algsurf_hit exact;
+        assert_int_equal(algsurf_intersect_first(s, extent, &ray, NULL, &exact), ALGSURF_OK);
+        assert_int_equal(p.state[i], exact.state);
+        if (p.state[i] == ALGSURF_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
+    }
+    algsurf_surface_free(s);
+}
+
+/* The same scene larger or smaller, up to sizes that packets leave to single calls. */
+static void test_scales(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    algsurf_term terms[INTERSECT_TERMS];
+    tallied = (tally){0};
+    for (int k = -280; k <= 280; k += 35) {
+        intersect_equation(&c, "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8");
+        memcpy(terms, c.terms, sizeof terms);
+        int count = c.count;
+        for (int i = 0; i < count; i++)
+            terms[i].a = ldexp(terms[i].a, (4 - terms[i].i - terms[i].j - terms[i].k) * k - 2 * k);
+        algsurf_surface_free(c.surface);
+        assert_true(intersect_terms(&c, terms, count));
+        surface = c.surface;
+        const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, ldexp(0.1, k)}, {ldexp(3.7, k), 0, 0}};
+        const algsurf_extent box = {
+            ALGSURF_EXTENT_BOX, {0, ldexp(0.1, k), 0}, {ldexp(2, k), ldexp(2.5, k), ldexp(3, k)}};
+        for (int round = 0; round < 4; round++) {
+            for (int i = 0; i < MOST; i++) {
+                algsurf_ray ray = ray_from(&seed, &ball, 4);
+                int length = round == 3 ? exact_random_int(&seed, 1200) - 600 : 0;
+                for (int j = 0; j < 3; j++) ray.direction[j] = ldexp(ray.direction[j], length);
+                put_ray(&p, i, &ray);
+            }
+            judge_all(MOST, round % 2 ? &ball : &box, ALGSURF_TIER_STANDARD);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    assert_true(tallied.hits * 2 > tallied.rays);
+}
+
+/* Extents far larger or smaller than the surface, and far away. */
+static void test_odd_extents(void **state) {
+    (void)state;
+    algsurf_surface *s = barth();
+    const double sizes[] = {0x1p-1000, 0x1p-500, 0x1p-120, 0x1p-40, 0x1p-20,
+                            0x1p20,    0x1p40,   0x1p120,  0x1p500, 0x1p1000};
+    uint64_t seed = SEED;
+    for (int i = 0; i < 10; i++)
+        for (int kind = 0; kind < 4; kind++) {
+            algsurf_extent e = {kind % 2 ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE,
+                                {0, 0, kind < 2 ? 1 : sizes[i]}, /* a point of the surface near it */
+                                {sizes[i], sizes[i], 3 * sizes[i]}};
+            for (int j = 0; j < MOST; j++) {
+                algsurf_ray ray = ray_from(&seed, &e, j % 2 ? 4 : 0.5);
+                put_ray(&p, j, &ray);
+            }
+            judge_all(MOST, &e, ALGSURF_TIER_STANDARD);
+        }
+    algsurf_surface_free(s);
+}
+
+static void test_environments(void **state) {
+    (void)state;
+    const algsurf_extent *extent = &catalogue_find("barth")->extent;
+    algsurf_surface *s = barth();
+    uint64_t seed = SEED;
+    fill(&seed, extent);
+    packet_case before = p;
+    for (int k = 0; algsurf_kernel_name(k); k++) {
+        algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(k)};
+        for (int i = 0; i < ENVIRONMENTS; i++) {
+            q = before;
+            environment_set(i);
+            algsurf_status status = ask(&q, 0, MOST, extent, &options);
+            int same = environment_unset(i);
+            assert_true(same);
+            assert_int_equal(status, ALGSURF_OK);
+            if (k == 0 && i == 0) p = q;
+            assert_memory_equal(&q, &p, sizeof p);
+        }
+    }
+    algsurf_surface_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_catalogue),
+        cmocka_unit_test(test_cancellation),
+        cmocka_unit_test(test_hits_on_the_extent),
+        cmocka_unit_test(test_doubtful_rays),
+        cmocka_unit_test(test_exact),
+        cmocka_unit_test(test_degrees),
+        cmocka_unit_test(test_catalogue_is_decided),
+        cmocka_unit_test(test_counts_masks_splits),
+        cmocka_unit_test(test_missing_arrays),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_kernel_names),
+        cmocka_unit_test(test_options),
+        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_odd_extents),
+        cmocka_unit_test(test_environments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
