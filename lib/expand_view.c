@@ -129,7 +129,9 @@ static void set_basis(double *basis, int n) {
         }
 }
 
-static void set_sizes(algsurf_i_frame_form *frame) {
+/* Returns sum |q_ijk|. */
+static double set_sizes(algsurf_i_frame_form *frame) {
+    double whole = 0;
     int n = frame->degree, side = n + 1;
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= n; j++) {
@@ -141,7 +143,9 @@ static void set_sizes(algsurf_i_frame_form *frame) {
             }
             frame->sizes[i * side + j] = sum;
             frame->along[i * side + j] = along;
+            whole += sum;
         }
+    return whole;
 }
 
 int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame, void *memory) {
@@ -169,8 +173,8 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
             }
     frame->error = 0x1p-90 * magnitude(s, reach) + 0x1p-900;
     set_basis(frame->basis, n);
-    set_sizes(frame);
-    return isfinite(frame->error);
+    /* so that no sum overflows on the way to a value: |x|, |y| <= 4 */
+    return set_sizes(frame) < 0x1p900 && frame->error < 0x1p900;
 }
 
 /* c_km: the coefficient of z^k u^m for this v. */

@@ -34,7 +34,7 @@ typedef struct algsurf_i_frame_form {
 } algsurf_i_frame_form;
 
 /* Fills the arrays of a frame of degree at most ALGSURF_MAX_VIEW_DEGREE with the help of `memory`, of
- * algsurf_i_frame_memory(degree) bytes.  Returns 0 when a coefficient leaves the range of double.  Cost:
+ * algsurf_i_frame_memory(degree) bytes.  Returns 0 when values would leave the range of double.  Cost:
  * O(degree^6 / 180) operations in double-double. */
 size_t algsurf_i_frame_memory(int degree);
 int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame, void *memory);

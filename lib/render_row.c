@@ -96,7 +96,7 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     double begun = algsurf_i_render_clock();
     if (shadows) {
         algsurf_status status = algsurf_i_render_shadows(picture, line, &tally->shadow_rays);
-        if (status < 0) return status;
+        if (status != ALGSURF_OK) return status;
         double now = algsurf_i_render_clock();
         tally->shadow_s += now - begun;
         begun = now;
