@@ -6,6 +6,7 @@
 #include "algsurf/poly.h"
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
+#include "algsurf/packet.h"
 #include "algsurf/allroots.h"
 #include "algsurf/select.h"
 #include "algsurf/surface.h"

@@ -42,8 +42,8 @@ typedef struct algsurf_intersect_options {
     int max_iterations;    /* of the refinement, 0: 1000; at the limit the best point so far counts */
     double tolerance;      /* wanted error of t, absolute; 0: all a double can tell, with the final
                               Newton step on P at the point itself */
-    const char *kernel;    /* the packet code to use, by its name (algsurf_kernel_name), for packets and
-                              pictures; null: the fastest that runs here */
+    const char *kernel;    /* the packet code to use for packets and pictures, by a name that
+                              algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
 } algsurf_intersect_options;
 
 /* The packet code that runs on this machine, the fastest first: "avx512" (8 rays side by side), "avx2" (4),
@@ -90,32 +90,33 @@ typedef struct algsurf_ray_packet {
     size_t count;                           /* of rays; the arrays may be null when it is 0 */
     const double *origin[3], *direction[3]; /* x, y, z */
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
-    const unsigned char *active;            /* null: all rays count; 0: that ray is neither read nor
-                                               answered */
+    const unsigned char *active;            /* null: all; 0: that ray may be anything, and gets no answer */
 } algsurf_ray_packet;
 
-/* Where the answers of a packet go: entry i as the members of ray i's algsurf_hit; what is null, but state,
- * is not asked for. */
+/* Where the answers go: entry i as the members of ray i's algsurf_hit.  A null array is not asked for. */
 typedef struct algsurf_hit_packet {
     size_t size;          /* sizeof(algsurf_hit_packet) */
-    unsigned char *state; /* algsurf_hit_states */
+    unsigned char *state; /* an algsurf_hit_state each; not null */
     double *t, *t_lo, *t_hi;
     double *position[3], *normal[3]; /* x, y, z */
 } algsurf_hit_packet;
 
 /* The first hit of each ray of a packet inside the extent: what algsurf_intersect_first says of it.
- *   rays     any number of them, in any order; eight or more that are close to each other cost least
- *   options  as there; other methods than the default, an iteration limit, and degrees above 20 take the
- *            rays one by one.  A tolerance is met, but saves nothing.
+ *   rays     any number of them; neighbours that take similar ways cost least
+ *   options  as there, and a kernel; methods other than the default, a limit of iterations, and degrees
+ *            above 20 take the rays one by one; a tolerance is met, but saves nothing
  *   hits     arrays that overlap neither each other nor those of the rays
- * Guarantee: in the standard tier the states are those of the single calls, and so is what bounds and
- * encloses mean; t, position and normal agree within that bound.  (In the fast tier a state may differ
- * within rounding of a tangency.)  The bits of an answer do not depend on the kernel, on the other rays of
- * the packet, nor on how rays are split into packets. Errors: those of the single call for any active ray,
- * the first bad one deciding; E_ARGUMENT (null; a size that is none).  Nothing is written then.  Cost: 0.05
- * to 0.4 microseconds a ray for degrees 2 to 10 and packets of 8 rays or more; a ray with an end at infinity,
- * or on a surface, costs a single call; no allocation. Source: values at Chebyshev nodes turned to Bernstein
- * form, Descartes' rule, LANES rays at once. Since 1.0. */
+ * Guarantee: that of the single call.  In the standard tier the states are the same, intervals enclose and
+ * isolate, and t, position and normal are within the same bound; in the fast tier a state may differ within
+ * rounding of a tangency.  The bits of an answer do not depend on the kernel, nor on the other rays of the
+ * packet.
+ * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
+ * options; E_ARGUMENT (null, or a size that is none).  In any case nothing is written.
+ * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
+ * side by side.  A single call is added for a ray too close to call in double, one without end, and one that
+ * is several thousand times as long as the surface is large.  No allocation.
+ * Source: values at Chebyshev's nodes, turned to the Bernstein basis; Descartes' rule; Newton's method; all
+ * for several rays at once.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
                                                     const algsurf_extent *extent,
                                                     const algsurf_ray_packet *rays,
@@ -123,8 +124,8 @@ ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surfa
                                                     const algsurf_hit_packet *hits);
 
 /* Is there any hit on each ray of a packet?  What algsurf_occluded says of each.
- *   state  an algsurf_hit_state for each ray, not written for those that are not active
- * Errors, guarantee: as above.  Since 1.0. */
+ *   state  receives an algsurf_hit_state for each active ray
+ * Errors, guarantee: as above.  Cost: two thirds of the above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surface,
                                                    const algsurf_extent *extent,
                                                    const algsurf_ray_packet *rays,

@@ -119,8 +119,12 @@ typedef struct algsurf_render_stats {
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
  * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY,
  * E_THREAD (no locks to be had).
- * Cost: an intersection a sample, a shadow ray a light sample; memory: some 200 bytes for each
- * thread and pixel of a row, in complex space 32 more for each degree, allocated once.  Since 1.0. */
+ * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
+ * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
+ * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some
+ * 200 bytes for each thread and pixel of a row, in complex space 32 more for each degree, allocated once.
+ * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
+ * neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           uint8_t *pixels, size_t stride, double *hits,
                                           algsurf_render_stats *stats);

@@ -63,6 +63,17 @@ typedef struct algsurf_i_rays_hits {
     double *t, *t_lo, *t_hi, *position[3], *normal[3];
 } algsurf_i_rays_hits;
 
+/* Polynomials of degree 1 to ALGSURF_MAX_PACKET_DEGREE, as in algsurf_poly_packet, and their answers. */
+typedef struct algsurf_i_polys_job {
+    const double *const *c, *const *r;
+    const double *lo, *hi;
+    int degree;
+    double tolerance;    /* relative to the interval */
+    const double *basis; /* Bernstein coefficient j of v^k over [-1,1] at j (degree+1) + k; for degrees above 2 */
+    uint8_t *state;
+    double *root; /* +inf where there is none; may be null */
+} algsurf_i_polys_job;
+
 typedef struct algsurf_i_kernel {
     const char *name;
     int lanes;
@@ -77,6 +88,10 @@ typedef struct algsurf_i_kernel {
                     const double *visible, double *colour);
     /* hits of the active rays among the first `count`.  Of a doubtful ray only the state means something. */
     void (*solve_rays)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
+    /* state and root of the first `count` polynomials; of a doubtful one only the state means something. */
+    void (*solve_polys)(const algsurf_i_polys_job *job, size_t count);
+    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; basis, state, root are not read. */
+    int (*good_polys)(const algsurf_i_polys_job *job, size_t count);
 } algsurf_i_kernel;
 
 /* The kernels this processor and operating system can run, the fastest first; null beyond the last. */

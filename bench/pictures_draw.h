@@ -1,0 +1,46 @@
+/* pictures_draw.h - one surface as pictures shows it: drawn in different ways, judged, and timed. */
+#ifndef PICTURES_DRAW_H
+#define PICTURES_DRAW_H
+#include "catalogue.h"
+
+/* What a picture owes to the reference: the fastest kernel's, one thread, standard tier and quality. */
+typedef enum duty {
+    DUTY_NONE,    /* nothing: what it shows is approximate */
+    DUTY_PICTURE, /* the same bytes, of its hits too */
+    DUTY_HITS,    /* the same bytes of its hits */
+    DUTY_MASK,    /* a hit at the same pixels, but for those that algsurf_intersect_first leaves in doubt */
+    DUTY_EMPTY    /* not this: no hit at all */
+} duty;
+
+/* A way to draw. */
+typedef struct manner {
+    const char *name, *kernel; /* kernel null: the fastest */
+    int threads;               /* as algsurf_render_options */
+    algsurf_tier tier;
+    algsurf_quality quality;
+    algsurf_method method;
+    int lifted; /* the surface plus a constant that leaves no zero inside the extent */
+    int once;   /* not repeated */
+    duty duty;
+} manner;
+
+enum { PART_ALL, PART_EXPAND, PART_SOLVE, PART_POINT, PART_SHADOW, PART_SHADE, PARTS };
+
+typedef struct drawing {
+    int threads;           /* used */
+    double seconds[PARTS]; /* PART_ALL: on the wall, of the call; the others: summed over threads */
+} drawing;
+
+typedef struct stage stage;
+
+/* The surface in its view, and the reference, drawn.  Ends the program when that cannot be had. */
+stage *stage_open(const catalogue_entry *entry, int width, int height);
+void stage_close(stage *s);
+
+size_t stage_rays(const stage *s); /* rays through the middle of a pixel that meet the extent */
+size_t stage_hits(const stage *s); /* of the reference */
+
+/* Draws.  Returns null, or how the picture fails its duty, a static text. */
+const char *stage_draw(stage *s, const manner *m, drawing *d);
+
+#endif

@@ -1,0 +1,472 @@
+/* test_packet.c - first roots of many polynomials: states against the single calls, roots against a Sturm
+ * chain over integers, bits of one kernel against those of the others.
+ *
+ * Breaks caught, each tried: the error radius left out, a doubtful lane told as one without a root, a scaled
+ * lane's radius not scaled, the last lanes of a packet not looked at, an answer written before all
+ * polynomials were checked, Halley's step taken where it is no better than none,
+ * a kernel that doubts everything.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "exact_roots.h"
+
+#include <cmocka.h>
+
+#include "algsurf/intersect.h"
+#include "algsurf/isolate.h"
+#include "algsurf/packet.h"
+#include "algsurf/poly.h"
+#include "environments.h"
+#include "kernels/kernel.h"
+
+#define SEED 71u
+enum { MOST = 131, TOP = 40 };
+
+static double c[TOP + 1][MOST], r[TOP + 1][MOST], lo[MOST], hi[MOST];
+static const double *c_rows[TOP + 1], *r_rows[TOP + 1];
+
+typedef struct answers {
+    unsigned char state[MOST];
+    double root[MOST];
+} answers;
+
+static algsurf_poly_packet packet_of(int degree, size_t first, size_t count, int radii) {
+    for (int k = 0; k <= degree; k++) {
+        c_rows[k] = c[k] + first;
+        r_rows[k] = r[k] + first;
+    }
+    return (algsurf_poly_packet){sizeof(algsurf_poly_packet), count,      degree,    c_rows,
+                                 radii ? r_rows : NULL,       lo + first, hi + first};
+}
+
+static void solve(int degree, size_t first, size_t count, int radii, const char *kernel, answers *to) {
+    algsurf_poly_packet p = packet_of(degree, first, count, radii);
+    algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
+    assert_int_equal(algsurf_first_roots(&p, &options, to->state + first, to->root + first), ALGSURF_OK);
+}
+
+static _Noreturn void complain(const char *what, int degree, int i, const answers *a, int expected) {
+    double one[TOP + 1], radius[TOP + 1];
+    for (int k = 0; k <= degree; k++) one[k] = c[k][i], radius[k] = r[k][i];
+    exact_print_doubles("c", one, degree + 1);
+    exact_print_doubles("r", radius, degree + 1);
+    fail_msg("%s: degree %d on [%a, %a], number %d: state %d, root %a, expected %d (seed %u)", what, degree,
+             lo[i], hi[i], i, a->state[i], a->root[i], expected, SEED);
+    abort();
+}
+
+static int same(const answers *a, const answers *b, size_t count) {
+    return memcmp(a->state, b->state, count) == 0 && memcmp(a->root, b->root, count * sizeof *a->root) == 0;
+}
+
+/* Single calls say the same; with radii the packet may know more. */
+static void check_states(int degree, int count, int radii, const answers *a, int seen[3]) {
+    for (int i = 0; i < count; i++) {
+        double one[TOP + 1], radius[TOP + 1];
+        algsurf_bracket b;
+        int found = 0;
+        for (int k = 0; k <= degree; k++) one[k] = c[k][i], radius[k] = r[k][i];
+        algsurf_status status =
+            algsurf_isolate_first(one, radii ? radius : NULL, degree, lo[i], hi[i], &b, &found);
+        int expected = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNCERTAIN : found;
+        if (a->state[i] != expected && !(radii && expected == ALGSURF_FIRST_ROOT_UNCERTAIN))
+            complain("another state", degree, i, a, expected);
+        if (expected == ALGSURF_FIRST_ROOT_NONE && a->root[i] != (double)INFINITY)
+            complain("a root of none", degree, i, a, expected);
+        seen[expected]++;
+        if (expected != ALGSURF_FIRST_ROOT_FOUND) continue;
+        int inside = lo[i] <= a->root[i] && a->root[i] <= hi[i];
+        if (!inside) complain("a root outside", degree, i, a, expected);
+    }
+}
+
+/* All kernels, then single calls; returns through seen how often each state came. */
+static void check(int degree, int count, int radii, answers *a, int seen[3]) {
+    answers other;
+    solve(degree, 0, (size_t)count, radii, NULL, a);
+    const char *name;
+    for (int i = 0; (name = algsurf_kernel_name(i)); i++) {
+        memset(&other, 0x55, sizeof other);
+        solve(degree, 0, (size_t)count, radii, name, &other);
+        for (int j = 0; j < count; j++)
+            if (a->state[j] != other.state[j] || memcmp(a->root + j, other.root + j, sizeof *a->root) != 0)
+                complain(name, degree, j, &other, a->state[j]);
+    }
+    check_states(degree, count, radii, a, seen);
+}
+
+/* Against the chain's first root. */
+static void check_roots(int degree, int count, const answers *a, double tolerance) {
+    for (int i = 0; i < count; i++) {
+        double one[TOP + 1];
+        for (int k = 0; k <= degree; k++) one[k] = c[k][i];
+        if (a->state[i] == ALGSURF_FIRST_ROOT_UNCERTAIN) continue;
+        exact_sturm s = exact_sturm_of_doubles(one, degree);
+        int roots = exact_count_roots(&s, lo[i], hi[i]);
+        if ((roots > 0) != (a->state[i] == ALGSURF_FIRST_ROOT_FOUND))
+            complain("not true", degree, i, a, roots > 0);
+        if (roots > 0) {
+            double root = exact_root(&s, lo[i], hi[i], 0), error = fabs(a->root[i] - root);
+            if (!(error <= tolerance * (hi[i] - lo[i]) + 0x1p-52 * fabs(root)))
+                complain("root is off", degree, i, a, 1);
+        }
+        exact_sturm_clear(&s);
+    }
+}
+
+/* c of polynomial i becomes scale prod (t - root) prod ((t - a)^2 + e), in long double. */
+static void put_product(int i, int degree, const double *roots, int count, uint64_t *random) {
+    long double p[TOP + 3] = {1};
+    int n = 0;
+    for (; n < count && n < degree; n++)
+        for (int k = n + 1; k >= 0; k--) p[k] = (k > 0 ? p[k - 1] : 0) - roots[n] * p[k];
+    while (n + 2 <= degree) {
+        double a = exact_random_unit(random), e = 0.1 + fabs(exact_random_unit(random));
+        for (int k = n + 2; k >= 0; k--)
+            p[k] = (k > 1 ? p[k - 2] : 0) - 2 * a * (k > 0 ? p[k - 1] : 0) + (a * a + e) * p[k];
+        n += 2;
+    }
+    for (int k = 0; k <= degree; k++) c[k][i] = k <= n ? (double)p[k] : 0;
+}
+
+static void put_random(int degree, uint64_t *random) {
+    for (int i = 0; i < MOST; i++) {
+        double roots[TOP];
+        int count = degree < 20 ? exact_random_int(random, degree + 1) : exact_random_int(random, 4);
+        for (int k = 0; k < count; k++) roots[k] = 1.5 * exact_random_unit(random);
+        put_product(i, degree, roots, count, random);
+        lo[i] = exact_random_unit(random) - 1;
+        hi[i] = lo[i] + 1.5 + exact_random_unit(random);
+    }
+}
+
+static const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 40};
+#define EACH_DEGREE(n) for (int d_ = 0, n; d_ < 14 && (n = degrees[d_], 1); d_++)
+
+static void test_random(void **unused) {
+    (void)unused;
+    uint64_t random = SEED;
+    EACH_DEGREE(n) {
+        int seen[3] = {0, 0, 0};
+        answers a;
+        for (int round = 0; round < 4; round++) {
+            put_random(n, &random);
+            check(n, MOST, 0, &a, seen);
+            if (n <= 12) check_roots(n, MOST, &a, 1e-11);
+        }
+        assert_true(seen[0] >= MOST / 8 && seen[1] >= MOST / 4 && seen[2] <= MOST / 8);
+    }
+}
+
+/* (t - a)^2 +- e^2, times quadratics without real roots, and a root far behind. */
+static void test_grazing(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 1;
+    EACH_DEGREE(n) {
+        int seen[3] = {0, 0, 0};
+        answers a;
+        if (n < 2 || n > 12) continue;
+        for (int i = 0; i < MOST; i++) {
+            double at = 0.5 * exact_random_unit(&random),
+                   e = pow(10, -5.5 + 3.5 * exact_random_unit(&random));
+            put_product(i, n - 2, NULL, 0, &random);
+            double q[3] = {at * at + (i % 2 ? e * e : -e * e), -2 * at, 1}, p[TOP + 1];
+            for (int k = 0; k <= n; k++) {
+                p[k] = 0;
+                for (int j = 0; j <= 2; j++) p[k] += k >= j && k - j <= n - 2 ? q[j] * c[k - j][i] : 0;
+            }
+            for (int k = 0; k <= n; k++) c[k][i] = p[k];
+            lo[i] = -1;
+            hi[i] = 1;
+        }
+        check(n, MOST, 0, &a, seen);
+        check_roots(n, MOST, &a, 1e-11);
+        assert_true(seen[0] > MOST / 4 && seen[1] > MOST / 4);
+    }
+}
+
+/* Dyadic roots, so that products are exact: at ends, twice, at 0; leading zeros; zero polynomials. */
+static void test_special(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 2;
+    for (int n = 1; n <= 6; n++)
+        for (int round = 0; round < 8; round++) {
+            int seen[3] = {0, 0, 0};
+            answers a;
+            for (int i = 0; i < MOST; i++) {
+                double roots[TOP];
+                int count = exact_random_int(&random, n + 1);
+                for (int k = 0; k < count; k++) roots[k] = (exact_random_int(&random, 9) - 4) * 0.25;
+                for (int k = 0; k <= n; k++) c[k][i] = 0;
+                long double p[TOP + 1] = {i % 16 ? 1 : 0};
+                for (int m = 0; m < count; m++)
+                    for (int k = m + 1; k >= 0; k--) p[k] = (k > 0 ? p[k - 1] : 0) - roots[m] * p[k];
+                for (int k = 0; k <= count; k++) c[k][i] = (double)p[k];
+                lo[i] = -0.25 * (1 + exact_random_int(&random, 4));
+                hi[i] = 0.25 * (1 + exact_random_int(&random, 4));
+            }
+            for (int i = 0; i < MOST; i++) /* single calls refuse what is zero throughout */
+                if (c[0][i] == 0 && i % 16 == 0) c[1][i] = 1;
+            check(n, MOST, 0, &a, seen);
+            check_roots(n, MOST, &a, 1e-11);
+        }
+    c[0][0] = c[1][0] = c[2][0] = 0;
+    answers a;
+    solve(2, 0, 1, 0, NULL, &a);
+    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
+    solve(0, 0, 1, 0, NULL, &a);
+    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
+    c[0][0] = 3;
+    solve(0, 0, 1, 0, NULL, &a);
+    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_NONE);
+}
+
+/* The chord over the interval crosses zero where p has no slope. */
+static void test_flat(void **unused) {
+    (void)unused;
+    static const double flat[] = {0x1.30cf06dd576e4p-6, 0x1.2b1293cc71dfdp-3, 0x1.d9c2916bb8cc5p-3,
+                                  -0x1.e1fceae2a32dfp-3};
+    uint64_t random = SEED + 11;
+    int seen[3] = {0, 0, 0};
+    answers a;
+    for (int i = 0; i < MOST; i++) {
+        for (int k = 0; k < 4; k++) c[k][i] = flat[k];
+        c[0][i] += i * 0x1p-16 * exact_random_unit(&random);
+        hi[i] = 0x1.f942p+0; /* of -lo and hi: the chord's root is at p's maximum */
+        lo[i] = -hi[i];
+    }
+    check(3, MOST, 0, &a, seen);
+    check_roots(3, MOST, &a, 1e-11);
+}
+
+/* p(t / 2^e) 2^f has p's roots times 2^e, and nothing else changes. */
+static void test_scale(void **unused) {
+    (void)unused;
+    static const int at[][2] = {{0, 664}, {0, -664}, {100, 0}, {-100, 0}, {60, 300}, {-60, -300}, {0, 330}};
+    uint64_t random = SEED + 3;
+    for (int n = 1; n <= 8; n++)
+        for (int j = 0; j < 7; j++) {
+            int seen[3] = {0, 0, 0};
+            answers plain, scaled;
+            put_random(n, &random);
+            check(n, MOST, 0, &plain, seen);
+            int e = at[j][0], f = at[j][1];
+            for (int i = 0; i < MOST; i++) {
+                for (int k = 0; k <= n; k++) c[k][i] = ldexp(c[k][i], f - k * e);
+                lo[i] = ldexp(lo[i], e);
+                hi[i] = ldexp(hi[i], e);
+            }
+            check(n, MOST, 0, &scaled, seen);
+            for (int i = 0; i < MOST; i++) {
+                double error = fabs(ldexp(scaled.root[i], -e) - plain.root[i]);
+                if (scaled.state[i] != plain.state[i])
+                    complain("scale matters", n, i, &scaled, plain.state[i]);
+                if (plain.state[i] == ALGSURF_FIRST_ROOT_FOUND && !(error <= 1e-11))
+                    complain("root scales", n, i, &scaled, 1);
+            }
+        }
+}
+
+/* Intervals far from 0 in their own length, down to neighbouring doubles. */
+static void test_narrow(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 4;
+    for (int n = 1; n <= 6; n++) {
+        int seen[3] = {0, 0, 0};
+        answers a;
+        put_random(n, &random);
+        for (int i = 0; i < MOST; i++) {
+            double width = ldexp(1, -exact_random_int(&random, 50));
+            lo[i] = exact_random_unit(&random);
+            hi[i] = fmax(lo[i] + width, nextafter(lo[i], 2));
+        }
+        check(n, MOST, 0, &a, seen);
+        check_roots(n, MOST, &a, 1e-11);
+    }
+}
+
+static void test_radii(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 5;
+    EACH_DEGREE(n) {
+        int seen[3] = {0, 0, 0};
+        answers a;
+        put_random(n, &random);
+        double size = ldexp(1, -exact_random_int(&random, 40));
+        for (int i = 0; i < MOST; i++)
+            for (int k = 0; k <= n; k++)
+                r[k][i] = i % 4 ? size * fabs(exact_random_unit(&random) * c[k][i]) : 0;
+        check(n, MOST, 1, &a, seen);
+        check_roots(n, MOST, &a, INFINITY); /* c itself belongs to the set */
+        for (int i = 0; i < MOST; i++)
+            for (int k = 0; k <= n; k++) {
+                c[k][i] = ldexp(c[k][i], -350);
+                r[k][i] = ldexp(r[k][i], -350);
+            }
+        answers small;
+        solve(n, 0, MOST, 1, NULL, &small);
+        assert_memory_equal(small.state, a.state, MOST);
+    }
+}
+
+/* Neither the number of polynomials nor their neighbours matter, nor does what is behind get written. */
+static void test_counts(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 6;
+    EACH_DEGREE(n) {
+        answers all, some;
+        put_random(n, &random);
+        solve(n, 0, MOST, 0, NULL, &all);
+        for (size_t first = 0, count = 0; count <= 17; first = (5 * first + 3) % 100, count++) {
+            const char *name;
+            for (int i = 0; (name = algsurf_kernel_name(i)); i++) {
+                memset(&some, 0x55, sizeof some);
+                solve(n, first, count, 0, name, &some);
+                assert_memory_equal(some.state + first, all.state + first, count);
+                assert_memory_equal(some.root + first, all.root + first, count * sizeof(double));
+                assert_int_equal(some.state[first + count], 0x55);
+                assert_int_equal(((unsigned char *)(some.root + first + count))[0], 0x55);
+            }
+        }
+        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        assert_int_equal(algsurf_first_roots(&p, NULL, some.state, NULL), ALGSURF_OK);
+        assert_memory_equal(some.state, all.state, MOST);
+    }
+}
+
+static void test_tolerance(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 7;
+    for (int n = 1; n <= 10; n++) {
+        answers fine, coarse;
+        put_random(n, &random);
+        solve(n, 0, MOST, 0, NULL, &fine);
+        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        algsurf_first_roots_options options = {.size = sizeof options, .tolerance = 1e-4};
+        assert_int_equal(algsurf_first_roots(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
+        for (int i = 0; i < MOST; i++)
+            if (fine.state[i] == ALGSURF_FIRST_ROOT_FOUND &&
+                !(fabs(fine.root[i] - coarse.root[i]) <= 2e-4 * (hi[i] - lo[i])))
+                complain("tolerance", n, i, &coarse, 1);
+    }
+}
+
+/* The packet code decides what is well-conditioned by itself. */
+static void test_kernels_decide(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 8;
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
+    for (int n = 1; n <= 10; n++) {
+        answers a;
+        int doubtful = 0;
+        double basis[11 * 11];
+        for (int k = 0; k <= n; k++) {
+            double power[11] = {0}, b[11], br[11];
+            power[k] = 1;
+            assert_int_equal(algsurf_poly_to_bernstein(power, NULL, n, -1, 1, b, br), ALGSURF_OK);
+            for (int j = 0; j <= n; j++) basis[j * (n + 1) + k] = b[j];
+        }
+        put_random(n, &random);
+        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, basis, a.state, a.root};
+        kernel->solve_polys(&job, MOST);
+        for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
+        assert_true(doubtful <= MOST / 16);
+    }
+}
+
+static void expect_error(const algsurf_poly_packet *p, const algsurf_first_roots_options *options,
+                         algsurf_status status) {
+    answers a, untouched;
+    memset(&a, 0x55, sizeof a);
+    untouched = a;
+    assert_int_equal(algsurf_first_roots(p, options, a.state, a.root), status);
+    assert_memory_equal(&a, &untouched, sizeof a);
+}
+
+static void test_errors(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 9;
+    algsurf_first_roots_options options = {.size = sizeof options};
+    double *const place[] = {&c[0][17], &c[3][0], &lo[130], &hi[64], &r[2][129]};
+    answers a;
+    put_random(3, &random);
+    memset(r, 0, sizeof r);
+    algsurf_poly_packet good = packet_of(3, 0, MOST, 1), p = good;
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 2; j++) {
+            double was = *place[i];
+            *place[i] = j ? (double)NAN : (double)INFINITY;
+            expect_error(&good, NULL, ALGSURF_E_NOT_FINITE);
+            *place[i] = was;
+        }
+    r[1][130] = -1;
+    expect_error(&good, NULL, ALGSURF_E_ARGUMENT);
+    r[1][130] = 0;
+    double was = lo[77];
+    lo[77] = hi[77];
+    expect_error(&good, NULL, ALGSURF_E_ARGUMENT);
+    lo[77] = was;
+    expect_error(NULL, NULL, ALGSURF_E_ARGUMENT);
+    p.size = 3;
+    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    p = good, p.degree = -1;
+    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    p = good, p.degree = ALGSURF_MAX_POLY_DEGREE + 1;
+    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    p = good, p.c = NULL;
+    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    p = good, p.hi = NULL;
+    expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    c_rows[2] = NULL;
+    expect_error(&good, NULL, ALGSURF_E_ARGUMENT);
+    good = packet_of(3, 0, MOST, 1);
+    options.kernel = "none";
+    expect_error(&good, &options, ALGSURF_E_ARGUMENT);
+    options = (algsurf_first_roots_options){.size = sizeof options, .tolerance = -1};
+    expect_error(&good, &options, ALGSURF_E_ARGUMENT);
+    options.tolerance = (double)NAN;
+    expect_error(&good, &options, ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_first_roots(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_first_roots(&good, NULL, a.state, a.root), ALGSURF_OK);
+    p = (algsurf_poly_packet){.size = sizeof p, .degree = 3};
+    assert_int_equal(algsurf_first_roots(&p, NULL, NULL, NULL), ALGSURF_OK);
+}
+
+static void test_environment(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 10;
+    EACH_DEGREE(n) {
+        answers usual, here;
+        put_random(n, &random);
+        memset(&usual, 0, sizeof usual);
+        memset(&here, 0, sizeof here);
+        solve(n, 0, MOST, 0, NULL, &usual);
+        for (int i = 0; i < ENVIRONMENTS; i++) {
+            environment_set(i);
+            algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+            algsurf_status status = algsurf_first_roots(&p, NULL, here.state, here.root);
+            int kept = environment_unset(i);
+            assert_int_equal(status, ALGSURF_OK);
+            assert_true(kept);
+            assert_true(same(&usual, &here, MOST));
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),         cmocka_unit_test(test_grazing),
+        cmocka_unit_test(test_special),        cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_narrow),         cmocka_unit_test(test_radii),
+        cmocka_unit_test(test_counts),         cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_kernels_decide), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_environment),    cmocka_unit_test(test_flat),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
