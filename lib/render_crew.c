@@ -1,10 +1,10 @@
 /* render_crew.c - the threads that draw a picture.
  *
- * Rows are handed out in order, to whoever asks: one by one, or, where a row starts from the one above, in
- * batches; the first row of a batch has none above, so that what a row starts from does not depend on the
- * threads.  The calling thread works like the others and is the only one that calls progress: after each
- * of its rows, and ten times a second while it waits for the others' last ones.  Who draws a row changes
- * nothing in it.
+ * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row starts from
+ * the one above, in batches; the first row of a batch has none above, so that what a row starts from does not
+ * depend on the threads.  The calling thread works like the others and is the only one that calls progress:
+ * after each of its rows, and ten times a second while it waits for the others' last ones.  Who draws a row
+ * changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
 #include "render_impl.h"
@@ -20,11 +20,11 @@
 typedef struct crew {
     algsurf_i_picture *picture;
     const algsurf_render_options *options;
-    pthread_mutex_t lock; /* guards everything below */
+    atomic_int next_row, rows_done;
+    pthread_mutex_t lock; /* guards what is below */
     pthread_cond_t left;  /* a helper has finished */
-    int next_row, rows_done, helpers_at_work;
+    int helpers_at_work;
     algsurf_status status; /* OK, or why no more rows are handed out */
-    algsurf_i_tally total;
 } crew;
 
 typedef struct helper {
@@ -34,8 +34,14 @@ typedef struct helper {
 } helper;
 
 static void stop_crew(crew *team, algsurf_status why) {
+    pthread_mutex_lock(&team->lock);
     if (team->status == ALGSURF_OK) team->status = why;
+    pthread_mutex_unlock(&team->lock);
     atomic_store_explicit(&team->picture->stop, 1, memory_order_relaxed);
+}
+
+static int stopped(const crew *team) {
+    return atomic_load_explicit(&team->picture->stop, memory_order_relaxed);
 }
 
 static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
@@ -52,19 +58,18 @@ static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->shade_s += more->shade_s;
 }
 
-/* Gives the worker rows when it has none left; returns 0 when there are none to give.  Has the lock. */
+/* Gives the worker rows when it has none left; returns 0 when there are none to give. */
 static int take_rows(crew *team, algsurf_i_worker *worker) {
     const algsurf_i_picture *picture = team->picture;
-    if (team->status != ALGSURF_OK) return 0;
+    if (stopped(team)) return 0;
     if (worker->row < worker->row_end) return 1;
-    if (team->next_row >= picture->row_end) return 0;
     int batch =
         picture->scene->complex && picture->scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
-    worker->row = team->next_row;
-    worker->row_end = worker->row + batch;
-    if (worker->row_end > picture->row_end) worker->row_end = picture->row_end;
+    int first = atomic_fetch_add_explicit(&team->next_row, batch, memory_order_relaxed);
+    if (first >= picture->row_end) return 0;
+    worker->row = first;
+    worker->row_end = batch < picture->row_end - first ? first + batch : picture->row_end;
     worker->trail.has_above = 0;
-    team->next_row = worker->row_end;
     return 1;
 }
 
@@ -72,22 +77,15 @@ static int take_rows(crew *team, algsurf_i_worker *worker) {
 static int draw_next(crew *team, algsurf_i_worker *worker) {
     algsurf_i_tally tally = {0};
     algsurf_fpenv saved;
-    pthread_mutex_lock(&team->lock);
-    int taken = take_rows(team, worker);
-    pthread_mutex_unlock(&team->lock);
-    if (!taken) return 0;
-
+    if (!take_rows(team, worker)) return 0;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = algsurf_i_render_row(team->picture, worker->row++, worker, &tally);
     algsurf_fpenv_leave(&saved);
-
-    pthread_mutex_lock(&team->lock);
-    add_tally(&team->total, &tally);
+    add_tally(&worker->tally, &tally);
     if (status == ALGSURF_OK)
-        team->rows_done++;
+        atomic_fetch_add_explicit(&team->rows_done, 1, memory_order_relaxed);
     else
         stop_crew(team, status);
-    pthread_mutex_unlock(&team->lock);
     return 1;
 }
 
@@ -103,17 +101,12 @@ static void *help(void *data) {
     return NULL;
 }
 
-/* Calls progress, without the lock: it may take its time. */
 static void report(crew *team) {
-    if (!team->options->progress) return;
-    pthread_mutex_lock(&team->lock);
-    int done = team->rows_done, go_on = team->status == ALGSURF_OK;
-    pthread_mutex_unlock(&team->lock);
+    const algsurf_render_options *o = team->options;
+    if (!o->progress || stopped(team)) return;
+    int done = atomic_load_explicit(&team->rows_done, memory_order_relaxed);
     int total = team->picture->row_end - team->picture->row_begin;
-    if (!go_on || team->options->progress(done, total, team->options->progress_data) == 0) return;
-    pthread_mutex_lock(&team->lock);
-    stop_crew(team, ALGSURF_CANCELLED);
-    pthread_mutex_unlock(&team->lock);
+    if (o->progress(done, total, o->progress_data) != 0) stop_crew(team, ALGSURF_CANCELLED);
 }
 
 /* Waits until a helper leaves, or for WAIT_NS; returns how many are still at work. */
@@ -167,7 +160,9 @@ static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_work
 algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
                                      int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used) {
-    crew team = {.picture = picture, .options = options, .next_row = picture->row_begin};
+    crew team = {.picture = picture, .options = options};
+    atomic_init(&team.next_row, picture->row_begin);
+    atomic_init(&team.rows_done, 0);
     helper helpers[ALGSURF_MAX_THREADS];
     if (!init_sync(&team)) return ALGSURF_E_THREAD;
     int started = start_helpers(&team, helpers, threads - 1, workers + 1);
@@ -178,7 +173,7 @@ algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_r
     if (started > 0) report(&team);
     (void)pthread_mutex_destroy(&team.lock);
     (void)pthread_cond_destroy(&team.left);
-    *total = team.total;
+    for (int i = 0; i <= started; i++) add_tally(total, &workers[i].tally);
     *threads_used = started + 1;
     return team.status;
 }

@@ -48,18 +48,19 @@ typedef struct algsurf_i_trail {
     int has_above;                /* 0: above holds nothing yet */
 } algsurf_i_trail;
 
-/* What one thread draws with, and where it is. */
-typedef struct algsurf_i_worker {
-    algsurf_i_line line;
-    algsurf_i_trail trail;
-    int row, row_end; /* what is left of the rows it has taken */
-} algsurf_i_worker;
-
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
     uint64_t rays, hits, uncertain, shadow_rays, iterations, single_rays;
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
+
+/* What one thread draws with, and where it is. */
+typedef struct algsurf_i_worker {
+    algsurf_i_line line;
+    algsurf_i_trail trail;
+    int row, row_end; /* what is left of the rows it has taken */
+    algsurf_i_tally tally;
+} algsurf_i_worker;
 
 /* What all rows of a picture share; only stop ever changes. */
 typedef struct algsurf_i_picture {
