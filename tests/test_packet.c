@@ -2,7 +2,7 @@
  * chain over integers, bits of one kernel against those of the others.
  *
  * Breaks caught, each tried: the error radius left out, a doubtful lane told as one without a root, a scaled
- * lane's radius not scaled, the last lanes of a packet not looked at, an answer written before all
+ * lane's radius not scaled, an answer written before all
  * polynomials were checked, Halley's step taken where it is no better than none,
  * a kernel that doubts everything.
  */

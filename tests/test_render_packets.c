@@ -111,94 +111,100 @@ static void check_pixels(const algsurf_surface *surface, const view *v, const pi
     }
 }
 
-static void hits_as_by_rays(void **state) {
-    const algsurf_intersect_options by_packets = {.size = sizeof by_packets};
-    const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
-    (void)state;
+/* Does something for every view of every named surface. */
+static void for_each_view(void (*check)(const algsurf_surface *surface, const view *v, void *data),
+                          void *data) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *surface = surface_of(entry->equation);
         uint64_t seed = 20 + (uint64_t)(entry - catalogue);
         for (int i = 0; i < VIEWS; i++) {
             view v = view_of(entry, i, &seed);
-            picture *packets = draw(surface, &v, &by_packets), *singly = draw(surface, &v, &by_rays);
-            assert_true(singly->stats.single_rays == W * H && packets->stats.rays == W * H);
-            check_pixels(surface, &v, packets, singly);
-            free(packets);
-            free(singly);
+            check(surface, &v, data);
         }
         algsurf_surface_free(surface);
     }
+}
+
+static void compare_with_rays(const algsurf_surface *surface, const view *v, void *data) {
+    const algsurf_intersect_options by_packets = {.size = sizeof by_packets};
+    const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
+    picture *packets = draw(surface, v, &by_packets), *singly = draw(surface, v, &by_rays);
+    (void)data;
+    assert_true(singly->stats.single_rays == W * H && packets->stats.rays == W * H);
+    check_pixels(surface, v, packets, singly);
+    free(packets);
+    free(singly);
+}
+
+static void hits_as_by_rays(void **state) {
+    (void)state;
+    for_each_view(compare_with_rays, NULL);
+}
+
+typedef struct shares {
+    uint64_t part, whole;
+} shares;
+
+static void count_single_rays(const algsurf_surface *surface, const view *v, void *data) {
+    const algsurf_intersect_options options = {.size = sizeof options};
+    shares *s = data;
+    if (v->number < 6 || v->number % 5 == 0) return; /* along an axis, or so near that bounds need not hold */
+    picture *p = draw(surface, v, &options);
+    s->whole += p->stats.rays;
+    s->part += p->stats.single_rays;
+    free(p);
 }
 
 /* Pixels whose rays packets leave in doubt are rare, but where a whole picture is symmetric. */
 static void few_single_rays(void **state) {
-    const algsurf_intersect_options options = {.size = sizeof options};
-    uint64_t rays = 0, single = 0;
+    shares s = {0, 0};
     (void)state;
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *surface = surface_of(entry->equation);
-        uint64_t seed = 20 + (uint64_t)(entry - catalogue);
-        for (int i = 0; i < VIEWS; i++) {
-            view v = view_of(entry, i, &seed);
-            if (i < 6 || i % 5 == 0) continue; /* along an axis, or from so near that bounds need not hold */
-            picture *p = draw(surface, &v, &options);
-            rays += p->stats.rays;
-            single += p->stats.single_rays;
-            free(p);
-        }
-        algsurf_surface_free(surface);
+    for_each_view(count_single_rays, &s);
+    if (s.part * 1000 > s.whole)
+        fail_msg("%lu of %lu rays went singly", (unsigned long)s.part, (unsigned long)s.whole);
+}
+
+static void compare_kernels(const algsurf_surface *surface, const view *v, void *data) {
+    algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(0)};
+    picture *first = draw(surface, v, &options);
+    (void)data;
+    assert_string_equal(first->stats.kernel, options.kernel);
+    for (int k = 1; (options.kernel = algsurf_kernel_name(k)); k++) {
+        picture *other = draw(surface, v, &options);
+        assert_string_equal(other->stats.kernel, options.kernel);
+        assert_memory_equal(first->bytes, other->bytes, sizeof first->bytes);
+        assert_memory_equal(first->hits, other->hits, sizeof first->hits);
+        assert_true(first->stats.single_rays == other->stats.single_rays);
+        free(other);
     }
-    if (single * 1000 > rays)
-        fail_msg("%lu of %lu rays went singly", (unsigned long)single, (unsigned long)rays);
+    free(first);
 }
 
 static void kernels_give_the_same_bits(void **state) {
     (void)state;
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *surface = surface_of(entry->equation);
-        uint64_t seed = 20 + (uint64_t)(entry - catalogue);
-        for (int i = 0; i < VIEWS; i++) {
-            view v = view_of(entry, i, &seed);
-            algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(0)};
-            picture *first = draw(surface, &v, &options);
-            assert_string_equal(first->stats.kernel, options.kernel);
-            for (int k = 1; (options.kernel = algsurf_kernel_name(k)); k++) {
-                picture *other = draw(surface, &v, &options);
-                assert_string_equal(other->stats.kernel, options.kernel);
-                assert_memory_equal(first->bytes, other->bytes, sizeof first->bytes);
-                assert_memory_equal(first->hits, other->hits, sizeof first->hits);
-                assert_true(first->stats.single_rays == other->stats.single_rays);
-                free(other);
-            }
-            free(first);
-        }
-        algsurf_surface_free(surface);
+    for_each_view(compare_kernels, NULL);
+}
+
+static void compare_tiers(const algsurf_surface *surface, const view *v, void *data) {
+    const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
+    const algsurf_intersect_options standard = {.size = sizeof standard};
+    shares *s = data;
+    picture *p = draw(surface, v, &fast), *q = draw(surface, v, &standard);
+    assert_true(p->stats.uncertain == 0);
+    for (int k = 0; k < W * H && v->number >= 6; k++) {
+        s->part += (uint64_t)(isnan(p->hits[k]) != isnan(q->hits[k]));
+        s->whole += (uint64_t)!isnan(q->hits[k]);
     }
+    free(p);
+    free(q);
 }
 
 /* The fast tier never doubts; what it gets wrong is rare. */
 static void fast_tier(void **state) {
-    const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
-    const algsurf_intersect_options standard = {.size = sizeof standard};
-    int different = 0, hits = 0;
+    shares s = {0, 0};
     (void)state;
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *surface = surface_of(entry->equation);
-        uint64_t seed = 20 + (uint64_t)(entry - catalogue);
-        for (int i = 0; i < VIEWS; i++) {
-            view v = view_of(entry, i, &seed);
-            picture *p = draw(surface, &v, &fast), *q = draw(surface, &v, &standard);
-            assert_true(p->stats.uncertain == 0);
-            for (int k = 0; k < W * H && i >= 6; k++) {
-                different += isnan(p->hits[k]) != isnan(q->hits[k]);
-                hits += !isnan(q->hits[k]);
-            }
-            free(p);
-            free(q);
-        }
-        algsurf_surface_free(surface);
-    }
-    assert_true(hits > 50000 && different * 1000 < hits);
+    for_each_view(compare_tiers, &s);
+    assert_true(s.whole > 50000 && s.part * 1000 < s.whole);
 }
 
 int main(void) {
