@@ -8,11 +8,13 @@
  * up on its way, is at most |q_ijk| x^i y^j for |z| <= 1.  On that way it meets at most 5 roundings for each
  * factor y = v + z slope (the slope's own 2, a product, two sums), 5 for each factor x = u + z (alpha u +
  * beta) (two products and two sums; powers of u meet a product and a sum of the last Horner scheme instead),
- * n + 3 in the change of basis, one in q: w = 5 (i + j) + n + 6 takes in the higher orders.  So the error is
+ * 4 n + 5 in the change to the segment and to its basis, one in q: w = 5 (i + j) + 4 n + 8 takes in the
+ * higher orders.  So the error is
  * at most u sum w |q_ijk| x^i y^j.
  *
- * Noise.  With each coordinate off by d, a term is off by at most d (i / x + j / y + k / z) of its size,
- * first order; 2^-20 of it covers the rest for n d < 2^-22.
+ * Noise.  With each coordinate off by d, a term is off by at most d (i / x + j / y + k / z) of its size at
+ * (x + d, y + d, z + d), by the mean value theorem.  So x and y are taken larger by d; with z = 1, 2^-20 of it
+ * covers the rest for n d < 2^-22.
  */
 #include "expand_view.h"
 
@@ -173,8 +175,8 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
             }
     frame->error = 0x1p-90 * magnitude(s, reach) + 0x1p-900;
     set_basis(frame->basis, n);
-    /* so that no sum overflows on the way to a value: |x|, |y| <= 4 */
-    return set_sizes(frame) < 0x1p900 && frame->error < 0x1p900;
+    /* so that no sum overflows on the way to a value, |x|, |y| <= 4, nor between the units of a split */
+    return set_sizes(frame) < 0x1p700 && frame->error < 0x1p900;
 }
 
 /* c_km: the coefficient of z^k u^m for this v. */
@@ -223,5 +225,5 @@ void algsurf_i_row_expand(const algsurf_i_frame_form *frame, double v, algsurf_i
     row->v = v;
     row->stride = (frame->degree + 8) / 8 * 8;
     fix_v(frame, v, row->stride, row->c);
-    set_radius(frame, fabs(v) + fabs(view->alpha * v) + fabs(view->beta[1]), row->radius);
+    set_radius(frame, fabs(v) + fabs(view->alpha * v) + fabs(view->beta[1]) + view->noise, row->radius);
 }

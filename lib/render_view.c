@@ -6,9 +6,10 @@
  *
  * Noise: a pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Its direction, of length L
  * before it is made a unit, is off by at most u (2 |p| + 2 |q| + 2 L), L <= 1 + |p| + |q|; that moves the ray
- * at the far end of the extent by D + 1 times as much.  u, v and the slopes here are products and sums of
- * numbers each right to 2u.  A parallel ray's direction is exact, and its origin is rounded.  All else is
- * what is left when the eye is put together again from its rounded coordinates, measured. */
+ * at the far end of the extent by D + 1 times as much.  Here D p meets six roundings (the pixel's place, two
+ * factors, their product, D, and the sum), alpha and beta two each.  A parallel ray's direction is exact, its
+ * origin is rounded, and so is the pixel's place in a picture that may be much larger than the extent.  All
+ * else is what is left when the eye is put together again from its rounded coordinates, measured. */
 #include <stdlib.h>
 
 #include "expand_impl.h"
@@ -56,8 +57,9 @@ static double noise_of(const algsurf_i_packets *p, const double eye[3], const do
                        double slopes) {
     double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
     if (!p->orthographic)
-        return ALGSURF_U * (4 * (1 + slopes) * (distance + 1) + 8 * offset * (1 + 1 / distance));
-    return ALGSURF_U * (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2));
+        return ALGSURF_U *
+               ((4 + 4 * slopes) * (distance + 1) + 6 * slopes * distance + 8 * offset * (1 + 1 / distance));
+    return ALGSURF_U * (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + p->per_slope * slopes + 2));
 }
 
 static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
@@ -123,7 +125,7 @@ void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin
     double c2 = a1 * a1 - u1 * u1 - w1 * w1, disc = c1 * c1 - c2 * c0;
     *begin = 0;
     *end = width;
-    if (!(c2 < 0)) return; /* the eye is inside the ball */
+    if (!(c2 < 0) || !isfinite(disc)) return; /* the eye is inside the ball; or too small a ball to tell */
     double middle = c1 / -c2 / job->pixel - job->offset, half = sqrt(fmax(disc, 0)) / -c2 / job->pixel;
     double first = floor(middle - half) - 1, last = ceil(middle + half) + 2;
     if (disc < -1e-9 * c1 * c1) first = last = 0;

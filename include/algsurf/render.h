@@ -110,7 +110,9 @@ typedef struct algsurf_render_stats {
  *   pixels   row_end-row_begin rows of width * 3 bytes, red green blue, top row first; each row
  *            starts stride bytes after the one before, stride >= 3 * width
  *   hits     null, or (row_end-row_begin) * width doubles: t of the hit along the unit ray of the
- *            pixel (complex space: |t|), the smallest over its samples, NaN where none
+ *            pixel (complex space: |t|), the smallest over its samples, NaN where none.  The ray of sample
+ *            (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n); |t - exact| is
+ *            within what rounding that ray, t and P can change, and 2^-36 of the extent's radius
  *   stats    null, or receives counts and times
  * Uncertain samples are drawn as hits at the place of doubt and counted; an uncertain shadow ray counts
  * as occluded.  A pixel is the average of its samples' clamped colours, rounded to nearest.

@@ -11,6 +11,13 @@
 
 #define INLINE static inline __attribute__((always_inline, unused))
 
+/* Before a triangular pair of loops whose length the compiler knows: gcc would leave it half rolled. */
+#if defined(__clang__)
+#define UNROLLED
+#else
+#define UNROLLED _Pragma("GCC unroll 32")
+#endif
+
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 
 typedef uint64_t words __attribute__((vector_size(8 * LANES)));
@@ -112,6 +119,28 @@ INLINE unsigned bits(mask m) {
 }
 
 INLINE int any(mask m) { return bits(m) != 0; }
+
+/* The lanes chosen by bits, in their order, from p on; what follows up to p[LANES-1] is overwritten. */
+INLINE void store_chosen(double *p, lanes a, unsigned chosen) {
+#if defined(__x86_64__) && LANES == 8
+    _mm512_storeu_pd(p, _mm512_maskz_compress_pd((__mmask8)chosen, a));
+#elif defined(__x86_64__) && LANES == 4
+    static const uint32_t halves[16][8] = {
+        {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0},
+        {0, 1, 2, 3, 0, 0, 0, 0}, {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0},
+        {2, 3, 4, 5, 0, 0, 0, 0}, {0, 1, 2, 3, 4, 5, 0, 0}, {6, 7, 0, 0, 0, 0, 0, 0},
+        {0, 1, 6, 7, 0, 0, 0, 0}, {2, 3, 6, 7, 0, 0, 0, 0}, {0, 1, 2, 3, 6, 7, 0, 0},
+        {4, 5, 6, 7, 0, 0, 0, 0}, {0, 1, 4, 5, 6, 7, 0, 0}, {2, 3, 4, 5, 6, 7, 0, 0},
+        {0, 1, 2, 3, 4, 5, 6, 7}};
+    __m256i order = _mm256_loadu_si256((const __m256i *)halves[chosen]);
+    _mm256_storeu_ps((float *)p, _mm256_permutevar8x32_ps((__m256)a, order));
+#else
+    for (int l = 0, to = 0; l < LANES; l++) {
+        p[to] = a[l];
+        to += (int)(chosen >> l & 1);
+    }
+#endif
+}
 
 /* Rounded down to a multiple of 2^-40, for |a| < 2^10. */
 INLINE lanes floor40(lanes a) {

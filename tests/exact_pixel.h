@@ -1,0 +1,372 @@
+/* exact_pixel.h - the oracle for a pixel: the first root of P along its ray inside the extent, over integers.
+ *
+ * With one power of two for lengths and one for the direction the ray is (O + s D) 2^-length, s a multiple of
+ * t, and all is integers.  The part of the ray inside the extent, made a little longer, becomes [0,1]; P
+ * along it comes from Horner's scheme over polynomials in that variable; its roots are isolated from left to
+ * right by Descartes' rule and bisection (Collins, Akritas 1976), a cluster that does not come apart by a
+ * Sturm chain.  What `room` says is what the ends of the part may be off by: of a root closer to an end of
+ * the extent than that, either answer is right.  The ray's own beginning, the eye, is exact.
+ */
+#ifndef EXACT_PIXEL_H
+#define EXACT_PIXEL_H
+#include <limits.h>
+#include <string.h>
+
+#include "exact_ray.h"
+
+enum { PIXEL_BITS = 1024, DEEPEST = 110 };
+
+/* P as integers: coefficient a of x^i y^j z^k at (k side + j) side + i. */
+typedef struct exact_form {
+    int n, side, shift;
+    mpz_t *a; /* times 2^shift */
+} exact_form;
+
+/* A root: in [at, at + 1] 2^-bits, or at 2^-bits itself. */
+typedef struct exact_place {
+    mpz_t at;
+    int bits, exact, multiple;
+} exact_place;
+
+/* A ray's part inside the extent as [0,1]: t = t0 + x length, p = sum p[k] x^k. */
+typedef struct exact_part {
+    int n, empty;                  /* 1: nothing of the ray is near the extent */
+    mpf_t t0, length, first, last; /* from first to last: surely inside; in t */
+    mpz_t *p;
+    mpf_t scale; /* p = P scale */
+} exact_part;
+
+/* The first root that is surely inside the extent, and those before it that may be. */
+typedef struct exact_answer {
+    int sure;      /* is there a root for sure? */
+    int count;     /* of t: the last one is the sure one, if there is */
+    int clustered; /* a root is multiple, or as good as */
+    double t[ALGSURF_MAX_DEGREE + 1];
+    long double slope[ALGSURF_MAX_DEGREE + 1], bend[ALGSURF_MAX_DEGREE + 1]; /* |dP/dt|, |d2P/dt2| there */
+} exact_answer;
+
+static inline exact_form exact_form_of(const algsurf_term *terms, int count, int n) {
+    exact_form form = {n, n + 1, 0, exact_polynomials(n + 1, (n + 1) * (n + 1))};
+    double *a = calloc((size_t)count, sizeof *a);
+    mpz_t *integers = exact_polynomials(1, count);
+    for (int i = 0; i < count; i++) a[i] = terms[i].a;
+    form.shift = exact_integers(integers, a, count - 1);
+    for (int i = 0; i < count; i++)
+        mpz_set(form.a[(terms[i].k * form.side + terms[i].j) * form.side + terms[i].i], integers[i]);
+    exact_free(integers, count), free(a);
+    return form;
+}
+
+static inline void exact_form_clear(exact_form *form) {
+    exact_free(form->a, form->side * form->side * form->side);
+}
+
+/* p, of degree n, becomes p (u + v x). */
+static inline void exact_times_linear(mpz_t *p, int n, const mpz_t u, const mpz_t v) {
+    for (int k = n + 1; k >= 0; k--) {
+        mpz_mul(p[k], p[k], u);
+        if (k > 0) mpz_addmul(p[k], p[k - 1], v);
+    }
+}
+
+/* p[0..n] = P(u + v x) 2^(bits n), where u, v are 2^bits times the coordinates. */
+static inline void exact_along(const exact_form *form, const mpz_t *u, const mpz_t *v, long bits, mpz_t *p) {
+    int n = form->n, side = form->side;
+    mpz_t *level = exact_polynomials(1, n + 2), *row = exact_polynomials(1, n + 2), a;
+    mpz_init(a);
+    for (int k = n; k >= 0; k--) {
+        for (int d = 0; d <= n; d++) mpz_set_ui(level[d], 0);
+        for (int j = n - k; j >= 0; j--) {
+            for (int d = 0; d <= n; d++) mpz_set_ui(row[d], 0);
+            for (int i = n - k - j; i >= 0; i--) {
+                exact_times_linear(row, n - k - j - i - 1, u[0], v[0]);
+                mpz_mul_2exp(a, form->a[(k * side + j) * side + i], (unsigned long)(bits * (n - k - j - i)));
+                mpz_add(row[0], row[0], a);
+            }
+            exact_times_linear(level, n - k - j - 1, u[1], v[1]);
+            for (int d = 0; d <= n - k - j; d++) mpz_add(level[d], level[d], row[d]);
+        }
+        exact_times_linear(p, n - k - 1, u[2], v[2]);
+        for (int d = 0; d <= n - k; d++) mpz_add(p[d], p[d], level[d]);
+    }
+    exact_free(level, n + 2), exact_free(row, n + 2), mpz_clear(a);
+}
+
+/* f = x / 2^shift. */
+static inline void exact_float(mpf_t f, const mpz_t x, long shift) {
+    mpf_set_z(f, x);
+    shift >= 0 ? mpf_div_2exp(f, f, (mp_bitcnt_t)shift) : mpf_mul_2exp(f, f, (mp_bitcnt_t)-shift);
+}
+
+/* Where the line o + t d is inside the extent, to some 1000 bits; returns 0 where it is nowhere, and then
+ * both ends are the middle of the smallest gap that a ball would leave, or untouched. */
+static inline int exact_inside(const algsurf_extent *extent, const algsurf_ray *ray, mpf_t in, mpf_t out) {
+    mpq_t o[3], d[3], a, b, c, w, size;
+    int inside = 1, first = 1;
+    mpf_t root, f;
+    mpf_init2(root, PIXEL_BITS), mpf_init2(f, PIXEL_BITS);
+    mpq_inits(a, b, c, w, size, NULL);
+    for (int i = 0; i < 3; i++) {
+        mpq_inits(o[i], d[i], NULL);
+        exact_set(o[i], ray->origin[i]), exact_set(w, extent->centre[i]), exact_set(d[i], ray->direction[i]);
+        mpq_sub(o[i], o[i], w);
+    }
+    if (extent->kind == ALGSURF_EXTENT_SPHERE) { /* a t^2 + 2 b t + c <= 0 */
+        exact_set(size, extent->size[0]), mpq_mul(c, size, size), mpq_neg(c, c);
+        for (int i = 0; i < 3; i++) {
+            mpq_mul(w, d[i], d[i]), mpq_add(a, a, w);
+            mpq_mul(w, o[i], d[i]), mpq_add(b, b, w);
+            mpq_mul(w, o[i], o[i]), mpq_add(c, c, w);
+        }
+        mpq_mul(w, b, b), mpq_mul(c, a, c), mpq_sub(w, w, c);
+        inside = mpq_sgn(w) >= 0;
+        mpq_abs(w, w);
+        mpf_set_q(root, w), mpf_sqrt(root, root), mpq_neg(b, b);
+        mpf_set_q(f, b), mpf_sub(in, f, root), mpf_add(out, f, root);
+        mpf_set_q(f, a), mpf_div(in, in, f), mpf_div(out, out, f);
+    } else {
+        for (int i = 0; i < 3; i++) {
+            exact_set(size, extent->size[i]);
+            if (mpq_sgn(d[i]) == 0) {
+                mpq_abs(w, o[i]);
+                inside &= mpq_cmp(w, size) <= 0;
+                continue;
+            }
+            mpq_neg(a, size), mpq_sub(a, a, o[i]), mpq_div(a, a, d[i]);
+            mpq_sub(b, size, o[i]), mpq_div(b, b, d[i]);
+            if (mpq_cmp(a, b) > 0) mpq_swap(a, b);
+            mpf_set_q(f, a), mpf_set_q(root, b);
+            if (first || mpf_cmp(f, in) > 0) mpf_set(in, f);
+            if (first || mpf_cmp(root, out) < 0) mpf_set(out, root);
+            first = 0;
+        }
+        inside &= mpf_cmp(in, out) <= 0;
+    }
+    for (int i = 0; i < 3; i++) mpq_clears(o[i], d[i], NULL);
+    mpq_clears(a, b, c, w, size, NULL), mpf_clears(root, f, NULL);
+    return inside;
+}
+
+/* The part of the ray from t = 0 on; room: in t. */
+static inline exact_part exact_part_of(const exact_form *form, const algsurf_extent *extent,
+                                       const algsurf_ray *ray, double room) {
+    exact_part part = {.n = form->n, .p = exact_polynomials(1, form->n + 2)};
+    mpf_t wide, f;
+    mpf_init2(part.t0, PIXEL_BITS), mpf_init2(part.length, PIXEL_BITS), mpf_init2(part.scale, PIXEL_BITS);
+    mpf_init2(part.first, PIXEL_BITS), mpf_init2(part.last, PIXEL_BITS);
+    mpf_init2(wide, PIXEL_BITS), mpf_init2(f, PIXEL_BITS);
+    int inside = exact_inside(extent, ray, part.t0, part.last);
+    mpf_set_d(wide, room);
+    mpf_sub(part.length, part.last, part.t0);
+    mpf_add(f, wide, wide);
+    if (!inside && mpf_cmp(part.length, f) > 0) part.empty = 1; /* a ball passed by, or a box */
+    if (!inside && mpf_sgn(part.length) < 0 && extent->kind == ALGSURF_EXTENT_BOX) {
+        mpf_neg(part.length, part.length), mpf_swap(part.t0, part.last);
+        part.empty = mpf_cmp(part.length, f) > 0;
+    }
+    mpf_add(part.first, part.t0, wide), mpf_sub(part.t0, part.t0, wide);
+    mpf_add(f, part.last, wide), mpf_sub(part.last, part.last, wide);
+    if (mpf_sgn(part.t0) < 0) mpf_set_ui(part.t0, 0);
+    if (mpf_sgn(part.first) < 0) mpf_set_ui(part.first, 0);
+    if (!inside) mpf_sub(part.last, part.first, wide);
+    mpf_sub(part.length, f, part.t0);
+    if (mpf_sgn(part.length) <= 0) part.empty = 1;
+    if (!part.empty) { /* integers: t0 and length as multiples of 2^-fine */
+        double six[6];
+        mpz_t parts[6], u[3], v[3], t0, length;
+        long e, fine;
+        (void)mpf_get_d_2exp(&e, wide);
+        fine = 80 - e;
+        if (fine < 0) fine = 0;
+        mpz_inits(t0, length, NULL);
+        mpf_mul_2exp(f, part.t0, (mp_bitcnt_t)fine), mpz_set_f(t0, f);
+        mpf_mul_2exp(f, part.length, (mp_bitcnt_t)fine), mpz_set_f(length, f), mpz_add_ui(length, length, 1);
+        exact_float(part.t0, t0, fine), exact_float(part.length, length, fine);
+        for (int i = 0; i < 3; i++) six[i] = ray->origin[i], six[3 + i] = ray->direction[i];
+        for (int i = 0; i < 6; i++) mpz_init(parts[i]);
+        long unit = exact_integers(parts, six, 5);
+        for (int i = 0; i < 3; i++) {
+            mpz_inits(u[i], v[i], NULL);
+            mpz_mul_2exp(u[i], parts[i], (unsigned long)fine), mpz_addmul(u[i], parts[3 + i], t0);
+            mpz_mul(v[i], parts[3 + i], length);
+        }
+        exact_along(form, (const mpz_t *)u, (const mpz_t *)v, unit + fine, part.p);
+        mpf_set_ui(part.scale, 1);
+        mpf_mul_2exp(part.scale, part.scale, (mp_bitcnt_t)((unit + fine) * form->n + form->shift));
+        for (int i = 0; i < 3; i++) mpz_clears(u[i], v[i], NULL);
+        for (int i = 0; i < 6; i++) mpz_clear(parts[i]);
+        mpz_clears(t0, length, NULL);
+    }
+    mpf_clears(wide, f, NULL);
+    return part;
+}
+
+static inline void exact_part_clear(exact_part *part) {
+    exact_free(part->p, part->n + 2);
+    mpf_clears(part->t0, part->length, part->first, part->last, part->scale, NULL);
+}
+
+/* p(x) becomes p(x + 1). */
+static inline void exact_shift(mpz_t *p, int n) {
+    for (int i = 0; i < n; i++)
+        for (int k = n - 1; k >= i; k--) mpz_add(p[k], p[k], p[k + 1]);
+}
+
+/* Descartes' bound for the roots in (0,1): the variations of (x+1)^n p(1/(x+1)), more than 1 counting as 2.
+ */
+static inline int exact_descartes(mpz_t *p, int n) {
+    mpz_t *r = exact_polynomials(1, n + 1);
+    int variations = 0, last = 0;
+    for (int k = 0; k <= n; k++) mpz_set(r[k], p[n - k]);
+    exact_shift(r, n);
+    for (int k = 0; k <= n && variations < 2; k++) {
+        int sign = mpz_sgn(r[k]);
+        variations += sign * last < 0;
+        if (sign != 0) last = sign;
+    }
+    exact_free(r, n + 1);
+    return variations;
+}
+
+typedef int (*exact_visit)(exact_place *place, void *data); /* returns 1 to stop */
+
+/* Visits the roots in [0,1) of p, which is sum q_k ((x + at) / 2^bits)^k of the polynomial looked at, from
+ * left to right; changes p. */
+static inline int exact_walk(mpz_t *p, int n, const mpz_t at, int bits, exact_visit visit, void *data) {
+    exact_place place = {.bits = bits};
+    int stop = 0;
+    mpz_init_set(place.at, at);
+    if (mpz_sgn(p[0]) == 0) {
+        int zeros = 0;
+        while (n > 0 && mpz_sgn(p[0]) == 0) {
+            for (int k = 0; k < n; k++) mpz_swap(p[k], p[k + 1]);
+            n--, zeros++;
+        }
+        place.exact = 1, place.multiple = zeros > 1;
+        stop = visit(&place, data);
+        place.exact = place.multiple = 0;
+    }
+    int variations = stop ? 0 : exact_descartes(p, n);
+    if (variations == 1) {
+        stop = visit(&place, data);
+    } else if (variations > 1 && bits >= DEEPEST) {
+        exact_sturm s = exact_sturm_of(p, n);
+        int roots = exact_count_roots(&s, 0, 1);
+        exact_sturm_clear(&s);
+        place.multiple = 1;
+        if (roots > 0) stop = visit(&place, data);
+    } else if (variations > 1) {
+        mpz_t *half = exact_polynomials(1, n + 1), next;
+        mpz_init(next);
+        for (int k = 0; k <= n; k++) {
+            mpz_mul_2exp(p[k], p[k], (unsigned long)(n - k));
+            mpz_set(half[k], p[k]);
+        }
+        mpz_mul_2exp(next, at, 1);
+        stop = exact_walk(half, n, next, bits + 1, visit, data);
+        if (!stop) {
+            exact_shift(p, n);
+            mpz_add_ui(next, next, 1);
+            stop = exact_walk(p, n, next, bits + 1, visit, data);
+        }
+        exact_free(half, n + 1), mpz_clear(next);
+    }
+    mpz_clear(place.at);
+    return stop;
+}
+
+/* The derivative of order `by`, 0 to 2, of p at x = at 2^-bits, times 2^(bits (n - by)). */
+static inline void exact_at(mpz_t value, mpz_t *p, int n, const mpz_t at, int bits, int by) {
+    mpz_t term;
+    mpz_init(term);
+    mpz_set_ui(value, 0);
+    for (int k = n; k >= by; k--) {
+        unsigned long factor = 1;
+        for (int i = 0; i < by; i++) factor *= (unsigned long)(k - i);
+        mpz_mul(value, value, at);
+        mpz_mul_ui(term, p[k], factor), mpz_mul_2exp(term, term, (unsigned long)(bits * (n - k)));
+        mpz_add(value, value, term);
+    }
+    mpz_clear(term);
+}
+
+/* The magnitude of the same derivative of P by t. */
+static inline long double exact_derivative(exact_part *part, const mpz_t at, int bits, int by) {
+    mpf_t f;
+    mpz_t value;
+    long e;
+    mpf_init2(f, PIXEL_BITS), mpz_init(value);
+    exact_at(value, part->p, part->n, at, bits, by);
+    exact_float(f, value, (long)bits * (part->n - by));
+    for (int i = 0; i < by; i++) mpf_div(f, f, part->length);
+    mpf_div(f, f, part->scale);
+    long double size = fabs(mpf_get_d_2exp(&e, f));
+    mpf_clear(f), mpz_clear(value);
+    return ldexpl(size, (int)e);
+}
+
+/* Halves the place of a simple root until it is 2^-bits wide. */
+static inline void exact_narrow(mpz_t *p, int n, exact_place *place, int bits) {
+    mpz_t value;
+    mpz_init(value);
+    exact_at(value, p, n, place->at, place->bits, 0);
+    int left = mpz_sgn(value);
+    if (left == 0 && !place->exact) { /* a root at the left end is another one: the sign right of it */
+        exact_at(value, p, n, place->at, place->bits, 1);
+        left = mpz_sgn(value);
+    }
+    while (!place->exact && !place->multiple && place->bits < bits) {
+        mpz_mul_2exp(place->at, place->at, 1), place->bits++;
+        mpz_add_ui(place->at, place->at, 1);
+        exact_at(value, p, n, place->at, place->bits, 0);
+        if (mpz_sgn(value) == 0)
+            place->exact = 1;
+        else if (mpz_sgn(value) != left)
+            mpz_sub_ui(place->at, place->at, 1);
+    }
+    mpz_clear(value);
+}
+
+typedef struct exact_collector {
+    exact_part *part;
+    exact_answer *answer;
+} exact_collector;
+
+static inline int exact_collect(exact_place *place, void *data) {
+    exact_collector *c = data;
+    exact_part *part = c->part;
+    exact_answer *answer = c->answer;
+    mpf_t t;
+    mpf_init2(t, PIXEL_BITS);
+    exact_narrow(part->p, part->n, place, DEEPEST);
+    exact_float(t, place->at, place->bits), mpf_mul(t, t, part->length), mpf_add(t, t, part->t0);
+    answer->sure = mpf_cmp(t, part->first) >= 0 && mpf_cmp(t, part->last) <= 0;
+    answer->clustered |= place->multiple;
+    answer->t[answer->count] = mpf_get_d(t);
+    answer->slope[answer->count] = exact_derivative(part, place->at, place->bits, 1);
+    answer->bend[answer->count++] = exact_derivative(part, place->at, place->bits, 2);
+    mpf_clear(t);
+    return answer->sure;
+}
+
+static inline exact_answer exact_first_root(const exact_form *form, const algsurf_extent *extent,
+                                            const algsurf_ray *ray, double room) {
+    exact_answer answer = {0};
+    exact_part part = exact_part_of(form, extent, ray, room);
+    if (!part.empty) {
+        mpz_t *copy = exact_polynomials(1, form->n + 1), zero;
+        int zeros = 1;
+        mpz_init(zero);
+        for (int k = 0; k <= form->n; k++) mpz_set(copy[k], part.p[k]), zeros &= mpz_sgn(copy[k]) == 0;
+        exact_collector c = {&part, &answer};
+        if (zeros)
+            answer.clustered = 1, answer.sure = 1; /* the ray lies in the surface */
+        else
+            (void)exact_walk(copy, form->n, zero, 0, exact_collect, &c);
+        exact_free(copy, form->n + 1), mpz_clear(zero);
+    }
+    exact_part_clear(&part);
+    return answer;
+}
+
+#endif
