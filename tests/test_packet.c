@@ -1,10 +1,10 @@
 /* test_packet.c - first roots of many polynomials: states against the single calls, roots against a Sturm
  * chain over integers, bits of one kernel against those of the others.
  *
- * Breaks caught, each tried: the error radius left out, a doubtful lane told as one without a root, a scaled
- * lane's radius not scaled, an answer written before all
- * polynomials were checked, Halley's step taken where it is no better than none,
- * a kernel that doubts everything.
+ * Breaks caught, each tried: the error radius left out, of whole polynomials or of cells, what lies behind an
+ * empty cell forgotten, a doubtful lane told as one without a root, a scaled lane's radius not scaled, an
+ * answer written before all polynomials were checked, a kernel that doubts everything.  Not caught: a cut's
+ * error left out, Halley's step taken where it is no better than none.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -163,7 +163,19 @@ static void test_random(void **unused) {
     }
 }
 
-/* (t - a)^2 +- e^2, times quadratics without real roots, and a root far behind. */
+/* c of polynomial i becomes ((t - at)^2 + gap), times quadratics without real roots. */
+static void put_grazing(int i, int n, double at, double gap, uint64_t *random) {
+    put_product(i, n - 2, NULL, 0, random);
+    double q[3] = {at * at + gap, -2 * at, 1}, p[TOP + 1];
+    for (int k = 0; k <= n; k++) {
+        p[k] = 0;
+        for (int j = 0; j <= 2; j++) p[k] += k >= j && k - j <= n - 2 ? q[j] * c[k - j][i] : 0;
+    }
+    for (int k = 0; k <= n; k++) c[k][i] = p[k];
+    lo[i] = -1;
+    hi[i] = 1;
+}
+
 static void test_grazing(void **unused) {
     (void)unused;
     uint64_t random = SEED + 1;
@@ -174,19 +186,33 @@ static void test_grazing(void **unused) {
         for (int i = 0; i < MOST; i++) {
             double at = 0.5 * exact_random_unit(&random),
                    e = pow(10, -5.5 + 3.5 * exact_random_unit(&random));
-            put_product(i, n - 2, NULL, 0, &random);
-            double q[3] = {at * at + (i % 2 ? e * e : -e * e), -2 * at, 1}, p[TOP + 1];
-            for (int k = 0; k <= n; k++) {
-                p[k] = 0;
-                for (int j = 0; j <= 2; j++) p[k] += k >= j && k - j <= n - 2 ? q[j] * c[k - j][i] : 0;
-            }
-            for (int k = 0; k <= n; k++) c[k][i] = p[k];
-            lo[i] = -1;
-            hi[i] = 1;
+            put_grazing(i, n, at, i % 2 ? e * e : -e * e, &random);
         }
         check(n, MOST, 0, &a, seen);
         check_roots(n, MOST, &a, 1e-11);
         assert_true(seen[0] > MOST / 4 && seen[1] > MOST / 4);
+    }
+}
+
+/* No root, but one within the radii for half of them: what is said must be true at their end too. */
+static void test_touching(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 12;
+    EACH_DEGREE(n) {
+        int seen[3] = {0, 0, 0};
+        answers a;
+        if (n < 2 || n > 12) continue;
+        for (int i = 0; i < MOST; i++) {
+            double at = 0.5 * exact_random_unit(&random), f = 0;
+            put_grazing(i, n, at, pow(10, -5 + 4 * exact_random_unit(&random)), &random);
+            for (int k = n; k >= 0; k--) f = f * at + c[k][i];
+            for (int k = 1; k <= n; k++) r[k][i] = 0;
+            r[0][i] = (i % 2 ? 2 : 0.25) * f;
+        }
+        check(n, MOST, 1, &a, seen);
+        for (int i = 0; i < MOST; i++) c[0][i] -= 0.99 * r[0][i];
+        check_roots(n, MOST, &a, INFINITY);
+        assert_true(seen[0] > MOST / 4 && seen[2] > MOST / 4);
     }
 }
 
@@ -467,6 +493,7 @@ int main(void) {
         cmocka_unit_test(test_counts),         cmocka_unit_test(test_tolerance),
         cmocka_unit_test(test_kernels_decide), cmocka_unit_test(test_errors),
         cmocka_unit_test(test_environment),    cmocka_unit_test(test_flat),
+        cmocka_unit_test(test_touching),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,7 +53,7 @@ typedef struct algsurf_first_roots_options {
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
  * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
  * deciding; nothing is written then.
- * Cost: O(degree^2) for each, 3 to 200 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
+ * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
  * is handed on costs the single calls, some microseconds; so do all above degree 20.  No allocation.
  * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
