@@ -259,7 +259,7 @@ void cli_set_method(const cli_option *option, const char *value, void *field) {
 }
 
 void cli_set_tier(const cli_option *option, const char *value, void *field) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD};
+    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
     *(algsurf_tier *)field = tiers[cli_choice(option, value)];
 }
 

@@ -26,7 +26,8 @@ static const cli_option options_table[] = {
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
      FIELD(how.tolerance)},
-    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", cli_set_tier,
+    {"--tier", "fast|standard|certified",
+     "signs as computed; beyond their error bounds (default); exact where those fail", cli_set_tier,
      FIELD(how.tier)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 

@@ -52,7 +52,7 @@ static int certain_sign(const double *c, const double *r, int degree, double t) 
 static double certain_end(const double *c, int degree, double from, double limit, int sign) {
     double step = fabs(limit - from) * DBL_EPSILON, least = 2 * DBL_EPSILON * fabs(from) + DBL_MIN;
     int side = limit < from ? -1 : 1;
-    step = fmin(step, least);
+    step = fmax(fmin(step, least), DBL_TRUE_MIN);
     for (double t = from; side * t < side * limit; t += side * step, step *= 2)
         if (certain_sign(c, NULL, degree, t) == sign) return t;
     return limit;

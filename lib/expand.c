@@ -23,7 +23,7 @@ static int all_finite(const double *c, const double *r, int n) {
 /* Undoes the surface's scale; a result under the normal range is off by at most 2^-1075 more. */
 static algsurf_status give(const algsurf_surface *s, const double *q, const double *qr, double *c,
                            double *r) {
-    double value[ALGSURF_MAX_DEGREE + 1], radius[ALGSURF_MAX_DEGREE + 1];
+    double value[ALGSURF_MAX_DEGREE + 1] = {0}, radius[ALGSURF_MAX_DEGREE + 1] = {0};
     for (int i = 0; i <= s->degree; i++) {
         value[i] = ldexp(q[i], -s->scale);
         radius[i] = ldexp(qr[i], -s->scale);
@@ -72,7 +72,7 @@ static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const
     algsurf_i_frame_of(s, ray, 1, &f);
     double X[3] = {f.X[0].hi, f.X[1].hi, f.X[2].hi};
     algsurf_i_expand_d(s, X, f.D, q, qr);
-    if (!all_finite(q, qr, n)) return ALGSURF_E_RANGE;
+    if (f.lost || !all_finite(q, qr, n)) return ALGSURF_E_RANGE;
     if (algsurf_poly_to_bernstein(q, qr, n, f.lo.hi, f.hi.hi, value, radius) != ALGSURF_OK)
         return ALGSURF_E_RANGE;
     /* The ends were rounded: each factor of the blossom is off by a relative u, |ends| <= 1. */

@@ -16,6 +16,16 @@ double algsurf_i_scaled(double x, int e) {
     return y == 0 && x != 0 ? copysign(0x1p-1074, x) : y;
 }
 
+/* May the direction have lost bits to underflow, and does it show?  V is then off by at most 2^-1074, a point
+ * by |s| times that; up to |s| = 2^60 this is among what the expansion allows for underflow, since D has a
+ * component below 2^-960. */
+static int is_lost(const algsurf_i_frame *f, const double direction[3]) {
+    if (!(fabs(f->centre) > 0x1p59 || f->step > 0x1p59)) return 0;
+    for (int i = 0; i < 3; i++)
+        if (direction[i] != 0 && fabs(f->V[i]) < 0x1p-1022) return 1;
+    return 0;
+}
+
 /* (s - centre) / step, the difference exact. */
 static algsurf_dd local(double s, const algsurf_i_frame *f) {
     if (isinf(s)) return algsurf_dd_from(s);
@@ -50,6 +60,7 @@ void algsurf_i_frame_of(const algsurf_surface *surface, const algsurf_ray *ray, 
         f->step = natural;
     }
     for (int i = 0; i < 3; i++) f->D[i] = algsurf_i_scaled(f->V[i], ilogb(f->step));
+    f->lost = is_lost(f, ray->direction);
     f->lo = local(lo, f);
     f->hi = local(hi, f);
 }

@@ -20,6 +20,7 @@ typedef struct algsurf_i_frame {
     double D[3];         /* direction by v: step V */
     algsurf_dd lo, hi;   /* the ray's t_min, t_max in v, exact up to 2^-105; hi part +-inf if infinite */
     int one_piece;       /* 1: [lo,hi] lies in [-1,1] */
+    int lost;            /* 1: V is not the exact direction, and s so large that this shows in X and D */
 } algsurf_i_frame;
 
 /* x 2^e; what underflows becomes the least number of its sign, so that it is seen where underflow is

@@ -12,8 +12,9 @@
 #define ALGSURF_FPENV_H
 #include <float.h>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "libalgsurf proves its results: -ffast-math and -ffinite-math-only break the proofs"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||               \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "libalgsurf proves its results: -ffast-math and what belongs to it break the proofs"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "libalgsurf needs doubles evaluated as doubles (on i386: -msse2 -mfpmath=sse)"

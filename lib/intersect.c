@@ -22,7 +22,7 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
                                                 algsurf_intersect_options *options) {
     static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if (options->tier != ALGSURF_TIER_STANDARD && options->tier != ALGSURF_TIER_FAST)
+    if ((unsigned)options->tier > ALGSURF_TIER_CERTIFIED || (unsigned)options->doubt > ALGSURF_DOUBT_MISS)
         return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
@@ -76,19 +76,27 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
 
 static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
     double x[3], gradient[3];
+    const int unit = q->surface->unit;
     point_at(f, root->offset, x);
-    if (root->polish)
-        polish(q, f, root, x, gradient);
-    else
-        (void)algsurf_i_surface_value(q->surface, x, gradient);
+    if (root->polish) polish(q, f, root, x, gradient);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
+    t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
+    for (int i = 0; i < 3; i++) {
+        double at = ldexp(x[i], unit);
+        if (root->reason == ALGSURF_UNDECIDED_RANGE) { /* the frame may have overflowed */
+            at = fma(t, q->ray.direction[i], q->ray.origin[i]);
+            x[i] = ldexp(at, -unit);
+        }
+        hit->position[i] = fmin(fmax(at, -DBL_MAX), DBL_MAX);
+    }
+    if (!root->polish) (void)algsurf_i_surface_value(q->surface, x, gradient);
     hit->state = root->state;
     hit->reason = root->reason;
-    hit->t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
-    hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_lo;
-    hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? hit->t : root->t_hi;
-    for (int i = 0; i < 3; i++) hit->position[i] = ldexp(x[i], q->surface->unit);
-    if (!algsurf_unit(gradient, hit->normal)) hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
+    hit->t = t;
+    hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_lo;
+    hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_hi;
+    if (!algsurf_is_finite3(gradient) || !algsurf_unit(gradient, hit->normal))
+        hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
 }
 
 ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface,
@@ -101,7 +109,8 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface 
     algsurf_i_ray_root root;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
-    if (q.empty || !algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
+    if (q.empty ||
+        !algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
         set_miss(hit);
     else
         make_hit(&q, &frame, &root, hit);
@@ -128,8 +137,9 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int room = surface->degree > 0 ? surface->degree : 1;
-    int n =
-        q.empty ? 0 : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
+    int n = q.empty
+                ? 0
+                : algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
     *count = n;
@@ -157,8 +167,8 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_occluded(const algsurf_surface *surfac
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int n = q.empty ? 0
-                    : algsurf_i_ray_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
-                                          ALGSURF_MAX_DEGREE + 1);
+                    : algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
+                                              ALGSURF_MAX_DEGREE + 1);
     *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
     return ALGSURF_OK;
 }

@@ -100,16 +100,27 @@ static void set_normal(const complex_query *q, algsurf_complex v, double normal[
     if (!algsurf_is_finite3(w) || !algsurf_unit(w, normal)) normal[0] = normal[1] = normal[2] = 0;
 }
 
+/* |z|, by operations that all systems round alike. */
+static double magnitude_of(algsurf_complex z) {
+    double largest = fmax(fabs(z.re), fabs(z.im));
+    if (z.re == 0 || z.im == 0) return largest;
+    int e = ilogb(largest);
+    double re = ldexp(z.re, -e), im = ldexp(z.im, -e);
+    return ldexp(sqrt(re * re + im * im), e);
+}
+
+static double clamped(double x, double lo, double hi) { return fmin(fmax(x, lo), hi); }
+
 static void set_hit(const complex_query *q, const algsurf_enclosure *local, const algsurf_enclosure *s,
                     algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_interval magnitude = algsurf_cinterval_abs(s->box);
-    double size = hypot(s->value.re, s->value.im);
+    double size = magnitude_of(s->value), t = ldexp(size, -f->exponent);
     /* |s| - centre, without the rounding of the sum where the root is real and in front */
     double offset = s->value.im == 0 && s->value.re >= 0 ? f->step * local->value.re : size - f->centre;
-    hit->t = ldexp(size, -f->exponent);
-    hit->t_lo = fmin(hit->t, ldexp(magnitude.lo, -f->exponent));
-    hit->t_hi = fmax(hit->t, ldexp(magnitude.hi, -f->exponent));
+    hit->t = clamped(t, q->ray.t_min, q->ray.t_max);
+    hit->t_lo = clamped(ldexp(magnitude.lo, -f->exponent), q->ray.t_min, hit->t);
+    hit->t_hi = clamped(ldexp(magnitude.hi, -f->exponent), hit->t, q->ray.t_max);
     for (int i = 0; i < 3; i++)
         hit->position[i] =
             ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);

@@ -23,6 +23,12 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                         const algsurf_intersect_options *options, algsurf_i_want want, algsurf_i_frame *frame,
                         algsurf_i_ray_root *roots, int capacity);
 
+/* The same with what the tier and the caller's choice make of doubt: the certified tier decides it by exact
+ * arithmetic where that can be. */
+int algsurf_i_decided_roots(const algsurf_surface *surface, const algsurf_ray *ray,
+                            const algsurf_intersect_options *options, algsurf_i_want want,
+                            algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity);
+
 /* Reads and checks a caller's options (null: the defaults); a kernel's name becomes the library's own string.
  */
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,

@@ -35,7 +35,8 @@ static algsurf_dd offset_of(const search *s, const algsurf_i_piece *piece, algsu
 static double t_outward(const search *s, const algsurf_i_piece *piece, algsurf_dd v, int side) {
     const double infinity = side < 0 ? -HUGE_VAL : HUGE_VAL;
     if (piece->far && v.hi == 0) return infinity;
-    double offset = offset_of(s, piece, v).hi;
+    double size = fmax(fabs(piece->lo.hi), fabs(piece->hi.hi)); /* a cell's end is known to 2^-103 of this */
+    double offset = offset_of(s, piece, algsurf_dd_add_d(v, side * 0x1p-100 * size)).hi;
     double pad = 4 * ALGSURF_U * (fabs(s->frame->centre) + fabs(offset));
     double t = ldexp(s->frame->centre + offset + side * pad, -s->frame->exponent);
     return nextafter(t, infinity);
@@ -200,6 +201,18 @@ static int end_is_root(const search *s, double t) {
     return isfinite(t) && algsurf_i_exact_sign(s->surface, s->ray, t) == 0;
 }
 
+/* A linear polynomial that is zero at an end, and not everywhere, has no other root. */
+static int settle_linear(search *s, int at_lo) {
+    const algsurf_i_piece *piece = at_lo ? s->pieces : s->pieces + s->piece_count - 1;
+    const algsurf_i_cell end = {.piece = piece, .kind = ALGSURF_ROOT_EXACT, .at_lo = at_lo, .at_hi = !at_lo};
+    double t = at_lo ? s->ray->t_min : s->ray->t_max;
+    int elsewhere = s->surface->degree == 1 ? algsurf_i_exact_sign(s->surface, s->ray, t == 0 ? 1 : -t) : 0;
+    if (elsewhere != 1 && elsewhere != -1) return 0;
+    s->count = 0;
+    add_root(s, &end, at_lo ? piece->lo : piece->hi, 0);
+    return 1;
+}
+
 static void whole_ray_undecided(search *s, algsurf_status reason) {
     algsurf_dd middle = algsurf_dd_from(0);
     s->roots[0] = (algsurf_i_ray_root){ALGSURF_UNCERTAIN, reason, 0, middle, s->ray->t_min, s->ray->t_max};
@@ -211,7 +224,7 @@ static int single_point(search *s) {
     algsurf_dd q[ALGSURF_MAX_DEGREE + 1];
     double r[ALGSURF_MAX_DEGREE + 1];
     algsurf_i_expand_dd(s->surface, s->frame->X, s->frame->D, q, r);
-    if (isfinite(q[0].hi) && isfinite(r[0]) && fabs(q[0].hi) > r[0]) return 0;
+    if (!s->frame->lost && isfinite(q[0].hi) && isfinite(r[0]) && fabs(q[0].hi) > r[0]) return 0;
     int sign = algsurf_i_exact_sign(s->surface, s->ray, s->ray->t_min);
     algsurf_dd here = algsurf_dd_from(0);
     double t = s->ray->t_min;
@@ -226,10 +239,12 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                         algsurf_i_ray_root *roots, int capacity) {
     search s = {surface, ray, options, want, frame, {{0, {0, 0}, {0, 0}, 0, 0}}, 0, roots, 0, capacity};
     int open_lo, open_hi;
+    if (surface->degree == 1 && want == ALGSURF_WANT_FIRST)
+        s.want = ALGSURF_WANT_ALL; /* one entry in any case */
     algsurf_i_frame_of(surface, ray, 0, frame);
     if (ray->t_min == ray->t_max) return isfinite(ray->t_min) ? single_point(&s) : 0;
     s.piece_count = algsurf_i_cut_line(frame->lo, frame->hi, s.pieces);
-    enum outcome outcome = round_in_double(&s);
+    enum outcome outcome = frame->lost ? OVERFLOWED : round_in_double(&s);
     if (outcome == UNDECIDED)
         outcome = round_in_dd(&s, &open_lo, &open_hi);
     else
@@ -240,7 +255,7 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
             zero_hi = open_hi && end_is_root(&s, ray->t_max);
         s.pieces[0].zero_at_lo = zero_lo;
         s.pieces[s.piece_count - 1].zero_at_hi = zero_hi;
-        if (zero_lo || zero_hi) (void)round_in_dd(&s, &open_lo, &open_hi);
+        if ((zero_lo || zero_hi) && !settle_linear(&s, zero_lo)) (void)round_in_dd(&s, &open_lo, &open_hi);
     }
     return s.count;
 }

@@ -28,18 +28,26 @@ static void scale(const algsurf_i_coefficients *p, int exponent, double *q, doub
     }
 }
 
+/* An end of a stretch in its unit; where that is no double, the next one outward: no root gets lost. */
+static double end_in_unit(double x, int exponent, double outside) {
+    double v = ldexp(x, -exponent);
+    return ldexp(v, exponent) == x ? v : nextafter(v, outside);
+}
+
 static int pieces_of(const task *t, const algsurf_i_stretch *s, algsurf_i_piece *pieces) {
-    algsurf_dd lo = algsurf_dd_from(ldexp(s->lo, -s->exponent)),
-               hi = algsurf_dd_from(ldexp(s->hi, -s->exponent));
-    int count = algsurf_i_cut_line(lo, hi, pieces);
-    if (count > 0 && s->lo <= t->lo) pieces[0].zero_at_lo = t->zero_at_lo;
-    if (count > 0 && s->hi >= t->hi) pieces[count - 1].zero_at_hi = t->zero_at_hi;
+    double lo = end_in_unit(s->lo, s->exponent, -HUGE_VAL), hi = end_in_unit(s->hi, s->exponent, HUGE_VAL);
+    int count = algsurf_i_cut_line(algsurf_dd_from(lo), algsurf_dd_from(hi), pieces);
+    if (count > 0 && t->lo == ldexp(lo, s->exponent)) pieces[0].zero_at_lo = t->zero_at_lo;
+    if (count > 0 && t->hi == ldexp(hi, s->exponent)) pieces[count - 1].zero_at_hi = t->zero_at_hi;
     return count;
 }
 
-/* After an entry: is the search for a first root over?  An undecided entry may still grow. */
+/* After an entry: is the search for a first root over?  An undecided entry may still grow, a loose one has to
+ * be followed by another. */
 static int finished(const task *t) {
-    return t->first_only && t->found.count > 0 && t->found.b[0].kind != ALGSURF_ROOT_UNDECIDED;
+    const algsurf_i_brackets *f = &t->found;
+    if (!t->first_only || f->count == 0) return 0;
+    return f->count > 1 || (f->b[0].kind != ALGSURF_ROOT_UNDECIDED && !f->loose);
 }
 
 /* One stretch in double; returns 0 when a cell stayed undecided. */
@@ -74,18 +82,19 @@ static int walk_dd(task *t, const algsurf_i_stretch *s) {
 /* All stretches, the root at 0 in its place; returns 0 as walk_d does. */
 static int walk(task *t, int (*one)(task *, const algsurf_i_stretch *)) {
     algsurf_i_stretch s[ALGSURF_MOST_STRETCHES];
-    int count = algsurf_i_stretches(&t->p, t->lo, t->hi, s);
+    int constant = t->p.degree == t->p.zeros; /* but for x^zeros; it does not vanish, see may_vanish */
+    int count = constant ? 0 : algsurf_i_stretches(&t->p, t->lo, t->hi, s);
     int zero_due = t->p.zeros > 0 && t->lo <= 0 && t->hi >= 0;
-    t->found.count = 0;
+    t->found.count = t->found.loose = 0;
     for (int i = 0; i < count && !finished(t); i++) {
         if (zero_due && s[i].lo >= 0) {
             zero_due = 0;
-            if (!algsurf_i_add_exact(&t->found, 0, t->p.zeros)) return 0;
+            if (!algsurf_i_add_exact(&t->found, &t->p, 0, t->p.zeros)) return 0;
             if (finished(t)) return 1;
         }
         if (!one(t, s + i)) return 0;
     }
-    return finished(t) || !zero_due || algsurf_i_add_exact(&t->found, 0, t->p.zeros);
+    return finished(t) || !zero_due || algsurf_i_add_exact(&t->found, &t->p, 0, t->p.zeros);
 }
 
 /* Undecided at an end of the interval: is that end exactly a root? */
@@ -99,24 +108,28 @@ static int end_is_root(const task *t, double x) {
     return 0;
 }
 
+static void all_undecided(task *t) {
+    int most = t->p.degree > 0 ? t->p.degree : 1;
+    t->found.b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, most, ALGSURF_UNDECIDED_ZERO};
+    t->found.count = 1;
+}
+
 static void single_point(task *t) {
     int sign = isinf(t->lo) ? 1 : algsurf_i_sign_at(&t->p, t->lo);
     t->found.count = 0;
     if (sign == 0)
-        (void)algsurf_i_add_exact(&t->found, t->lo, t->p.degree);
-    else if (sign == ALGSURF_SIGN_UNKNOWN) {
-        t->found.b[0] =
-            (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, t->p.degree, ALGSURF_UNDECIDED_ZERO};
-        t->found.count = 1;
-    }
+        (void)algsurf_i_add_exact(&t->found, &t->p, t->lo, t->p.degree);
+    else if (sign == ALGSURF_SIGN_UNKNOWN)
+        all_undecided(t);
 }
 
 /* More entries than the degree: the last one takes in all the rest. */
 static void cover_rest(task *t) {
     algsurf_bracket *last = t->found.b + t->found.count - 1;
+    double lo = t->found.loose ? t->found.above : last->lo;
     *last = (algsurf_bracket){
-        last->lo, t->hi,       ALGSURF_ROOT_UNDECIDED,
-        0,        t->p.degree, last->status != ALGSURF_OK ? last->status : ALGSURF_UNDECIDED_MULTIPLE};
+        lo, t->hi,       ALGSURF_ROOT_UNDECIDED,
+        0,  t->p.degree, last->status != ALGSURF_OK ? last->status : ALGSURF_UNDECIDED_MULTIPLE};
 }
 
 static void isolate(task *t) {
@@ -143,6 +156,13 @@ static algsurf_status check(const double *c, const double *r, int degree, double
     return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
 }
 
+/* Nothing can be said of a set of polynomials that holds the zero polynomial. */
+static int may_vanish(const algsurf_i_coefficients *p) {
+    for (int k = 0; p->r && k <= p->degree; k++)
+        if (fabs(p->c[k]) > p->r[k]) return 0;
+    return p->r != NULL;
+}
+
 static int exact_zero(const double *c, const double *r, int k) { return c[k] == 0 && (!r || r[k] == 0); }
 
 static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
@@ -150,14 +170,20 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     if (status != ALGSURF_OK) return status;
     while (exact_zero(t->p.c, t->p.r, t->p.degree)) t->p.degree--;
     while (exact_zero(t->p.c, t->p.r, t->p.zeros)) t->p.zeros++;
-    isolate(t);
+    if (may_vanish(&t->p))
+        all_undecided(t);
+    else
+        isolate(t);
+    if (t->first_only && t->found.count > 1) t->found.count = 1;
     return ALGSURF_OK;
 }
 
-/* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status. */
+/* Runs the search into `room` for degree brackets, at least 1, or for 2 where one is wanted; the first
+ * undecided reason is the status. */
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
                           algsurf_bracket *room, int *count) {
-    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, degree > 0 && !first_only ? degree : 1}};
+    int capacity = first_only ? 2 : degree > 0 ? degree : 1;
+    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, capacity, 0, 0}};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);
@@ -171,13 +197,13 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
 
 algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
                                      algsurf_bracket *bracket, int *found) {
-    algsurf_bracket first;
+    algsurf_bracket first[2];
     int count = 0;
     if (!bracket || !found) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 1, &first, &count);
+    algsurf_status status = run(c, r, degree, lo, hi, 1, first, &count);
     if (status < 0) return status;
     *found = count;
-    if (count) *bracket = first;
+    if (count) *bracket = first[0];
     return status;
 }
 

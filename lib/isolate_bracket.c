@@ -3,6 +3,7 @@
  * A cell's ends are exact points of its piece, not doubles of the caller's variable.  They are rounded
  * outward, and the signs at the rounded ends computed anew, with certainty: so what a bracket says can
  * be checked by anyone who evaluates the polynomial. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,6 +18,7 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
         if (p->r && fabs(lead) <= p->r[p->degree]) return ALGSURF_SIGN_UNKNOWN;
         return (lead > 0) == (x > 0 || p->degree % 2 == 0) ? 1 : -1;
     }
+    if (x == 0 && (!p->r || p->r[0] == 0 || fabs(p->c[0]) > p->r[0])) return (p->c[0] > 0) - (p->c[0] < 0);
     /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
     int unit = x == 0 ? 0 : ilogb(x), common = algsurf_i_common_exponent(p, 0, unit);
     for (int k = 0; k <= p->degree; k++) {
@@ -29,113 +31,180 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     return p->r ? ALGSURF_SIGN_UNKNOWN : algsurf_i_poly_exact_sign(p->c, p->degree, x);
 }
 
-/* End of a cell as a double, `steps` units in the last place outward of its rounded value, within the
- * stretch. */
+/* Is an end of a cell that of its stretch, and not one where pieces meet or a piece was split? */
+static int is_outermost(const algsurf_i_stretch *s, const algsurf_i_cell *cell, int side) {
+    double from = -ALGSURF_CUT, to = ALGSURF_CUT; /* where the piece lies, in units of the stretch */
+    if (cell->piece->far && cell->hi.hi > 0)
+        to = from, from = -HUGE_VAL;
+    else if (cell->piece->far)
+        from = to, to = HUGE_VAL;
+    return side < 0 ? cell->at_lo && ldexp(s->lo, -s->exponent) >= from
+                    : cell->at_hi && ldexp(s->hi, -s->exponent) <= to;
+}
+
+/* End of a cell as a double within the stretch, exact where it is that of the stretch.  Elsewhere it is the
+ * rounded value, off by less than 1 unit in the last place in a near piece, 2 in a far one, moved outward by
+ * `steps` doubles, after more than the error of v. */
 static double end_of(const algsurf_i_stretch *s, const algsurf_i_cell *cell, int side, int steps) {
-    double v = (side < 0 ? cell->lo : cell->hi).hi, outside = side < 0 ? -HUGE_VAL : HUGE_VAL;
-    if (cell->piece->far && v == 0) return side < 0 ? s->lo : s->hi;
-    double x = ldexp(cell->piece->far ? -1 / v : v, s->exponent);
-    for (int i = 0; i < abs(steps); i++) x = nextafter(x, steps > 0 ? outside : -outside);
-    return fmin(fmax(x, s->lo), s->hi);
+    const algsurf_i_piece *piece = cell->piece;
+    int outward = steps > 0 ? side : -side;
+    if (is_outermost(s, cell, side)) return side < 0 ? s->lo : s->hi;
+    double size = fmax(fabs(piece->lo.hi), fabs(piece->hi.hi));
+    double v = (side < 0 ? cell->lo : cell->hi).hi + outward * (0x1p-100 * size + 0x1p-1072);
+    double x = ldexp(piece->far ? -1 / v : v, s->exponent);
+    for (int i = 0; i < abs(steps); i++) x = nextafter(x, outward * HUGE_VAL);
+    return fmin(fmax(x, s->lo), s->hi) + 0.0; /* no -0 */
+}
+
+/* A double next to the right end of a cell, not beyond it. */
+static double right_inside(const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
+    return end_of(s, cell, 1, cell->piece->far ? -2 : -1);
 }
 
 static int append(algsurf_i_brackets *found, algsurf_bracket b) {
     if (found->count == found->capacity) return 0;
     found->b[found->count++] = b;
+    found->loose = 0;
     return 1;
 }
 
-int algsurf_i_add_exact(algsurf_i_brackets *found, double x, int most) {
+static void add_to_most(algsurf_bracket *b, int most, const algsurf_i_coefficients *p) {
+    b->most = b->most + most < p->degree ? b->most + most : p->degree;
+}
+
+int algsurf_i_add_exact(algsurf_i_brackets *found, const algsurf_i_coefficients *p, double x, int most) {
     algsurf_bracket *last = found->count > 0 ? found->b + found->count - 1 : NULL;
-    if (last && last->hi >= x && last->lo < x) last->hi = nextafter(x, -HUGE_VAL); /* entries are disjoint */
+    if (last && last->kind == ALGSURF_ROOT_UNDECIDED && last->hi == x) add_to_most(last, most, p);
     return append(found, (algsurf_bracket){x, x, ALGSURF_ROOT_EXACT, 0, most, ALGSURF_OK});
 }
 
+/* Takes back what the last entry has of the roots right of x: its right end, or all of it, into b. */
+static void tighten(algsurf_i_brackets *found, const algsurf_i_coefficients *p, double x,
+                    algsurf_bracket *b) {
+    algsurf_bracket *last = found->b + found->count - 1;
+    found->loose = 0;
+    if (last->hi <= x) return;
+    if (last->kind == ALGSURF_ROOT_BRACKET && last->lo < x && algsurf_i_sign_at(p, x) == -last->sign) {
+        last->hi = x;
+        b->lo = fmin(b->lo, x);
+        return;
+    }
+    b->lo = found->above;
+    add_to_most(b, last->most, p);
+    found->count--;
+}
+
+/* Appends an undecided entry for the roots of a cell, all in [b.lo,b.hi]; those of the cell before it are in
+ * the last entry. */
 static int add_undecided(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
-                         const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
-    algsurf_bracket b = {
-        end_of(s, cell, -1, 2),    end_of(s, cell, 1, 2), ALGSURF_ROOT_UNDECIDED, 0, cell->most,
-        ALGSURF_UNDECIDED_MULTIPLE};
+                         const algsurf_i_stretch *s, const algsurf_i_cell *cell, algsurf_bracket b) {
+    if (found->loose) tighten(found, p, end_of(s, cell, -1, 2), &b);
     algsurf_bracket *last = found->count > 0 ? found->b + found->count - 1 : NULL;
-    if (cell->at_lo || cell->at_hi) b.status = ALGSURF_UNDECIDED_END;
-    if (cell->at_lo && cell->at_hi) b.status = ALGSURF_UNDECIDED_ZERO;
     if (last && last->hi >= b.lo) {
         if (last->kind == ALGSURF_ROOT_UNDECIDED) {
-            last->hi = b.hi;
-            last->most = last->most + b.most < p->degree ? last->most + b.most : p->degree;
+            last->hi = fmax(last->hi, b.hi);
+            add_to_most(last, b.most, p);
             return 1;
         }
-        b.lo = nextafter(last->hi, HUGE_VAL);
-        if (b.lo > b.hi) b.hi = b.lo;
+        b.lo = last->hi;
+        if (last->kind == ALGSURF_ROOT_EXACT) add_to_most(&b, last->most, p);
     }
     return append(found, b);
 }
 
-/* An infinite end of a cell with one root is drawn in: to the first power of two beyond the other end where
- * the sign is that of infinity.  Returns 0 when there is no such double. */
-static int draw_in(const algsurf_i_coefficients *p, double *end, double other) {
-    double side = *end > 0 ? 1 : -1;
-    int at_infinity = algsurf_i_sign_at(p, *end);
-    if (isinf(other)) return 0;
-    for (int e = side * other > 0 ? ilogb(other) + 1 : -1074; e < 1024; e++)
-        if (algsurf_i_sign_at(p, ldexp(side, e)) == at_infinity) {
-            *end = ldexp(side, e);
-            return 1;
-        }
-    return 0;
+static int add_open_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
+                         const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
+    algsurf_bracket b = {
+        end_of(s, cell, -1, 2),    end_of(s, cell, 1, 2), ALGSURF_ROOT_UNDECIDED, 0, cell->most,
+        ALGSURF_UNDECIDED_MULTIPLE};
+    if (cell->at_lo || cell->at_hi) b.status = ALGSURF_UNDECIDED_END;
+    if (cell->at_lo && cell->at_hi) b.status = ALGSURF_UNDECIDED_ZERO;
+    return add_undecided(found, p, s, cell, b);
 }
 
-/* The root in (lo,hi) when one end is itself another root, exactly: halving until that end is off.
- * `known` is the sign at the other end.  Bounded by the number of doubles' bits. */
-static int leave_zero(const algsurf_i_coefficients *p, double *lo, double *hi, int zero_lo, int known) {
-    for (int i = 0; i < 2200; i++) {
-        double middle = 0.5 * *lo + 0.5 * *hi;
-        int sign = middle > *lo && middle < *hi ? algsurf_i_sign_at(p, middle) : ALGSURF_SIGN_UNKNOWN;
-        if (sign == ALGSURF_SIGN_UNKNOWN) return 0;
-        if (sign == 0) {
-            *lo = *hi = middle;
-            return 1;
-        }
-        double *other = zero_lo ? hi : lo, *zero = zero_lo ? lo : hi;
-        if (sign == known) {
-            *other = middle;
-        } else {
-            *zero = middle;
-            return 1;
-        }
+/* In place of an infinite end of a cell with one root: the first power of two beyond the other end where the
+ * sign is that of infinity, or else the largest double. */
+static double draw_in(const algsurf_i_coefficients *p, double end, double other) {
+    double side = end > 0 ? 1 : -1;
+    int at_infinity = algsurf_i_sign_at(p, end);
+    if (isinf(other)) return side * DBL_MAX;
+    for (int e = side * other > 0 ? ilogb(other) + 1 : -1074; e < 1024; e++)
+        if (algsurf_i_sign_at(p, ldexp(side, e)) == at_infinity) return ldexp(side, e);
+    return side * DBL_MAX;
+}
+
+/* Moves *x a few doubles towards `inner` until the sign there is certain, and returns it (or UNKNOWN).
+ * `taken`: where *x is a root now, it is another one than that looked for. */
+static int move_in(const algsurf_i_coefficients *p, double *x, double inner, int taken) {
+    for (int i = 0; i < 5; i++) {
+        int sign = algsurf_i_sign_at(p, *x);
+        if (sign == 1 || sign == -1 || (sign == 0 && !taken)) return sign;
+        if (*x == inner || nextafter(*x, inner) == inner) break;
+        *x = nextafter(*x, inner);
+        taken = 0;
+    }
+    return ALGSURF_SIGN_UNKNOWN;
+}
+
+/* The sign of p left of the root in a cell.  The local polynomial is p / x^zeros, over x^(degree - zeros) in
+ * a far piece. */
+static int sign_before(const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                       const algsurf_i_cell *cell) {
+    int negative = cell->piece->far ? cell->hi.hi > 0 : s->hi <= 0;
+    int power = cell->piece->far ? p->degree : p->zeros;
+    return negative && power % 2 ? -cell->sign : cell->sign;
+}
+
+/* The root lies right of lo, next to the end of its cell: an end for its bracket beyond that, up to `outer`.
+ * What comes next shows whether another root is in it. */
+static int add_loose(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                     int before, double lo, double outer) {
+    const double above = lo;
+    for (double x = nextafter(lo, HUGE_VAL); x <= outer && !isinf(x); x = nextafter(x, HUGE_VAL)) {
+        int sign = algsurf_i_sign_at(p, x);
+        if (sign == before) lo = x;
+        if (sign == ALGSURF_SIGN_UNKNOWN || sign == before || (sign == 0 && x == s->hi)) continue;
+        int added =
+            sign == 0 ? algsurf_i_add_exact(found, p, x, p->degree)
+                      : append(found, (algsurf_bracket){lo, x, ALGSURF_ROOT_BRACKET, before, 1, ALGSURF_OK});
+        found->loose = added;
+        found->above = above;
+        return added ? 1 : -1;
     }
     return 0;
 }
 
-/* A double between lo and hi that is the root exactly, when they are a few units apart. */
-static int exact_between(const algsurf_i_coefficients *p, double lo, double hi, double *root) {
-    for (int i = 0; i < 8 && lo <= hi; i++, lo = nextafter(lo, HUGE_VAL))
-        if (algsurf_i_sign_at(p, lo) == 0) {
-            *root = lo;
-            return 1;
-        }
-    return 0;
+/* A cell with one root, from the sign b before it to the sign -b behind: lo and hi are doubles where the sign
+ * is b and -b.  No root lies between the entry before and the cell; hence -b at x, right of that entry, says
+ * that the root is left of x, wherever the cell ends, and b at x, left of the cell's end, that it is right of
+ * x. */
+static int add_bracket(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                       const algsurf_i_cell *cell) {
+    double last = found->count > 0 ? found->b[found->count - 1].hi : -HUGE_VAL;
+    double inside = right_inside(s, cell), lo = fmax(end_of(s, cell, -1, 2), last), hi = fmax(inside, lo);
+    int before = sign_before(p, s, cell), added = 0;
+    algsurf_bracket open = {lo, end_of(s, cell, 1, 2),     ALGSURF_ROOT_UNDECIDED, 0,
+                            1,  ALGSURF_UNDECIDED_MULTIPLE};
+    if (lo == last && last > inside) return add_undecided(found, p, s, cell, open);
+    if (isinf(lo)) lo = draw_in(p, lo, hi);
+    if (isinf(hi)) hi = draw_in(p, hi, lo);
+    int at_lo = move_in(p, &lo, hi, 1), at_hi = move_in(p, &hi, lo, hi == s->hi || hi == lo);
+    if (at_lo == 0 || at_hi == 0) return algsurf_i_add_exact(found, p, at_lo == 0 ? lo : hi, p->degree);
+    if (at_lo == before && at_hi == -before)
+        return append(found, (algsurf_bracket){lo, hi, ALGSURF_ROOT_BRACKET, before, 1, ALGSURF_OK});
+    if (at_hi == before) added = add_loose(found, p, s, before, hi, open.hi);
+    if (added != 0) return added > 0;
+    if (at_hi == before || at_lo == before) open.lo = at_hi == before ? hi : lo;
+    if (at_lo == -before || at_hi == -before) open.hi = at_lo == -before ? lo : hi;
+    if (isinf(open.lo) || isinf(open.hi) || fmax(-open.lo, open.hi) < DBL_MIN)
+        open.status = ALGSURF_UNDECIDED_RANGE;
+    return add_undecided(found, p, s, cell, open);
 }
 
 int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
                        const algsurf_i_cell *cell) {
-    double before = found->count > 0 ? found->b[found->count - 1].hi : -HUGE_VAL, root;
     if (cell->kind == ALGSURF_ROOT_EXACT)
-        return algsurf_i_add_exact(found, cell->at_lo ? s->lo : s->hi, p->degree);
-    if (cell->kind == ALGSURF_ROOT_UNDECIDED) return add_undecided(found, p, s, cell);
-    for (int steps = 2; steps >= -1; steps--) {
-        double lo = fmax(end_of(s, cell, -1, steps), before), hi = end_of(s, cell, 1, steps);
-        if ((isinf(lo) && !draw_in(p, &lo, hi)) || (isinf(hi) && !draw_in(p, &hi, lo))) break;
-        int at_lo = algsurf_i_sign_at(p, lo), at_hi = algsurf_i_sign_at(p, hi);
-        if (at_lo == 0 && (at_hi == 1 || at_hi == -1) && leave_zero(p, &lo, &hi, 1, at_hi))
-            at_lo = lo < hi ? -at_hi : 0;
-        else if (at_hi == 0 && (at_lo == 1 || at_lo == -1) && leave_zero(p, &lo, &hi, 0, at_lo))
-            at_hi = lo < hi ? -at_lo : 0;
-        if (lo == hi) return algsurf_i_add_exact(found, lo, p->degree);
-        if (at_lo * at_hi == -1)
-            return append(found, (algsurf_bracket){lo, hi, ALGSURF_ROOT_BRACKET, at_lo, 1, ALGSURF_OK});
-    }
-    if (exact_between(p, fmax(end_of(s, cell, -1, 2), before), end_of(s, cell, 1, 2), &root))
-        return algsurf_i_add_exact(found, root, p->degree);
-    return add_undecided(found, p, s, cell);
+        return algsurf_i_add_exact(found, p, cell->at_lo ? s->lo : s->hi, p->degree);
+    return cell->kind == ALGSURF_ROOT_BRACKET ? add_bracket(found, p, s, cell)
+                                              : add_open_cell(found, p, s, cell);
 }

@@ -93,10 +93,13 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int first, int un
 int algsurf_i_stretches(const algsurf_i_coefficients *p, double lo, double hi,
                         algsurf_i_stretch s[ALGSURF_MOST_STRETCHES]);
 
-/* Brackets in increasing order, at most `capacity` >= 1. */
+/* Brackets in increasing order, at most `capacity` >= 1.  Each holds the roots of its own cells alone, but
+ * the last one when it is loose: then it reaches beyond its cell, and is certain once the next one is added.
+ */
 typedef struct algsurf_i_brackets {
     algsurf_bracket *b;
-    int count, capacity;
+    int count, capacity, loose;
+    double above; /* if loose: the root is greater than this */
 } algsurf_i_brackets;
 
 /* Certain sign of p at x (may be infinite): -1, +1, 0 for an exact zero, or ALGSURF_SIGN_UNKNOWN. */
@@ -105,7 +108,7 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x);
 /* Appends an exact root of multiplicity at most `most`, or a cell of a stretch as a bracket with double ends
  * of certain sign where that is possible.  An undecided one that touches an undecided one before it is
  * joined with it.  Returns 0, and appends nothing, when there was no room. */
-int algsurf_i_add_exact(algsurf_i_brackets *found, double x, int most);
+int algsurf_i_add_exact(algsurf_i_brackets *found, const algsurf_i_coefficients *p, double x, int most);
 int algsurf_i_add_cell(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
                        const algsurf_i_cell *cell);
 

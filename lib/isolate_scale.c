@@ -48,15 +48,18 @@ typedef struct group {
 } group;
 
 /* The border between a group and the next one, whose roots begin at 2^next: an annulus without roots about
- * corner m, or where there is none a single cut. */
+ * corner m, or where there is none a single cut.  An end of the annulus that is no double is moved along it
+ * to the least or the largest power of two: 2^from < 2^-1074 <= 2^to, or the like above, or else both are 0
+ * or infinite, and one of the groups is looked for together with the other. */
 static void part(const algsurf_i_coefficients *p, const double *height, int m, double last, double next,
                  group *g, group *h) {
     int from = (int)ceil(last), to = (int)floor(next);
     while (from < to && !dominates(p, height, m, from)) from++;
     while (to > from && !dominates(p, height, m, to)) to--;
     if (from < to) {
-        g->outer = ldexp(1, from);
-        h->inner = ldexp(1, to);
+        double outer = ldexp(1, from), inner = ldexp(1, to);
+        g->outer = fmax(outer, fmin(inner, 0x1p-1074));
+        h->inner = fmin(inner, fmax(outer, 0x1p1023));
     } else {
         g->outer = h->inner = ldexp(ALGSURF_CUT, (int)lround(0.5 * (last + next)));
     }

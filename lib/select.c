@@ -6,7 +6,7 @@
  * folding, do not compete. */
 #include "algsurf/select.h"
 
-#include <math.h>
+#include "interval_public.h"
 
 static int valid(const algsurf_sector *s) {
     return s && s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= 0x1.921fb54442d19p+1;
@@ -28,7 +28,7 @@ static int in_sector(const algsurf_sector *s, const algsurf_enclosure *root) {
     return arg.lo >= s->sigma && arg.hi <= end ? 1 : 2;
 }
 
-algsurf_status algsurf_sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root, int *holds) {
+static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root, int *holds) {
     if (!valid(sector) || !root || !holds) return ALGSURF_E_ARGUMENT;
     *holds = in_sector(sector, root);
     return ALGSURF_OK;
@@ -45,8 +45,8 @@ typedef struct candidate {
     algsurf_interval magnitude;
 } candidate;
 
-algsurf_status algsurf_select(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
-                              double lo, double hi, algsurf_selected *selected, int *index) {
+static algsurf_status choose(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+                             double lo, double hi, algsurf_selected *selected, int *index) {
     candidate best = {-1, 0, {0, 0}};
     if (!valid(sector) || count < 0 || (count > 0 && !roots) || !selected || !index)
         return ALGSURF_E_ARGUMENT;
@@ -73,3 +73,11 @@ algsurf_status algsurf_select(const algsurf_enclosure *roots, int count, const a
                                : ALGSURF_SELECTED_UNDECIDED;
     return ALGSURF_OK;
 }
+
+ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
+                 (const algsurf_sector *sector, const algsurf_enclosure *root, int *holds),
+                 (sector, root, holds))
+ALGSURF_I_PUBLIC(algsurf_status, select, choose,
+                 (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
+                  double hi, algsurf_selected *selected, int *index),
+                 (roots, count, sector, lo, hi, selected, index))

@@ -72,6 +72,12 @@ static void test_accepted(void **unused) {
         {"x*-+-y", "x*y"},
         {"2--3x", "2+3x"},
         {" \t\n\r\v\fx\n+\t1 ", "x+1"},
+        {"sqrt(1e60)x + y", "1e30x + y"}, /* from here on: sizes that an exponent apart keeps */
+        {"2^64*2^64*2x + 2^64*2^63x + y", "2^64*2^63*5x + y"},
+        {"2^64*2^63x + 2^64*2^64*2x + y", "2^64*2^63*5x + y"},
+        {"1e60x + 1e-60x + y", "1e60x + y"},
+        {"1e-60x + 1e60x + y", "1e60x + y"},
+        {"1e-150x + 1e150x + y", "1e150x + y"},
         {"y=0 z", "y"},
         {"1=x", "1-x"},
         {"0x10+x", "16+x"},

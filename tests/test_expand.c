@@ -270,6 +270,12 @@ static void test_bad_input(void **state) {
     ray = good, ray.t_min = NAN, expect(ALGSURF_OK, ALGSURF_E_ARGUMENT, s, &ray);
     ray = good, ray.origin[1] = 1e200, expect(ALGSURF_E_RANGE, ALGSURF_E_RANGE, s, &ray);
     algsurf_surface_free(s);
+    /* A chord so short, against the size of the surface, that its ends cannot be told apart. */
+    const algsurf_term plane[] = {{1, 0, 0, 0x1p-454}, {0, 0, 0, -0x1p486}};
+    assert_int_equal(algsurf_surface_from_terms(plane, 2, &s), ALGSURF_OK);
+    ray = (algsurf_ray){{0, 0, 0x1p109}, {0, 0, 0x1p-720}, 2, 10};
+    expect(ALGSURF_OK, ALGSURF_E_RANGE, s, &ray);
+    algsurf_surface_free(s);
 }
 
 static void test_environment(void **state) {

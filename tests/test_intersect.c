@@ -5,6 +5,8 @@
  * origin, a position in the surface's unit instead of the caller's, signs used inside their bound (a tangent
  * drawn).
  */
+#include <float.h>
+
 #include "intersect_case.h"
 
 static intersect_case c;
@@ -232,6 +234,65 @@ static void test_rays_within(void **state) {
     done();
 }
 
+/* A ray in a plane: more places than a plane has roots.  One entry, and the whole ray in it; in the fast tier
+ * one hit, somewhere on the ray. */
+static void test_in_a_plane(void **state) {
+    static const double ends[3][2] = {{0, 2}, {0.5, INFINITY}, {-INFINITY, INFINITY}};
+    (void)state;
+    with("y");
+    for (int i = 0; i < 3; i++) {
+        set_ray(0, 0, 0, 1, 0, 0, ends[i][0], ends[i][1]);
+        intersect_ask(&c, NULL, NULL, &answer);
+        const algsurf_hit *h = answer.all;
+        assert_int_equal(answer.count, 1);
+        assert_int_equal(h->state, ALGSURF_UNCERTAIN);
+        assert_true(h->t_lo == ends[i][0] && h->t_hi == ends[i][1] && h->t_lo <= h->t && h->t <= h->t_hi);
+        algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
+        intersect_ask(&c, NULL, &fast, &answer);
+        assert_int_equal(answer.count, 1);
+        assert_int_equal(h->state, ALGSURF_HIT);
+        assert_true(h->t >= ends[i][0] && h->t <= ends[i][1] && h->t_lo == h->t && h->t_hi == h->t);
+    }
+    done();
+}
+
+/* Numbers at the ends of the range: positions and normals are finite, and calls agree. */
+static void test_ends_of_the_range(void **state) {
+    (void)state;
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+        int state;
+        double position[3];
+    } cases[] = {
+        /* y at the hit is larger than its square's root may be, or than a double; P overflows, and its
+           gradient */
+        {"y^2", {{-4, 0, 0}, {1, 1e300, 0}, 1, 1}, ALGSURF_UNCERTAIN, {-3, 1e300, 0}},
+        {"y^2", {{-4, 0, 0}, {1, 1e300, 0}, 1e200, 1e200}, ALGSURF_UNCERTAIN, {1e200, DBL_MAX, 0}},
+        {"y^2", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_UNCERTAIN, {1e200, -DBL_MAX, 0}},
+        {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, 0, 0}, 0, 1}, ALGSURF_UNCERTAIN, {1e300, 12, 0}},
+        /* an end is the root, and the rest of the ray is below every bound */
+        {"2y", {{-4, 0, 0}, {22, 10, 1}, 0, 0x1p-1074}, ALGSURF_HIT, {-4, 0, 0}},
+        {"2y", {{-4, 0, 0}, {22, 10, 1}, -0x1p-1074, 0}, ALGSURF_HIT, {-4, 0, 0}},
+        {"y - 1e-313", {{-4, 0, 0}, {1, 1, 1}, 1e-313, 3e-313}, ALGSURF_UNCERTAIN, {-4, 1e-313, 1e-313}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        with(cases[i].equation);
+        c.ray = cases[i].ray;
+        intersect_ask(&c, NULL, NULL, &answer);
+        const char *wrong = intersect_agree(&answer);
+        const algsurf_hit *h = &answer.first;
+        if (h->state != cases[i].state || answer.count != 1) wrong = "state";
+        int singular = h->normal[0] == 0 && h->normal[1] == 0 && h->normal[2] == 0;
+        if (!singular && !intersect_unit(h->normal)) wrong = "normal";
+        for (int k = 0; k < 3; k++)
+            if (!(fabs(h->position[k] - cases[i].position[k]) <= 1e-15 * fabs(cases[i].position[k])))
+                wrong = "position";
+        if (wrong) intersect_fail(wrong, &c, &answer);
+        done();
+    }
+}
+
 static void test_degrees(void **state) {
     (void)state;
     with("5");
@@ -287,6 +348,8 @@ int main(void) {
         cmocka_unit_test(test_normals),
         cmocka_unit_test(test_extents),
         cmocka_unit_test(test_rays_within),
+        cmocka_unit_test(test_in_a_plane),
+        cmocka_unit_test(test_ends_of_the_range),
         cmocka_unit_test(test_degrees),
         cmocka_unit_test(test_chmutov),
     };

@@ -198,6 +198,42 @@ static void test_far_eye(void **state) {
     algsurf_surface_free(s);
 }
 
+/* A ray in the surface, one beyond the range of double, one that touches: uncertain, and why; without a root
+ * to show there is none in root, and the hit is where the ray begins. */
+static void test_uncertain(void **state) {
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+        algsurf_status reason;
+        double t;
+    } cases[] = {
+        {"x y - z", {{-5, 0, 0}, {1, 0, 0}, 2, 10}, ALGSURF_UNDECIDED_ZERO, 2},
+        {"x^2+y^2+z^2=1", {{1e300, 0.5, -5}, {1, 1e300, 1}, 3, HUGE_VAL}, ALGSURF_UNDECIDED_RANGE, 3},
+        {"x^2+y^2+z^2=1", {{1, 0, -5}, {0, 0, 1}, 0, 10}, ALGSURF_UNDECIDED_MULTIPLE, 5},
+    };
+    const algsurf_complex_space space = space_of(0, 1e-10);
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        algsurf_surface *s = surface_of(cases[i].equation);
+        const algsurf_ray *ray = &cases[i].ray;
+        algsurf_complex root = {0, 0};
+        algsurf_hit hit;
+        assert_int_equal(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root),
+                         ALGSURF_OK);
+        assert_int_equal(hit.state, ALGSURF_UNCERTAIN);
+        assert_int_equal(hit.reason, cases[i].reason);
+        assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && fabs(hit.t - cases[i].t) < 1e-6);
+        int shown = cases[i].reason == ALGSURF_UNDECIDED_MULTIPLE;
+        assert_int_equal(isnan(root.re), !shown);
+        if (!shown) {
+            assert_true(hit.t_lo == ray->t_min && hit.t_hi == ray->t_max);
+            for (int k = 0; k < 3; k++)
+                assert_true(hit.position[k] == ray->origin[k] + hit.t * ray->direction[k]);
+        }
+        algsurf_surface_free(s);
+    }
+}
+
 static void test_bad_arguments(void **state) {
     (void)state;
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
@@ -243,9 +279,10 @@ static void test_bad_arguments(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_space), cmocka_unit_test(test_complex_sphere),
-        cmocka_unit_test(test_normal),     cmocka_unit_test(test_start_values),
-        cmocka_unit_test(test_far_eye),    cmocka_unit_test(test_bad_arguments),
+        cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
+        cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
+        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_uncertain),
+        cmocka_unit_test(test_bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

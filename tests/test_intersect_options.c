@@ -13,8 +13,7 @@
 
 static intersect_case c;
 static intersect_answer answer;
-static const algsurf_intersect_options defaults = {sizeof(algsurf_intersect_options), ALGSURF_TIER_STANDARD,
-                                                   ALGSURF_METHOD_DEFAULT, 0, 0, NULL};
+static const algsurf_intersect_options defaults = {.size = sizeof defaults};
 
 static const char *const equations[] = {
     "x^2 + y^2 + z^2 - 1",

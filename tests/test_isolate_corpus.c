@@ -210,6 +210,62 @@ static void test_degenerate(void **state) {
     isolate_judge(least, 1, -INFINITY, INFINITY, &answer);
 }
 
+/* ---- where no double parts a root from what is beside it ---- */
+
+/* The case, judged; it must have this status and, in order, entries of these kinds within these ends. */
+typedef struct narrow_case {
+    int degree;
+    double c[8], lo, hi;
+    algsurf_status status;
+    int count;
+    struct {
+        int kind;
+        double lo, hi;
+    } entry[3];
+} narrow_case;
+
+static void test_roots_between_doubles(void **state) {
+    (void)state;
+    enum { BRACKET = ALGSURF_ROOT_BRACKET, EXACT = ALGSURF_ROOT_EXACT, OPEN = ALGSURF_ROOT_UNDECIDED };
+    const double least = 0x1p-1074, inf = INFINITY;
+    const algsurf_status range = ALGSURF_UNDECIDED_RANGE, multiple = ALGSURF_UNDECIDED_MULTIPLE;
+    const narrow_case cases[] = {
+        /* below the least double, beyond the largest, both, and a whole group of them */
+        {2, {least, 1024, 1024}, -0.5, 0.5, ALGSURF_OK, 1, {{BRACKET, -4 * least, 4 * least}}},
+        {1, {least, 1024}, -inf, inf, ALGSURF_OK, 1, {{BRACKET, -4 * least, 4 * least}}},
+        {1, {least, 1024}, -least, 0, ALGSURF_OK, 1, {{BRACKET, -least, 0}}},
+        {1, {-least, 1024}, least, inf, ALGSURF_OK, 0, {{0, 0, 0}}},
+        {2, {1, 5, 0x1p-1060}, -inf, inf, range, 2, {{OPEN, -inf, -DBL_MAX}, {BRACKET, -1, 1}}},
+        {2, {1, -5, 0x1p-1060}, 0, inf, range, 2, {{BRACKET, 0, 1}, {OPEN, DBL_MAX, inf}}},
+        {1, {1, -0x1p-1060}, 0, inf, range, 1, {{OPEN, DBL_MAX, inf}}},
+        {1, {1, -0x1p-1060}, 0, DBL_MAX, ALGSURF_OK, 0, {{0, 0, 0}}},
+        {1, {1, 0x1p-1060}, -inf, 0, range, 1, {{OPEN, -inf, -DBL_MAX}}},
+        {1, {0x1.8p1023, 1}, -inf, inf, ALGSURF_OK, 1, {{BRACKET, -DBL_MAX, DBL_MAX}}},
+        {2, {0x1p-1060, -1, 0x1p-1000}, 0, inf, ALGSURF_OK, 2, {{BRACKET, 0, 1}, {BRACKET, 1, 0x1p1001}}},
+        /* beside a root at 0 */
+        {2, {0, least, 1e5}, -1, 1, multiple, 2, {{OPEN, -4 * least, 0}, {EXACT, 0, 0}}},
+        {2, {0, -least, 1e5}, -1, 1, multiple, 2, {{EXACT, 0, 0}, {OPEN, 0, 4 * least}}},
+        {7,
+         {0, least, 1, 0, 0, 0, 0, 11},
+         -1,
+         0,
+         range,
+         3,
+         {{BRACKET, -1, -0.5}, {OPEN, -4 * least, 0}, {EXACT, 0, 0}}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const narrow_case *k = cases + i;
+        isolate_judge(k->c, k->degree, k->lo, k->hi, &answer);
+        int as_told =
+            answer.count == k->count && (answer.status == k->status || answer.status * k->status > 0);
+        for (int j = 0; as_told && j < k->count; j++) {
+            const algsurf_bracket *b = answer.b + j;
+            as_told = b->kind == k->entry[j].kind && b->lo >= k->entry[j].lo && b->hi <= k->entry[j].hi;
+        }
+        if (!as_told) isolate_fail("between doubles", k->c, NULL, k->degree, k->lo, k->hi, &answer);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ghosts_and_losses), cmocka_unit_test(test_multiple_root),
@@ -217,7 +273,7 @@ int main(void) {
         cmocka_unit_test(test_chebyshev),         cmocka_unit_test(test_laguerre),
         cmocka_unit_test(test_mignotte),          cmocka_unit_test(test_close_pairs),
         cmocka_unit_test(test_clusters),          cmocka_unit_test(test_bounded_work),
-        cmocka_unit_test(test_degenerate),
+        cmocka_unit_test(test_degenerate),        cmocka_unit_test(test_roots_between_doubles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,8 @@
  */
 #include "isolate_case.h"
 
+#include <float.h>
+
 #include "environments.h"
 
 #define SEED 12u
@@ -122,6 +124,20 @@ static void test_far_radii(void **state) {
     assert_int_equal(answer.count, 0);
 }
 
+/* Roots of sizes far apart, and no annulus between them that is certainly free of roots: the coefficient that
+ * would tell is known to a factor only.  And a root beyond the range of double. */
+static void test_sizes_that_overlap(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0.9, 0}, line[2] = {-0x1p600, 0x1p-600}, none[2] = {0, 0};
+    judge_box(&seed, c, r, 2, -INFINITY, INFINITY);
+    assert_true(answer.count > 0);
+    judge_box(&seed, line, none, 1, 0, INFINITY);
+    assert_true(answer.status > 0 && answer.count == 1 && answer.b[0].hi == INFINITY);
+    judge_box(&seed, line, none, 1, 0, DBL_MAX);
+    assert_int_equal(answer.count, 0);
+}
+
 static void test_one_point_of_a_box(void **state) {
     (void)state;
     uint64_t seed = SEED;
@@ -130,6 +146,59 @@ static void test_one_point_of_a_box(void **state) {
     assert_int_equal(answer.status, ALGSURF_UNDECIDED_ZERO);
     judge_box(&seed, c, r, 1, 1.5, 1.5);
     assert_int_equal(answer.count, 0);
+}
+
+/* Sets with members whose roots are below the least double, or all of an interval that is hardly longer, or 0
+ * with a neighbour: nothing may get lost, and nothing be certain. */
+static void test_least_numbers(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    static const struct {
+        double c[3], r[3], lo, hi;
+    } cases[] = {
+        {{0, 1, 0}, {5, 0, 0}, 0, 0x1p-1074},
+        {{0, 1, 0}, {5, 0, 0}, 0, 0x1p-1073},
+        {{0, 1, 0}, {5, 0, 0}, -0x1p-1074, 0x1p-1074},
+        {{0, 1, 1e5}, {0, 1, 0}, -1, 1},
+        {{0, 1, 1e5}, {0, 1, 0}, 0, 1},
+        {{0, 1, 1e5}, {0, 1, 0}, -1, 0},
+        {{0, 1e5, 1}, {0x1p-1060, 0, 0}, -1, 1},
+        {{1, 0, 0}, {0, 0x1p-1060, 0}, -INFINITY, INFINITY},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        judge_box(&seed, cases[i].c, cases[i].r, 2, cases[i].lo, cases[i].hi);
+        if (answer.status == ALGSURF_OK)
+            isolate_fail("decided", cases[i].c, cases[i].r, 2, cases[i].lo, cases[i].hi, &answer);
+    }
+    const double c[] = {0, 1}, r[] = {0, 0.5}; /* the root at 0 is certain, for all members */
+    judge_box(&seed, c, r, 1, -1, 1);
+    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    judge_box(&seed, c, r, 1, 0, 0);
+    assert_int_equal(answer.status, ALGSURF_OK);
+}
+
+/* A set with the zero polynomial among its members: the whole interval, undecided; with a constant that only
+ * almost vanishes: no root. */
+static void test_zero_polynomial_in_a_box(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double c[] = {0, 1, 0, -3}, r[] = {0, 10, 0x1p-9, 3};
+    for (int n = 0; n <= 3; n++)
+        for (int k = 0; k < 4; k++) {
+            const double ends[][2] = {{0, 0.25}, {-1, 1}, {1, 1}, {-INFINITY, INFINITY}};
+            if (n == 0) judge_box(&seed, c + 1, r + 1, 0, ends[k][0], ends[k][1]);
+            if (n > 0) judge_box(&seed, c, r, n, ends[k][0], ends[k][1]);
+            assert_int_equal(answer.status, ALGSURF_UNDECIDED_ZERO);
+            assert_int_equal(answer.count, 1);
+            assert_true(answer.b[0].lo == ends[k][0] && answer.b[0].hi == ends[k][1]);
+            assert_int_equal(answer.b[0].most, n > 0 ? n : 1);
+        }
+    const double almost[] = {-2, 0}, radius[] = {0x1.fffffffffffffp+0, 0};
+    for (int n = 0; n <= 1; n++) {
+        judge_box(&seed, almost, radius, n, -INFINITY, INFINITY);
+        assert_int_equal(answer.count, 0);
+    }
 }
 
 /* ---- the environment ---- */
@@ -176,9 +245,10 @@ static void test_environment(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes),       cmocka_unit_test(test_box_decides_where_it_can),
-        cmocka_unit_test(test_far_radii),   cmocka_unit_test(test_one_point_of_a_box),
-        cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_boxes),         cmocka_unit_test(test_box_decides_where_it_can),
+        cmocka_unit_test(test_far_radii),     cmocka_unit_test(test_one_point_of_a_box),
+        cmocka_unit_test(test_least_numbers), cmocka_unit_test(test_zero_polynomial_in_a_box),
+        cmocka_unit_test(test_environment),   cmocka_unit_test(test_sizes_that_overlap),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

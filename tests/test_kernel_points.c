@@ -226,7 +226,7 @@ static void catalogue_hits(void **state) {
             }
             algsurf_surface_free(s.surface);
         }
-    assert_in_range(checked, 3000, INT32_MAX);
+    assert_in_range(checked, 1500, INT32_MAX); /* so many when there is one kernel only */
 }
 
 /* A surface of a degree with only even powers of some coordinates (bits of `even`), many terms missing. */

@@ -1,11 +1,16 @@
-/* test_memory.c - the n-th allocation fails, for every n.
+/* test_memory.c - the n-th allocation fails, for every n; and the n-th thread, and the locks.
  *
  * The linker sends the library's malloc, calloc, realloc and free through the functions below
  * (-Wl,--wrap), which count what is alive and make one chosen allocation fail.  Each call must then
  * either return ALGSURF_E_NO_MEMORY with its outputs untouched, or do without and answer as ever;
- * nothing may stay allocated.  Catches: an unchecked allocation, a leak on a failure path, an output
- * written before the work was done.  (Seen to fail with a check removed and with a free removed.)
+ * nothing may stay allocated.  Threads and locks are refused in the same way: a picture is drawn by the
+ * threads there are, or ALGSURF_E_THREAD returned.  Catches: an unchecked allocation, a leak on a failure
+ * path, an output written before the work was done.  (Seen to fail with a check removed and with a free
+ * removed.)
  */
+#define _POSIX_C_SOURCE 200809L /* pthreads */
+#include <pthread.h>
+#include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -57,7 +62,32 @@ void __wrap_free(void *p) {
     __real_free(p);
 }
 
-static const char equation[] = "(x^2 + y^2 + z^2 + k)^2 - 16 (x^2 + y^2)";
+/* What the system may refuse beside memory; -1: nothing. */
+static int threads_allowed = -1, lock_refused, condition_refused;
+
+int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
+                          void *data);
+int __real_pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexattr_t *attributes);
+int __real_pthread_cond_init(pthread_cond_t *condition, const pthread_condattr_t *attributes);
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
+                          void *data);
+int __wrap_pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexattr_t *attributes);
+int __wrap_pthread_cond_init(pthread_cond_t *condition, const pthread_condattr_t *attributes);
+
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
+                          void *data) {
+    if (threads_allowed == 0) return EAGAIN;
+    if (threads_allowed > 0) threads_allowed--;
+    return __real_pthread_create(thread, attributes, run, data);
+}
+int __wrap_pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexattr_t *attributes) {
+    return lock_refused ? ENOMEM : __real_pthread_mutex_init(mutex, attributes);
+}
+int __wrap_pthread_cond_init(pthread_cond_t *condition, const pthread_condattr_t *attributes) {
+    return condition_refused ? ENOMEM : __real_pthread_cond_init(condition, attributes);
+}
+
+static const char equation[] = "(x^2 + y^2 + z^2 + k)^2 - 2^-2 * 64 (x^2 + y^2)";
 static const algsurf_constant constants[] = {{"k", 3.0}};
 
 static algsurf_surface *make_surface(void) {
@@ -223,10 +253,45 @@ static void test_complex_space(void **state) {
     algsurf_surface_free(s);
 }
 
+/* 0 to 3 of the helpers that are asked for; without the locks, nothing at all. */
+static void test_threads(void **state) {
+    algsurf_surface *s = make_surface();
+    uint8_t pixels[HEIGHT][WIDTH * 3], before[HEIGHT][WIDTH * 3];
+    algsurf_render_stats stats = {.size = sizeof stats};
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 4};
+    (void)state;
+    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
+    assert_int_equal(draw(reference), ALGSURF_OK);
+    for (int allowed = 0; allowed <= 3; allowed++) {
+        memset(pixels, 0xa5, sizeof pixels);
+        threads_allowed = allowed;
+        algsurf_status status =
+            algsurf_render(stage, &options, &pixels[0][0], sizeof pixels[0], NULL, &stats);
+        threads_allowed = -1;
+        assert_int_equal(status, ALGSURF_OK);
+        assert_int_equal(stats.threads, allowed + 1);
+        assert_memory_equal(pixels, reference, sizeof pixels);
+    }
+    memset(pixels, 0xa5, sizeof pixels);
+    memcpy(before, pixels, sizeof pixels);
+    for (int which = 0; which < 2; which++) {
+        *(which ? &condition_refused : &lock_refused) = 1;
+        atomic_store(&alive, 0);
+        algsurf_status status = draw(pixels);
+        lock_refused = condition_refused = 0;
+        assert_int_equal(status, ALGSURF_E_THREAD);
+        assert_int_equal(atomic_load(&alive), 0);
+        assert_memory_equal(pixels, before, sizeof pixels);
+    }
+    algsurf_scene_free(stage);
+    algsurf_surface_free(s);
+}
+
 int main(void) {
     atomic_store(&until_failure, -1);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_surface), cmocka_unit_test(test_root_solver),
                                        cmocka_unit_test(test_scene_and_render),
-                                       cmocka_unit_test(test_complex_space)};
+                                       cmocka_unit_test(test_threads), cmocka_unit_test(test_complex_space)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,11 +2,11 @@
  *
  *     truth_rays DATA_FOLDER
  *
- * Every ray of truth/rays.tsv is asked for its first hit (both tiers), all its hits (both tiers) and
- * whether it is blocked at all (standard tier), and once more by the calls for packets.  In the standard tier
- * no answer may be wrong, an enclosure must enclose the exact root, t must be as good as the inputs' last
- * digits allow, and "uncertain" is accepted only where the exact answer hangs on the last bit of the input.
- * The fast tier is judged on the rays whose roots a careful computation in double can see.
+ * Every ray of truth/rays.tsv is asked for its first hit and all its hits (all tiers) and whether it is
+ * blocked at all (standard tier), and once more by the calls for packets.  In the standard and certified
+ * tiers no answer may be wrong, an enclosure must enclose the exact root, t must be as good as the inputs'
+ * last digits allow, and "uncertain" is accepted only where the exact answer hangs on the last bit of the
+ * input. The fast tier is judged on the rays whose roots a careful computation in double can see.
  *
  * Prints a table for each query, a line for each violation, and fails if there is one.  Catches: a
  * second root taken for the first, a root lost at an end of the ray, an enclosure off by one ulp, a
@@ -35,11 +35,12 @@ enum {
     RAY_COLUMNS
 };
 enum { ROOT_ID, ROOT_K, ROOT_MULT, ROOT_HI = 4, ROOT_LO, ROOT_COLUMNS };
-enum { KINDS = 16, QUERIES = 7 };
+enum { KINDS = 16, QUERIES = 9, FIRST_CERTIFIED = 7, ALL_CERTIFIED = 8 };
 
 static const char *const query_name[QUERIES] = {
-    "first hit, standard", "first hit, fast",   "all hits, standard", "all hits, fast",
-    "occluded, standard",  "first hit, packet", "occluded, packet"};
+    "first hit, standard", "first hit, fast",      "all hits, standard",
+    "all hits, fast",      "occluded, standard",   "first hit, packet",
+    "occluded, packet",    "first hit, certified", "all hits, certified"};
 
 typedef struct exact_root {
     algsurf_dd t; /* to 2^-104, and exactly t.hi when t.lo is 0 */
@@ -108,6 +109,12 @@ static int has_multiple(const truth *r) {
     return 0;
 }
 
+/* In the certified tier only multiple roots may. */
+static int excused(int query, const truth *r) {
+    if (query < FIRST_CERTIFIED) return may_stay_open(r);
+    return r->in_surface || has_multiple(r);
+}
+
 /* Two roots beyond the first within a part in 10^12: p is below its double-double noise between them. */
 static int crowded(const truth *r) {
     for (int i = 2; i < r->n; i++)
@@ -155,22 +162,24 @@ static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
             wrong(query, r, "the first root is not enclosed", hit);
         judge_error(query, r, hit, 4);
     } else {
-        if (!may_stay_open(r)) wrong(query, r, "uncertain, but decidable", hit);
+        if (!excused(query, r)) wrong(query, r, "uncertain, but decidable", hit);
         if (hit->reason <= ALGSURF_OK) wrong(query, r, "uncertain for no reason", hit);
         if (r->n && !at_least(r->root[0].t, hit->t_lo))
             wrong(query, r, "a root before the doubtful place", hit);
     }
 }
 
-static void judge_first(const algsurf_surface *s, const truth *r) {
-    algsurf_hit hit;
-    if (algsurf_intersect_first(s, NULL, &r->ray, NULL, &hit) != ALGSURF_OK)
-        wrong(0, r, "refused", NULL);
-    else
-        judge_first_hit(0, r, &hit);
-}
-
 static const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
+static const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
+
+static void judge_first(int query, const algsurf_surface *s, const truth *r) {
+    algsurf_hit hit;
+    const algsurf_intersect_options *o = query == FIRST_CERTIFIED ? &certified : NULL;
+    if (algsurf_intersect_first(s, NULL, &r->ray, o, &hit) != ALGSURF_OK)
+        wrong(query, r, "refused", NULL);
+    else
+        judge_first_hit(query, r, &hit);
+}
 
 /* Visible in double: the decision stands ten thousand roundings off, and no end is involved. */
 static int visible_in_double(const truth *r) {
@@ -201,37 +210,40 @@ static int covers(const algsurf_hit *h, const exact_root *root) {
 }
 
 /* Each hit holds a root of its own, in order, and no root lies outside the entries. */
-static void pair_off(const truth *r, const algsurf_hit *hits, int count) {
+static void pair_off(int query, const truth *r, const algsurf_hit *hits, int count) {
     int next = 0;
     for (int i = 0; i < count; i++) {
         if (hits[i].state != ALGSURF_HIT) continue;
         while (next < r->n && !covers(&hits[i], &r->root[next])) next++;
-        if (next == r->n) wrong(2, r, "a hit encloses no further root", &hits[i]);
+        if (next == r->n) wrong(query, r, "a hit encloses no further root", &hits[i]);
         if (next < r->n) next++;
     }
     for (int k = 0; k < r->n; k++) {
         int covered = 0;
         for (int i = 0; i < count; i++) covered |= covers(&hits[i], &r->root[k]);
-        if (!covered) wrong(2, r, "a root is missing", count ? &hits[0] : NULL);
+        if (!covered) wrong(query, r, "a root is missing", count ? &hits[0] : NULL);
     }
 }
 
-static void judge_all(const algsurf_surface *s, const truth *r) {
+static void judge_all(int query, const algsurf_surface *s, const truth *r) {
+    const algsurf_intersect_options *o = query == ALL_CERTIFIED ? &certified : NULL;
     algsurf_hit hits[ALGSURF_MAX_DEGREE];
     int count, open = 0;
-    if (algsurf_intersect_all(s, NULL, &r->ray, NULL, hits, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK) {
-        wrong(2, r, "refused", NULL);
+    if (algsurf_intersect_all(s, NULL, &r->ray, o, hits, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK) {
+        wrong(query, r, "refused", NULL);
         return;
     }
     for (int i = 0; i < count; i++) {
         open |= hits[i].state == ALGSURF_UNCERTAIN;
-        if (i > 0 && !(hits[i].t_lo >= hits[i - 1].t_lo)) wrong(2, r, "not in increasing order", &hits[i]);
+        if (i > 0 && !(hits[i].t_lo >= hits[i - 1].t_lo))
+            wrong(query, r, "not in increasing order", &hits[i]);
     }
-    count_state(2, r, open ? ALGSURF_UNCERTAIN : count ? ALGSURF_HIT : ALGSURF_MISS);
-    if (!r->in_surface) pair_off(r, hits, count);
-    if (r->in_surface && !count) wrong(2, r, "the ray lies in the surface, and nothing is told", NULL);
-    if (!open && !r->in_surface && count != r->n) wrong(2, r, "the number of hits", NULL);
-    if (open && !may_stay_open(r) && !crowded(r)) wrong(2, r, "uncertain, but decidable", &hits[0]);
+    count_state(query, r, open ? ALGSURF_UNCERTAIN : count ? ALGSURF_HIT : ALGSURF_MISS);
+    if (!r->in_surface) pair_off(query, r, hits, count);
+    if (r->in_surface && !count) wrong(query, r, "the ray lies in the surface, and nothing is told", NULL);
+    if (!open && !r->in_surface && count != r->n) wrong(query, r, "the number of hits", NULL);
+    if (open && !excused(query, r) && (query == ALL_CERTIFIED || !crowded(r)))
+        wrong(query, r, "uncertain, but decidable", &hits[0]);
 }
 
 static void judge_all_fast(const algsurf_surface *s, const truth *r) {
@@ -334,9 +346,11 @@ int main(int argc, char **argv) {
     for (size_t i = 0; i < rays.rows; i++) {
         truth r = truth_of(&rays, &roots, i, &next);
         const algsurf_surface *s = truth_surface(argv[1], truth_cell(&rays, i, SURFACE));
-        judge_first(s, &r);
+        judge_first(0, s, &r);
+        judge_first(FIRST_CERTIFIED, s, &r);
         judge_first_fast(s, &r);
-        judge_all(s, &r);
+        judge_all(2, s, &r);
+        judge_all(ALL_CERTIFIED, s, &r);
         judge_all_fast(s, &r);
         judge_occluded(s, &r);
         judge_packets(s, &r);

@@ -14,25 +14,39 @@ extern "C" {
 typedef enum algsurf_tier {
     ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
                                   again in double-double; what is still in doubt is told: uncertain */
-    ALGSURF_TIER_FAST = 1      /* no bounds: signs as computed; never uncertain, may be wrong within
+    ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; never uncertain, may be wrong within
                                   rounding of a tangency */
+    ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
+                                  uncertain are only multiple roots (a ray that exactly touches), roots closer
+                                  than 2^-60 of what double-double leaves open, rays in the surface, and rays
+                                  whose numbers span thousands of digits.  An uncertain ray allocates memory,
+                                  and stays uncertain if there is none */
 } algsurf_tier;
 
+/* What becomes of an uncertain place. */
+typedef enum algsurf_doubt {
+    ALGSURF_DOUBT_REPORT = 0, /* it is told, as ALGSURF_UNCERTAIN */
+    ALGSURF_DOUBT_HIT = 1,    /* it counts as a hit; its `reason` still tells why it was in doubt */
+    ALGSURF_DOUBT_MISS = 2    /* it is passed over */
+} algsurf_doubt;
+
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,     /* no point of the surface on the ray; standard tier: verified */
-    ALGSURF_HIT = 1,      /* a point of the surface, and the first; standard tier: verified */
-    ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, beyond double-double */
+    ALGSURF_MISS = 0,     /* no point of the surface on the ray; but in the fast tier verified */
+    ALGSURF_HIT = 1,      /* a point of the surface, and the first; but in the fast tier verified */
+    ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, that the tier cannot decide */
 } algsurf_hit_state;
 
 typedef struct algsurf_hit {
     int state;             /* an algsurf_hit_state */
     algsurf_status reason; /* ALGSURF_OK, or why it is uncertain (a positive status) */
     double t;              /* approximate, along the ray as given; uncertain: where it is in doubt */
-    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one;
+    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one (in the
+                              certified tier there may be others in it that no double lies between);
                               uncertain: no hit is before t_lo, it is open whether one is in
                               [t_lo, t_hi]; fast tier: both are t */
-    double position[3];    /* origin + t direction */
-    double normal[3];      /* the gradient of P there, unit length; all 0 at a singular point */
+    double position[3];    /* origin + t direction; finite: at most the largest double in size */
+    double normal[3];      /* the gradient of P there, unit length; all 0 at a singular point, and
+                              where the gradient is beyond the range of double */
 } algsurf_hit;             /* a miss: t = t_lo = t_hi = +inf, the vectors are 0 */
 
 typedef struct algsurf_intersect_options {
@@ -44,6 +58,7 @@ typedef struct algsurf_intersect_options {
                               Newton step on P at the point itself */
     const char *kernel;    /* the packet code to use for packets and pictures, by a name that
                               algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
+    algsurf_doubt doubt;   /* what becomes of an uncertain place */
 } algsurf_intersect_options;
 
 /* The packet code that runs on this machine, the fastest first: "avx512" (8 rays side by side), "avx2" (4),
@@ -66,7 +81,7 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
                                                    const algsurf_intersect_options *options,
                                                    algsurf_hit *hit);
 
-/* All hits, in increasing t.
+/* All hits, in increasing t.  (A ray within a plane has one, uncertain, from end to end.)
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
  *   count           how many were written, uncertain ones included
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Since 1.0. */

@@ -9,6 +9,12 @@
  *
  * The interval may be infinite: the line is cut at +-h and the far parts are treated as 1/t in a
  * bounded interval, so that a vanishing leading coefficient (a root at infinity) is no special case.
+ *
+ * Every root is in an entry, also one that is no double's neighbour on both sides: beyond the largest double
+ * (the entry then ends at infinity), between adjacent doubles of which one is a root itself, or together with
+ * another root between adjacent doubles.  Such an entry is undecided: no bracket has ends to show its signs at.
+ * Coefficients with radii stand for a set of polynomials, and answers hold for all of them; if the zero
+ * polynomial is one of them (each |c[k]| <= r[k]) the answer is one undecided entry, the whole interval.
  */
 #ifndef ALGSURF_ISOLATE_H
 #define ALGSURF_ISOLATE_H
@@ -28,7 +34,8 @@ typedef struct algsurf_bracket {
     double lo, hi;         /* in the unit of the caller's interval; may be infinite when undecided */
     int kind;              /* an algsurf_root_kind */
     int sign;              /* of p at lo, -1 or +1, for a bracket; 0 otherwise */
-    int most;              /* roots in it, counted with multiplicity, are at most this */
+    int most;              /* roots in it, counted with multiplicity, are at most this, >= 1 (of a
+                              polynomial that is not zero) */
     algsurf_status status; /* ALGSURF_OK, or why it is undecided */
 } algsurf_bracket;
 
@@ -44,8 +51,9 @@ typedef struct algsurf_bracket {
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, algsurf_bracket *bracket, int *found);
 
-/* All roots in [lo,hi], in increasing order, as disjoint brackets.
- *   brackets, capacity   room for the answer; capacity >= degree always suffices
+/* All roots in [lo,hi], in increasing order, as brackets that share ends at most (an undecided one may end
+ * on an exact root, which then is among the `most` of both).
+ *   brackets, capacity   room for the answer; capacity >= degree, at least 1, always suffices
  *   count                how many were written
  * Returns OK: every entry is a bracket or an exact root, and there are no others: verified.  A
  * positive status: at least one entry is undecided (the first one's reason); no root lies outside

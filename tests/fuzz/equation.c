@@ -1,0 +1,353 @@
+/* equation.c - fuzzes algsurf_surface_from_equation: "EQUATION ; NAME=VALUE ; NAME=VALUE".
+ *
+ * What is accepted is evaluated again, straight from the text and in rational numbers, at points of small
+ * coordinates, and must agree with the surface's terms: up to the rounding of each coefficient to a double,
+ * and to a share 2^-85 of the same expression with magnitudes only, which bounds what double-double loses.
+ */
+#include "algsurf/surface.h"
+#include "exact.h"
+#include "fuzz.h"
+
+enum { MOST_CONSTANTS = 4, MOST_BITS = 20000 };
+
+/* A number, and the sum of magnitudes of all that was added up to get it. */
+typedef struct value {
+    mpq_t v, size;
+} value;
+
+typedef struct reader {
+    const char *at, *letters_end;
+    const algsurf_constant *constants;
+    size_t count;
+    const mpq_t *point;
+    int given_up; /* too long for a quick check */
+} reader;
+
+static void value_init(value *a) { mpq_inits(a->v, a->size, NULL); }
+static void value_clear(value *a) { mpq_clears(a->v, a->size, NULL); }
+
+static void give_up(reader *r, value *a) {
+    r->given_up = 1;
+    mpq_set_ui(a->v, 1, 1), mpq_set_ui(a->size, 1, 1);
+}
+
+static size_t bits_of(const mpq_t q) {
+    return mpz_sizeinbase(mpq_numref(q), 2) + mpz_sizeinbase(mpq_denref(q), 2);
+}
+
+/* After every operation, so that nothing grows without end. */
+static void limit(reader *r, value *a) {
+    if (r->given_up || bits_of(a->v) > MOST_BITS || bits_of(a->size) > MOST_BITS) give_up(r, a);
+}
+
+static char peek(reader *r) {
+    while (*r->at == ' ' || (*r->at >= '\t' && *r->at <= '\r')) r->at++;
+    return *r->at;
+}
+
+static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+static int is_digit(char c) { return c >= '0' && c <= '9'; }
+
+static int digit_of(char c, int hexadecimal) {
+    if (is_digit(c)) return c - '0';
+    if (!hexadecimal) return -1;
+    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/* A decimal or hexadecimal exponent at `at`, or 0 when there is none. */
+static long exponent_at(reader *r, char letter) {
+    const char *c = r->at;
+    if ((*c | 32) != letter) return 0;
+    int negative = c[1] == '-';
+    c += 1 + (c[1] == '-' || c[1] == '+');
+    if (!is_digit(*c)) return 0;
+    long e = 0;
+    for (; is_digit(*c); c++) e = e < 100000 ? 10 * e + (*c - '0') : e;
+    r->at = c;
+    return negative ? -e : e;
+}
+
+static void number(reader *r, value *a) {
+    int hexadecimal = r->at[0] == '0' && (r->at[1] | 32) == 'x' &&
+                      (digit_of(r->at[2], 1) >= 0 || (r->at[2] == '.' && digit_of(r->at[3], 1) >= 0));
+    long places = 0, base = hexadecimal ? 16 : 10;
+    mpz_t digits;
+    mpz_init(digits);
+    if (hexadecimal) r->at += 2;
+    for (int point = 0;; r->at++) {
+        int digit = digit_of(*r->at, hexadecimal);
+        if (*r->at == '.' && !point) {
+            point = 1;
+            continue;
+        }
+        if (digit < 0) break;
+        mpz_mul_si(digits, digits, base), mpz_add_ui(digits, digits, (unsigned long)digit);
+        places += point;
+    }
+    long e = exponent_at(r, hexadecimal ? 'p' : 'e'), over = hexadecimal ? 4 * places - e : places - e;
+    mpq_set_z(a->v, digits);
+    if (labs(over) > 4000) {
+        give_up(r, a);
+    } else {
+        mpz_ui_pow_ui(digits, hexadecimal ? 2 : 10, (unsigned long)labs(over));
+        mpq_t scale;
+        mpq_init(scale), mpq_set_z(scale, digits);
+        if (over > 0)
+            mpq_div(a->v, a->v, scale);
+        else
+            mpq_mul(a->v, a->v, scale);
+        mpq_clear(scale), mpq_set(a->size, a->v);
+    }
+    mpz_clear(digits);
+    limit(r, a);
+}
+
+static void sum(reader *r, value *a);
+static void with_sign(reader *r, value *a);
+
+static void parenthesis(reader *r, value *a) {
+    (void)peek(r), r->at++;
+    sum(r, a);
+    fuzz_check(r->given_up || peek(r) == ')');
+    if (*r->at) r->at++;
+}
+
+/* To some 400 bits, which is as good as exact here; near zero the error counts. */
+static void square_root(reader *r, value *a) {
+    mpf_t f;
+    parenthesis(r, a);
+    if (mpq_sgn(a->v) == 0) return;
+    mpq_t least;
+    mpq_init(least), mpq_div_2exp(least, a->size, 60);
+    if (mpq_sgn(a->v) < 0 || mpq_cmp(a->v, least) < 0) {
+        give_up(r, a);
+    } else {
+        mpf_init2(f, 500), mpf_set_q(f, a->v), mpf_sqrt(f, f);
+        mpq_div(least, a->size, a->v); /* relative errors are halved */
+        mpq_set_f(a->v, f), mpq_mul(a->size, least, a->v);
+        mpf_clear(f);
+    }
+    mpq_clear(least);
+    limit(r, a);
+}
+
+static int constant_named(reader *r, const char *name, size_t length, value *a) {
+    for (size_t i = 0; i < r->count; i++) {
+        if (strlen(r->constants[i].name) != length || strncmp(r->constants[i].name, name, length) != 0)
+            continue;
+        exact_set(a->v, r->constants[i].value), mpq_abs(a->size, a->v);
+        return 1;
+    }
+    return 0;
+}
+
+static void name(reader *r, value *a) {
+    const char *start = r->at;
+    if (start >= r->letters_end) {
+        size_t length = 0;
+        while (is_letter(start[length]) || is_digit(start[length]) || start[length] == '_') length++;
+        r->at += length;
+        if (constant_named(r, start, length, a)) return;
+        if (length == 4 && strncmp(start, "sqrt", 4) == 0) {
+            square_root(r, a);
+            return;
+        }
+        r->letters_end = start + length;
+    }
+    fuzz_check(*start >= 'x' && *start <= 'z');
+    r->at = start + 1;
+    mpq_set(a->v, r->point[*start - 'x']), mpq_abs(a->size, a->v);
+}
+
+static void primary(reader *r, value *a) {
+    char c = peek(r);
+    if (is_digit(c) || c == '.')
+        number(r, a);
+    else if (is_letter(c))
+        name(r, a);
+    else
+        parenthesis(r, a);
+}
+
+static void times(reader *r, value *a, const value *b) {
+    mpq_mul(a->v, a->v, b->v), mpq_mul(a->size, a->size, b->size);
+    limit(r, a);
+}
+
+/* A divisor's relative error is its size's. */
+static void over(reader *r, value *a, value *b) {
+    if (mpq_sgn(b->v) == 0) {
+        give_up(r, a);
+        return;
+    }
+    mpq_div(a->v, a->v, b->v), mpq_div(a->size, a->size, b->v);
+    mpq_mul(a->size, a->size, b->size), mpq_div(a->size, a->size, b->v);
+    mpq_abs(a->size, a->size);
+    limit(r, a);
+}
+
+static void power(reader *r, value *a) {
+    primary(r, a);
+    if (r->given_up || peek(r) != '^') return;
+    value exponent, one;
+    value_init(&exponent), value_init(&one);
+    r->at++, with_sign(r, &exponent);
+    int n = (int)lround(mpq_get_d(exponent.v));
+    fuzz_check(r->given_up || (n >= -64 && n <= 64));
+    mpq_set_ui(one.v, 1, 1), mpq_set_ui(one.size, 1, 1);
+    for (int i = 0; i < abs(n) && !r->given_up; i++) times(r, &one, a);
+    if (n < 0) {
+        mpq_set_ui(a->v, 1, 1), mpq_set_ui(a->size, 1, 1);
+        over(r, a, &one);
+    } else {
+        mpq_set(a->v, one.v), mpq_set(a->size, one.size);
+    }
+    value_clear(&exponent), value_clear(&one);
+}
+
+static void with_sign(reader *r, value *a) {
+    int negative = 0;
+    for (char c = peek(r); c == '+' || c == '-'; r->at++, c = peek(r)) negative ^= c == '-';
+    power(r, a);
+    if (negative) mpq_neg(a->v, a->v);
+}
+
+static void product(reader *r, value *a) {
+    value b;
+    value_init(&b);
+    with_sign(r, a);
+    for (char c = peek(r); !r->given_up && (c == '*' || c == '/' || c == '(' || is_letter(c)); c = peek(r)) {
+        if (c == '*' || c == '/')
+            r->at++, with_sign(r, &b);
+        else
+            power(r, &b);
+        if (c == '/')
+            over(r, a, &b);
+        else
+            times(r, a, &b);
+    }
+    value_clear(&b);
+}
+
+static void sum(reader *r, value *a) {
+    value b;
+    value_init(&b);
+    product(r, a);
+    for (char c = peek(r); !r->given_up && (c == '+' || c == '-'); c = peek(r)) {
+        r->at++, product(r, &b);
+        if (c == '-') mpq_neg(b.v, b.v);
+        mpq_add(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
+        limit(r, a);
+    }
+    value_clear(&b);
+}
+
+static void equation(reader *r, value *a) {
+    value b;
+    value_init(&b);
+    sum(r, a);
+    if (!r->given_up && peek(r) == '=') {
+        r->at++, sum(r, &b);
+        mpq_sub(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
+    }
+    fuzz_check(r->given_up || peek(r) == '\0');
+    value_clear(&b);
+}
+
+/* v becomes P(point), slack what the rounding of its coefficients may change. */
+static void add_terms(const algsurf_term *terms, size_t count, const mpq_t point[3], mpq_t v, mpq_t slack) {
+    mpq_t term, half;
+    mpq_inits(term, half, NULL);
+    for (size_t t = 0; t < count; t++) {
+        const int e[3] = {terms[t].i, terms[t].j, terms[t].k};
+        mpq_set_ui(term, 1, 1);
+        for (int axis = 0; axis < 3; axis++)
+            for (int i = 0; i < e[axis]; i++) mpq_mul(term, term, point[axis]);
+        double u = nextafter(fabs(terms[t].a), INFINITY) - fabs(terms[t].a);
+        exact_set(half, isfinite(u) ? u / 2 : 0x1p970);
+        mpq_mul(half, half, term), mpq_abs(half, half), mpq_add(slack, slack, half);
+        exact_set(half, terms[t].a), mpq_mul(term, term, half), mpq_add(v, v, term);
+    }
+    mpq_clears(term, half, NULL);
+}
+
+static void check_value(const char *text, const algsurf_constant *constants, size_t count,
+                        const algsurf_term *terms, size_t term_count, const mpq_t point[3]) {
+    reader r = {text, text, constants, count, point, 0};
+    value a;
+    mpq_t v, slack;
+    value_init(&a), mpq_inits(v, slack, NULL);
+    equation(&r, &a);
+    if (!r.given_up) {
+        add_terms(terms, term_count, point, v, slack);
+        mpq_div_2exp(a.size, a.size, 85), mpq_add(slack, slack, a.size);
+        mpq_set_ui(a.size, 1, 1), mpq_div_2exp(a.size, a.size, 960); /* coefficients that underflow */
+        mpq_add(slack, slack, a.size);
+        mpq_sub(a.v, a.v, v), mpq_abs(a.v, a.v);
+        if (mpq_cmp(a.v, slack) > 0) exact_print("difference", a.v), exact_print("allowed", slack);
+        fuzz_check(mpq_cmp(a.v, slack) <= 0);
+    }
+    value_clear(&a), mpq_clears(v, slack, NULL);
+}
+
+static void check_surface(const char *text, const algsurf_constant *constants, size_t count,
+                          const algsurf_surface *surface) {
+    static const long points[][6] = {{1, 2, -3, 4, 1, 8}, {0, 1, 1, 1, 0, 1}, {-1, 1, 5, 4, 3, 1}};
+    size_t term_count = algsurf_surface_term_count(surface);
+    algsurf_term *terms = malloc((term_count + 1) * sizeof *terms);
+    fuzz_check(terms && term_count > 0);
+    fuzz_check(algsurf_surface_terms(surface, terms) == ALGSURF_OK);
+    int degree = 0;
+    for (size_t i = 0; i < term_count; i++) {
+        int total = terms[i].i + terms[i].j + terms[i].k;
+        fuzz_check(isfinite(terms[i].a) && terms[i].a != 0);
+        fuzz_check(terms[i].i >= 0 && terms[i].j >= 0 && terms[i].k >= 0 && total <= ALGSURF_MAX_DEGREE);
+        degree = total > degree ? total : degree;
+    }
+    fuzz_check(degree == algsurf_surface_degree(surface));
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        mpq_t point[3];
+        for (int axis = 0; axis < 3; axis++) {
+            mpq_init(point[axis]);
+            mpq_set_si(point[axis], points[i][2 * axis], (unsigned long)points[i][2 * axis + 1]);
+        }
+        check_value(text, constants, count, terms, term_count, (const mpq_t *)point);
+        for (int axis = 0; axis < 3; axis++) mpq_clear(point[axis]);
+    }
+    free(terms);
+}
+
+static void check_refusal(algsurf_status status, const char *text, const algsurf_parse_error *error) {
+    fuzz_check(status < 0);
+    int told = status == ALGSURF_E_SYNTAX || status == ALGSURF_E_DEGREE || status == ALGSURF_E_RANGE;
+    fuzz_check(told == (error->message != NULL));
+    if (told) fuzz_check(error->offset <= strlen(text) && error->message[0]);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    char *text = fuzz_string(data, size), *rest = strchr(text, ';');
+    algsurf_constant constants[MOST_CONSTANTS];
+    size_t count = 0;
+    while (rest && count < MOST_CONSTANTS) {
+        *rest++ = '\0';
+        rest += strspn(rest, " \n");
+        char *equals = strchr(rest, '=');
+        if (!equals) break;
+        constants[count].name = rest;
+        *equals = '\0';
+        constants[count++].value = strtod(equals + 1, &rest);
+        rest = strchr(rest, ';');
+    }
+    algsurf_surface *const untouched = (algsurf_surface *)(void *)&text, *surface = untouched;
+    algsurf_parse_error error = {0, NULL};
+    algsurf_status status = algsurf_surface_from_equation(text, constants, count, &surface, &error);
+    if (status == ALGSURF_OK) {
+        check_surface(text, constants, count, surface);
+        algsurf_surface_free(surface);
+    } else {
+        fuzz_check(surface == untouched);
+        check_refusal(status, text, &error);
+    }
+    free(text);
+    return 0;
+}

@@ -1,0 +1,85 @@
+/* first_roots.c - fuzzes algsurf_first_roots: "DEGREE", then "LO HI COEFFICIENT ..." for each polynomial.
+ *
+ * A state is judged by a Sturm chain and must be that of algsurf_isolate_first; the root must be the chain's
+ * first; all kernels, and each polynomial alone, must give the same bits.
+ */
+#include "algsurf/intersect.h"
+#include "algsurf/isolate.h"
+#include "algsurf/packet.h"
+#include "exact_roots.h"
+#include "fuzz.h"
+
+enum { MOST = 5, TOP = 22, MOST_BITS = 20000 };
+
+static double c[TOP + 1][MOST], lo[MOST], hi[MOST];
+
+typedef struct answers {
+    unsigned char state[MOST];
+    double root[MOST];
+} answers;
+
+static algsurf_status solve(int degree, size_t first, size_t count, const char *kernel, answers *to) {
+    const double *rows[TOP + 1];
+    for (int k = 0; k <= degree; k++) rows[k] = c[k] + first;
+    const algsurf_poly_packet packet = {sizeof packet, count, degree, rows, NULL, lo + first, hi + first};
+    const algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
+    return algsurf_first_roots(&packet, &options, to->state, to->root);
+}
+
+static void check_bits(const answers *a, size_t at, const answers *b, size_t count) {
+    fuzz_check(memcmp(a->state + at, b->state, count) == 0);
+    fuzz_check(memcmp(a->root + at, b->root, count * sizeof *a->root) == 0);
+}
+
+static void check_one(int degree, int i, int state, double root) {
+    double one[TOP + 1];
+    algsurf_bracket b;
+    int found = 0, zero = 1;
+    for (int k = 0; k <= degree; k++) one[k] = c[k][i], zero = zero && one[k] == 0;
+    if (zero) {
+        fuzz_check(state == ALGSURF_FIRST_ROOT_UNCERTAIN);
+        return;
+    }
+    algsurf_status status = algsurf_isolate_first(one, NULL, degree, lo[i], hi[i], &b, &found);
+    fuzz_check(state == (status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNCERTAIN : found));
+    if (state == ALGSURF_FIRST_ROOT_NONE) fuzz_check(root == (double)INFINITY);
+    if (state != ALGSURF_FIRST_ROOT_NONE) fuzz_check(lo[i] <= root && root <= hi[i]);
+    if (fuzz_span(one, degree + 1) * degree > MOST_BITS) return;
+    exact_sturm s = exact_sturm_of_doubles(one, degree);
+    int roots = exact_count_roots(&s, lo[i], hi[i]);
+    if (state != ALGSURF_FIRST_ROOT_UNCERTAIN && (roots > 0) != state)
+        exact_print_doubles("c", one, degree + 1);
+    if (state != ALGSURF_FIRST_ROOT_UNCERTAIN) fuzz_check((roots > 0) == state);
+    if (state == ALGSURF_FIRST_ROOT_FOUND) {
+        double exact = exact_root(&s, lo[i], hi[i], 0), error = fabs(root - exact);
+        if (!(error <= 1e-12 * (hi[i] - lo[i]) + 0x1p-51 * fabs(exact)))
+            exact_print_doubles("c", one, degree + 1);
+        fuzz_check(error <= 1e-12 * (hi[i] - lo[i]) + 0x1p-51 * fabs(exact));
+    }
+    exact_sturm_clear(&s);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    fuzz_numbers in = fuzz_numbers_of(data, size);
+    int degree = fuzz_whole(&in, 0, TOP), count = 0;
+    while (count < MOST && (count == 0 || fuzz_left(&in) > 0)) {
+        double a = fuzz_finite(&in), b = fuzz_finite(&in);
+        lo[count] = fmin(a, b), hi[count] = fmax(a, b);
+        if (lo[count] == hi[count]) lo[count] = 0, hi[count] = 1;
+        for (int k = 0; k <= degree; k++) c[k][count] = fuzz_finite(&in);
+        count++;
+    }
+    answers all, other;
+    fuzz_check(solve(degree, 0, (size_t)count, NULL, &all) == ALGSURF_OK);
+    const char *kernel;
+    for (int i = 0; (kernel = algsurf_kernel_name(i)); i++) {
+        fuzz_check(solve(degree, 0, (size_t)count, kernel, &other) == ALGSURF_OK);
+        check_bits(&all, 0, &other, (size_t)count);
+    }
+    for (int i = 0; i < count; i++) {
+        fuzz_check(solve(degree, (size_t)i, 1, NULL, &other) == ALGSURF_OK);
+        check_bits(&all, (size_t)i, &other, 1);
+        check_one(degree, i, all.state[i], all.root[i]);
+    }
+    return 0;
+}

@@ -1,0 +1,76 @@
+/* options.c - fuzzes the command line of the example program render: an argument a line.
+ *
+ * The parser ends the program for bad input; here exit, wrapped by the linker, comes back instead.  What it
+ * had allocated by then is lost, so leaks are not looked for.
+ */
+#include <setjmp.h>
+
+#include "fuzz.h"
+#include "render_options.h"
+#include "render_view.h"
+
+enum { MOST_ARGUMENTS = 24 };
+
+static jmp_buf back;
+static int parsing; /* who else ends the program means it */
+
+_Noreturn void __real_exit(int status);
+_Noreturn void __wrap_exit(int status);
+_Noreturn void __wrap_exit(int status) {
+    if (parsing) longjmp(back, 256 + status);
+    __real_exit(status);
+}
+
+static void check_options(const render_options *o) {
+    fuzz_check(o->width >= 1 && o->width <= 65535 && o->height >= 1 && o->height <= 65535);
+    fuzz_check(o->row_begin >= 0 && o->row_end <= o->height && o->row_begin <= o->row_end);
+    fuzz_check(o->antialias >= 1 && o->antialias <= 16 && o->threads >= 0 && o->threads <= 256);
+    fuzz_check(o->fov >= 0 && o->fov < 180 && o->orthographic >= 0 && isfinite(o->orthographic));
+    fuzz_check(o->intersect.tolerance >= 0 && isfinite(o->intersect.tolerance));
+    for (int i = 0; i < 3; i++) {
+        fuzz_check(isfinite(o->eye.x[i]) && isfinite(o->look_at.x[i]) && isfinite(o->up.x[i]));
+        fuzz_check(isfinite(o->centre.x[i]) && isfinite(o->extent.extent.size[i]));
+    }
+    for (size_t i = 0; i < o->surface.constant_count; i++)
+        fuzz_check(isfinite(o->surface.constants[i].value) && o->surface.constants[i].name[0]);
+}
+
+/* From the options to the first camera, as render does it. */
+static void check_camera(const render_options *o) {
+    const catalogue_entry *entry = o->surface.name ? catalogue_find(o->surface.name) : NULL;
+    render_view view = render_make_view(o, entry);
+    algsurf_camera camera = render_make_camera(&view, 0, 1);
+    algsurf_ray ray;
+    fuzz_check(camera.half_height > 0 && isfinite(camera.half_height));
+    fuzz_check(algsurf_camera_ray(&camera, o->width, o->height, 0.5, 0.5, &ray) <= ALGSURF_OK);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static char *text; /* static: they must outlive the jump */
+    static char program[] = "render", *argv[MOST_ARGUMENTS + 2];
+    int argc = 0;
+    text = fuzz_string(data, size);
+    argv[argc++] = program;
+    for (char *at = text; at && argc <= MOST_ARGUMENTS;) {
+        argv[argc++] = at;
+        at = strchr(at, '\n');
+        if (at) *at++ = '\0';
+    }
+    argv[argc] = NULL;
+    parsing = 1;
+    int status = setjmp(back);
+    if (status == 0) {
+        render_options options = render_parse_options(argc, argv);
+        check_options(&options);
+        if (!options.list) check_camera(&options);
+        free(options.default_output);
+        for (size_t i = 0; i < options.surface.constant_count; i++)
+            free((char *)(uintptr_t)options.surface.constants[i].name);
+        free(options.surface.constants);
+    } else {
+        fuzz_check(status == 256 + CLI_BAD_INPUT || status == 256);
+    }
+    parsing = 0;
+    free(text);
+    return 0;
+}
