@@ -46,6 +46,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_material(scene, &material));
     demand(algsurf_scene_set_quality(scene, options->quality));
     demand(algsurf_scene_set_antialias(scene, options->antialias));
+    demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;

@@ -54,6 +54,14 @@ static void set_orthographic(const cli_option *option, const char *value, void *
     *(double *)field = height;
 }
 
+static void set_threshold(const cli_option *option, const char *value, void *field) {
+    double threshold;
+    if (!cli_numbers(value, ',', 1, &threshold) || !(threshold >= 0 && threshold <= 1))
+        cli_fail(CLI_BAD_INPUT, "%s: expected a number from 0 to 1, got '%s'", option->name,
+                 cli_quote(value).text);
+    *(double *)field = threshold;
+}
+
 static void set_quality(const cli_option *option, const char *value, void *field) {
     static const algsurf_quality qualities[] = {ALGSURF_QUALITY_PREVIEW, ALGSURF_QUALITY_STANDARD,
                                                 ALGSURF_QUALITY_FULL};
@@ -115,6 +123,11 @@ static const cli_option options_table[] = {
      set_quality, FIELD(quality)},
     {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 1", cli_set_int,
      offsetof(render_options, antialias), 1, 16},
+    {"--antialias-threshold", "X",
+     "with --antialias: its samples go only to pixels whose middle differs from\n"
+     "a neighbour's by more than X, 0 to 1, in red, green or blue; the others\n"
+     "get one; default 0: all pixels get them",
+     set_threshold, FIELD(antialias_threshold)},
     {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,
      FIELD(eye)},
     {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,
@@ -133,8 +146,8 @@ static const cli_option options_table[] = {
      0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
      set_tolerance, 0, 0, 0},
-    {"--tier", "fast|standard", "signs as computed; signs beyond their error bounds (default)", set_tier, 0,
-     0, 0},
+    {"--tier", "fast|standard|certified",
+     "signs as computed; beyond their error bounds (default); exact where those fail", set_tier, 0, 0, 0},
     {"--kernel", "baseline|avx2|avx512",
      "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,
      0},
@@ -213,6 +226,8 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.row_end > options.height)
         cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
                  options.height);
+    if (options.antialias_threshold > 0 && options.antialias < 2)
+        cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part without --antialias 2 or more");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
     render_check_space(&options.space, &options.sweep);
     check_output(&options);
@@ -225,4 +240,6 @@ const char *render_quality_name(algsurf_quality quality) {
                                               : "standard";
 }
 
-const char *render_tier_name(algsurf_tier tier) { return tier == ALGSURF_TIER_FAST ? "fast" : "standard"; }
+const char *render_tier_name(algsurf_tier tier) {
+    return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_CERTIFIED ? "certified" : "standard";
+}

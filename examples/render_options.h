@@ -14,6 +14,7 @@ typedef struct render_options {
     image_format format;
     algsurf_quality quality;
     int antialias;
+    double antialias_threshold;
     cli_vector eye, look_at, up;
     double fov, orthographic; /* 0: not given */
     cli_extent extent;

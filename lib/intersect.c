@@ -74,21 +74,25 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
     }
 }
 
+/* The point at t where the frame has, or may have, overflowed; what is beyond the largest double is drawn in.
+ */
+static void point_within_range(const query *q, double t, double x[3], double position[3]) {
+    for (int i = 0; i < 3; i++) {
+        double at = fma(t, q->ray.direction[i], q->ray.origin[i]);
+        x[i] = ldexp(at, -q->surface->unit);
+        position[i] = fmin(fmax(at, -DBL_MAX), DBL_MAX);
+    }
+}
+
 static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
     double x[3], gradient[3];
-    const int unit = q->surface->unit;
     point_at(f, root->offset, x);
     if (root->polish) polish(q, f, root, x, gradient);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
     t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
-    for (int i = 0; i < 3; i++) {
-        double at = ldexp(x[i], unit);
-        if (root->reason == ALGSURF_UNDECIDED_RANGE) { /* the frame may have overflowed */
-            at = fma(t, q->ray.direction[i], q->ray.origin[i]);
-            x[i] = ldexp(at, -unit);
-        }
-        hit->position[i] = fmin(fmax(at, -DBL_MAX), DBL_MAX);
-    }
+    for (int i = 0; i < 3; i++) hit->position[i] = ldexp(x[i], q->surface->unit);
+    if (root->reason == ALGSURF_UNDECIDED_RANGE || !algsurf_is_finite3(hit->position))
+        point_within_range(q, t, x, hit->position);
     if (!root->polish) (void)algsurf_i_surface_value(q->surface, x, gradient);
     hit->state = root->state;
     hit->reason = root->reason;

@@ -4,6 +4,7 @@
  * double ends as soon as a cell stays undecided.  What double-double leaves undecided at an end of the
  * ray is looked at once more: there the sign of P is computed exactly, and if it is zero the end is a
  * root and the walk is repeated knowing it. */
+#include <float.h>
 #include <math.h>
 
 #include "intersect_impl.h"
@@ -54,6 +55,15 @@ static void set_interval(const search *s, const algsurf_i_cell *cell, algsurf_i_
         last && cell->at_hi ? s->ray->t_max : fmin(s->ray->t_max, t_outward(s, cell->piece, cell->hi, 1));
 }
 
+/* Is a cell, or an end of it that is not infinity itself, beyond the largest double?  Others may be there,
+ * too. */
+static int is_beyond(const algsurf_i_cell *cell, const algsurf_i_ray_root *root) {
+    int from_infinity = cell->piece->far && cell->lo.hi == 0,
+        to_infinity = cell->piece->far && cell->hi.hi == 0;
+    return root->t_lo >= DBL_MAX || root->t_hi <= -DBL_MAX || (isinf(root->t_lo) && !from_infinity) ||
+           (isinf(root->t_hi) && !to_infinity);
+}
+
 /* Appends a root; when there is no room the last one grows and becomes undecided (the fast tier does
  * not doubt). */
 static algsurf_i_ray_root *append(search *s) {
@@ -77,6 +87,10 @@ static void add_root(search *s, const algsurf_i_cell *cell, algsurf_dd v, int po
     root->polish = polish;
     root->offset = offset_of(s, cell->piece, v);
     set_interval(s, cell, root);
+    if (s->options->tier != ALGSURF_TIER_FAST && is_beyond(cell, root)) {
+        root->state = ALGSURF_UNCERTAIN;
+        root->reason = ALGSURF_UNDECIDED_RANGE;
+    }
 }
 
 /* Why a cell stays undecided. */
@@ -152,7 +166,7 @@ static enum outcome round_in_double(search *s) {
             return UNDECIDED;
         else
             add_root(s, &cell, algsurf_dd_scale(algsurf_dd_add(cell.lo, cell.hi), 0.5), 0);
-        if (s->want != ALGSURF_WANT_ALL) break;
+        if (s->want != ALGSURF_WANT_ALL || s->count == n) break; /* n roots are all of them */
     }
     return DONE;
 }

@@ -31,14 +31,14 @@ static void scale(const algsurf_i_coefficients *p, int exponent, double *q, doub
 /* An end of a stretch in its unit; where that is no double, the next one outward: no root gets lost. */
 static double end_in_unit(double x, int exponent, double outside) {
     double v = ldexp(x, -exponent);
-    return ldexp(v, exponent) == x ? v : nextafter(v, outside);
+    return isnormal(v) || ldexp(v, exponent) == x ? v : nextafter(v, outside);
 }
 
 static int pieces_of(const task *t, const algsurf_i_stretch *s, algsurf_i_piece *pieces) {
     double lo = end_in_unit(s->lo, s->exponent, -HUGE_VAL), hi = end_in_unit(s->hi, s->exponent, HUGE_VAL);
     int count = algsurf_i_cut_line(algsurf_dd_from(lo), algsurf_dd_from(hi), pieces);
-    if (count > 0 && t->lo == ldexp(lo, s->exponent)) pieces[0].zero_at_lo = t->zero_at_lo;
-    if (count > 0 && t->hi == ldexp(hi, s->exponent)) pieces[count - 1].zero_at_hi = t->zero_at_hi;
+    if (count > 0 && t->zero_at_lo) pieces[0].zero_at_lo = t->lo == ldexp(lo, s->exponent);
+    if (count > 0 && t->zero_at_hi) pieces[count - 1].zero_at_hi = t->hi == ldexp(hi, s->exponent);
     return count;
 }
 

@@ -78,17 +78,12 @@ int algsurf_i_add_exact(algsurf_i_brackets *found, const algsurf_i_coefficients 
     return append(found, (algsurf_bracket){x, x, ALGSURF_ROOT_EXACT, 0, most, ALGSURF_OK});
 }
 
-/* Takes back what the last entry has of the roots right of x: its right end, or all of it, into b. */
-static void tighten(algsurf_i_brackets *found, const algsurf_i_coefficients *p, double x,
-                    algsurf_bracket *b) {
-    algsurf_bracket *last = found->b + found->count - 1;
+/* The last entry, loose, may hold roots right of x, where those of b are: if so, b takes it in. */
+static void take_in_loose(algsurf_i_brackets *found, const algsurf_i_coefficients *p, double x,
+                          algsurf_bracket *b) {
+    const algsurf_bracket *last = found->b + found->count - 1;
     found->loose = 0;
     if (last->hi <= x) return;
-    if (last->kind == ALGSURF_ROOT_BRACKET && last->lo < x && algsurf_i_sign_at(p, x) == -last->sign) {
-        last->hi = x;
-        b->lo = fmin(b->lo, x);
-        return;
-    }
     b->lo = found->above;
     add_to_most(b, last->most, p);
     found->count--;
@@ -98,7 +93,7 @@ static void tighten(algsurf_i_brackets *found, const algsurf_i_coefficients *p, 
  * the last entry. */
 static int add_undecided(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
                          const algsurf_i_stretch *s, const algsurf_i_cell *cell, algsurf_bracket b) {
-    if (found->loose) tighten(found, p, end_of(s, cell, -1, 2), &b);
+    if (found->loose) take_in_loose(found, p, end_of(s, cell, -1, 2), &b);
     algsurf_bracket *last = found->count > 0 ? found->b + found->count - 1 : NULL;
     if (last && last->hi >= b.lo) {
         if (last->kind == ALGSURF_ROOT_UNDECIDED) {

@@ -63,8 +63,11 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->height = options->height;
     picture->row_begin = options->row_begin;
     picture->row_end = options->row_end;
+    picture->selective = scene->antialias > 1 && scene->antialias_threshold > 0;
     atomic_init(&picture->stop, 0);
     picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
+    picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
+    algsurf_i_count_samples(picture);
     algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
     picture->reach = reach_of(scene, picture->radius);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
@@ -98,20 +101,29 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
 }
 
-/* All the memory of a picture, in five blocks. */
+/* All the memory of a picture, in six blocks. */
 typedef struct work_memory {
-    double *doubles;        /* lines of all workers, and the frame */
+    algsurf_i_worker *workers;
+    double *doubles;        /* lines and middles of all workers, the lights' samples, the frame */
     int *ints;              /* a row for each worker */
     uint16_t *counts;       /* likewise */
-    uint8_t *bytes;         /* likewise */
+    uint8_t *bytes;         /* likewise, and what their middles need */
     algsurf_complex *roots; /* two rows for each worker in complex space, else null */
 } work_memory;
 
-#define LINE_DOUBLES 18 /* for each pixel, besides a share of each light */
-#define APART 24        /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
+#define LINE_DOUBLES 18   /* for each pixel, besides a share of each light */
+#define MIDDLE_DOUBLES 12 /* for each pixel of a selective picture */
+#define MIDDLE_BYTES 10   /* likewise */
+#define APART 24          /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
 
 static double *take(double **from, size_t count) {
     double *taken = *from;
+    *from += count;
+    return taken;
+}
+
+static uint8_t *take_bytes(uint8_t **from, size_t count) {
+    uint8_t *taken = *from;
     *from += count;
     return taken;
 }
@@ -131,6 +143,15 @@ static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, doub
     line->visible = take(doubles, lights * width);
 }
 
+static void lay_out_middles(algsurf_i_middles *middles, size_t width, double **doubles, uint8_t **bytes) {
+    for (int slot = 0; slot < 3; slot++) {
+        middles->colour[slot] = take(doubles, 3 * width);
+        middles->t[slot] = take(doubles, width);
+        middles->bytes[slot] = take_bytes(bytes, 3 * width);
+    }
+    middles->wanted = take_bytes(bytes, width);
+}
+
 static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
     frame->q = take(doubles, side * side * side);
     frame->basis = take(doubles, side * side);
@@ -139,35 +160,45 @@ static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **dou
 }
 
 /* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
-static int hire(algsurf_i_picture *picture, int threads, work_memory *memory, algsurf_i_worker *workers) {
+static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     int degree = algsurf_surface_degree(picture->scene->surface);
     size_t width = (size_t)picture->width, row = width * (size_t)degree, count = (size_t)threads;
     size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
-    size_t lights = picture->scene->quality == ALGSURF_QUALITY_FULL ? (size_t)picture->light_count : 0;
+    size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
+    size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
+    size_t middle = picture->selective ? 1 : 0;
     int rooted = picture->scene->complex && row > 0;
-    memory->doubles =
-        calloc(count * (width + APART) * (LINE_DOUBLES + lights) + frame, sizeof *memory->doubles);
+    memory->workers = calloc(count, sizeof *memory->workers);
+    memory->doubles = calloc(count * (width + APART) * (LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES) +
+                                 frame + 3 * samples,
+                             sizeof *memory->doubles);
     memory->ints = calloc(count * width, sizeof *memory->ints);
     memory->counts = calloc(count * width, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, 1);
+    memory->bytes = calloc(count * width, 1 + middle * MIDDLE_BYTES);
     memory->roots = rooted ? calloc(count, 2 * row * sizeof *memory->roots) : NULL;
-    if (!memory->doubles || !memory->ints || !memory->counts || !memory->bytes || (rooted && !memory->roots))
+    if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes ||
+        (rooted && !memory->roots))
         return 0;
     double *doubles = memory->doubles;
+    uint8_t *bytes = memory->bytes;
     for (size_t i = 0; i < count; i++) {
-        workers[i] = (algsurf_i_worker){.line = {.pixel = memory->ints + i * width,
-                                                 .samples = memory->counts + i * width,
-                                                 .state = memory->bytes + i * width}};
-        lay_out_line(&workers[i].line, width, lights, &doubles);
+        algsurf_i_worker *worker = &memory->workers[i];
+        worker->line.pixel = memory->ints + i * width;
+        worker->line.samples = memory->counts + i * width;
+        worker->line.state = take_bytes(&bytes, width);
+        lay_out_line(&worker->line, width, lights, &doubles);
+        if (picture->selective) lay_out_middles(&worker->middles, width, &doubles, &bytes);
         if (!rooted) continue;
-        workers[i].trail.row = memory->roots + 2 * i * row;
-        workers[i].trail.above = workers[i].trail.row + row;
+        worker->trail.row = memory->roots + 2 * i * row;
+        worker->trail.above = worker->trail.row + row;
     }
+    for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
     return 1;
 }
 
 static void release(work_memory *memory) {
+    free(memory->workers);
     free(memory->doubles);
     free(memory->ints);
     free(memory->counts);
@@ -188,39 +219,49 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
 
 static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
                                             algsurf_i_tally *total, int *threads_used) {
-    algsurf_i_worker workers[ALGSURF_MAX_THREADS];
     work_memory memory;
     int threads = thread_count(options);
     double begun = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (hire(picture, threads, &memory, workers)) status = make_frame(picture);
+    if (hire(picture, threads, &memory)) {
+        if (picture->shadows) algsurf_i_place_samples(picture);
+        status = make_frame(picture);
+    }
     double expanded = algsurf_i_render_clock();
     if (status == ALGSURF_OK)
-        status = algsurf_i_render_crew(picture, options, threads, workers, total, threads_used);
+        status = algsurf_i_render_crew(picture, options, threads, memory.workers, total, threads_used);
     total->expand_s += expanded - begun;
     release(&memory);
     return status;
 }
 
-algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
-                              uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
+/* In the standard environment. */
+static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
+                                              const algsurf_render_options *options, uint8_t *pixels,
+                                              size_t stride, double *hits, algsurf_render_stats *stats) {
     double begin = algsurf_i_render_clock();
     algsurf_i_packets packets;
     algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits, .packets = &packets};
     algsurf_render_options o;
     algsurf_i_tally total = {0};
-    algsurf_fpenv saved;
     int threads = 0;
 
     if (!scene || !pixels || (stats && stats->size < sizeof stats->size)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
     if (status != ALGSURF_OK) return status;
     if (stride < 3 * (size_t)o.width) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv_enter(&saved);
     status = prepare(scene, &o, &picture);
     if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
-    algsurf_fpenv_leave(&saved);
     if (status >= 0 && stats)
         write_stats(stats, &total, algsurf_i_render_clock() - begin, threads, picture.kernel->name);
+    return status;
+}
+
+algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
+                              uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = render(scene, options, pixels, stride, hits, stats);
+    algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -47,6 +47,11 @@ static int start_values(const algsurf_i_picture *picture, const algsurf_i_trail 
     return 1;
 }
 
+void algsurf_i_trail_skip(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail) {
+    const int n = algsurf_surface_degree(picture->scene->surface);
+    if (picture->scene->complex && n > 0) trail->row[x * n + n - 1].re = NAN; /* not all_found */
+}
+
 algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
                                         algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;

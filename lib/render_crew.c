@@ -1,10 +1,10 @@
 /* render_crew.c - the threads that draw a picture.
  *
- * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row starts from
- * the one above, in batches; the first row of a batch has none above, so that what a row starts from does not
- * depend on the threads.  The calling thread works like the others and is the only one that calls progress:
- * after each of its rows, and ten times a second while it waits for the others' last ones.  Who draws a row
- * changes nothing in it.
+ * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row has use for
+ * its neighbours, in batches.  In complex space the first row of a batch has none above, so that what a row
+ * starts from does not depend on the threads.  The calling thread works like the others and is the only one
+ * that calls progress: after each of its rows, and ten times a second while it waits for the others' last
+ * ones.  Who draws a row changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
 #include "render_impl.h"
@@ -16,6 +16,7 @@
 
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
 #define BATCH 8            /* rows: one in eight has none above; few enough to keep many threads busy */
+#define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
 
 typedef struct crew {
     algsurf_i_picture *picture;
@@ -44,7 +45,7 @@ static int stopped(const crew *team) {
     return atomic_load_explicit(&team->picture->stop, memory_order_relaxed);
 }
 
-static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->rays += more->rays;
     total->hits += more->hits;
     total->uncertain += more->uncertain;
@@ -58,13 +59,18 @@ static void add_tally(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->shade_s += more->shade_s;
 }
 
+static int batch_of(const algsurf_i_picture *picture) {
+    const algsurf_scene *scene = picture->scene;
+    if (picture->selective) return SELECTIVE_BATCH;
+    return scene->complex && scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
+}
+
 /* Gives the worker rows when it has none left; returns 0 when there are none to give. */
 static int take_rows(crew *team, algsurf_i_worker *worker) {
     const algsurf_i_picture *picture = team->picture;
     if (stopped(team)) return 0;
     if (worker->row < worker->row_end) return 1;
-    int batch =
-        picture->scene->complex && picture->scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
+    int batch = batch_of(picture);
     int first = atomic_fetch_add_explicit(&team->next_row, batch, memory_order_relaxed);
     if (first >= picture->row_end) return 0;
     worker->row = first;
@@ -81,7 +87,7 @@ static int draw_next(crew *team, algsurf_i_worker *worker) {
     algsurf_fpenv_enter(&saved);
     algsurf_status status = algsurf_i_render_row(team->picture, worker->row++, worker, &tally);
     algsurf_fpenv_leave(&saved);
-    add_tally(&worker->tally, &tally);
+    algsurf_i_tally_add(&worker->tally, &tally);
     if (status == ALGSURF_OK)
         atomic_fetch_add_explicit(&team->rows_done, 1, memory_order_relaxed);
     else
@@ -173,7 +179,7 @@ algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_r
     if (started > 0) report(&team);
     (void)pthread_mutex_destroy(&team.lock);
     (void)pthread_cond_destroy(&team.left);
-    for (int i = 0; i <= started; i++) add_tally(total, &workers[i].tally);
+    for (int i = 0; i <= started; i++) algsurf_i_tally_add(total, &workers[i].tally);
     *threads_used = started + 1;
     return team.status;
 }

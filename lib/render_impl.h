@@ -1,12 +1,13 @@
 /* render_impl.h - the pieces of render: a picture, its rows, the crew of threads that draws them.
  *
- *     render.c         checks the arguments, owns the memory, reports
- *     render_crew.c    hands rows to threads, calls progress, cancels
- *     render_row.c     one row: samples -> hits -> colours -> bytes
- *     render_view.c    camera and extent in the units of packets
- *     render_packets.c the hits of a row by packets
- *     render_complex.c one sample in complex space, started from its neighbours' roots
- *     render_shadow.c  which share of a light reaches a point
+ *     render.c           checks the arguments, owns the memory, reports
+ *     render_crew.c      hands rows to threads, calls progress, cancels
+ *     render_row.c       one row: samples -> hits -> colours -> bytes
+ *     render_antialias.c which of its pixels get all samples, and what the others show
+ *     render_view.c      camera and extent in the units of packets
+ *     render_packets.c   the hits of a row by packets
+ *     render_complex.c   one sample in complex space, started from its neighbours' roots
+ *     render_shadow.c    which share of a light reaches a point
  */
 #ifndef ALGSURF_RENDER_IMPL_H
 #define ALGSURF_RENDER_IMPL_H
@@ -20,6 +21,8 @@
 
 /* The points of a row that are seen through one sample of its pixels, and the pixels' sums over samples. */
 typedef struct algsurf_i_line {
+    const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
+    int wanted_count;
     int count;  /* points: hits and uncertain ones */
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
@@ -41,6 +44,13 @@ typedef struct algsurf_i_packets {
     double extent_size[3], tolerance;   /* in the view's unit */
 } algsurf_i_packets;
 
+/* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1.
+ */
+typedef struct algsurf_i_samples {
+    double *place[3];
+    int first[ALGSURF_MAX_LIGHTS + 1];
+} algsurf_i_samples;
+
 /* The roots of the pixels drawn last, in complex space: degree-many for each pixel of a row, in the order
  * algsurf_intersect_complex returns them.  Null in real space. */
 typedef struct algsurf_i_trail {
@@ -54,10 +64,21 @@ typedef struct algsurf_i_tally {
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
 
+/* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
+ * samples, there is none of it. */
+typedef struct algsurf_i_middles {
+    int end;                   /* the rows before this one have been drawn */
+    uint8_t *bytes[3];         /* 3 for each pixel */
+    double *colour[3], *t[3];  /* 3 and 1 for each pixel, as line.sum and hits */
+    algsurf_i_tally counts[3]; /* of the rays through them */
+    uint8_t *wanted;           /* of each pixel of the row in the making */
+} algsurf_i_middles;
+
 /* What one thread draws with, and where it is. */
 typedef struct algsurf_i_worker {
     algsurf_i_line line;
     algsurf_i_trail trail;
+    algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */
     algsurf_i_tally tally;
 } algsurf_i_worker;
@@ -68,6 +89,8 @@ typedef struct algsurf_i_picture {
     int width, height, row_begin, row_end;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     int light_count;
+    int shadows; /* 1: light_samples is there, and shadows are drawn */
+    algsurf_i_samples light_samples;
     double centre[3], radius; /* the ball about what is shown */
     double reach;             /* how far it reaches from its centre along the view */
     const algsurf_i_kernel *kernel;
@@ -75,6 +98,7 @@ typedef struct algsurf_i_picture {
     uint8_t *pixels;
     size_t stride;
     double *hits;    /* or null */
+    int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;
 
@@ -82,6 +106,27 @@ typedef struct algsurf_i_picture {
  * row's bytes are untouched then), or what intersect returned. */
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally);
+
+/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to the line's sums.  OK, CANCELLED
+ * or what intersect returned. */
+algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+/* The line's sums over so many samples of each pixel, as bytes and, unless hits is null, as hits. */
+void algsurf_i_store_line(const algsurf_i_picture *picture, const algsurf_i_line *line, int samples,
+                          uint8_t *bytes, double *hits);
+
+/* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
+ * sets line.wanted. */
+algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                       algsurf_i_tally *tally);
+
+/* Adds the middles of a row's wanted pixels to the line's sums: where n is odd, they are a sample. */
+void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker);
+
+/* The row's bytes and hits (or null) at the pixels that are not wanted. */
+void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker,
+                             uint8_t *bytes, double *hits);
 
 /* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
@@ -101,6 +146,13 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
 algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
                                         algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally);
 
+/* Leaves pixel x of a row out of the trail. */
+void algsurf_i_trail_skip(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail);
+
+/* Sets light_samples.first; then light_samples.place, for which there is room. */
+void algsurf_i_count_samples(algsurf_i_picture *picture);
+void algsurf_i_place_samples(algsurf_i_picture *picture);
+
 /* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
  * point's colour whatever the share. */
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
@@ -111,6 +163,8 @@ algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsur
 algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
                                      int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used);
+
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more);
 
 /* Seconds since some moment in the past; never goes back. */
 double algsurf_i_render_clock(void);

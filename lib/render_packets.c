@@ -5,6 +5,8 @@
 #include "camera_impl.h"
 #include "render_impl.h"
 
+#define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
+
 /* The row's job, and the pixels whose rays may meet what is shown; 0 when there are none. */
 static int make_job(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                     algsurf_i_row_job *job, int *begin, int *end) {
@@ -35,6 +37,21 @@ static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
     double last = job->u0 + job->du * ((end + job->offset) * job->pixel);
     double u = fmax(fabs(first), fabs(last)), v = fabs(job->row->v);
     return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
+}
+
+/* The wanted pixels, in runs: those with few others between are solved together. */
+static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int begin, int end,
+                         algsurf_i_line *line) {
+    for (int x = begin; x < end; x++) {
+        int last = x;
+        if (!line->wanted[x]) continue;
+        for (int next = x + 1; next < end && next <= last + CLOSE; next++)
+            if (line->wanted[next]) last = next;
+        picture->kernel->solve_row(job, x, last + 1, line->depth, line->state);
+        x = last;
+    }
+    for (int x = begin; x < end; x++)
+        if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
 }
 
 /* The doubtful pixels, one by one. */
@@ -80,18 +97,22 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     algsurf_i_row_job job;
     int begin, end, doubtful = 1;
     double begun = algsurf_i_render_clock();
-    tally->rays += (uint64_t)picture->width;
+    tally->rays += (uint64_t)line->wanted_count;
     if (!make_job(picture, row + sy, sx, &form, &job, &begin, &end)) return ALGSURF_OK;
     if (within_bounds(&job, begin, end)) {
         algsurf_i_row_expand(&p->frame, form.v, &form);
         double expanded = algsurf_i_render_clock();
         tally->expand_s += expanded - begun;
         begun = expanded;
-        picture->kernel->solve_row(&job, begin, end, line->depth, line->state);
+        if (line->wanted)
+            solve_wanted(picture, &job, begin, end, line);
+        else
+            picture->kernel->solve_row(&job, begin, end, line->depth, line->state);
         doubtful = gather(line, begin, end);
         tally->hits += (uint64_t)line->count;
     } else {
-        for (int x = begin; x < end; x++) line->state[x] = ALGSURF_LANE_DOUBTFUL;
+        for (int x = begin; x < end; x++)
+            line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
     }
     int hits = line->count;
     algsurf_status status =

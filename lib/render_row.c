@@ -2,7 +2,8 @@
  *
  * A row is drawn in n x n passes, one for each sample of the pixels' grid: first all rays of the pass
  * meet the surface, then all hits are shaded.  So the buffer holds one row of one sample, however many
- * samples a pixel has, and solving and shading can be timed with two clock readings a pass.
+ * samples a pixel has, and solving and shading can be timed with two clock readings a pass.  In a selective
+ * picture the passes are for the wanted pixels, and the others show their middles (render_antialias.c).
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "render_impl.h"
@@ -48,6 +49,10 @@ static algsurf_status solve_singly(const algsurf_i_picture *picture, int row, do
     for (int x = 0; x < picture->width; x++) {
         algsurf_ray ray;
         algsurf_hit hit;
+        if (worker->line.wanted && !worker->line.wanted[x]) {
+            algsurf_i_trail_skip(picture, x, &worker->trail);
+            continue;
+        }
         if (stopped(picture)) return ALGSURF_CANCELLED;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
         algsurf_status status =
@@ -92,9 +97,8 @@ static void shade_preview(const algsurf_i_picture *picture, algsurf_i_line *line
 static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_line *line,
                                  algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    int shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     double begun = algsurf_i_render_clock();
-    if (shadows) {
+    if (picture->shadows) {
         algsurf_status status = algsurf_i_render_shadows(picture, line, &tally->shadow_rays);
         if (status != ALGSURF_OK) return status;
         double now = algsurf_i_render_clock();
@@ -105,7 +109,7 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
         shade_preview(picture, line);
     } else {
         const algsurf_i_colour_job job = {&scene->material, picture->lights, picture->light_count};
-        picture->kernel->colours(&job, &line->points, line->count, shadows ? line->visible : NULL,
+        picture->kernel->colours(&job, &line->points, line->count, picture->shadows ? line->visible : NULL,
                                  line->colour);
     }
     tally->shade_s += algsurf_i_render_clock() - begun;
@@ -127,9 +131,9 @@ static void add_pass(algsurf_i_line *line) {
 
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
-/* The averages over the samples as bytes; samples without a point show the background. */
-static void store_colours(const algsurf_i_picture *picture, const algsurf_i_line *line, uint8_t *bytes) {
-    int all = picture->scene->antialias * picture->scene->antialias;
+/* The averages over all samples as bytes; samples without a point show the background. */
+static void store_colours(const algsurf_i_picture *picture, const algsurf_i_line *line, int all,
+                          uint8_t *bytes) {
     double share = 1.0 / all;
     size_t length = 3 * (size_t)picture->width, done = 3;
     double sky[3];
@@ -146,28 +150,48 @@ static void store_colours(const algsurf_i_picture *picture, const algsurf_i_line
     }
 }
 
-static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i_line *line) {
-    size_t index = (size_t)(row - picture->row_begin), width = (size_t)picture->width;
-    store_colours(picture, line, picture->pixels + index * picture->stride);
-    for (size_t x = 0; picture->hits && x < width; x++)
-        picture->hits[index * width + x] = line->samples[x] > 0 ? line->nearest[x] : NAN;
+void algsurf_i_store_line(const algsurf_i_picture *picture, const algsurf_i_line *line, int samples,
+                          uint8_t *bytes, double *hits) {
+    store_colours(picture, line, samples, bytes);
+    for (int x = 0; hits && x < picture->width; x++) hits[x] = line->samples[x] > 0 ? line->nearest[x] : NAN;
+}
+
+algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    line->count = 0;
+    if (stopped(picture)) return ALGSURF_CANCELLED;
+    algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
+                                             : solve_singly(picture, row, sx, sy, worker, tally);
+    if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
+    if (status == ALGSURF_OK) add_pass(line);
+    return status;
+}
+
+static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker) {
+    size_t index = (size_t)(row - picture->row_begin);
+    uint8_t *bytes = picture->pixels + index * picture->stride;
+    double *hits = picture->hits ? picture->hits + index * (size_t)picture->width : NULL;
+    int n = picture->scene->antialias;
+    algsurf_i_store_line(picture, &worker->line, n * n, bytes, hits);
+    if (picture->selective) algsurf_i_store_middles(picture, row, worker, bytes, hits);
 }
 
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
+    algsurf_status status = ALGSURF_OK;
     int n = picture->scene->antialias;
+    line->wanted = NULL;
+    line->wanted_count = picture->width;
+    if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
     memset(line->samples, 0, (size_t)picture->width * sizeof *line->samples);
-    for (int k = 0; k < n * n; k++) {
-        double sx = (k % n + 0.5) / n, sy = (k / n + 0.5) / n;
-        line->count = 0;
-        if (stopped(picture)) return ALGSURF_CANCELLED;
-        algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
-                                                 : solve_singly(picture, row, sx, sy, worker, tally);
-        if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
-        if (status != ALGSURF_OK) return status;
-        add_pass(line);
+    for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
+        if (picture->selective && 2 * k + 1 == n * n)
+            algsurf_i_add_middles(picture, row, worker);
+        else
+            status = algsurf_i_render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
     }
-    store_row(picture, row, line);
-    return ALGSURF_OK;
+    if (status == ALGSURF_OK) store_row(picture, row, worker);
+    return status;
 }

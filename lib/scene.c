@@ -115,6 +115,12 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
     return ALGSURF_OK;
 }
 
+algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold) {
+    if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
+    scene->antialias_threshold = threshold;
+    return ALGSURF_OK;
+}
+
 algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;

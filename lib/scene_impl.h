@@ -15,6 +15,7 @@ struct algsurf_scene {
     double background[3];
     algsurf_quality quality;
     int antialias;
+    double antialias_threshold; /* 0: every pixel gets all its samples */
     algsurf_intersect_options intersect;
     int complex; /* 1: complex space, what of it is in space; 0: real space */
     algsurf_complex_space space;

@@ -271,6 +271,8 @@ static void test_ends_of_the_range(void **state) {
         {"y^2", {{-4, 0, 0}, {1, 1e300, 0}, 1e200, 1e200}, ALGSURF_UNCERTAIN, {1e200, DBL_MAX, 0}},
         {"y^2", {{-4, 0, 0}, {1, -1e300, 0}, 1e200, 1e200}, ALGSURF_UNCERTAIN, {1e200, -DBL_MAX, 0}},
         {"2z^4 + x^3 y^2", {{1e300, 12, 0}, {1, 0, 0}, 0, 1}, ALGSURF_UNCERTAIN, {1e300, 12, 0}},
+        /* the root is beyond the largest double */
+        {"y", {{0, 1, 0}, {0, 0x1p-1074, 0}, -INFINITY, INFINITY}, ALGSURF_UNCERTAIN, {0, 1, 0}},
         /* an end is the root, and the rest of the ray is below every bound */
         {"2y", {{-4, 0, 0}, {22, 10, 1}, 0, 0x1p-1074}, ALGSURF_HIT, {-4, 0, 0}},
         {"2y", {{-4, 0, 0}, {22, 10, 1}, -0x1p-1074, 0}, ALGSURF_HIT, {-4, 0, 0}},
@@ -291,6 +293,21 @@ static void test_ends_of_the_range(void **state) {
         if (wrong) intersect_fail(wrong, &c, &answer);
         done();
     }
+    with("x^2 + y^2 + z^2 - 1"); /* both roots beyond the largest double */
+    set_ray(8, 0, 0, 0x1p-1074, 0, 0, -INFINITY, INFINITY);
+    intersect_judge(&c, NULL, &answer);
+    assert_int_equal(answer.first.state, ALGSURF_UNCERTAIN);
+    done();
+    with("y z^3"); /* a direction with a component that underflows next to the largest, over a long way */
+    set_ray(1e300, 0, -1e-300, 3, -1e300, 1e-300, 1e-5, nextafter(1, 2));
+    intersect_judge(&c, NULL, &answer);
+    set_ray(1e300, 0, -1e-300, 3, -1e300, 1e-300, 1, 1);
+    intersect_judge(&c, NULL, &answer);
+    done();
+    with("y"); /* two places in doubt, but room for one: the first call must cover both, too */
+    set_ray(1, 80, 3, 1e300, 1e21, 0.1, -1, 600);
+    intersect_judge(&c, NULL, &answer);
+    done();
 }
 
 static void test_degrees(void **state) {

@@ -192,9 +192,12 @@ static void shadows(void **state) {
 }
 
 static void penumbra(void **state) {
-    const algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4};
+    algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4};
     int counts[3], on_ball;
     (void)state;
+    check_shadows(&light, counts, &on_ball);
+    assert_true(counts[0] > 100 && counts[2] > 10);
+    light.samples_u = 20, light.samples_v = 17; /* more than go into one packet of shadow rays */
     check_shadows(&light, counts, &on_ball);
     assert_true(counts[0] > 100 && counts[2] > 10);
 }
@@ -295,6 +298,9 @@ static void bad_scene(void **state) {
     REFUSED(ARGUMENT, set_antialias(NULL, 1));
     REFUSED(ARGUMENT, set_antialias(scene, 0));
     REFUSED(ARGUMENT, set_antialias(scene, 17));
+    REFUSED(ARGUMENT, set_antialias_threshold(NULL, 0.5));
+    REFUSED(ARGUMENT, set_antialias_threshold(scene, -0.5));
+    REFUSED(ARGUMENT, set_antialias_threshold(scene, NAN));
     REFUSED(ARGUMENT, set_intersect(NULL, &o));
     extent.size[0] = -1;
     REFUSED(ARGUMENT, set_extent(scene, &extent));
@@ -318,7 +324,7 @@ static void bad_scene(void **state) {
     REFUSED(NOT_FINITE, set_background(scene, colour));
     o.size = 1;
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o = (algsurf_intersect_options){.size = sizeof o, .tier = (algsurf_tier)2};
+    o = (algsurf_intersect_options){.size = sizeof o, .tier = (algsurf_tier)3};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .method = (algsurf_method)4};
     REFUSED(ARGUMENT, set_intersect(scene, &o));

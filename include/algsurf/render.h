@@ -58,6 +58,16 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
 /* n x n samples a pixel, 1 <= n <= 16, on a regular grid. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
+/* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
+ * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
+ * left or right by more than 255 threshold in a channel of 0..255; any other pixel shows its middle alone. So
+ * each pixel is that of one of two pictures without a threshold, n x n samples or one, and the latter tells
+ * which; so are the hits, but for the last bits, which may depend on what is solved beside them.  Threshold 1
+ * chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1
+ * most other edges too.  A slice's upper and lower neighbours are looked at as in the whole picture. Errors:
+ * E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for
+ * some per cent of its pixels. */
+ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
@@ -89,7 +99,9 @@ typedef struct algsurf_render_options {
 
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
-    uint64_t rays;        /* one for each sample of each pixel */
+    uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
+                             middle of each pixel, and n x n for each pixel chosen, the middle not counted
+                             again where it is one of them.  Counts are those of the rows drawn */
     uint64_t hits;        /* of them, ALGSURF_HIT */
     uint64_t uncertain;   /* of them, ALGSURF_UNCERTAIN, not among the hits (drawn like them, where the
                              surface seems to touch) */
@@ -110,9 +122,10 @@ typedef struct algsurf_render_stats {
  *   pixels   row_end-row_begin rows of width * 3 bytes, red green blue, top row first; each row
  *            starts stride bytes after the one before, stride >= 3 * width
  *   hits     null, or (row_end-row_begin) * width doubles: t of the hit along the unit ray of the
- *            pixel (complex space: |t|), the smallest over its samples, NaN where none.  The ray of sample
- *            (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n); |t - exact| is
- *            within what rounding that ray, t and P can change, and 2^-36 of the extent's radius
+ *            pixel (complex space: |t|), the smallest over the samples shown, NaN where none.  The ray of
+ *            sample (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n); the
+ *            middle is sample (0,0) of 1 x 1; |t - exact| is within what rounding that ray, t and P can
+ *            change, and 2^-36 of the extent's radius
  *   stats    null, or receives counts and times
  * Uncertain samples are drawn as hits at the place of doubt and counted; an uncertain shadow ray counts
  * as occluded.  A pixel is the average of its samples' clamped colours, rounded to nearest.
@@ -124,9 +137,9 @@ typedef struct algsurf_render_stats {
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
  * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some
- * 200 bytes for each thread and pixel of a row, in complex space 32 more for each degree, allocated once.
- * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
- * neighbouring pixels side by side.  Since 1.0. */
+ * 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 100 more, in complex space
+ * 32 more for each degree, allocated once. Source: P in camera axes once a frame and by rows; Descartes' rule
+ * on Bernstein coefficients for neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           uint8_t *pixels, size_t stride, double *hits,
                                           algsurf_render_stats *stats);

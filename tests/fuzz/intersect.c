@@ -2,8 +2,8 @@
  *
  * KIND: 0 no extent, 1 a ball, 2 a box.  Without an extent intersect_case.h judges the single calls, by a
  * Sturm chain; packets must say what single calls say, of the ray alone and among others, with every kernel.
- * With an extent, whose ends are rounded, all calls must agree; of a ray that lies in the surface none may
- * call it a miss.
+ * The certified tier is judged alike.  With an extent, whose ends are rounded, all calls must agree; of a ray
+ * that lies in the surface none may call it a miss.
  */
 #include "intersect_case.h"
 #include "fuzz.h"
@@ -104,6 +104,18 @@ static const char *form(const algsurf_hit *h) {
     return intersect_form(&c, h);
 }
 
+/* The certified tier: the truth too, and nothing in doubt that standard is sure of. */
+static void judge_certified(const exact_sturm *s) {
+    const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
+    int standard = answer.first.state;
+    intersect_ask(&c, NULL, &certified, &answer);
+    const char *wrong = intersect_truth(&c, s, &answer);
+    if (!wrong && standard != ALGSURF_UNCERTAIN && answer.first.state != standard) wrong = "tiers contradict";
+    if (!wrong && (answer.count == 0) != (answer.first.state == ALGSURF_MISS))
+        wrong = "first and all disagree";
+    if (wrong) intersect_fail(wrong, &c, &answer);
+}
+
 /* What single calls say, and what a packet says of the first ray. */
 static void judge_exactly(const packet *p, const exact_sturm *s) {
     intersect_ask(&c, NULL, NULL, &answer);
@@ -112,8 +124,9 @@ static void judge_exactly(const packet *p, const exact_sturm *s) {
     if (!wrong) wrong = intersect_truth(&c, s, &answer);
     if (!wrong) wrong = intersect_agree(&answer);
     if (wrong) intersect_fail(wrong, &c, &answer);
-    if (p->state[0] == ALGSURF_MISS) return;
     intersect_answer said = answer;
+    judge_certified(s);
+    if (p->state[0] == ALGSURF_MISS) return;
     algsurf_hit *h = &said.first;
     h->t = p->t[0], h->t_lo = p->t_lo[0], h->t_hi = p->t_hi[0];
     for (int k = 0; k < 3; k++) h->position[k] = p->position[k][0], h->normal[k] = p->normal[k][0];

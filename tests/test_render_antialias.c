@@ -1,0 +1,306 @@
+/* test_render_antialias.c - pictures of which only some pixels get all samples: pixel by pixel one of two
+ * pictures without a threshold, of one sample and of n x n, whoever draws them.
+ *
+ * Breaks tried, each caught by the test named:
+ *   right or lower neighbour not looked at, >= for >, one channel left out           one_of_two
+ *   rows beyond a slice or a batch not looked at; a row's place in the ring wrong     one_of_two, same_bytes
+ *   middle not added for odd n, or added twice                                       one_of_two
+ *   unwanted pixels of a run sampled, or of a row that is left to single rays        counts_as_by_rays
+ *   counts of rows that are only looked at                                           same_bytes
+ *   roots of pixels that were left out taken for start values                        same_bytes
+ *   a row of middles left from before a gap in a worker's rows                       same_bytes
+ *   the pixel beyond the row's end read                                              thin_pictures
+ *   abandoned rows written                                                           cancel
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "render_case.h"
+
+/* Ways to draw the torus: by packets, ray by ray, in complex space. */
+static const struct way {
+    const char *name;
+    algsurf_quality quality;
+    algsurf_method method;
+    int complex;
+    algsurf_coherence coherence;
+} ways[] = {
+    {"preview", ALGSURF_QUALITY_PREVIEW, ALGSURF_METHOD_DEFAULT, 0, ALGSURF_COHERENCE_NONE},
+    {"standard", ALGSURF_QUALITY_STANDARD, ALGSURF_METHOD_DEFAULT, 0, ALGSURF_COHERENCE_NONE},
+    {"full", ALGSURF_QUALITY_FULL, ALGSURF_METHOD_DEFAULT, 0, ALGSURF_COHERENCE_NONE},
+    {"singly", ALGSURF_QUALITY_STANDARD, ALGSURF_METHOD_BRENT, 0, ALGSURF_COHERENCE_NONE},
+    {"complex", ALGSURF_QUALITY_STANDARD, ALGSURF_METHOD_DEFAULT, 1, ALGSURF_COHERENCE_NONE},
+    {"coherent", ALGSURF_QUALITY_FULL, ALGSURF_METHOD_DEFAULT, 1, ALGSURF_COHERENCE_NEIGHBOURS},
+};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *surface) {
+    const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
+    const double sky[3] = {0.1, 0.2, 0.45};
+    algsurf_scene *scene = scene_of(surface, way->quality, 1);
+    assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_coherence(scene, way->coherence), ALGSURF_OK);
+    return scene;
+}
+
+static void set(algsurf_scene *scene, int n, double threshold) {
+    assert_int_equal(algsurf_scene_set_antialias(scene, n), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+}
+
+/* Does the pixel (x,y) of a picture of one sample differ by more than the threshold from a neighbour? */
+static int stands_out(const uint8_t *bytes, int stride, int width, int height, int x, int y,
+                      double threshold) {
+    static const int dx[4] = {0, 0, -1, 1}, dy[4] = {-1, 1, 0, 0};
+    for (int n = 0; n < 4; n++) {
+        int i = x + dx[n], j = y + dy[n];
+        if (i < 0 || i >= width || j < 0 || j >= height) continue;
+        for (int k = 0; k < 3; k++)
+            if (abs(bytes[y * stride + 3 * x + k] - bytes[j * stride + 3 * i + k]) > 255 * threshold)
+                return 1;
+    }
+    return 0;
+}
+
+/* Packets round otherwise where a row is solved in parts. */
+static int same_hit(double a, double b) {
+    return isnan(a) || isnan(b) ? isnan(a) == isnan(b) : fabs(a - b) <= 0x1p-44 * fabs(b);
+}
+
+static void check(const struct way *way, const picture *one, const picture *all, const picture *p, int n,
+                  double threshold) {
+    uint64_t chosen = 0;
+    for (int i = 0; i < W * H; i++) {
+        int x = i % W, y = i / W, out = stands_out(one->bytes, STRIDE, W, H, x, y, threshold);
+        const picture *expected = out ? all : one;
+        if (memcmp(p->bytes + y * STRIDE + 3 * x, expected->bytes + y * STRIDE + 3 * x, 3) != 0 ||
+            !same_hit(p->hits[i], expected->hits[i]))
+            fail_msg("%s, n = %d, threshold %g: pixel %d,%d is not that of %s", way->name, n, threshold, x, y,
+                     out ? "n x n samples" : "one sample");
+        chosen += (uint64_t)out;
+    }
+    assert_in_range(chosen, W * H / 50, W * H * 3 / 4);
+    assert_true(p->stats.rays == W * H + chosen * (uint64_t)(n * n - n % 2));
+    assert_true(p->stats.hits > one->stats.hits && p->stats.hits <= one->stats.hits + all->stats.hits);
+    assert_true(way->quality != ALGSURF_QUALITY_FULL || way->complex || p->stats.shadow_rays > 0);
+    for (int y = 0; y < H; y++)
+        for (int i = 3 * W; i < STRIDE; i++) assert_int_equal(p->bytes[y * STRIDE + i], SENTINEL);
+}
+
+/* 51/255: differences of exactly the threshold are frequent enough to count. */
+static void one_of_two(void **state) {
+    static const double thresholds[] = {0.01, 51 / 255., 0.35};
+    algsurf_surface *surface = torus();
+    (void)state;
+    for (const struct way *way = ways; way < ways + WAYS; way++) {
+        algsurf_scene *scene = scene_in(way, surface);
+        picture *one = drawn(scene, 1);
+        for (int n = 2; n <= 3; n++) {
+            set(scene, n, 0);
+            picture *all = drawn(scene, 1);
+            for (int k = 0; k < 3; k++) {
+                set(scene, n, thresholds[k]);
+                picture *p = drawn(scene, 1);
+                check(way, one, all, p, n, thresholds[k]);
+                free(p);
+            }
+            free(all);
+        }
+        free(one);
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
+static void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
+    sum->rays += more->rays;
+    sum->hits += more->hits;
+    sum->uncertain += more->uncertain;
+    sum->shadow_rays += more->shadow_rays;
+    sum->single_rays += more->single_rays;
+    sum->iterations += more->iterations;
+}
+
+static void assert_same_counts(const algsurf_render_stats *a, const algsurf_render_stats *b) {
+    assert_true(a->rays == b->rays && a->hits == b->hits && a->uncertain == b->uncertain);
+    assert_true(a->shadow_rays == b->shadow_rays && a->single_rays == b->single_rays);
+    assert_true(a->iterations == b->iterations);
+}
+
+/* Draws the picture in slices, from the bottom up; the counts are added up. */
+static picture *sliced(const algsurf_scene *scene) {
+    static const int cuts[6] = {0, 1, 9, 12, 13, H};
+    picture *p = malloc(sizeof *p);
+    algsurf_render_stats sum = {.size = sizeof sum};
+    assert_non_null(p);
+    blank(p);
+    for (int k = 4; k >= 0; k--) {
+        algsurf_render_options o = options_for(k % 2 + 1);
+        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
+        render(scene, &o, p);
+        add_stats(&sum, &p->stats);
+    }
+    p->stats = sum;
+    return p;
+}
+
+static void same_bytes(void **state) {
+    static const int threads[4] = {2, 3, 7, 256};
+    algsurf_surface *surface = torus();
+    (void)state;
+    for (const struct way *way = ways; way < ways + WAYS; way++) {
+        algsurf_scene *scene = scene_in(way, surface);
+        set(scene, 3, 0.1);
+        picture *one = drawn(scene, 1);
+        for (int k = 0; k <= 4; k++) {
+            picture *other = k < 4 ? drawn(scene, threads[k]) : sliced(scene);
+            assert_same_picture(one, other);
+            assert_same_counts(&one->stats, &other->stats);
+            free(other);
+        }
+        free(one);
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
+/* Threshold 0 is all pixels, 1 none, and one sample is one sample. */
+static void ends(void **state) {
+    algsurf_surface *surface = torus();
+    (void)state;
+    for (const struct way *way = ways; way < ways + WAYS; way++) {
+        algsurf_scene *scene = scene_in(way, surface);
+        picture *one = drawn(scene, 1), *p;
+        set(scene, 1, 0.01);
+        p = drawn(scene, 2);
+        assert_same_picture(one, p);
+        assert_same_counts(&one->stats, &p->stats);
+        free(p);
+        set(scene, 3, 1);
+        p = drawn(scene, 2);
+        assert_same_picture(one, p);
+        assert_true(p->stats.rays == W * H && p->stats.hits == one->stats.hits);
+        free(p), free(one);
+        set(scene, 2, 0);
+        p = drawn(scene, 2);
+        assert_true(p->stats.rays == 4 * W * H);
+        free(p);
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
+/* Pictures of one column, one row, one pixel. */
+static void thin_pictures(void **state) {
+    static const int sizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 40}};
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_in(&ways[1], surface);
+    (void)state;
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
+        int w = sizes[s][0], h = sizes[s][1], chosen = 0;
+        uint8_t *bytes[3];
+        algsurf_render_options o = {.size = sizeof o, .width = w, .height = h, .threads = 1};
+        for (int k = 0; k < 3; k++) { /* of its exact size: the sanitizer sees what is beyond */
+            set(scene, k > 0 ? 4 : 1, k > 1 ? 0.1 : 0);
+            bytes[k] = malloc((size_t)(3 * w * h));
+            assert_non_null(bytes[k]);
+            assert_int_equal(algsurf_render(scene, &o, bytes[k], (size_t)(3 * w), NULL, NULL), ALGSURF_OK);
+        }
+        for (int i = 0; i < w * h; i++) {
+            int out = stands_out(bytes[0], 3 * w, w, h, i % w, i / w, 0.1);
+            assert_memory_equal(bytes[2] + 3 * i, bytes[out] + 3 * i, 3);
+            chosen += out;
+        }
+        assert_true(w * h == 1 ? chosen == 0 : s < 3 || chosen > 0);
+        for (int k = 0; k < 3; k++) free(bytes[k]);
+    }
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+/* As many rays and hits as ray by ray: no pixel is sampled because it lies between two that are wanted.  Also
+ * from inside, so near and wide that packets leave rows to single rays. */
+static void counts_as_by_rays(void **state) {
+    const algsurf_camera cameras[2] = {camera_at(7, 4, 5, 36), camera_at(0.5, 0.3, 0.2, 150)};
+    algsurf_surface *surface = torus();
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        picture *p[2];
+        for (int singly = 0; singly < 2; singly++) {
+            algsurf_scene *scene = scene_in(&ways[singly ? 3 : 1], surface);
+            assert_int_equal(algsurf_scene_set_camera(scene, &cameras[k]), ALGSURF_OK);
+            set(scene, 4, 0.1);
+            p[singly] = drawn(scene, 1);
+            algsurf_scene_free(scene);
+        }
+        assert_true(p[0]->stats.rays == p[1]->stats.rays && p[0]->stats.hits == p[1]->stats.hits);
+        assert_true(p[1]->stats.single_rays == p[1]->stats.rays);
+        assert_true(k == 0 ? p[0]->stats.single_rays < W * H / 50 : p[0]->stats.single_rays > W * H / 2);
+        free(p[0]), free(p[1]);
+    }
+    algsurf_surface_free(surface);
+}
+
+static int stop_at(int done, int total, void *data) {
+    (void)total;
+    return done >= *(const int *)data;
+}
+
+/* Finished rows are as they should be, others untouched; with helpers, some are in the middle of a row. */
+static void cancel(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_in(&ways[2], surface);
+    uint8_t untouched[STRIDE];
+    (void)state;
+    memset(untouched, SENTINEL, sizeof untouched);
+    set(scene, 8, 0.01);
+    picture *whole = drawn(scene, 1), p;
+    for (int threads = 1; threads <= 3; threads++)
+        for (int rows = 1; rows < H; rows += 11) {
+            algsurf_render_options o = options_for(threads);
+            int done = 0;
+            o.progress = stop_at, o.progress_data = &rows;
+            blank(&p);
+            assert_int_equal(algsurf_render(scene, &o, p.bytes, STRIDE, p.hits, &p.stats), ALGSURF_CANCELLED);
+            for (int y = 0; y < H; y++) {
+                int finished = memcmp(p.bytes + y * STRIDE, untouched, STRIDE) != 0;
+                if (finished) assert_memory_equal(p.bytes + y * STRIDE, whole->bytes + y * STRIDE, STRIDE);
+                if (finished) assert_memory_equal(p.hits + y * W, whole->hits + y * W, W * sizeof(double));
+                done += finished;
+            }
+            assert_true(threads == 1 ? done == rows : done >= rows);
+            assert_true(p.stats.rays >= (uint64_t)(done * W) && p.stats.rays <= whole->stats.rays);
+        }
+    free(whole);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+static void bad_thresholds(void **state) {
+    static const double bad[] = {-1, -0x1p-1074, 0x1.0000000000001p0, 255, INFINITY, -INFINITY, NAN};
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_in(&ways[1], surface);
+    (void)state;
+    set(scene, 2, 0.2);
+    picture *before = drawn(scene, 1);
+    assert_int_equal(algsurf_scene_set_antialias_threshold(NULL, 0.5), ALGSURF_E_ARGUMENT);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, bad[i]), ALGSURF_E_ARGUMENT);
+    picture *after = drawn(scene, 1);
+    assert_same_picture(before, after);
+    free(before), free(after);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_of_two),        cmocka_unit_test(same_bytes),    cmocka_unit_test(ends),
+        cmocka_unit_test(counts_as_by_rays), cmocka_unit_test(thin_pictures), cmocka_unit_test(cancel),
+        cmocka_unit_test(bad_thresholds),
+    };
+    return cmocka_run_group_tests_name("render: antialias", tests, NULL, NULL);
+}
