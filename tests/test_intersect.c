@@ -3,7 +3,7 @@
  *
  * Breaks caught, each tried: the exact test of an end left out, an extent ignored, a frame about a far
  * origin, a position in the surface's unit instead of the caller's, signs used inside their bound (a tangent
- * drawn).
+ * drawn), positions and gradients that overflowed, a direction that underflowed.
  */
 #include <float.h>
 

@@ -1,7 +1,9 @@
 /* test_isolate_corpus.c - polynomials that have broken root finders, with what is known of their roots.
  *
  * Breaks caught, each tried: leading zeros kept (a root at infinity stays undecided), signs used inside their
- * bound (a multiple root lost), an exact sign that skips a coefficient or forgets that it is not exact.
+ * bound (a multiple root lost), an exact sign that skips a coefficient or forgets that it is not exact, the
+ * border of a group of roots at 0 or infinity, a gap left beside an exact root, a root reported once more as
+ * its neighbour, a loose bracket that is believed.
  */
 #include <float.h>
 #include <time.h>

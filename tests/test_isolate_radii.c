@@ -2,7 +2,9 @@
  * and results do not depend on the caller's floating-point environment.
  *
  * Breaks caught, each tried: radii left out of the Bernstein form's bound, the radius of the wrong
- * coefficient in a far piece, work done outside the guarded environment, an environment not restored.
+ * coefficient in a far piece, work done outside the guarded environment, an environment not restored, an
+ * interval that is empty in the unit of the roots, a set that holds the zero polynomial, or a constant,
+ * treated as others.
  */
 #include "isolate_case.h"
 

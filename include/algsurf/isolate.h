@@ -10,9 +10,9 @@
  * The interval may be infinite: the line is cut at +-h and the far parts are treated as 1/t in a
  * bounded interval, so that a vanishing leading coefficient (a root at infinity) is no special case.
  *
- * Every root is in an entry, also one that is no double's neighbour on both sides: beyond the largest double
- * (the entry then ends at infinity), between adjacent doubles of which one is a root itself, or together with
- * another root between adjacent doubles.  Such an entry is undecided: no bracket has ends to show its signs at.
+ * Every root is in an entry.  A bracket needs two doubles at which the signs show; where there are none the
+ * entry is undecided: for a root beyond the largest double (one end is then infinite), between two adjacent
+ * doubles of which one is itself a root, or between two adjacent doubles together with another root.
  * Coefficients with radii stand for a set of polynomials, and answers hold for all of them; if the zero
  * polynomial is one of them (each |c[k]| <= r[k]) the answer is one undecided entry, the whole interval.
  */
