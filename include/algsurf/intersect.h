@@ -121,7 +121,8 @@ typedef struct algsurf_hit_packet {
  *   options  as there, and a kernel; methods other than the default, a limit of iterations, and degrees
  *            above 20 take the rays one by one; a tolerance is met, but saves nothing
  *   hits     arrays that overlap neither each other nor those of the rays
- * Guarantee: that of the single call.  In the standard tier the states are the same, intervals enclose and
+ * Guarantee: that of the single call.  In the standard tier the states are the same, but that a packet may
+ * decide a ray, thousands of natural units long, of which the single call is uncertain; intervals enclose and
  * isolate, and t, position and normal are within the same bound; in the fast tier a state may differ within
  * rounding of a tangency.  The bits of an answer do not depend on the kernel, nor on the other rays of the
  * packet.
