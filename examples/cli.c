@@ -306,12 +306,27 @@ void cli_set_let(const cli_option *option, const char *value, void *field) {
     surface->constant_count = count + 1;
 }
 
+void cli_set_coefficients(const cli_option *option, const char *value, void *field) {
+    *(int *)field = cli_choice(option, value);
+}
+
+/* The surface with what rounding its coefficients may have changed. */
+static algsurf_surface *with_rounding(algsurf_surface *exact) {
+    algsurf_surface *surface = NULL;
+    algsurf_status status = algsurf_surface_with_error(exact, algsurf_surface_rounding(exact), &surface);
+    algsurf_surface_free(exact);
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK)
+        cli_fail(CLI_BAD_INPUT, "--coefficients: one of them is too small for a double");
+    return surface;
+}
+
 static algsurf_surface *from_equation(const cli_surface *choice, const char *what, const char *text) {
     algsurf_surface *surface = NULL;
     algsurf_parse_error error = {0, NULL};
     algsurf_status status =
         algsurf_surface_from_equation(text, choice->constants, choice->constant_count, &surface, &error);
-    if (status == ALGSURF_OK) return surface;
+    if (status == ALGSURF_OK) return choice->rounded ? with_rounding(surface) : surface;
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
     if (!error.message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
     if (!text[error.offset])
@@ -348,6 +363,8 @@ algsurf_surface *cli_make_surface(cli_surface *choice) {
                  chosen ? "only one of" : "one of");
     if (choice->constant_count > 0 && !choice->equation)
         cli_fail(CLI_BAD_INPUT, "--let: only an --equation has constants");
+    if (choice->rounded && choice->terms)
+        cli_fail(CLI_BAD_INPUT, "--coefficients: those of --terms are exact");
     if (choice->equation) {
         algsurf_surface *surface = from_equation(choice, "--equation", choice->equation);
         release_constants(choice);

@@ -73,6 +73,8 @@ void cli_set_method(const cli_option *option, const char *value, void *field);  
 void cli_set_tier(const cli_option *option, const char *value, void *field);      /* algsurf_tier */
 void cli_set_tolerance(const cli_option *option, const char *value, void *field); /* double */
 void cli_set_let(const cli_option *option, const char *value, void *field);       /* cli_surface */
+void cli_set_coefficients(const cli_option *option, const char *value,
+                          void *field); /* int: are they rounded? */
 
 /* Which of the words of an argument "one|two|three" the value is, from 0. */
 int cli_choice(const cli_option *option, const char *value);
@@ -83,6 +85,7 @@ typedef struct cli_surface {
     const char *name, *equation, *terms; /* exactly one of them is set */
     algsurf_constant *constants;         /* from --let */
     size_t constant_count;
+    int rounded; /* --coefficients: answers allow for the rounding of the equation's */
 } cli_surface;
 
 /* clang-format off */
@@ -93,7 +96,10 @@ typedef struct cli_surface {
     {"--let", "A=VALUE", "a constant for the equation (repeatable)", cli_set_let,                            \
      offsetof(type, surface), 0, 0},                                                                         \
     {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
-     offsetof(type, surface.terms), 0, 0}
+     offsetof(type, surface.terms), 0, 0},                                                                   \
+    {"--coefficients", "exact|rounded", "the doubles are the surface (default), or they are roundings of\n"   \
+     "the equation's: what is certain then holds for the equation", cli_set_coefficients,                    \
+     offsetof(type, surface.rounded), 0, 0}
 /* clang-format on */
 
 /* Makes the surface that was asked for, and releases the constants. */

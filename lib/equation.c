@@ -9,6 +9,14 @@
 
 #include "equation_parse.h"
 #include "fpenv.h"
+#include "surface_impl.h"
+
+/* What rounding a coefficient to the double a changed, or its computation may have, as a part of a. */
+static double relative_rounding(const algsurf_i_monomial *m, double a) {
+    if (m->v.lo == 0 && m->err == 0 && ldexp(a, -256 * m->e) == m->v.hi) return 0;
+    double part = (fabs(m->v.lo) + m->err) / fabs(m->v.hi);
+    return fabs(a) < 0x1p-1022 ? part + 0x1p-1074 / fabs(a) : part;
+}
 
 /* The polynomial with its coefficients rounded, as a surface.  offset: where to place an overflow. */
 static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, algsurf_surface **surface,
@@ -17,16 +25,18 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
     algsurf_term *terms = malloc(value->count * sizeof *terms);
     if (!terms) return ALGSURF_E_NO_MEMORY;
     algsurf_status status = ALGSURF_OK;
+    double rounding = 0;
     for (size_t t = 0; status == ALGSURF_OK && t < value->count; t++) {
         int key = value->m[t].key;
         double a = algsurf_i_monomial_round(&value->m[t]);
         terms[t] = (algsurf_term){algsurf_i_key_x(key), algsurf_i_key_y(key), algsurf_i_key_z(key), a};
+        rounding = fmax(rounding, relative_rounding(&value->m[t], a));
         if (!isfinite(a)) status = ALGSURF_E_RANGE;
     }
     if (status == ALGSURF_E_RANGE) {
         *error = (algsurf_parse_error){offset, "a coefficient is too large for a double"};
     } else {
-        status = algsurf_surface_from_terms(terms, value->count, surface);
+        status = algsurf_i_surface_make(terms, value->count, 0, rounding * (1 + 0x1p-40), surface);
     }
     free(terms);
     return status;

@@ -3,7 +3,8 @@
  * Coefficients: hi lies in [2^-128, 2^128) between operations, so that products and their errors
  * stay far from both ends of the range of double; exponents differ in steps of 256, so that sums
  * need no shift as a rule.  Errors: double-double operations are right to 2^-102; the constants
- * below round that up for the rounding of the bounds themselves.
+ * below round that up for the rounding of the bounds themselves.  An operation on doubles without errors of
+ * which the double-double result is exact adds none: whole coefficients stay exact.
  *
  * Products of polynomials are gathered in a box of all exponents up to the sums of the largest ones
  * in x, y and z: the place of a product is the sum of the places of its factors.
@@ -40,10 +41,14 @@ algsurf_i_monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponen
     return normalised(m);
 }
 
+/* An exact double? */
+static int is_plain(const algsurf_i_monomial *m) { return m->v.lo == 0 && m->err == 0; }
+
 static algsurf_i_monomial product(const algsurf_i_monomial *a, const algsurf_i_monomial *b) {
     algsurf_dd v = algsurf_dd_mul(a->v, b->v);
     double err = fabs(a->v.hi) * b->err + fabs(b->v.hi) * a->err + a->err * b->err;
-    return (algsurf_i_monomial){v, err + operation_error * fabs(v.hi), a->e + b->e, a->key + b->key};
+    if (!is_plain(a) || !is_plain(b)) err += operation_error * fabs(v.hi);
+    return (algsurf_i_monomial){v, err, a->e + b->e, a->key + b->key};
 }
 
 /* *sum += m; both need not be normalised, but within 2^+-256. */
@@ -52,7 +57,7 @@ static void accumulate(algsurf_i_monomial *sum, algsurf_i_monomial m) {
         *sum = m;
         return;
     }
-    int shift = m.e - sum->e;
+    int shift = m.e - sum->e, exact = shift == 0 && is_plain(sum) && is_plain(&m);
     if (shift > 0) {
         *sum = scaled(*sum, shift == 1 ? 0x1p-256 : shift == 2 ? 0x1p-512 : 0.0);
         sum->e = m.e;
@@ -60,7 +65,7 @@ static void accumulate(algsurf_i_monomial *sum, algsurf_i_monomial m) {
         m = scaled(m, shift == -1 ? 0x1p-256 : shift == -2 ? 0x1p-512 : 0.0);
     }
     sum->v = algsurf_dd_add(sum->v, m.v);
-    sum->err += m.err + operation_error * fabs(sum->v.hi);
+    sum->err += m.err + (exact ? 0 : operation_error * fabs(sum->v.hi));
 }
 
 /* Appends m unless it is zero; room must be there. */
@@ -78,12 +83,19 @@ double algsurf_i_monomial_round(const algsurf_i_monomial *m) {
     int shift = RADIX_BITS * n.e, x;
     (void)frexp(n.v.hi, &x);
     if (x + shift > -1022) return ldexp(n.v.hi, shift);
+    if (x + shift < -1075) return 0.0; /* below half the least double, whose quantum may overflow here */
     /* A subnormal result: round hi to a multiple of 2^-1074, then mend what lo says of a tie. */
     double quantum = ldexp(1.0, -1074 - shift), anchor = copysign(0x1p52 * quantum, n.v.hi);
     double rounded = (n.v.hi + anchor) - anchor, rest = n.v.hi - rounded;
     if (rest == quantum / 2 && n.v.lo > 0) rounded += quantum;
     if (rest == -quantum / 2 && n.v.lo < 0) rounded -= quantum;
     return ldexp(rounded, shift);
+}
+
+/* Is p exactly a b, and are both of them doubles? */
+static int is_product(double p, algsurf_dd a, algsurf_dd b) {
+    algsurf_dd ab = algsurf_two_prod(a.hi, b.hi);
+    return a.lo == 0 && b.lo == 0 && ab.hi == p && ab.lo == 0;
 }
 
 algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m) {
@@ -93,6 +105,7 @@ algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m) {
     }
     algsurf_dd root = algsurf_dd_sqrt(m.v);
     double err = root.hi > 0 ? m.err / root.hi + quotient_error * root.hi : 0.0;
+    if (is_plain(&m) && is_product(m.v.hi, root, root)) err = 0;
     return normalised((algsurf_i_monomial){root, err, m.e / 2, 0});
 }
 
@@ -229,6 +242,7 @@ algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_mo
         const algsurf_i_monomial m = a->m[t];
         algsurf_dd v = algsurf_dd_div(m.v, b->v);
         double err = (m.err + fabs(v.hi) * b->err) / least + quotient_error * fabs(v.hi);
+        if (is_plain(&m) && is_plain(b) && is_product(m.v.hi, v, b->v)) err = 0;
         status = append(&kept, (algsurf_i_monomial){v, err, m.e - b->e, m.key});
     }
     *a = kept;

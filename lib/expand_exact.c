@@ -14,7 +14,7 @@ static void scaled(algsurf_i_expansion *x, double a, int unit) {
 /* Exact sign of the terms of total degree at least `least` at a point. */
 static int sign_at(const algsurf_surface *s, const algsurf_i_expansion x[3], int least) {
     algsurf_i_expansion total, level, row;
-    if (s->inexact) return ALGSURF_SIGN_UNKNOWN;
+    if (s->inexact || s->error > 0) return ALGSURF_SIGN_UNKNOWN;
     algsurf_i_expansion_set(&total, 0);
     for (int k = s->level_count - 1; k >= 0; k--) {
         const algsurf_level *l = s->levels + k;

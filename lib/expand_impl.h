@@ -41,7 +41,7 @@ void algsurf_i_expand_dd(const algsurf_surface *s, const algsurf_dd X[3], const 
                          double *r);
 
 /* The exact sign of P at origin + t direction: -1, 0, +1, or ALGSURF_SIGN_UNKNOWN when an intermediate
- * product leaves the range of double.  Cost: some hundred times an evaluation in double. */
+ * product leaves the range of double, or the surface's coefficients are not exact.  Cost: some hundred times an evaluation in double. */
 int algsurf_i_exact_sign(const algsurf_surface *s, const algsurf_ray *ray, double t);
 
 /* Is the coefficient of t^degree, the form of highest degree at the direction, exactly zero? */

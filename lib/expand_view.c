@@ -12,9 +12,12 @@
  * higher orders.  So the error is
  * at most u sum w |q_ijk| x^i y^j.
  *
+ * A surface's coefficients with a relative error e: q_ijk moves by at most e times what the frame's scheme
+ * makes of magnitudes, which takes the place of |q_ijk| then.
+ *
  * Noise.  With each coordinate off by d, a term is off by at most d (i / x + j / y + k / z) of its size at
- * (x + d, y + d, z + d), by the mean value theorem.  So x and y are taken larger by d; with z = 1, 2^-20 of it
- * covers the rest for n d < 2^-22.
+ * (x + d, y + d, z + d), by the mean value theorem.  So x and y are taken larger by d; with z = 1, 2^-20 of
+ * it covers the rest for n d < 2^-22.
  */
 #include "expand_view.h"
 
@@ -63,6 +66,8 @@ static void add_solid(solid *p, const solid *r, int side) {
     if (r->degree > p->degree) p->degree = r->degree;
 }
 
+static double plain(double a) { return a; }
+
 static void add_constant(solid *p, double a) {
     p->q[0] = p->degree < 0 ? algsurf_dd_from(a) : algsurf_dd_add_d(p->q[0], a);
     if (p->degree < 0) p->degree = 0;
@@ -75,8 +80,9 @@ static size_t cube(int degree) {
 
 size_t algsurf_i_frame_memory(int degree) { return 3 * cube(degree) * sizeof(algsurf_dd); }
 
-/* The surface's rows and levels in world coordinates that are linear in (x,y,z). */
-static solid in_view_axes(const algsurf_surface *s, const linear world[3], algsurf_dd *memory) {
+/* The surface's rows and levels in world coordinates that are linear in (x,y,z); `of` each coefficient. */
+static solid in_view_axes(const algsurf_surface *s, double (*of)(double), const linear world[3],
+                          algsurf_dd *memory) {
     int side = s->degree + 1;
     solid total = {-1, memory}, level = {-1, memory + cube(s->degree)}, row = {-1, level.q + cube(s->degree)};
     for (int k = s->level_count - 1; k >= 0; k--) {
@@ -88,7 +94,7 @@ static solid in_view_axes(const algsurf_surface *s, const linear world[3], algsu
             row.degree = -1;
             for (int i = r->length - 1; i >= 0; i--) {
                 times_linear(&row, &world[0], side);
-                add_constant(&row, s->coef[r->first + (size_t)i]);
+                add_constant(&row, of(s->coef[r->first + (size_t)i]));
             }
             add_solid(&level, &row, side);
         }
@@ -131,15 +137,15 @@ static void set_basis(double *basis, int n) {
         }
 }
 
-/* Returns sum |q_ijk|. */
-static double set_sizes(algsurf_i_frame_form *frame) {
+/* Returns the sum of all sizes. */
+static double set_sizes(algsurf_i_frame_form *frame, const solid *p) {
     double whole = 0;
     int n = frame->degree, side = n + 1;
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= n; j++) {
             double sum = 0, along = 0;
-            for (int k = 0; k <= n; k++) {
-                double size = fabs(frame->q[(i * side + j) * side + k]);
+            for (int k = 0; i + j + k <= p->degree; k++) {
+                double size = fabs(p->q[(i * side + j) * side + k].hi);
                 sum += size;
                 along += k * size;
             }
@@ -148,6 +154,14 @@ static double set_sizes(algsurf_i_frame_form *frame) {
             whole += sum;
         }
     return whole;
+}
+
+static void take_magnitudes(linear world[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < 4; k++) {
+            algsurf_dd *c = &world[axis].c[k];
+            if (c->hi < 0) *c = algsurf_dd_neg(*c);
+        }
 }
 
 int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame, void *memory) {
@@ -163,7 +177,7 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
             reach[axis] += 4 * fabs(world[axis].c[k + 1].hi);
         }
     }
-    solid p = in_view_axes(s, world, memory);
+    solid p = in_view_axes(s, plain, world, memory);
     frame->degree = n;
     memset(frame->q, 0, cube(n) * sizeof *frame->q);
     for (int i = 0; i <= p.degree; i++)
@@ -175,8 +189,13 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
             }
     frame->error = 0x1p-90 * magnitude(s, reach) + 0x1p-900;
     set_basis(frame->basis, n);
+    frame->spread = s->error;
+    if (s->error > 0) {
+        take_magnitudes(world);
+        p = in_view_axes(s, fabs, world, memory);
+    }
     /* so that no sum overflows on the way to a value, |x|, |y| <= 4, nor between the units of a split */
-    return set_sizes(frame) < 0x1p700 && frame->error < 0x1p900;
+    return set_sizes(frame, &p) < 0x1p700 && frame->error < 0x1p900;
 }
 
 /* c_km: the coefficient of z^k u^m for this v. */
@@ -207,7 +226,8 @@ static void set_radius(const algsurf_i_frame_form *frame, double y, double *radi
     for (int i = n; i >= 0; i--) {
         double total = 0, size = 0, power = 1, below = 0; /* y^j, y^(j-1) */
         for (int j = 0; j <= n - i; j++) {
-            double q = frame->sizes[i * side + j], weight = (5 * (i + j) + 4 * n + 8) * ALGSURF_U;
+            double q = frame->sizes[i * side + j],
+                   weight = (5 * (i + j) + 4 * n + 8) * ALGSURF_U + frame->spread;
             total += power * (weight * q + noise * frame->along[i * side + j]) + noise * j * below * q;
             size += power * q;
             below = power;

@@ -28,8 +28,10 @@ typedef struct algsurf_i_frame_form {
     algsurf_i_view view;
     double *q;     /* (degree+1)^3: q_ijk at (i (degree+1) + j) (degree+1) + k */
     double *basis; /* (degree+1)^2: Bernstein coefficient j of z^k over [-1,1] at j (degree+1) + k */
-    double *sizes; /* (degree+1)^2: sum_k |q_ijk| at i (degree+1) + j */
-    double *along; /* (degree+1)^2: sum_k k |q_ijk| */
+    /* With Q_ijk = |q_ijk|; where the surface's coefficients have an error, its magnitudes in their stead: */
+    double *sizes; /* (degree+1)^2: sum_k Q_ijk at i (degree+1) + j */
+    double *along; /* (degree+1)^2: sum_k k Q_ijk */
+    double spread; /* relative error of the surface's coefficients */
     double error;  /* bound on the polynomial's error for |x|, |y|, |z| <= 4, but for u |q_ijk| each */
 } algsurf_i_frame_form;
 

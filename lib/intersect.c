@@ -14,7 +14,8 @@
 typedef struct query {
     const algsurf_surface *surface;
     algsurf_ray ray; /* clipped to the extent */
-    int empty;       /* nothing of the ray is left */
+    algsurf_i_edges edges;
+    int empty; /* nothing of the ray is left */
     algsurf_intersect_options options;
 } query;
 
@@ -45,7 +46,10 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
-    q->empty = !algsurf_i_extent_clip(extent, ray, &q->ray);
+    q->edges.extent = NULL;
+    q->empty = q->options.tier == ALGSURF_TIER_CERTIFIED
+                   ? !algsurf_i_extent_bracket(extent, ray, &q->ray, &q->edges)
+                   : !algsurf_i_extent_clip(extent, ray, &q->ray);
     return ALGSURF_OK;
 }
 
@@ -114,7 +118,7 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface 
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     if (q.empty ||
-        !algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
+        !algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
         set_miss(hit);
     else
         make_hit(&q, &frame, &root, hit);
@@ -141,9 +145,9 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int room = surface->degree > 0 ? surface->degree : 1;
-    int n = q.empty
-                ? 0
-                : algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ALL, &frame, roots, room);
+    int n = q.empty ? 0
+                    : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ALL, &frame,
+                                              roots, room);
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
     *count = n;
@@ -171,8 +175,8 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_occluded(const algsurf_surface *surfac
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int n = q.empty ? 0
-                    : algsurf_i_decided_roots(surface, &q.ray, &q.options, ALGSURF_WANT_ANY, &frame, roots,
-                                              ALGSURF_MAX_DEGREE + 1);
+                    : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ANY, &frame,
+                                              roots, ALGSURF_MAX_DEGREE + 1);
     *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
     return ALGSURF_OK;
 }

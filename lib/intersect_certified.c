@@ -2,14 +2,18 @@
  * and what the caller wants done with the rest.
  *
  * Doubtful places are decided by exact arithmetic.  Places that share a point, for their ends are rounded
- * outward, are decided together, so that no root is found twice. */
+ * outward, are decided together, so that no root is found twice.  So are, in this tier, roots that may lie on
+ * either side of the extent's surface: the chord is a little longer than the exact one, and if P does not
+ * keep its sign on what is too much, the extent takes part in exact arithmetic. */
 #include <math.h>
 
 #include "intersect_exact.h"
+#include "vec.h"
 
 typedef struct answer {
     const algsurf_surface *surface;
     const algsurf_ray *ray;
+    const algsurf_i_edges *edges; /* null: no root is close to them */
     const algsurf_intersect_options *options;
     algsurf_i_want want;
     const algsurf_i_frame *frame;
@@ -60,16 +64,53 @@ static void decide(answer *a, const algsurf_i_ray_root *group, int count) {
         all.t_hi = end;
     }
     all.t_lo = group[0].t_lo;
-    int found = algsurf_i_exact_roots(a->surface, a->ray, all.t_lo, all.t_hi, a->want, exact);
+    const algsurf_extent *extent = a->edges ? a->edges->extent : NULL;
+    int found = algsurf_i_exact_roots(a->surface, a->ray, extent, all.t_lo, all.t_hi, a->want, exact);
+    if (all.state == ALGSURF_HIT) {
+        all.state = ALGSURF_UNCERTAIN;
+        all.reason = ALGSURF_UNDECIDED_END;
+    }
     if (found < 0) append(a, all);
     for (int i = 0; i < found && !satisfied(a); i++) append_exact(a, exact + i);
+}
+
+static int touches_edges(const algsurf_i_edges *edges, double lo, double hi) {
+    return edges && edges->extent && !(lo >= edges->inner_lo && hi <= edges->inner_hi);
+}
+
+/* Is P of one sign for all lo <= t <= hi, which are close together? */
+static int keeps_sign(const algsurf_surface *s, const algsurf_ray *ray, double lo, double hi) {
+    double x[3], reach[3], middle = 0.5 * lo + 0.5 * hi, half = 0.5 * (hi - lo) + 0x1p-51 * fabs(middle);
+    for (int i = 0; i < 3; i++) {
+        double at = fma(middle, ray->direction[i], ray->origin[i]);
+        x[i] = ldexp(at, -s->unit);
+        reach[i] = ldexp(half * fabs(ray->direction[i]), -s->unit) + 0x1p-1000;
+        if (at != 0 && !(fabs(x[i]) >= 0x1p-1022)) return 0; /* a part of it underflowed */
+    }
+    return algsurf_is_finite3(x) && algsurf_is_finite3(reach) &&
+           algsurf_i_surface_sign_near(s, x, reach) != 0;
+}
+
+/* May one of the roots, or places, be outside of the extent? */
+static int any_at_edges(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_i_edges *edges,
+                        const algsurf_i_ray_root *roots, int count) {
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+    for (int i = 0; i < count; i++) {
+        lo = fmin(lo, roots[i].t_lo);
+        hi = fmax(hi, roots[i].t_hi);
+    }
+    if (count == 0 || !touches_edges(edges, lo, hi)) return 0;
+    if (edges->inner_lo > edges->inner_hi) return 1;
+    return (lo < edges->inner_lo && !keeps_sign(surface, ray, ray->t_min, edges->inner_lo)) ||
+           (hi > edges->inner_hi && !keeps_sign(surface, ray, edges->inner_hi, ray->t_max));
 }
 
 static void decide_all(answer *a, const algsurf_i_ray_root *found, int count) {
     for (int i = 0, next; i < count && !satisfied(a); i = next) {
         double end = found[i].t_hi;
         for (next = i + 1; next < count && found[next].t_lo <= end; next++) end = fmax(end, found[next].t_hi);
-        if (a->options->tier == ALGSURF_TIER_CERTIFIED && uncertain_among(found + i, next - i))
+        if (a->options->tier == ALGSURF_TIER_CERTIFIED &&
+            (uncertain_among(found + i, next - i) || touches_edges(a->edges, found[i].t_lo, end)))
             decide(a, found + i, next - i);
         else
             for (int k = i; k < next && !satisfied(a); k++) append(a, found[k]);
@@ -77,15 +118,16 @@ static void decide_all(answer *a, const algsurf_i_ray_root *found, int count) {
 }
 
 int algsurf_i_decided_roots(const algsurf_surface *surface, const algsurf_ray *ray,
-                            const algsurf_intersect_options *options, algsurf_i_want want,
-                            algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity) {
+                            const algsurf_i_edges *edges, const algsurf_intersect_options *options,
+                            algsurf_i_want want, algsurf_i_frame *frame, algsurf_i_ray_root *roots,
+                            int capacity) {
     algsurf_i_ray_root found[ALGSURF_MAX_DEGREE + 1];
     int count = algsurf_i_ray_roots(surface, ray, options, want, frame, roots, capacity);
     int looked_at = want == ALGSURF_WANT_ALL ? count : count > 0;
-    if ((options->tier != ALGSURF_TIER_CERTIFIED && options->doubt == ALGSURF_DOUBT_REPORT) ||
-        !uncertain_among(roots, looked_at))
-        return count;
-    answer a = {surface, ray, options, want, frame, roots, 0, capacity};
+    if (options->tier != ALGSURF_TIER_CERTIFIED && options->doubt == ALGSURF_DOUBT_REPORT) return count;
+    if (!any_at_edges(surface, ray, edges, roots, looked_at)) edges = NULL;
+    if (!edges && !uncertain_among(roots, looked_at)) return count;
+    answer a = {surface, ray, edges, options, want, frame, roots, 0, capacity};
     int room = surface->degree > 0 ? surface->degree : 1;
     count = algsurf_i_ray_roots(surface, ray, options, ALGSURF_WANT_ALL, frame, found, room);
     decide_all(&a, found, count);

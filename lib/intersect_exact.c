@@ -6,9 +6,13 @@
  * with the direction, w = 0, for that end.  The numbers k! (n-k)! c_k are n! times its Bernstein
  * coefficients: their signs count roots, and de Casteljau's scheme without its halves bisects, exactly.
  *
+ * A point is in a sphere where R^2 w^2 - |X - c w|^2 >= 0, in a box where h_i^2 w^2 - (X_i - c_i w)^2 >= 0:
+ * quadratic forms, to which the same is done.
+ *
  * Size of the integers.  If all ends are below 2^U and coefficients below 2^A, a form's coefficients add up
  * to at most 2^16 2^A 2^((U+1) n), for a surface has fewer than 2^16 terms; n! <= 2^(6n), and each bisection
- * adds n bits.  A cell is found again from the whole interval, so that only one is kept. */
+ * adds n bits.  The extent's forms need no more than one of degree 2 with n! and 2^16 in it.  A cell is found
+ * again from the whole interval, so that only one is kept. */
 #include "intersect_exact.h"
 
 #include <math.h>
@@ -35,6 +39,8 @@ typedef struct task {
     int coefficient_shift; /* of the surface's coefficients */
     linear x[3];
     uint32_t *memory, *row, *level, *total, *left, *right, *spare; /* forms; one integer */
+    const algsurf_extent *extent;                                  /* null: none */
+    uint32_t *inside, *part;                                       /* three forms of degree 2; two */
     algsurf_i_want want;
     algsurf_i_exact_root *roots;
     int count;
@@ -117,6 +123,55 @@ static void expand(const task *t) {
     }
 }
 
+/* ---- the extent ---- */
+
+enum { QUADRATIC = 3 }; /* coefficients */
+
+/* 2^shift (X - c w) at an end. */
+static void from_centre(const task *t, int axis, int end, uint32_t *distance) {
+    const uint32_t one[ALGSURF_FACTOR_WORDS] = {1};
+    algsurf_i_factor f;
+    algsurf_i_integer_zero(distance, t->size);
+    algsurf_i_integer_zero(t->spare, t->size);
+    t->spare[0] = one[0];
+    algsurf_i_integer_add_product(distance, t->spare, &t->x[axis].at[end], t->size);
+    if (isinf(end ? t->hi : t->lo)) return;
+    algsurf_i_factor_of(&f, -t->extent->centre[axis], t->shift - t->surface->unit);
+    algsurf_i_integer_add_product(distance, t->spare, &f, t->size);
+}
+
+/* form += sign times the square of a linear form with these values at the ends. */
+static void add_square(const task *t, uint32_t *form, int sign, uint32_t *const at[2]) {
+    algsurf_i_factor f;
+    for (int end = 0; end < 2; end++) {
+        algsurf_i_factor_from(&f, at[end], t->size < ALGSURF_FACTOR_WORDS ? t->size : ALGSURF_FACTOR_WORDS);
+        if (sign < 0) f.negative = !f.negative;
+        algsurf_i_integer_add_product(entry(t, form, 2 * end), at[end], &f, t->size);
+        if (end == 1) algsurf_i_integer_add_product(entry(t, form, 1), at[0], &f, t->size);
+    }
+}
+
+/* The Bernstein coefficients of what is not negative in the extent. */
+static void set_extent(const task *t) {
+    int box = t->extent->kind == ALGSURF_EXTENT_BOX;
+    uint32_t *const at[2] = {entry(t, t->part, 0), entry(t, t->part, 1)};
+    algsurf_i_integer_zero(t->inside, 3 * QUADRATIC * t->size);
+    for (int axis = 0; axis < 3; axis++) {
+        uint32_t *form = entry(t, t->inside, box ? QUADRATIC * axis : 0);
+        for (int end = 0; end < 2; end++) from_centre(t, axis, end, at[end]);
+        add_square(t, form, -1, at);
+        if (!box && axis > 0) continue;
+        algsurf_i_factor f;
+        algsurf_i_factor_of(&f, t->extent->size[axis], t->shift - t->surface->unit);
+        for (int end = 0; end < 2; end++) {
+            algsurf_i_integer_zero(at[end], t->size);
+            if (isinf(end ? t->hi : t->lo)) continue;
+            algsurf_i_integer_add_product(at[end], t->spare, &f, t->size);
+        }
+        add_square(t, form, 1, at);
+    }
+}
+
 /* ---- its size ---- */
 
 /* The least and the largest exponent among numbers. */
@@ -170,6 +225,9 @@ static int measure(task *t, const algsurf_ray *ray) {
         take_number(&ends, ray->direction[i], s->unit);
         if (!isinf(t->lo)) take_product(&ends, ray->direction[i], t->lo, s->unit);
         if (!isinf(t->hi)) take_product(&ends, ray->direction[i], t->hi, s->unit);
+        if (!t->extent) continue;
+        take_number(&ends, t->extent->centre[i], s->unit);
+        take_number(&ends, t->extent->size[t->extent->kind == ALGSURF_EXTENT_BOX ? i : 0], s->unit);
     }
     size_t count = 0;
     for (int k = 0; k < s->level_count; k++)
@@ -179,8 +237,8 @@ static int measure(task *t, const algsurf_ray *ray) {
                 take_number(&coefficients, s->coef[row->first + (size_t)i], 0);
         }
     long bits = ends.most - ends.least + 2, most = coefficients.most - coefficients.least + 1;
-    if (s->inexact || count == 0 || bits > MOST_EXPONENT || most > MOST_EXPONENT) return 0;
-    long words = (16 + most + (bits + 1 + 6 + DEPTH) * t->n + 2) / 32 + 1;
+    if (s->inexact || s->error > 0 || count == 0 || bits > MOST_EXPONENT || most > MOST_EXPONENT) return 0;
+    long words = (16 + most + (bits + 1 + 6 + DEPTH) * (t->n < 2 ? 2 : t->n) + 2) / 32 + 1;
     if (words > MOST_WORDS) return 0;
     t->size = (int)words;
     t->shift = -ends.least;
@@ -209,16 +267,17 @@ static int variations(const task *t, uint32_t *form) {
 
 /* The cell in `right` becomes its halves, in `left` and `right`, both times 2^n: level i of the scheme is 2^i
  * times too large already. */
-static void halve(const task *t) {
-    int n = t->n;
+static void halve_form(const task *t, int n, uint32_t *left, uint32_t *right) {
     for (int i = 0; i <= n; i++) {
-        memcpy(entry(t, t->left, i), t->right, (size_t)t->size * sizeof *t->left);
-        algsurf_i_integer_shift(entry(t, t->left, i), t->size, n - i);
+        memcpy(entry(t, left, i), right, (size_t)t->size * sizeof *left);
+        algsurf_i_integer_shift(entry(t, left, i), t->size, n - i);
         for (int j = 0; j < n - i; j++)
-            algsurf_i_integer_add(entry(t, t->right, j), entry(t, t->right, j + 1), t->size);
-        algsurf_i_integer_shift(entry(t, t->right, n - i), t->size, n - i);
+            algsurf_i_integer_add(entry(t, right, j), entry(t, right, j + 1), t->size);
+        algsurf_i_integer_shift(entry(t, right, n - i), t->size, n - i);
     }
 }
+
+static void halve(const task *t) { halve_form(t, t->n, t->left, t->right); }
 
 static void keep_left(const task *t) {
     memcpy(t->right, t->left, (size_t)(t->n + 1) * (size_t)t->size * sizeof *t->left);
@@ -230,6 +289,38 @@ static void find_cell(const task *t, place at) {
         halve(t);
         if (!(at.position >> bit & 1)) keep_left(t);
     }
+}
+
+/* The least and the largest sign that a form of the extent's has among its coefficients over a cell, or at
+ * its left end. */
+static void signs_in_cell(const task *t, const uint32_t *form, place at, int end_only, int sign[2]) {
+    uint32_t *left = t->part, *right = entry(t, t->part, QUADRATIC);
+    int from = 0, count = end_only ? 1 : QUADRATIC;
+    memcpy(right, form, QUADRATIC * (size_t)t->size * sizeof *form);
+    if (at.position >> at.depth) from = QUADRATIC - 1; /* the right end of all */
+    for (int bit = at.depth - 1; from == 0 && bit >= 0; bit--) {
+        halve_form(t, QUADRATIC - 1, left, right);
+        if (!(at.position >> bit & 1)) memcpy(right, left, QUADRATIC * (size_t)t->size * sizeof *form);
+    }
+    sign[0] = 1, sign[1] = -1;
+    for (int k = from; k < from + count; k++) {
+        int one = algsurf_i_integer_sign(entry(t, right, k), t->size);
+        sign[0] = one < sign[0] ? one : sign[0];
+        sign[1] = one > sign[1] ? one : sign[1];
+    }
+}
+
+/* Is a root in a cell, not at its ends, or at the left end of it, in the extent?  1, -1: it is not, 0: both
+ * may be. */
+static int in_extent(const task *t, place at, int end_only) {
+    int answer = 1, forms = !t->extent ? 0 : t->extent->kind == ALGSURF_EXTENT_BOX ? 3 : 1;
+    for (int i = 0; i < forms; i++) {
+        int sign[2];
+        signs_in_cell(t, entry(t, t->inside, QUADRATIC * i), at, end_only, sign);
+        if (sign[0] < 0 && sign[1] <= 0) return -1;
+        if (sign[0] < 0) answer = 0;
+    }
+    return answer;
 }
 
 /* t at a position, with a relative error of 2^-90 of what it is added to. */
@@ -257,6 +348,12 @@ static double outward(const task *t, algsurf_dd at, int side) {
 
 /* When there is no room the last one grows, and is uncertain. */
 static void add_root(task *t, int state, algsurf_status reason, place from, uint64_t length) {
+    int inside = in_extent(t, from, length == 0);
+    if (inside < 0) return;
+    if (inside == 0 && state == ALGSURF_HIT) {
+        state = ALGSURF_UNCERTAIN;
+        reason = ALGSURF_UNDECIDED_END;
+    }
     algsurf_dd lo = t_at(t, from.position, from.depth), hi = t_at(t, from.position + length, from.depth);
     algsurf_i_exact_root root = {state, reason, outward(t, lo, -1), outward(t, hi, 1),
                                  algsurf_dd_scale(algsurf_dd_add(lo, hi), 0.5)};
@@ -271,11 +368,12 @@ static void add_root(task *t, int state, algsurf_status reason, place from, uint
     t->roots[t->n].hi = root.hi;
 }
 
-/* Narrows a cell with one root inside, until its ends are neighbours as doubles. */
+/* Narrows a cell with one root inside, until its ends are neighbours as doubles, and it is known whether the
+ * root is in the extent. */
 static void add_bracket(task *t, place at) {
     while (at.depth < DEPTH) {
         algsurf_dd lo = t_at(t, at.position, at.depth), hi = t_at(t, at.position + 1, at.depth);
-        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi) break;
+        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi && in_extent(t, at, 0) != 0) break;
         halve(t);
         at.depth++;
         at.position *= 2;
@@ -337,20 +435,25 @@ static void search(task *t) {
         add_root(t, ALGSURF_HIT, ALGSURF_OK, (place){1, 0}, 0);
 }
 
-int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray, double lo, double hi,
-                          algsurf_i_want want, algsurf_i_exact_root *roots) {
+int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray,
+                          const algsurf_extent *extent, double lo, double hi, algsurf_i_want want,
+                          algsurf_i_exact_root *roots) {
     task t = {.surface = surface, .lo = lo, .hi = hi, .n = surface->degree, .want = want, .roots = roots};
+    t.extent = extent;
     if ((isinf(lo) && isinf(hi)) || !measure(&t, ray)) return -1;
     size_t form = (size_t)(t.n + 1) * (size_t)t.size;
-    t.memory = malloc((5 * form + (size_t)t.size) * sizeof *t.memory);
+    t.memory = malloc((5 * form + (5 * QUADRATIC + 1) * (size_t)t.size) * sizeof *t.memory);
     if (!t.memory) return -1;
     t.row = t.memory;
     t.level = t.row + form;
     t.total = t.level + form;
     t.left = t.total + form;
     t.right = t.left + form;
-    t.spare = t.right + form;
+    t.inside = t.right + form;
+    t.part = t.inside + 3 * QUADRATIC * (size_t)t.size;
+    t.spare = t.part + 2 * QUADRATIC * (size_t)t.size;
     expand(&t);
+    if (extent) set_extent(&t);
     search(&t);
     free(t.memory);
     return t.count;

@@ -3,6 +3,7 @@
 #define ALGSURF_INTERSECT_IMPL_H
 #include "algsurf/intersect.h"
 #include "expand_impl.h"
+#include "ray_impl.h"
 
 /* A root along a ray, or a place where one may be.  Positions are offsets from the frame's centre in
  * its natural parameter s, kept apart so that a far origin costs nothing. */
@@ -24,10 +25,11 @@ int algsurf_i_ray_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                         algsurf_i_ray_root *roots, int capacity);
 
 /* The same with what the tier and the caller's choice make of doubt: the certified tier decides it by exact
- * arithmetic where that can be. */
+ * arithmetic where that can be, and leaves out what is on the ray but not in the extent of the edges. */
 int algsurf_i_decided_roots(const algsurf_surface *surface, const algsurf_ray *ray,
-                            const algsurf_intersect_options *options, algsurf_i_want want,
-                            algsurf_i_frame *frame, algsurf_i_ray_root *roots, int capacity);
+                            const algsurf_i_edges *edges, const algsurf_intersect_options *options,
+                            algsurf_i_want want, algsurf_i_frame *frame, algsurf_i_ray_root *roots,
+                            int capacity);
 
 /* Reads and checks a caller's options (null: the defaults); a kernel's name becomes the library's own string.
  */

@@ -243,8 +243,9 @@ static int single_point(search *s) {
     algsurf_dd here = algsurf_dd_from(0);
     double t = s->ray->t_min;
     if (sign == 1 || sign == -1) return 0;
+    algsurf_status reason = s->surface->error > 0 ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE;
     s->roots[0] = sign == 0 ? (algsurf_i_ray_root){ALGSURF_HIT, ALGSURF_OK, 0, here, t, t}
-                            : (algsurf_i_ray_root){ALGSURF_UNCERTAIN, ALGSURF_UNDECIDED_RANGE, 0, here, t, t};
+                            : (algsurf_i_ray_root){ALGSURF_UNCERTAIN, reason, 0, here, t, t};
     return 1;
 }
 

@@ -17,6 +17,8 @@
  */
 #include "ray_impl.h"
 
+#include <float.h>
+
 #include "eft.h"
 #include "fpenv.h"
 #include "vec.h"
@@ -126,6 +128,43 @@ int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, 
     *chord = *ray;
     chord->t_min = t_min;
     chord->t_max = t_max;
+    return 1;
+}
+
+/* An extent larger by d is entered earlier by d / |direction| or more, the sphere's radius and the box's half
+ * sizes alike; the clip is off by less than 2^-47 of the distance from the origin to its far side.  d is
+ * 2^-44 of that, and more than what underflows. */
+static double margin(const algsurf_extent *extent, const algsurf_ray *ray) {
+    double far = 0;
+    for (int i = 0; i < 3; i++) {
+        double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0];
+        far = fmax(far, 0.25 * fabs(ray->origin[i]) + 0.25 * fabs(extent->centre[i]) + 0.25 * size);
+    }
+    return fmin(0x1p-41 * far + 0x1p-1060, 0.25 * DBL_MAX);
+}
+
+int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                             algsurf_i_edges *edges) {
+    *edges = (algsurf_i_edges){NULL, -HUGE_VAL, HUGE_VAL};
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
+    algsurf_extent outer = *extent, inner = *extent;
+    algsurf_ray sure;
+    int sizes = extent->kind == ALGSURF_EXTENT_BOX ? 3 : 1, solid = 1;
+    double d = margin(extent, ray);
+    for (int i = 0; i < sizes; i++) {
+        outer.size[i] = fmin(extent->size[i] + d, DBL_MAX);
+        inner.size[i] = extent->size[i] - d;
+        solid &= inner.size[i] > 0;
+    }
+    if (!algsurf_i_extent_clip(&outer, ray, chord)) return 0;
+    edges->extent = extent;
+    if (solid && algsurf_i_extent_clip(&inner, ray, &sure)) {
+        edges->inner_lo = sure.t_min;
+        edges->inner_hi = sure.t_max;
+    } else {
+        edges->inner_lo = HUGE_VAL;
+        edges->inner_hi = -HUGE_VAL;
+    }
     return 1;
 }
 

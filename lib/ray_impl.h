@@ -12,4 +12,15 @@ algsurf_status algsurf_i_extent_check(const algsurf_extent *extent);
 /* algsurf_extent_clip for checked arguments, in the standard floating-point environment. */
 int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord);
 
+/* The chord of an extent a little larger, and which part of it is inside for sure: a line enters and leaves
+ * the extent at irrational places, which the ends of a chord only approximate. */
+typedef struct algsurf_i_edges {
+    const algsurf_extent *extent; /* null: all of the chord is inside */
+    double inner_lo, inner_hi;    /* no part is for sure if inner_lo > inner_hi */
+} algsurf_i_edges;
+
+/* Checked arguments, as above: returns 0 when the ray surely has no point in the extent. */
+int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                             algsurf_i_edges *edges);
+
 #endif

@@ -211,10 +211,12 @@ static void set_strides(algsurf_surface *s) {
     for (int axis = 0; axis < 3; axis++) s->stride[axis] = odd[axis] ? 1 : 2;
 }
 
-static ALGSURF_NOINLINE algsurf_status make(const algsurf_term *terms, size_t count,
-                                            algsurf_surface **surface) {
+ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error,
+                                                       double rounding, algsurf_surface **surface) {
     algsurf_surface *s = calloc(1, sizeof *s);
     if (!s) return ALGSURF_E_NO_MEMORY;
+    s->error = error * (1 + 0x1p-20);
+    s->rounding = rounding;
     algsurf_status status = store_terms(s, terms, count);
     if (status == ALGSURF_OK) {
         choose_unit(s);
@@ -239,10 +241,23 @@ algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t coun
     if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = make(terms, count, surface);
+    status = algsurf_i_surface_make(terms, count, 0, 0, surface);
     algsurf_fpenv_leave(&saved);
     return status;
 }
+
+algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
+                                          algsurf_surface **approximate) {
+    if (!surface || !approximate || !(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status =
+        algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+double algsurf_surface_rounding(const algsurf_surface *surface) { return surface ? surface->rounding : 0; }
 
 void algsurf_surface_free(algsurf_surface *surface) {
     if (!surface) return;

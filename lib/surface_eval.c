@@ -29,7 +29,7 @@
 
 #define ETA 0x1p-960
 
-static double bound_factor(int degree) { return (4 * degree + 8) * ALGSURF_U; }
+static double bound_factor(const algsurf_surface *s) { return (4 * s->degree + 8) * ALGSURF_U + s->error; }
 
 /* A value and its three derivatives. */
 typedef struct jet {
@@ -113,6 +113,14 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
     return p.v;
 }
 
+/* By the mean value theorem P moves by at most reach times its derivatives' magnitudes at |x| + reach. */
+int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]) {
+    jet m = magnitudes(s, fabs(x[0]) + reach[0], fabs(x[1]) + reach[1], fabs(x[2]) + reach[2]);
+    double moved = m.x * reach[0] + m.y * reach[1] + m.z * reach[2], value = value_only(s, x[0], x[1], x[2]);
+    double bound = bound_factor(s) * m.v + (1 + 0x1p-20) * moved;
+    return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
 /* A number with an error bound. */
 typedef struct bounded {
     double value, bound;
@@ -153,7 +161,8 @@ static bounded wide_sum(const algsurf_surface *s, const double point[3], int by)
         sum += product;
         magnitude += fabs(product);
     }
-    double bound = (double)(s->term_count + (size_t)s->degree + 8) * ALGSURF_U * magnitude;
+    double factor = (double)(s->term_count + (size_t)s->degree + 8) * ALGSURF_U + s->error;
+    double bound = factor * magnitude;
     return (bounded){ldexp(sum, top), ldexp(bound, top) + 0x1p-1073};
 }
 
@@ -185,7 +194,7 @@ static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double 
     if (to_natural(s, point, x)) {
         jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
         if (in_range(s, x, m.v)) {
-            return to_caller(value_only(s, x[0], x[1], x[2]), bound_factor(s->degree) * m.v, -s->scale);
+            return to_caller(value_only(s, x[0], x[1], x[2]), bound_factor(s) * m.v, -s->scale);
         }
     }
     return wide_sum(s, point, -1);
@@ -198,7 +207,7 @@ static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double 
         jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
         if (in_range(s, x, m.v) && in_range(s, x, m.x + m.y + m.z)) {
             jet p = value_and_gradient(s, x[0], x[1], x[2]);
-            double factor = bound_factor(s->degree);
+            double factor = bound_factor(s);
             of[0] = to_caller(p.v, factor * m.v, -s->scale);
             of[1] = to_caller(p.x, factor * m.x, -s->scale - s->unit);
             of[2] = to_caller(p.y, factor * m.y, -s->scale - s->unit);

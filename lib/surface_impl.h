@@ -6,6 +6,9 @@
  * value, unless it leaves the range of double.  `inexact` tells that a coefficient did (it then is
  * off by at most 2^-1074, far below any bound's absolute part).
  *
+ * A surface with an `error` stands for all polynomials whose coefficients are off by up to that part of their
+ * magnitude: bounds get error times the scheme on magnitudes more, and exact arithmetic has nothing to say.
+ *
  * Horner's scheme nests x in y in z.  For each power k of z a level, for each power j of y in it a
  * row: the dense coefficients of x^0 .. x^(length-1), length 0 when the row is empty.
  */
@@ -28,6 +31,8 @@ struct algsurf_surface {
     int unit, scale;
     int inexact;
     double smallest; /* least magnitude of the non-zero coef */
+    double error;    /* relative, of each coef; a little more, for the rounding of bounds */
+    double rounding; /* relative, with which the coefficients stand for an equation's */
     size_t term_count;
     algsurf_term *terms; /* the caller's coefficients, merged, sorted by decreasing k, j, i */
     int level_count;     /* degree in z plus one */
@@ -48,12 +53,19 @@ struct algsurf_surface {
  * for 20, 80 % for 24. */
 #define ALGSURF_MAX_PACKET_DEGREE 20
 
+/* A surface from checked terms, in the standard environment. */
+algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error, double rounding,
+                                      algsurf_surface **surface);
+
 /* Sets node_degree, nodes, to_bernstein and amplification; 0 when there is no memory. */
 int algsurf_i_surface_set_nodes(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
+
+/* P's sign at all points within `reach` of x in each coordinate, natural units; 0 when it may change there. */
+int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]);
 
 /* The gradient at a complex point, same units. */
 typedef struct algsurf_i_complex {

@@ -20,7 +20,9 @@ typedef enum algsurf_tier {
                                   uncertain are only multiple roots (a ray that exactly touches), roots closer
                                   than 2^-60 of what double-double leaves open, rays in the surface, and rays
                                   whose numbers span thousands of digits.  An uncertain ray allocates memory,
-                                  and stays uncertain if there is none */
+                                  and stays uncertain if there is none.  The extent counts as exact: a root
+                                  as close to its surface as the ends of a chord can be rounded is in it or
+                                  not (in the other tiers it may go either way); uncertain is one on it */
 } algsurf_tier;
 
 /* What becomes of an uncertain place. */

@@ -1,7 +1,8 @@
 /* algsurf/surface.h - an algebraic surface P(x,y,z) = 0.
  *
  * A surface is an immutable polynomial whose coefficients are doubles, taken as exact numbers.
- * It may be shared by any number of threads; nothing is allocated after it is made.
+ * It may be shared by any number of threads; nothing is allocated after it is made.  Where the doubles are
+ * themselves roundings, of sqrt(5) for one, algsurf_surface_with_error says so, and answers allow for it.
  */
 #ifndef ALGSURF_SURFACE_H
 #define ALGSURF_SURFACE_H
@@ -65,6 +66,26 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,
                                                          algsurf_parse_error *error);
+
+/* How far the coefficients of a surface made from an equation are from those the equation has, numbers such as
+ * 11.8 and sqrt(5) taken for what they are (constants for the doubles given): the largest relative error, or
+ * a bound a little above it.  0 when the coefficients are computed from whole or binary numbers and all that
+ * occurs fits a double, and for surfaces from terms; some 2^-53 as a rule; infinite when a coefficient
+ * underflowed to 0.  Those that double-double could not tell from zero are not counted.  0 for null.
+ * Since 1.0. */
+ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
+
+/* The same surface with coefficients that are known up to a relative error only: it stands for all
+ * polynomials with coefficients a', |a' - a| <= error |a|, and what is said to be certain of it (states, that
+ * a root is the first, the intervals that enclose it, bounds of values) holds for each of them.  What differs
+ * among them is uncertain; the certified tier cannot decide it either.  With the error that
+ * algsurf_surface_rounding tells, answers are about the equation instead of its rounded coefficients.
+ *   error        0 <= error < 1; 0 for exact coefficients
+ *   approximate  receives the new surface; free it with algsurf_surface_free
+ * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
+                                                      algsurf_surface **approximate);
 
 /* Releases a surface; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_surface_free(algsurf_surface *surface);

@@ -1,0 +1,219 @@
+/* test_intersect_edges.c - the certified tier where the surface and the extent's surface all but share a
+ * point of the ray: a root within some units in the last place of where the ray enters or leaves the extent.
+ *
+ * The surface is two planes k x = m, and a factor without roots, so that the roots are rational numbers; the
+ * extent is made to end there, up to rounding.  Which roots are in it is decided over the rationals.
+ *
+ * Breaks caught, each tried: no margin, a negative one, edges not looked at, only the first or only the last
+ * looked at, P's change within an edge left out, a middle coefficient of the extent's forms wrong, their signs
+ * turned, one of the box's left out, cells narrowed only as far as doubles go.
+ */
+#include "intersect_case.h"
+
+#define SEED 71u
+
+enum { ROUNDS = 1500, PLANES = 2 };
+
+typedef struct edge_case {
+    intersect_case c;
+    algsurf_extent extent;
+    mpq_t root[PLANES]; /* in increasing order of t */
+    int sign[PLANES];   /* 1: inside the extent, -1: outside, 0: on its surface */
+} edge_case;
+
+static const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
+
+static _Noreturn void refuse(const edge_case *e, const intersect_answer *a, const char *what, int round) {
+    for (int i = 0; i < PLANES; i++) exact_print(e->sign[i] > 0 ? "inside" : "outside", e->root[i]);
+    exact_print_doubles("centre", e->extent.centre, 3), exact_print_doubles("size", e->extent.size, 3);
+    fprintf(stderr, "seed %u, round %d, extent of kind %d\n", SEED, round, (int)e->extent.kind);
+    intersect_fail(what, &e->c, a);
+}
+
+/* distance = o_i + t d_i - c_i. */
+static void from_centre(mpq_t distance, const edge_case *e, const mpq_t t, int axis) {
+    mpq_t q;
+    mpq_init(q);
+    exact_set(q, e->c.ray.direction[axis]);
+    mpq_mul(distance, q, t);
+    exact_set(q, e->c.ray.origin[axis]);
+    mpq_add(distance, distance, q);
+    exact_set(q, e->extent.centre[axis]);
+    mpq_sub(distance, distance, q);
+    mpq_clear(q);
+}
+
+/* square = |X - c|^2, or the square of one axis of it. */
+static void squared(mpq_t square, const edge_case *e, const mpq_t t, int axis) {
+    mpq_t q;
+    mpq_init(q);
+    mpq_set_ui(square, 0, 1);
+    for (int i = 0; i < 3; i++) {
+        if (axis >= 0 && i != axis) continue;
+        from_centre(q, e, t, i);
+        mpq_mul(q, q, q);
+        mpq_add(square, square, q);
+    }
+    mpq_clear(q);
+}
+
+static int sign_at(const edge_case *e, const mpq_t t) {
+    int sign = 1, box = e->extent.kind == ALGSURF_EXTENT_BOX;
+    mpq_t square, size;
+    mpq_inits(square, size, NULL);
+    for (int i = 0; i < (box ? 3 : 1); i++) {
+        squared(square, e, t, box ? i : -1);
+        exact_set(size, e->extent.size[i]);
+        mpq_mul(size, size, size);
+        int one = mpq_cmp(size, square);
+        one = (one > 0) - (one < 0);
+        sign = one < sign ? one : sign;
+    }
+    mpq_clears(square, size, NULL);
+    return sign;
+}
+
+static double short_number(uint64_t *seed) { return ldexp(floor(64 * exact_random_unit(seed)), -4); }
+
+/* A ray, and planes that it meets at positive t. */
+static int make_planes(edge_case *e, uint64_t *seed) {
+    char text[200];
+    int k[PLANES], m[PLANES];
+    mpq_t q;
+    for (int i = 0; i < 3; i++) {
+        e->c.ray.origin[i] = exact_random_int(seed, 2) ? short_number(seed) : 4 * exact_random_unit(seed);
+        e->c.ray.direction[i] = exact_random_int(seed, 5) ? exact_random_unit(seed) : 0;
+        e->extent.centre[i] = exact_random_int(seed, 2) ? 0 : short_number(seed);
+    }
+    if (e->c.ray.direction[0] == 0) e->c.ray.direction[0] = 0.75;
+    if (exact_random_int(seed, 4) == 0) /* from far away */
+        for (int i = 0; i < 3; i++) e->c.ray.origin[i] -= 1e6 * e->c.ray.direction[i];
+    e->c.ray.t_min = 0, e->c.ray.t_max = INFINITY;
+    mpq_init(q);
+    for (int i = 0; i < PLANES; i++) {
+        k[i] = 1 + exact_random_int(seed, 9), m[i] = exact_random_int(seed, 40) - 20;
+        mpq_set_si(e->root[i], m[i], (unsigned long)k[i]);
+        mpq_canonicalize(e->root[i]);
+        exact_set(q, e->c.ray.origin[0]);
+        mpq_sub(e->root[i], e->root[i], q);
+        exact_set(q, e->c.ray.direction[0]);
+        mpq_div(e->root[i], e->root[i], q);
+    }
+    mpq_clear(q);
+    if (mpq_cmp(e->root[0], e->root[1]) > 0) mpq_swap(e->root[0], e->root[1]);
+    if (mpq_sgn(e->root[0]) < 0 || mpq_equal(e->root[0], e->root[1])) return 0;
+    snprintf(text, sizeof text, "(%d x - (%d)) (%d x - (%d)) (x^2 + y^2 + z^2 + 1)", k[0], m[0], k[1], m[1]);
+    intersect_equation(&e->c, text);
+    return 1;
+}
+
+static double some_ulps_from(double x, uint64_t *seed) {
+    for (int step = exact_random_int(seed, 5) - 2; step != 0; step += step > 0 ? -1 : 1)
+        x = nextafter(x, step > 0 ? INFINITY : -INFINITY);
+    return x;
+}
+
+/* Ends at one of the roots. */
+static int make_extent(edge_case *e, uint64_t *seed) {
+    int box = exact_random_int(seed, 2), axis = box ? exact_random_int(seed, 3) : -1;
+    mpq_t square;
+    mpq_init(square);
+    squared(square, e, e->root[exact_random_int(seed, PLANES)], axis);
+    double size = some_ulps_from(sqrt(mpq_get_d(square)), seed);
+    mpq_clear(square);
+    e->extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
+    for (int i = 0; i < 3; i++) e->extent.size[i] = box ? 1 + 60 * fabs(exact_random_unit(seed)) : 0;
+    e->extent.size[box ? axis : 0] = size;
+    for (int i = 0; i < PLANES; i++) e->sign[i] = sign_at(e, e->root[i]);
+    return size > 0;
+}
+
+/* The answers, against the roots in the extent; one on its surface may be told, left out or uncertain. */
+static void judge(const edge_case *e, int round, int *ties) {
+    intersect_answer a;
+    int next = 0;
+    unsigned char packet, occluded;
+    const algsurf_ray *ray = &e->c.ray;
+    const algsurf_ray_packet one = {.size = sizeof one,
+                                    .count = 1,
+                                    .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
+                                    .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
+    const algsurf_hit_packet to = {.size = sizeof to, .state = &packet};
+    intersect_ask(&e->c, &e->extent, &certified, &a);
+    if (e->sign[0] == 0 || e->sign[1] == 0) {
+        ++*ties;
+        return;
+    }
+    for (int i = 0; i < PLANES; i++) {
+        if (e->sign[i] < 0) continue;
+        if (next == a.count) refuse(e, &a, "a root in the extent is missing", round);
+        const algsurf_hit *h = a.all + next;
+        if (h->state != ALGSURF_HIT) refuse(e, &a, "uncertain", round);
+        if (!exact_between(h->t_lo, e->root[i], h->t_hi)) refuse(e, &a, "not enclosed", round);
+        if (next == 0 &&
+            (a.first.state != ALGSURF_HIT || !exact_between(a.first.t_lo, e->root[i], a.first.t_hi)))
+            refuse(e, &a, "the first hit is another", round);
+        next++;
+    }
+    if (next < a.count) refuse(e, &a, "a root outside of the extent", round);
+    assert_int_equal(algsurf_intersect_packet(e->c.surface, &e->extent, &one, &certified, &to), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded_packet(e->c.surface, &e->extent, &one, &certified, &occluded),
+                     ALGSURF_OK);
+    int wanted = next > 0 ? ALGSURF_HIT : ALGSURF_MISS;
+    if (a.first.state != wanted || (int)a.occluded != wanted || packet != wanted || occluded != wanted)
+        refuse(e, &a, "calls disagree", round);
+}
+
+static void roots_at_the_edge(void **state) {
+    uint64_t seed = SEED;
+    int rounds = 0, ties = 0, inside = 0;
+    static edge_case e;
+    (void)state;
+    mpq_inits(e.root[0], e.root[1], NULL);
+    for (int i = 0; i < ROUNDS; i++) {
+        if (!make_planes(&e, &seed)) continue;
+        if (make_extent(&e, &seed)) {
+            judge(&e, i, &ties);
+            rounds++, inside += e.sign[0] > 0 || e.sign[1] > 0;
+        }
+        algsurf_surface_free(e.c.surface);
+    }
+    mpq_clears(e.root[0], e.root[1], NULL);
+    if (rounds < ROUNDS / 3 || ties * 5 > rounds || inside * 10 < rounds || inside * 10 > rounds * 9)
+        fail_msg("seed %u: %d rounds, %d ties, %d inside", SEED, rounds, ties, inside);
+}
+
+/* Lines that all but touch the extent, which the surface z = y crosses where they are nearest to its centre.
+ */
+static void grazing_lines(void **state) {
+    static const struct {
+        double height, radius;
+        int sphere, box;
+    } cases[] = {
+        {1, 1, ALGSURF_UNCERTAIN, ALGSURF_HIT}, /* touches the sphere at the root; is in a face of the box */
+        {0x1.0000000000001p0, 1, ALGSURF_MISS, ALGSURF_MISS},
+        {0x1.fffffffffffffp-1, 1, ALGSURF_HIT, ALGSURF_HIT},
+        {1, 0x1.0000000000001p0, ALGSURF_HIT, ALGSURF_HIT},
+        {1, 0x1.fffffffffffffp-1, ALGSURF_MISS, ALGSURF_MISS},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int kind = ALGSURF_EXTENT_SPHERE; kind <= ALGSURF_EXTENT_BOX; kind++) {
+            intersect_answer a;
+            static intersect_case c;
+            const algsurf_extent extent = {
+                (algsurf_extent_kind)kind, {0, 0, 0}, {cases[i].radius, cases[i].radius, cases[i].radius}};
+            int wanted = kind == ALGSURF_EXTENT_SPHERE ? cases[i].sphere : cases[i].box;
+            intersect_equation(&c, "x + x^3");
+            c.ray = (algsurf_ray){{-4, 0, cases[i].height}, {1, 0, 0}, 0, INFINITY};
+            intersect_ask(&c, &extent, &certified, &a);
+            if (a.first.state != wanted || a.count != (wanted != ALGSURF_MISS))
+                intersect_fail("grazing", &c, &a);
+            algsurf_surface_free(c.surface);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

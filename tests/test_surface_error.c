@@ -1,0 +1,251 @@
+/* test_surface_error.c - surfaces whose coefficients have an error: what is certain of them must hold for
+ * every surface they may stand for; and how well an equation's coefficients are rounded.
+ *
+ * Members are taken at random, each coefficient at one end of its range, at the other, or between.
+ *
+ * Breaks caught, each tried: the error left out of bounds of values, of expansions, of a picture's rows, of
+ * packets; q_ijk in place of its magnitudes in a picture; exact arithmetic on coefficients that are not
+ * exact; an error of computation not counted in the rounding.
+ */
+#include "intersect_case.h"
+
+#include "algsurf/algsurf.h"
+
+#define SEED 83u
+
+enum { MEMBERS = 3, SIDE = 48, TUBE = 3 };
+
+static intersect_case c, member;
+static intersect_answer answer;
+
+static const algsurf_tier tiers[] = {ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+
+static const char *const equations[] = {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", "x^2 z + y^2",
+                                        "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "(x-y)^2 + z^2 - 1/16",
+                                        "(x+y+z)^6 - 20 x^3 y + 3"};
+
+static double random_sign(uint64_t *seed) {
+    return exact_random_int(seed, 3) ? exact_random_int(seed, 3) - 1 : exact_random_unit(seed);
+}
+
+/* A surface that c.surface, with the error, stands for. */
+static void make_member(uint64_t *seed, double error) {
+    algsurf_term terms[INTERSECT_TERMS];
+    for (int i = 0; i < c.count; i++) {
+        terms[i] = c.terms[i];
+        double most = 0.999999 * error * fabs(terms[i].a);
+        terms[i].a += most * random_sign(seed);
+    }
+    assert_true(intersect_terms(&member, terms, c.count));
+    member.ray = c.ray;
+}
+
+static algsurf_surface *with_error(double error) {
+    algsurf_surface *s = NULL;
+    assert_int_equal(algsurf_surface_with_error(c.surface, error, &s), ALGSURF_OK);
+    return s;
+}
+
+static void random_ray(uint64_t *seed) {
+    double distance = exact_random_int(seed, 2) ? 6 : 0;
+    for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_unit(seed);
+    for (int i = 0; i < 3; i++) c.ray.origin[i] = 2 * exact_random_unit(seed) - distance * c.ray.direction[i];
+    c.ray.t_min = 0;
+    c.ray.t_max = exact_random_int(seed, 2) ? 8 : exact_random_int(seed, 2) ? 8 : INFINITY;
+}
+
+/* Certain answers of the surface with an error, single rays and a packet of one, held against its members. */
+static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *certain) {
+    const algsurf_ray *ray = &c.ray;
+    unsigned char state;
+    for (int t = 0; t < 2; t++) {
+        const algsurf_intersect_options o = {.size = sizeof o, .tier = tiers[t]};
+        const algsurf_ray_packet one = {
+            .size = sizeof one,
+            .count = 1,
+            .t_max = &ray->t_max,
+            .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
+            .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
+        const algsurf_hit_packet to = {.size = sizeof to, .state = &state};
+        assert_int_equal(algsurf_intersect_packet(s, NULL, &one, &o, &to), ALGSURF_OK);
+        for (int m = 0; m < MEMBERS; m++) {
+            make_member(seed, error);
+            algsurf_surface *own = member.surface;
+            member.surface = (algsurf_surface *)(uintptr_t)s;
+            intersect_ask(&member, NULL, &o, &answer);
+            member.surface = own;
+            exact_sturm chain = exact_sturm_along(member.terms, member.count, member.degree, ray);
+            const char *wrong = intersect_truth(&member, &chain, &answer);
+            int roots = exact_count_roots(&chain, ray->t_min, ray->t_max);
+            if (!wrong && state == ALGSURF_MISS && roots > 0) wrong = "packet misses";
+            if (!wrong && state == ALGSURF_HIT && roots == 0) wrong = "packet hits nothing";
+            if (wrong) intersect_fail(wrong, &member, &answer);
+            *certain += answer.first.state != ALGSURF_UNCERTAIN;
+            exact_sturm_clear(&chain);
+            algsurf_surface_free(own);
+        }
+    }
+}
+
+static void rays(void **state) {
+    static const double errors[] = {1e-2, 1e-5, 1e-14, 0x1p-53};
+    uint64_t seed = SEED;
+    int certain = 0, judged = 0;
+    (void)state;
+    for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
+        intersect_equation(&c, equations[e]);
+        for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
+            algsurf_surface *s = with_error(errors[k]);
+            for (int i = 0; i < 40; i++, judged += 2 * MEMBERS) {
+                random_ray(&seed);
+                judge(s, &seed, errors[k], &certain);
+            }
+            algsurf_surface_free(s);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (certain * 2 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
+}
+
+static void values(void **state) {
+    uint64_t seed = SEED;
+    (void)state;
+    for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
+        intersect_equation(&c, equations[e]);
+        algsurf_surface *s = with_error(1e-3);
+        for (int i = 0; i < 50; i++) {
+            double x[3], v, bound, g[3], g_bound[3], own, own_g[3];
+            for (int k = 0; k < 3; k++) x[k] = 2 * exact_random_unit(&seed);
+            make_member(&seed, 1e-3);
+            assert_int_equal(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound), ALGSURF_OK);
+            assert_int_equal(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL),
+                             ALGSURF_OK);
+            int within = fabs(own - v) <= bound;
+            for (int k = 0; k < 3; k++) within &= fabs(own_g[k] - g[k]) <= g_bound[k];
+            if (!within) fail_msg("seed %u, %s: %a at %a %a %a", SEED, equations[e], v, x[0], x[1], x[2]);
+            algsurf_surface_free(member.surface);
+        }
+        algsurf_surface_free(s);
+        algsurf_surface_free(c.surface);
+    }
+}
+
+/* About (off, off, 0): away from the origin the terms are larger than what they add up to. */
+static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double *t, uint64_t *uncertain) {
+    const double eye[3] = {off + 3, off - 4, 2}, at[3] = {off + 0.05, off + 0.03, 0.02}, up[3] = {0, 0, 1};
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {off, off, 0}, {2.5, 0, 0}};
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = ALGSURF_DOUBT_REPORT};
+    const algsurf_render_options o = {.size = sizeof o, .width = SIDE, .height = SIDE};
+    static uint8_t bytes[3 * SIDE * SIDE];
+    algsurf_render_stats stats = {.size = sizeof stats};
+    algsurf_camera camera;
+    algsurf_scene *scene = NULL;
+    assert_int_equal(algsurf_camera_pinhole(&camera, eye, at, up, 50), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_create(s, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &o, bytes, 3 * SIDE, t, &stats), ALGSURF_OK);
+    *uncertain = (uint64_t)stats.uncertain;
+    algsurf_scene_free(scene);
+}
+
+/* A picture's uncertain pixels are counted, not marked: members may differ from it in no more than those. */
+static void pictures(void **state) {
+    static double t[SIDE * SIDE], own[SIDE * SIDE];
+    uint64_t seed = SEED, uncertain, none;
+    (void)state;
+    for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
+        intersect_equation(&c, equations[e]);
+        algsurf_surface *s = with_error(5e-4);
+        double off = e == TUBE ? 12 : 0;
+        draw(s, off, ALGSURF_TIER_STANDARD, t, &uncertain);
+        for (int m = 0; m < 6; m++) {
+            uint64_t different = 0;
+            make_member(&seed, 5e-4);
+            draw(member.surface, off, ALGSURF_TIER_CERTIFIED, own, &none);
+            for (int i = 0; i < SIDE * SIDE; i++) different += isnan(t[i]) != isnan(own[i]);
+            if (different > uncertain || uncertain > SIDE * SIDE / 2)
+                fail_msg("seed %u, %s: %d pixels differ, %d are uncertain", SEED, equations[e],
+                         (int)different, (int)uncertain);
+            algsurf_surface_free(member.surface);
+        }
+        algsurf_surface_free(s);
+        algsurf_surface_free(c.surface);
+    }
+}
+
+static double rounding_of(const char *equation) {
+    intersect_equation(&c, equation);
+    double rounding = algsurf_surface_rounding(c.surface);
+    algsurf_surface_free(c.surface);
+    return rounding;
+}
+
+static void rounding(void **state) {
+    (void)state;
+    assert_true(rounding_of("x^2 + y^2 - 1.5 z^3 + 1/1024") == 0);
+    assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)/3*3") < 0x1p-90);
+    assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)^5 + sqrt(49/4)") == 0);
+    assert_true(rounding_of("0x1p-1074 x") == 0);
+    double decimal = rounding_of("x^2 - 0.1"); /* 0.1 as a double: 0x1.999999999999ap-4 */
+    assert_true(decimal > 0x1.9p-55 && decimal < 0x1.ap-54);
+    double root = rounding_of("x^2 - sqrt(5) y"); /* off by 0.36 of half a unit */
+    assert_true(root > 0x1p-56 && root <= 0x1.0001p-53);
+    assert_true(rounding_of("x^2 - sqrt(2)^2 y") < 0x1p-90); /* 2 but for the error of computing it */
+    assert_true(rounding_of("x^2 - sqrt(2)^2 y") > 0);
+    assert_true(rounding_of("x^2 - (sqrt(1 + 1e-24) - 1) y") > 0x1p-60); /* cancels */
+    assert_true(rounding_of("x - 0.1*1e-310") > 0x1p-50);
+    assert_true(algsurf_surface_rounding(NULL) == 0);
+}
+
+static void a_surface_with_error_is_the_same(void **state) {
+    algsurf_term given[40], kept[40];
+    (void)state;
+    intersect_equation(&c, "x^2 - 0.1 y + z^3");
+    algsurf_surface *s = with_error(algsurf_surface_rounding(c.surface)), *none = NULL;
+    assert_int_equal(algsurf_surface_degree(s), 3);
+    assert_int_equal(algsurf_surface_term_count(s), 3);
+    assert_true(algsurf_surface_rounding(s) == algsurf_surface_rounding(c.surface));
+    assert_int_equal(algsurf_surface_terms(c.surface, given), ALGSURF_OK);
+    assert_int_equal(algsurf_surface_terms(s, kept), ALGSURF_OK);
+    for (int i = 0; i < 3; i++)
+        assert_true(given[i].i == kept[i].i && given[i].j == kept[i].j && given[i].k == kept[i].k &&
+                    given[i].a == kept[i].a);
+    assert_int_equal(algsurf_surface_with_error(NULL, 0, &none), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_surface_with_error(s, 0, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_surface_with_error(s, 1, &none), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_surface_with_error(s, -1e-9, &none), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_surface_with_error(s, NAN, &none), ALGSURF_E_ARGUMENT);
+    assert_null(none);
+    algsurf_surface_free(s);
+    algsurf_surface_free(c.surface);
+}
+
+/* A point that is on the surface for some coefficients only. */
+static void a_point(void **state) {
+    const algsurf_intersect_options o = {.size = sizeof o, .tier = ALGSURF_TIER_CERTIFIED};
+    algsurf_hit hit;
+    (void)state;
+    intersect_equation(&c, "x - 1");
+    algsurf_surface *s = with_error(0x1p-53);
+    const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
+    assert_int_equal(algsurf_intersect_first(s, NULL, &at_one, &o, &hit), ALGSURF_OK);
+    assert_int_equal(hit.state, ALGSURF_UNCERTAIN);
+    assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
+    assert_int_equal(algsurf_intersect_first(s, NULL, &beside, &o, &hit), ALGSURF_OK);
+    assert_int_equal(hit.state, ALGSURF_MISS);
+    algsurf_surface_free(s);
+    algsurf_surface_free(c.surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rays),
+                                       cmocka_unit_test(values),
+                                       cmocka_unit_test(pictures),
+                                       cmocka_unit_test(rounding),
+                                       cmocka_unit_test(a_surface_with_error_is_the_same),
+                                       cmocka_unit_test(a_point)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
