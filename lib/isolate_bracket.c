@@ -56,6 +56,11 @@ static double end_of(const algsurf_i_stretch *s, const algsurf_i_cell *cell, int
     return fmin(fmax(x, s->lo), s->hi) + 0.0; /* no -0 */
 }
 
+/* -1, 1: all of a cell lies beyond the largest double, on the negative or the positive side. */
+static int beyond_range(const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
+    return end_of(s, cell, 1, 0) == -HUGE_VAL ? -1 : end_of(s, cell, -1, 0) == HUGE_VAL;
+}
+
 /* A double next to the right end of a cell, not beyond it. */
 static double right_inside(const algsurf_i_stretch *s, const algsurf_i_cell *cell) {
     return end_of(s, cell, 1, cell->piece->far ? -2 : -1);
@@ -180,7 +185,13 @@ static int add_bracket(algsurf_i_brackets *found, const algsurf_i_coefficients *
     int before = sign_before(p, s, cell), added = 0;
     algsurf_bracket open = {lo, end_of(s, cell, 1, 2),     ALGSURF_ROOT_UNDECIDED, 0,
                             1,  ALGSURF_UNDECIDED_MULTIPLE};
-    if (lo == last && last > inside) return add_undecided(found, p, s, cell, open);
+    int beyond = beyond_range(s, cell);
+    if (beyond) {
+        open.lo = beyond < 0 ? -HUGE_VAL : DBL_MAX;
+        open.hi = beyond < 0 ? -DBL_MAX : HUGE_VAL;
+        open.status = ALGSURF_UNDECIDED_RANGE;
+    }
+    if (beyond || (lo == last && last > inside)) return add_undecided(found, p, s, cell, open);
     if (isinf(lo)) lo = draw_in(p, lo, hi);
     if (isinf(hi)) hi = draw_in(p, hi, lo);
     int at_lo = move_in(p, &lo, hi, 1), at_hi = move_in(p, &hi, lo, hi == s->hi || hi == lo);

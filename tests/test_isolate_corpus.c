@@ -240,6 +240,7 @@ static void test_roots_between_doubles(void **state) {
         {1, {-least, 1024}, least, inf, ALGSURF_OK, 0, {{0, 0, 0}}},
         {2, {1, 5, 0x1p-1060}, -inf, inf, range, 2, {{OPEN, -inf, -DBL_MAX}, {BRACKET, -1, 1}}},
         {2, {1, -5, 0x1p-1060}, 0, inf, range, 2, {{BRACKET, 0, 1}, {OPEN, DBL_MAX, inf}}},
+        {3, {71, DBL_MAX, 1, 0x1p-1074}, -inf, 5, range, 2, {{OPEN, -inf, -DBL_MAX}, {BRACKET, -1, 0}}},
         {1, {1, -0x1p-1060}, 0, inf, range, 1, {{OPEN, DBL_MAX, inf}}},
         {1, {1, -0x1p-1060}, 0, DBL_MAX, ALGSURF_OK, 0, {{0, 0, 0}}},
         {1, {1, 0x1p-1060}, -inf, 0, range, 1, {{OPEN, -inf, -DBL_MAX}}},
