@@ -78,8 +78,8 @@ static int touches_edges(const algsurf_i_edges *edges, double lo, double hi) {
     return edges && edges->extent && !(lo >= edges->inner_lo && hi <= edges->inner_hi);
 }
 
-/* Is P of one sign for all lo <= t <= hi, which are close together? */
-static int keeps_sign(const algsurf_surface *s, const algsurf_ray *ray, double lo, double hi) {
+/* Is P of one sign for all lo <= t <= hi, which are close together?  In double, at the point between them. */
+static int keeps_sign_d(const algsurf_surface *s, const algsurf_ray *ray, double lo, double hi) {
     double x[3], reach[3], middle = 0.5 * lo + 0.5 * hi, half = 0.5 * (hi - lo) + 0x1p-51 * fabs(middle);
     for (int i = 0; i < 3; i++) {
         double at = fma(middle, ray->direction[i], ray->origin[i]);
@@ -89,6 +89,25 @@ static int keeps_sign(const algsurf_surface *s, const algsurf_ray *ray, double l
     }
     return algsurf_is_finite3(x) && algsurf_is_finite3(reach) &&
            algsurf_i_surface_sign_near(s, x, reach) != 0;
+}
+
+/* In double-double: along the chord P is q_0 and at most the sum of the other |q_k|. */
+static int keeps_sign_dd(const algsurf_surface *s, const algsurf_ray *ray, double lo, double hi) {
+    algsurf_ray chord = *ray;
+    algsurf_i_frame f;
+    algsurf_dd q[ALGSURF_MAX_DEGREE + 1];
+    double r[ALGSURF_MAX_DEGREE + 1];
+    chord.t_min = lo;
+    chord.t_max = hi;
+    algsurf_i_frame_of(s, &chord, 1, &f);
+    algsurf_i_expand_dd(s, f.X, f.D, q, r);
+    double rest = r[0];
+    for (int k = 1; k <= s->degree; k++) rest += fabs(q[k].hi) + r[k];
+    return !f.lost && fabs(q[0].hi) > (1 + 0x1p-40) * rest;
+}
+
+static int keeps_sign(const algsurf_surface *s, const algsurf_ray *ray, double lo, double hi) {
+    return keeps_sign_d(s, ray, lo, hi) || keeps_sign_dd(s, ray, lo, hi);
 }
 
 /* May one of the roots, or places, be outside of the extent? */

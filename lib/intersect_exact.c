@@ -3,8 +3,12 @@
  * All doubles are integers times powers of two, so on [lo,hi], t = lo (1-s) + hi s, the point (X, w) of the
  * ray, homogeneous, is linear in s, and 2^S times it has integer ends.  P, made homogeneous of its degree n,
  * is then a form of degree n in (1-s, s) with integer coefficients c_k; with an infinite end it is the same
- * with the direction, w = 0, for that end.  The numbers k! (n-k)! c_k are n! times its Bernstein
- * coefficients: their signs count roots, and de Casteljau's scheme without its halves bisects, exactly.
+ * with the direction, w = 0, for that end, times 2^m, about the size of the other one.  The numbers
+ * k! (n-k)! c_k are n! times its Bernstein coefficients: their signs count roots, and de Casteljau's scheme
+ * without its halves bisects, exactly.
+ *
+ * Bisection ends DEPTH deep.  Where [lo,hi] is long against the place left open then, that place becomes an
+ * interval of its own, between doubles, and so does what lies on either side of it.
  *
  * A point is in a sphere where R^2 w^2 - |X - c w|^2 >= 0, in a box where h_i^2 w^2 - (X_i - c_i w)^2 >= 0:
  * quadratic forms, to which the same is done.
@@ -22,9 +26,10 @@
 #include "eft_integer.h"
 
 enum {
-    DEPTH = 60,          /* of bisection */
-    MOST_WORDS = 4096,   /* of an integer */
-    MOST_EXPONENT = 4300 /* U: what fits in a factor */
+    DEPTH = 60,           /* of bisection */
+    MOST_WORDS = 4096,    /* of an integer */
+    MOST_EXPONENT = 4300, /* U: what fits in a factor */
+    GAIN = 30             /* bits by which a place must be shorter than its interval to be worth a new one */
 };
 
 typedef struct linear {
@@ -34,6 +39,8 @@ typedef struct linear {
 typedef struct task {
     const algsurf_surface *surface;
     double lo, hi;
+    int open_lo;           /* a root at lo is not looked for */
+    int far;               /* m: where an end is infinite, t is lo + 2^m s/(1-s), or hi - 2^m (1-s)/s */
     int n, size;           /* degree; words of an integer */
     int shift;             /* S; w is 2^S at finite ends */
     int coefficient_shift; /* of the surface's coefficients */
@@ -44,6 +51,7 @@ typedef struct task {
     algsurf_i_want want;
     algsurf_i_exact_root *roots;
     int count;
+    double place_lo, place_hi; /* what is to be an interval of its own, if place_lo <= place_hi */
 } task;
 
 /* A cell [position, position + 1] 2^-depth of [0,1]. */
@@ -194,13 +202,13 @@ static void take_product(span *s, double a, double b, int unit) {
     widen(s, algsurf_i_last_bit(a) + algsurf_i_last_bit(b) - unit, ilogb(a) + ilogb(b) + 2 - unit);
 }
 
-/* 2^shift (origin + t direction) 2^-unit; for t = -inf, inf the direction's. */
-static void set_end(algsurf_i_factor *end, double origin, double direction, double t, int shift) {
+/* 2^shift (origin + t direction) 2^-unit; for t = -inf, inf 2^far times the direction's. */
+static void set_end(algsurf_i_factor *end, double origin, double direction, double t, int far, int shift) {
     uint32_t sum[ALGSURF_FACTOR_WORDS] = {0};
     const uint32_t one[ALGSURF_FACTOR_WORDS] = {1};
     algsurf_i_factor f;
     if (isinf(t)) {
-        algsurf_i_factor_of(end, t < 0 ? -direction : direction, shift);
+        algsurf_i_factor_of(end, t < 0 ? -direction : direction, shift + far);
         return;
     }
     algsurf_i_factor_of(&f, origin, shift);
@@ -222,7 +230,7 @@ static int measure(task *t, const algsurf_ray *ray) {
     span ends = {0, 1}, coefficients = {0, 1};
     for (int i = 0; i < 3; i++) {
         take_number(&ends, ray->origin[i], s->unit);
-        take_number(&ends, ray->direction[i], s->unit);
+        take_number(&ends, ray->direction[i], s->unit - t->far);
         if (!isinf(t->lo)) take_product(&ends, ray->direction[i], t->lo, s->unit);
         if (!isinf(t->hi)) take_product(&ends, ray->direction[i], t->hi, s->unit);
         if (!t->extent) continue;
@@ -244,8 +252,8 @@ static int measure(task *t, const algsurf_ray *ray) {
     t->shift = -ends.least;
     t->coefficient_shift = -coefficients.least;
     for (int i = 0; i < 3; i++) {
-        set_end(&t->x[i].at[0], ray->origin[i], ray->direction[i], t->lo, t->shift - s->unit);
-        set_end(&t->x[i].at[1], ray->origin[i], ray->direction[i], t->hi, t->shift - s->unit);
+        set_end(&t->x[i].at[0], ray->origin[i], ray->direction[i], t->lo, t->far, t->shift - s->unit);
+        set_end(&t->x[i].at[1], ray->origin[i], ray->direction[i], t->hi, t->far, t->shift - s->unit);
     }
     return 1;
 }
@@ -329,12 +337,15 @@ static algsurf_dd t_at(const task *t, uint64_t position, int depth) {
     algsurf_dd before = algsurf_two_sum(ldexp((double)(position >> 32), 32), (double)(uint32_t)position);
     algsurf_dd behind =
         algsurf_two_sum(ldexp((double)((whole - position) >> 32), 32), (double)(uint32_t)(whole - position));
+    double unit = ldexp(1, t->far);
     if (isinf(t->hi))
-        return position == whole ? algsurf_dd_from(t->hi)
-                                 : algsurf_dd_add_d(algsurf_dd_div(before, behind), t->lo);
+        return position == whole
+                   ? algsurf_dd_from(t->hi)
+                   : algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(before, behind), unit), t->lo);
     if (isinf(t->lo))
-        return position == 0 ? algsurf_dd_from(t->lo)
-                             : algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(behind, before), -1), t->hi);
+        return position == 0
+                   ? algsurf_dd_from(t->lo)
+                   : algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(behind, before), -unit), t->hi);
     algsurf_dd share = algsurf_dd_scale(before, ldexp(1, -depth));
     return algsurf_dd_add_d(algsurf_dd_mul(algsurf_two_sum(t->hi, -t->lo), share), t->lo);
 }
@@ -344,6 +355,25 @@ static double outward(const task *t, algsurf_dd at, int side) {
     double size = fabs(at.hi) + (isinf(t->lo) ? 0 : fabs(t->lo)) + (isinf(t->hi) ? 0 : fabs(t->hi));
     double moved = nextafter(at.hi + side * (0x1p-85 * size), side * HUGE_VAL);
     return fmin(fmax(nextafter(moved, side * HUGE_VAL), t->lo), t->hi);
+}
+
+static double end_size(double end) { return isinf(end) ? 0 : fabs(end); }
+
+/* A cell is as narrow as bisection makes it: is it so much shorter than [lo,hi] that it is worth an interval
+ * of its own?  Then it is noted. */
+static int set_apart(task *t, place at) {
+    double lo = outward(t, t_at(t, at.position, at.depth), -1);
+    double hi = outward(t, t_at(t, at.position + 1, at.depth), 1);
+    double size = fmax(end_size(t->lo), end_size(t->hi));
+    int gained;
+    if (isinf(lo) || isinf(hi))
+        gained = fmax(end_size(lo), end_size(hi)) >= ldexp(fmax(size, 1), GAIN);
+    else
+        gained = isinf(t->lo) || isinf(t->hi) || hi - lo <= ldexp(t->hi - t->lo, -GAIN);
+    if (!gained) return 0;
+    t->place_lo = lo;
+    t->place_hi = hi;
+    return 1;
 }
 
 /* When there is no room the last one grows, and is uncertain. */
@@ -386,10 +416,18 @@ static void add_bracket(task *t, place at) {
             return;
         }
     }
-    add_root(t, ALGSURF_HIT, ALGSURF_OK, at, 1);
+    if (at.depth < DEPTH || !set_apart(t, at)) add_root(t, ALGSURF_HIT, ALGSURF_OK, at, 1);
+}
+
+static int set_a_place_apart(const task *t) { return t->place_lo <= t->place_hi; }
+
+static void forget_place(task *t) {
+    t->place_lo = 1;
+    t->place_hi = 0;
 }
 
 static int satisfied(const task *t) {
+    if (set_a_place_apart(t)) return 1;
     if (t->count == 0 || t->want == ALGSURF_WANT_ALL) return 0;
     return t->want == ALGSURF_WANT_FIRST || t->roots[t->count - 1].state == ALGSURF_HIT;
 }
@@ -399,12 +437,14 @@ static int satisfied(const task *t) {
 static void search_cell(task *t, place at, place *later, int *waiting) {
     int left_end = 1; /* it has not been looked at */
     for (;;) {
-        if (left_end && algsurf_i_integer_sign(t->right, t->size) == 0 && !(at.position == 0 && isinf(t->lo)))
+        if (left_end && algsurf_i_integer_sign(t->right, t->size) == 0 &&
+            !(at.position == 0 && (t->open_lo || isinf(t->lo))))
             add_root(t, ALGSURF_HIT, ALGSURF_OK, at, 0);
         if (satisfied(t)) return;
         int count = variations(t, t->right);
         if (count == 1) add_bracket(t, at);
-        if (count > 1 && at.depth == DEPTH) add_root(t, ALGSURF_UNCERTAIN, ALGSURF_UNDECIDED_MULTIPLE, at, 1);
+        if (count > 1 && at.depth == DEPTH && !set_apart(t, at))
+            add_root(t, ALGSURF_UNCERTAIN, ALGSURF_UNDECIDED_MULTIPLE, at, 1);
         if (count <= 1 || at.depth == DEPTH) return;
         halve(t);
         at = (place){2 * at.position, at.depth + 1};
@@ -435,26 +475,49 @@ static void search(task *t) {
         add_root(t, ALGSURF_HIT, ALGSURF_OK, (place){1, 0}, 0);
 }
 
+/* One interval; 0 when there are too many digits, or no memory. */
+static int solve(task *t, const algsurf_ray *ray) {
+    double size = fmax(end_size(t->lo), end_size(t->hi));
+    t->far = (isinf(t->lo) || isinf(t->hi)) && size > 1 ? ilogb(size) : 0;
+    forget_place(t);
+    if ((isinf(t->lo) && isinf(t->hi)) || !measure(t, ray)) return 0;
+    size_t form = (size_t)(t->n + 1) * (size_t)t->size;
+    t->memory = malloc((5 * form + (5 * QUADRATIC + 1) * (size_t)t->size) * sizeof *t->memory);
+    if (!t->memory) return 0;
+    t->row = t->memory;
+    t->level = t->row + form;
+    t->total = t->level + form;
+    t->left = t->total + form;
+    t->right = t->left + form;
+    t->inside = t->right + form;
+    t->part = t->inside + 3 * QUADRATIC * (size_t)t->size;
+    t->spare = t->part + 2 * QUADRATIC * (size_t)t->size;
+    expand(t);
+    if (t->extent) set_extent(t);
+    search(t);
+    free(t->memory);
+    return 1;
+}
+
+/* [lo,hi], or (lo,hi]; what has been set apart, and what is beside it, each in its turn. */
+static int solve_parts(task *t, const algsurf_ray *ray, double lo, double hi, int open_lo) {
+    int before = t->count;
+    t->lo = lo;
+    t->hi = hi;
+    t->open_lo = open_lo;
+    if (!solve(t, ray)) return 0;
+    if (!set_a_place_apart(t)) return 1;
+    double from = t->place_lo, to = t->place_hi;
+    t->count = before;
+    forget_place(t);
+    if (lo < from && !solve_parts(t, ray, lo, from, open_lo)) return 0;
+    if (!satisfied(t) && !solve_parts(t, ray, from, to, lo < from || open_lo)) return 0;
+    return satisfied(t) || to >= hi || solve_parts(t, ray, to, hi, 1);
+}
+
 int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                           const algsurf_extent *extent, double lo, double hi, algsurf_i_want want,
                           algsurf_i_exact_root *roots) {
-    task t = {.surface = surface, .lo = lo, .hi = hi, .n = surface->degree, .want = want, .roots = roots};
-    t.extent = extent;
-    if ((isinf(lo) && isinf(hi)) || !measure(&t, ray)) return -1;
-    size_t form = (size_t)(t.n + 1) * (size_t)t.size;
-    t.memory = malloc((5 * form + (5 * QUADRATIC + 1) * (size_t)t.size) * sizeof *t.memory);
-    if (!t.memory) return -1;
-    t.row = t.memory;
-    t.level = t.row + form;
-    t.total = t.level + form;
-    t.left = t.total + form;
-    t.right = t.left + form;
-    t.inside = t.right + form;
-    t.part = t.inside + 3 * QUADRATIC * (size_t)t.size;
-    t.spare = t.part + 2 * QUADRATIC * (size_t)t.size;
-    expand(&t);
-    if (extent) set_extent(&t);
-    search(&t);
-    free(t.memory);
-    return t.count;
+    task t = {.surface = surface, .extent = extent, .n = surface->degree, .want = want, .roots = roots};
+    return solve_parts(&t, ray, lo, hi, 0) ? t.count : -1;
 }

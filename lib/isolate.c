@@ -17,6 +17,7 @@ typedef struct task {
     int first_only;
     int zero_at_lo, zero_at_hi; /* ends, not 0, that are known to be roots */
     algsurf_i_brackets found;
+    int counted; /* intervals, in all walks */
 } task;
 
 /* Coefficients above the zeros in units of 2^exponent, scaled so that the largest is about 1. */
@@ -52,15 +53,17 @@ static int finished(const task *t) {
 
 /* One stretch in double; returns 0 when a cell stayed undecided. */
 static int walk_d(task *t, const algsurf_i_stretch *s) {
+    int decided = 1;
     double q[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
     algsurf_i_walk_d walk;
     algsurf_i_piece pieces[3];
     algsurf_i_cell cell;
     scale(&t->p, s->exponent, q, r);
     algsurf_i_walk_begin_d(&walk, q, r, t->p.degree - t->p.zeros, 1, pieces, pieces_of(t, s, pieces));
-    while (!finished(t) && algsurf_i_walk_next_d(&walk, &cell))
-        if (cell.kind != ALGSURF_ROOT_BRACKET || !algsurf_i_add_cell(&t->found, &t->p, s, &cell)) return 0;
-    return 1;
+    while (decided && !finished(t) && algsurf_i_walk_next_d(&walk, &cell))
+        decided = cell.kind == ALGSURF_ROOT_BRACKET && algsurf_i_add_cell(&t->found, &t->p, s, &cell);
+    t->counted += walk.counted;
+    return decided;
 }
 
 /* One stretch in double-double; returns 0 when there was no room for another entry. */
@@ -70,13 +73,14 @@ static int walk_dd(task *t, const algsurf_i_stretch *s) {
     algsurf_i_walk_dd walk;
     algsurf_i_piece pieces[3];
     algsurf_i_cell cell;
-    int n = t->p.degree - t->p.zeros;
+    int n = t->p.degree - t->p.zeros, fits = 1;
     scale(&t->p, s->exponent, q, r);
     for (int k = 0; k <= n; k++) wide[k] = algsurf_dd_from(q[k]);
     algsurf_i_walk_begin_dd(&walk, wide, r, n, 1, pieces, pieces_of(t, s, pieces));
-    while (!finished(t) && algsurf_i_walk_next_dd(&walk, &cell))
-        if (!algsurf_i_add_cell(&t->found, &t->p, s, &cell)) return 0;
-    return 1;
+    while (fits && !finished(t) && algsurf_i_walk_next_dd(&walk, &cell))
+        fits = algsurf_i_add_cell(&t->found, &t->p, s, &cell);
+    t->counted += walk.counted;
+    return fits;
 }
 
 /* All stretches, the root at 0 in its place; returns 0 as walk_d does. */
@@ -179,32 +183,40 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
 }
 
 /* Runs the search into `room` for degree brackets, at least 1, or for 2 where one is wanted; the first
- * undecided reason is the status. */
+ * undecided reason is the status.  `intervals` may be null. */
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
-                          algsurf_bracket *room, int *count) {
+                          algsurf_bracket *room, int *count, int *intervals) {
     int capacity = first_only ? 2 : degree > 0 ? degree : 1;
-    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, capacity, 0, 0}};
+    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, capacity, 0, 0}, 0};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);
     algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
     *count = t.found.count;
+    if (intervals) *intervals = t.counted;
     for (int i = 0; i < t.found.count; i++)
         if (room[i].status != ALGSURF_OK) return room[i].status;
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
-                                     algsurf_bracket *bracket, int *found) {
+algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, int degree, double lo,
+                                             double hi, algsurf_bracket *bracket, int *found,
+                                             int *intervals) {
     algsurf_bracket first[2];
     int count = 0;
-    if (!bracket || !found) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 1, first, &count);
+    if (!bracket || !found || !intervals) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, 1, first, &count, intervals);
     if (status < 0) return status;
     *found = count;
     if (count) *bracket = first[0];
     return status;
+}
+
+algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
+                                     algsurf_bracket *bracket, int *found) {
+    int intervals;
+    return algsurf_isolate_first_counted(c, r, degree, lo, hi, bracket, found, &intervals);
 }
 
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
@@ -212,7 +224,7 @@ algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree,
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
     int n = 0;
     if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
+    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n, NULL);
     if (status < 0) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(brackets, room, (size_t)n * sizeof *room);
@@ -225,7 +237,7 @@ algsurf_status algsurf_count_roots(const double *c, const double *r, int degree,
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
     int n = 0, roots = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n);
+    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n, NULL);
     if (status < 0) return status;
     for (int i = 0; i < n; i++) roots += room[i].kind != ALGSURF_ROOT_UNDECIDED;
     *count = roots;

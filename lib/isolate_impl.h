@@ -53,6 +53,7 @@ static inline algsurf_dd algsurf_i_dd_from_int(int64_t i) {
         int count, index, active;                                                                            \
         int64_t position, stride; /* next cell starts here, in 2^-62 of the piece; width to try */           \
         int hi_told;                                                                                         \
+        int counted;            /* cells so far whose variations were counted */                             \
         double radius, largest; /* error bound and largest magnitude of b */                                 \
         double cell_radius;                                                                                  \
         number local[ALGSURF_MAX_POLY_DEGREE + 1]; /* power basis in the local variable */                   \

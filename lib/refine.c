@@ -119,6 +119,10 @@ typedef struct {
     const double *c;
     int degree;
     double derivative; /* at the last point, from value_and_slope */
+    int exponent;      /* c is the caller's polynomial times 2^exponent */
+    algsurf_function inner;
+    algsurf_refine_observer observe; /* null: nobody looks */
+    void *observer_data;
 } polynomial;
 
 /* Horner's rule.  Coefficients are below 2^500 (balance), so a sum that overflows does so for |t| > 2 and
@@ -141,32 +145,40 @@ static double value_and_slope(double t, void *data) {
     return y;
 }
 
-/* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor
- * overflow without need.  Returns the exponent of the factor applied, 0 when nothing was copied. */
-static int balance(polynomial *p, double largest, double *room) {
-    int exponent = 0;
-    (void)frexp(largest, &exponent);
-    if (largest == 0 || (exponent > -500 && exponent < 500)) return 0;
-    for (int i = 0; i <= p->degree; i++) room[i] = ldexp(p->c[i], -exponent);
-    p->c = room;
-    return -exponent;
+/* The inner function, watched. */
+static double told(double t, void *data) {
+    const polynomial *p = data;
+    double y = p->inner(t, data);
+    p->observe(t, ldexp(y, -p->exponent), p->observer_data);
+    return y;
 }
 
-static algsurf_status ALGSURF_NOINLINE refine_poly(const double *c, int degree, double lo, double hi,
+/* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor
+ * overflow without need. */
+static void balance(polynomial *p, double largest, double *room) {
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    if (largest == 0 || (exponent > -500 && exponent < 500)) return;
+    for (int i = 0; i <= p->degree; i++) room[i] = ldexp(p->c[i], -exponent);
+    p->c = room;
+    p->exponent = -exponent;
+}
+
+static algsurf_status ALGSURF_NOINLINE refine_poly(polynomial p, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_root *result) {
-    polynomial p = {.c = c, .degree = degree};
     algsurf_i_search s = {.data = &p};
     algsurf_method method;
     algsurf_status status = prepare(&s, lo, hi, options, &method);
     if (status != ALGSURF_OK) return status;
     double largest = 0.0, room[ALGSURF_MAX_POLY_DEGREE + 1];
-    for (int i = 0; i <= degree; i++) {
-        if (!isfinite(c[i])) return ALGSURF_E_NOT_FINITE;
-        largest = fmax(largest, fabs(c[i]));
+    for (int i = 0; i <= p.degree; i++) {
+        if (!isfinite(p.c[i])) return ALGSURF_E_NOT_FINITE;
+        largest = fmax(largest, fabs(p.c[i]));
     }
-    int exponent = balance(&p, largest, room);
-    s.f = method == ALGSURF_METHOD_DEFAULT ? value_and_slope : value;
+    balance(&p, largest, room);
+    p.inner = method == ALGSURF_METHOD_DEFAULT ? value_and_slope : value;
+    s.f = p.observe ? told : p.inner;
     int bracketed = search_start(&s, lo, hi);
     if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
     if (method == ALGSURF_METHOD_DEFAULT)
@@ -174,16 +186,31 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(const double *c, int degree, 
     else
         run(&s, method);
     status = search_finish(&s, result);
-    if (status >= 0) result->value = ldexp(result->value, -exponent);
+    if (status >= 0) result->value = ldexp(result->value, -p.exponent);
+    return status;
+}
+
+static algsurf_status run_guarded(const double *c, int degree, double lo, double hi,
+                                  const algsurf_refine_options *options, algsurf_refine_observer observe,
+                                  void *data, algsurf_root *result) {
+    if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    polynomial p = {.c = c, .degree = degree, .observe = observe, .observer_data = data};
+    algsurf_status status = refine_poly(p, lo, hi, options, result);
+    algsurf_fpenv_leave(&saved);
     return status;
 }
 
 algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                    const algsurf_refine_options *options, algsurf_root *result) {
-    if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = refine_poly(c, degree, lo, hi, options, result);
-    algsurf_fpenv_leave(&saved);
-    return status;
+    return run_guarded(c, degree, lo, hi, options, NULL, NULL, result);
+}
+
+algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
+                                            const algsurf_refine_options *options,
+                                            algsurf_refine_observer observe, void *data,
+                                            algsurf_root *result) {
+    if (!observe) return ALGSURF_E_ARGUMENT;
+    return run_guarded(c, degree, lo, hi, options, observe, data, result);
 }

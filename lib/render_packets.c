@@ -1,9 +1,11 @@
-/* render_packets.c - the hits of a row by packets; rays they leave in doubt go the exact way, one by one. */
+/* render_packets.c - the hits of a row at once; what that leaves in doubt, as packets of rays. */
 #include <math.h>
 #include <string.h>
 
 #include "camera_impl.h"
 #include "render_impl.h"
+
+enum { GROUP = 32 }; /* doubtful pixels that are solved together */
 
 #define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
 
@@ -54,23 +56,78 @@ static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_row_j
         if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
 }
 
-/* The doubtful pixels, one by one. */
+/* Pixels that the row left in doubt, and their rays as a packet. */
+typedef struct doubtful_pixels {
+    size_t count;
+    int pixel[GROUP];
+    double origin[3][GROUP], direction[3][GROUP], t_min[GROUP], t_max[GROUP];
+} doubtful_pixels;
+
+static void add_pixel(doubtful_pixels *d, int x, const algsurf_ray *ray) {
+    size_t i = d->count++;
+    d->pixel[i] = x;
+    d->t_min[i] = ray->t_min;
+    d->t_max[i] = ray->t_max;
+    for (int k = 0; k < 3; k++) {
+        d->origin[k][i] = ray->origin[k];
+        d->direction[k][i] = ray->direction[k];
+    }
+}
+
+/* The rays themselves, without the noise that a row allows for: most of them are decided side by side. */
+static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pixels *d, algsurf_i_line *line,
+                                  algsurf_i_tally *tally) {
+    unsigned char state[GROUP];
+    double t[GROUP], position[3][GROUP], normal[3][GROUP];
+    const algsurf_ray_packet rays = {
+        .size = sizeof rays,
+        .count = d->count,
+        .origin = {d->origin[0], d->origin[1], d->origin[2]},
+        .direction = {d->direction[0], d->direction[1], d->direction[2]},
+        .t_min = d->t_min,
+        .t_max = d->t_max,
+    };
+    const algsurf_hit_packet hits = {
+        .size = sizeof hits,
+        .state = state,
+        .t = t,
+        .position = {position[0], position[1], position[2]},
+        .normal = {normal[0], normal[1], normal[2]},
+    };
+    algsurf_status status =
+        algsurf_intersect_packet(scene->surface, &scene->extent, &rays, &scene->intersect, &hits);
+    if (status < 0) return status;
+    for (size_t i = 0; i < d->count; i++) {
+        algsurf_ray ray;
+        algsurf_hit hit = {.state = state[i], .t = t[i]};
+        for (int k = 0; k < 3; k++) {
+            ray.direction[k] = d->direction[k][i];
+            hit.position[k] = position[k][i];
+            hit.normal[k] = normal[k][i];
+        }
+        algsurf_i_line_add(line, d->pixel[i], &ray, &hit, tally);
+    }
+    tally->single_rays += d->count;
+    return ALGSURF_OK;
+}
+
 static algsurf_status solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
                                      int end, algsurf_i_line *line, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    for (int x = begin; x < end; x++) {
+    doubtful_pixels d = {.count = 0};
+    algsurf_status status = ALGSURF_OK;
+    for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
-        algsurf_hit hit;
-        if (line->state[x] != ALGSURF_LANE_DOUBTFUL) continue;
+        if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
+            algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
+            add_pixel(&d, x, &ray);
+        }
+        if (d.count < GROUP && (x + 1 < end || d.count == 0)) continue;
         if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
-        algsurf_status status =
-            algsurf_intersect_first(scene->surface, &scene->extent, &ray, &scene->intersect, &hit);
-        if (status < 0) return status;
-        algsurf_i_line_add(line, x, &ray, &hit, tally);
-        tally->single_rays++;
+        status = solve_group(scene, &d, line, tally);
+        d.count = 0;
     }
-    return ALGSURF_OK;
+    return status;
 }
 
 /* Hits move to the front of depth, their pixels to the line; returns whether there are doubtful ones. */

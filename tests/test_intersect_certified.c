@@ -5,9 +5,13 @@
  *
  * Breaks caught, each tried: a half cell passed over, a half scaled wrongly, a power of w without its
  * binomials, the factor k! (n-k)! wrong, the root of a split point or of an end not looked at, ends not moved
- * outward, a carry lost.  Not caught: overlapping entries decided apart.
+ * outward, a carry lost, a hit behind an open place forgotten, a place not set apart, roots found before it
+ * kept twice, a root between two parts found twice, the unit of an infinite end lost.  Not caught:
+ * overlapping entries decided apart.
  */
 #include "intersect_case.h"
+
+#include "intersect_exact.h"
 
 #define SEED 53u
 
@@ -71,12 +75,18 @@ static void exactly(void **state) {
         {"x^2 + y^2 - 1", {{-3, 1, 0}, {1, 0, 0}, 0, INFINITY}, ALGSURF_HIT, 1, 1},
         {"x^2 + y^2 - 1", {{-3, 1, 0}, {1, 0, 0}, -INFINITY, 4}, ALGSURF_HIT, 1, 1},
         {"(3x - 1)^2 (x - 2)", {{0, 0, 0}, {1, 0, 0}, 0, 4}, ALGSURF_UNCERTAIN, 2, 1},
+        {"(3x - 1)^2 ((x - 2)^2 - y^2)", {{0, 0x1p-90, 0}, {1, 0, 0}, 0, 4}, ALGSURF_UNCERTAIN, 3, 2},
         {"(x - 1)^2 - y^2", {{0, 0x1p-90, 0}, {1, 0, 0}, 0, 1}, ALGSURF_HIT, 1, 1},
         {"(x - 1)^2 - y^2", {{0, 0x1p-90, 0}, {1, 0, 0}, 1, 2}, ALGSURF_HIT, 1, 1},
         {"(x - 1)^2 + y^2", {{0, 0, 0}, {1, 0, 0}, 0, 1}, ALGSURF_HIT, 1, 1},
         {"(x - 1)^2 (x + y) (x - 3)", {{0, -0x1p-60, 0}, {1, 0, 0}, 0, 1}, ALGSURF_HIT, 2, 2},
         {"(x - 1)^3 - y^3", {{0, 0x1p-60, 0}, {1, 0, 0}, 1, 2}, ALGSURF_HIT, 1, 1},
         {"x^2 + y^2 - z^2", {{-0x1p-70, 0x1p-80, 0}, {1, 0, 0}, 0, INFINITY}, ALGSURF_MISS, 0, 0},
+        /* roots of very different size */
+        {"(x - 1)(x - 2)(1 + 1e-40 x)", {{0, 0, 0}, {1, 0, 0}, 0, INFINITY}, ALGSURF_HIT, 2, 2},
+        {"(x - 1)(x - 2)(1 + 1e-40 x)", {{0, 0, 0}, {-1, 0, 0}, -INFINITY, 0}, ALGSURF_HIT, 2, 2},
+        {"(x - 1)(x - 2)(1 - 1e-200 x)", {{0, 0, 0}, {1, 0, 0}, 0, INFINITY}, ALGSURF_HIT, 3, 3},
+        {"(x - 1)(x - 2) + 1e-60 x^4", {{0, 0, 0}, {1, 0, 0}, 0, INFINITY}, ALGSURF_HIT, 2, 2},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -89,6 +99,60 @@ static void exactly(void **state) {
             intersect_fail("exactly", &c, &answer);
         algsurf_surface_free(c.surface);
     }
+}
+
+/* Roots that bisection of the whole interval cannot reach, each found once and in full: with others before,
+ * behind, at the ends of what is set apart, and on the negative side. */
+static void roots_of_all_sizes(void **state) {
+    static const double inf = INFINITY;
+    static const struct {
+        const char *equation;
+        double lo, hi;
+        int count;
+        double root[5];
+    } cases[] = {
+        {"(x - 3)(x - 0x1p70)", 0, inf, 2, {3, 0x1p70}},
+        {"(x - 3)(x - 0x1p70)(x - 0x1p200)", 1, inf, 3, {3, 0x1p70, 0x1p200}},
+        {"(x + 3)(x + 0x1p70)(x + 0x1p200)", -inf, 0, 3, {-0x1p200, -0x1p70, -3}},
+        {"(x + 3)(x + 0x1p70)(x - 0x1p200)", -inf, 4, 2, {-0x1p70, -3}},
+        {"x (x - 0x1p-80) (3x - 0x1p-70) (x - 5)", 0, 16, 4, {0, 0x1p-80, 0x1p-70 / 3, 5}},
+        {"x (x - 0x1p-80) (x - 0x1p-79) (x - 5)", 0, inf, 4, {0, 0x1p-80, 0x1p-79, 5}},
+        {"(3x - 1)(x - 0x1p90)", 0, 0x1p90, 2, {1.0 / 3, 0x1p90}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, cases[i].lo, cases[i].hi};
+        algsurf_i_exact_root roots[6];
+        intersect_equation(&c, cases[i].equation);
+        int n =
+            algsurf_i_exact_roots(c.surface, &ray, NULL, cases[i].lo, cases[i].hi, ALGSURF_WANT_ALL, roots);
+        int as_told = n == cases[i].count;
+        for (int k = 0; as_told && k < n; k++) {
+            double size = 0x1p-49 * fabs(cases[i].root[k]);
+            as_told = roots[k].state == ALGSURF_HIT && fabs(roots[k].t.hi - cases[i].root[k]) <= size &&
+                      roots[k].lo - size <= cases[i].root[k] && cases[i].root[k] <= roots[k].hi + size;
+        }
+        if (!as_told) {
+            for (int k = 0; k < n; k++)
+                fprintf(stderr, "%d: %a in [%a, %a]\n", roots[k].state, roots[k].t.hi, roots[k].lo,
+                        roots[k].hi);
+            fail_msg("%s on [%a, %a]: %d roots", cases[i].equation, cases[i].lo, cases[i].hi, n);
+        }
+        algsurf_surface_free(c.surface);
+    }
+}
+
+/* The third root is where a place that is set apart ends: 2^-60 of the interval, rounded outward. */
+static void a_root_between_parts(void **state) {
+    const double end = nextafter(nextafter(0x1p30 + 32, INFINITY), INFINITY);
+    const algsurf_ray ray = {{0, -end, 0}, {1, 1, 0}, 0, 0x1p90};
+    algsurf_i_exact_root roots[4];
+    (void)state;
+    intersect_equation(&c, "(x - 1)(x - 3) y");
+    int n = algsurf_i_exact_roots(c.surface, &ray, NULL, 0, 0x1p90, ALGSURF_WANT_ALL, roots);
+    assert_int_equal(n, 3);
+    assert_true(roots[2].lo <= end && end <= roots[2].hi);
+    algsurf_surface_free(c.surface);
 }
 
 /* Surfaces with integer coefficients and rays of few bits: they often touch. */
@@ -178,8 +242,10 @@ static void bad_options(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(hairs_apart), cmocka_unit_test(exactly),
-                                       cmocka_unit_test(random_rays), cmocka_unit_test(what_becomes_of_doubt),
-                                       cmocka_unit_test(bad_options)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hairs_apart),        cmocka_unit_test(exactly),
+        cmocka_unit_test(roots_of_all_sizes), cmocka_unit_test(a_root_between_parts),
+        cmocka_unit_test(random_rays),        cmocka_unit_test(what_becomes_of_doubt),
+        cmocka_unit_test(bad_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

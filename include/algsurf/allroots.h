@@ -21,10 +21,10 @@ extern "C" {
 
 /* A root, or a cluster of roots that could not be told apart. */
 typedef struct algsurf_enclosure {
-    algsurf_cinterval box;  /* encloses; holds exactly `multiplicity` roots: verified */
-    algsurf_complex value;  /* approximate, in the box */
-    int multiplicity;       /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;               /* 1: real, proved: box.im is [0,0] */
+    algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
+    algsurf_complex value; /* approximate, in the box */
+    int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
+    int real;              /* 1: real, proved: box.im is [0,0] */
 } algsurf_enclosure;
 
 /* All roots of sum c_k z^k.
@@ -49,11 +49,12 @@ ALGSURF_API algsurf_status algsurf_roots_real(const double *c, const double *r, 
 
 /* ---- the seed's algorithms: approximate, then verify, root by root ---- */
 
+/* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {
-    size_t size;     /* sizeof(algsurf_zero_options) */
-    double epsilon;  /* the approximation stops when steps of z, and of q, are below epsilon times their
-                        size; 0: 1e-10 */
-    int max_steps;   /* of the approximation, 0: 50 */
+    size_t size;        /* sizeof(algsurf_zero_options) */
+    double epsilon;     /* the approximation stops when steps of z, and of q, are below epsilon times their
+                           size; 0: 1e-10 */
+    int max_steps;      /* of the approximation, 0: 50 */
     int max_inflations; /* of the interval iteration, 0: 10 */
 } algsurf_zero_options;
 
@@ -91,12 +92,12 @@ ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, 
 
 /* A root found by algsurf_cpoly_zeros. */
 typedef struct algsurf_cpoly_zero {
-    algsurf_cinterval box;  /* encloses a root if verified; otherwise the approximation alone */
-    algsurf_complex value;  /* the approximation, polished on the whole polynomial; in the box */
-    int verified;           /* the interval iteration ended in an inclusion */
-    int unique;             /* and the root is simple and alone in the box */
-    int converged;          /* the approximation met its stopping test, on both polynomials */
-    int steps, inflations;
+    algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
+    algsurf_complex value; /* the approximation, polished on the whole polynomial; in the box */
+    int verified;          /* the interval iteration ended in an inclusion */
+    int unique;            /* and the root is simple and alone in the box */
+    int converged;         /* the approximation met its stopping test, on both polynomials */
+    int steps, inflations; /* of the approximation, of the interval iteration */
 } algsurf_cpoly_zero;
 
 /* The paper's algorithm: approximate a root of the deflated polynomial, polish and verify it on the
@@ -111,8 +112,8 @@ typedef struct algsurf_cpoly_zero {
  * Cost: O(degree^2) times the steps; 110 KiB of stack.  Source: as above, AllCPolyZeros.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
                                                const algsurf_complex *start,
-                                               const algsurf_zero_options *options,
-                                               algsurf_cpoly_zero *zeros, int *complete);
+                                               const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
+                                               int *complete);
 
 /* ---- the robust solver with its own memory ---- */
 
@@ -122,8 +123,8 @@ typedef struct algsurf_root_solver algsurf_root_solver;
 
 /* What a solve took. */
 typedef struct algsurf_root_stats {
-    int iterations;   /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
-    int retries;      /* roots that went to double-double */
+    int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
+    int retries;    /* roots that went to double-double */
 } algsurf_root_stats;
 
 /* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,

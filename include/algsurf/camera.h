@@ -14,8 +14,8 @@ extern "C" {
 /* A plain value; make it with one of the two functions below.  right, up, forward are orthonormal,
  * right-handed as seen: right x up points to the viewer. */
 typedef struct algsurf_camera {
-    double eye[3];
-    double right[3], up[3], forward[3];
+    double eye[3];                      /* where the rays start; orthographic: a point of their plane */
+    double right[3], up[3], forward[3]; /* in the picture to the right and upwards, and along the view */
     double half_height; /* of the image plane: at distance 1 (pinhole) or in space (orthographic) */
     int orthographic;   /* 0 or 1 */
 } algsurf_camera;

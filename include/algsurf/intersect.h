@@ -32,28 +32,32 @@ typedef enum algsurf_doubt {
     ALGSURF_DOUBT_MISS = 2    /* it is passed over */
 } algsurf_doubt;
 
+/* What is known of a hit. */
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,     /* no point of the surface on the ray; but in the fast tier verified */
-    ALGSURF_HIT = 1,      /* a point of the surface, and the first; but in the fast tier verified */
+    ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified, except in the fast tier */
+    ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified, except in the fast tier */
     ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, that the tier cannot decide */
 } algsurf_hit_state;
 
+/* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
 typedef struct algsurf_hit {
     int state;             /* an algsurf_hit_state */
     algsurf_status reason; /* ALGSURF_OK, or why it is uncertain (a positive status) */
     double t;              /* approximate, along the ray as given; uncertain: where it is in doubt */
-    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one (in the
-                              certified tier there may be others in it that no double lies between);
+    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one (its ends
+                              are rounded outward, and what rounding takes in, some units in the last place
+                              of the ray's t, may hold another one);
                               uncertain: no hit is before t_lo, it is open whether one is in
                               [t_lo, t_hi]; fast tier: both are t */
     double position[3];    /* origin + t direction; finite: at most the largest double in size */
     double normal[3];      /* the gradient of P there, unit length; all 0 at a singular point, and
                               where the gradient is beyond the range of double */
-} algsurf_hit;             /* a miss: t = t_lo = t_hi = +inf, the vectors are 0 */
+} algsurf_hit;
 
+/* How rays are intersected. */
 typedef struct algsurf_intersect_options {
-    size_t size; /* sizeof(algsurf_intersect_options) */
-    algsurf_tier tier;
+    size_t size;           /* sizeof(algsurf_intersect_options) */
+    algsurf_tier tier;     /* how much is to be known about an answer */
     algsurf_method method; /* how brackets are refined */
     int max_iterations;    /* of the refinement, 0: 1000; at the limit the best point so far counts */
     double tolerance;      /* wanted error of t, absolute; 0: all a double can tell, with the final
@@ -86,7 +90,9 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
 /* All hits, in increasing t.  (A ray within a plane has one, uncertain, from end to end.)
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
  *   count           how many were written, uncertain ones included
- * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Since 1.0. */
+ * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
+ * first hit, for each; what is not in an entry is no hit.  Cost: about that of the first hit for each of
+ * them.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  const algsurf_ray *ray,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
@@ -112,9 +118,9 @@ typedef struct algsurf_ray_packet {
 
 /* Where the answers go: entry i as the members of ray i's algsurf_hit.  A null array is not asked for. */
 typedef struct algsurf_hit_packet {
-    size_t size;          /* sizeof(algsurf_hit_packet) */
-    unsigned char *state; /* an algsurf_hit_state each; not null */
-    double *t, *t_lo, *t_hi;
+    size_t size;                     /* sizeof(algsurf_hit_packet) */
+    unsigned char *state;            /* an algsurf_hit_state each; not null */
+    double *t, *t_lo, *t_hi;         /* along the ray as given */
     double *position[3], *normal[3]; /* x, y, z */
 } algsurf_hit_packet;
 

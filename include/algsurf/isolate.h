@@ -24,12 +24,14 @@
 extern "C" {
 #endif
 
+/* What is known of a place. */
 typedef enum algsurf_root_kind {
     ALGSURF_ROOT_BRACKET = 0,  /* lo < root < hi: isolates; the signs at lo and hi differ: verified */
     ALGSURF_ROOT_EXACT = 1,    /* lo = hi is a root exactly: verified */
     ALGSURF_ROOT_UNDECIDED = 2 /* 0 .. most roots in [lo,hi]; status says why it stays open */
 } algsurf_root_kind;
 
+/* A place where a root is, or where roots may be. */
 typedef struct algsurf_bracket {
     double lo, hi;         /* in the unit of the caller's interval; may be infinite when undecided */
     int kind;              /* an algsurf_root_kind */
@@ -50,6 +52,13 @@ typedef struct algsurf_bracket {
  * degree * 50; no allocation; about 100 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, algsurf_bracket *bracket, int *found);
+
+/* algsurf_isolate_first, and what it cost: `intervals` receives the number of intervals whose variations of
+ * sign were counted, those of a second walk in double-double included; 0 where none is needed (lo = hi).
+ * Errors: as above, and E_ARGUMENT for a null pointer to it.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, int degree,
+                                                         double lo, double hi, algsurf_bracket *bracket,
+                                                         int *found, int *intervals);
 
 /* All roots in [lo,hi], in increasing order, as brackets that share ends at most (an undecided one may end
  * on an exact root, which then is among the `most` of both).

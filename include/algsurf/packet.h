@@ -23,6 +23,7 @@ typedef struct algsurf_poly_packet {
     const double *lo, *hi;  /* finite, lo < hi; both ends belong to the interval */
 } algsurf_poly_packet;
 
+/* What is known of the first root. */
 typedef enum algsurf_first_root_state {
     ALGSURF_FIRST_ROOT_NONE = 0,     /* no root in the interval: verified; root is +inf */
     ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one, and it lies in a bracket that isolates the first one:
@@ -31,6 +32,7 @@ typedef enum algsurf_first_root_state {
                                         but for the width of the place in doubt */
 } algsurf_first_root_state;
 
+/* How first roots are found. */
 typedef struct algsurf_first_roots_options {
     size_t size;        /* sizeof(algsurf_first_roots_options) */
     const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that

@@ -28,7 +28,8 @@ ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, i
 /* The same with a value computed as if in doubled precision: bound is about one unit in
  * the last place of value, plus the radii, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree
  * (coefficients and t beyond 2^900 may get the bound of algsurf_poly_eval instead).
- * Source: compensated Horner scheme, Graillat, Langlois, Louvet 2005.  Errors, Since: as above. */
+ * Cost: O(degree), three to four times the above.  Source: compensated Horner scheme, Graillat, Langlois,
+ * Louvet 2005.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);
 
@@ -38,8 +39,8 @@ ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const 
  * Errors: E_ARGUMENT (also lo >= hi), E_NOT_FINITE (also infinite lo, hi), E_RANGE (overflow).
  * Cost: O(degree^2).  Source: blossoming (Ramshaw 1989), as a Horner scheme in normalised
  * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree,
-                                                     double lo, double hi, double *b, double *br);
+ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
+                                                     double hi, double *b, double *br);
 
 #ifdef __cplusplus
 }

@@ -13,13 +13,15 @@
 extern "C" {
 #endif
 
+/* How the next point is chosen. */
 typedef enum algsurf_method {
-    ALGSURF_METHOD_DEFAULT = 0,   /* a polynomial: Newton guarded by its bracket; a function: Brent */
-    ALGSURF_METHOD_BRENT = 1,     /* Brent, Algorithms for Minimization without Derivatives, 1973, ch. 4 */
-    ALGSURF_METHOD_BISECTION = 2, /* halving */
+    ALGSURF_METHOD_DEFAULT = 0,     /* a polynomial: Newton guarded by its bracket; a function: Brent */
+    ALGSURF_METHOD_BRENT = 1,       /* Brent, Algorithms for Minimization without Derivatives, 1973, ch. 4 */
+    ALGSURF_METHOD_BISECTION = 2,   /* halving */
     ALGSURF_METHOD_REGULA_FALSI = 3 /* plain false position: may need any number of steps */
 } algsurf_method;
 
+/* How a root is refined. */
 typedef struct algsurf_refine_options {
     size_t size;           /* sizeof(algsurf_refine_options) */
     algsurf_method method; /* 0: default */
@@ -28,6 +30,7 @@ typedef struct algsurf_refine_options {
                               4 * 2^-53 * max(|root|, smallest normal double) is always added */
 } algsurf_refine_options;
 
+/* A refined root, and what it took. */
 typedef struct algsurf_root {
     double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
@@ -59,8 +62,21 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * The default method needs no more than 395 evaluations for any bracket (plain halving may need 2000).
  * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
-                                               const algsurf_refine_options *options,
-                                               algsurf_root *result);
+                                               const algsurf_refine_options *options, algsurf_root *result);
+
+/* Called with a point and the polynomial's value there, as the method computed it; data is the caller's. */
+typedef void (*algsurf_refine_observer)(double x, double value, void *data);
+
+/* algsurf_refine_poly, watched: the same result, bit for bit, and `observe` called once for each evaluation,
+ * in their order: lo, hi, then the points the method chooses.  (Who refines a function sees its points there
+ * as well.)  It runs in the library's floating-point environment, round to nearest, and must leave that as it
+ * is.
+ * Errors: as above, and E_ARGUMENT for a null observer; with equal signs it has seen both ends.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
+                                                        const algsurf_refine_options *options,
+                                                        algsurf_refine_observer observe, void *data,
+                                                        algsurf_root *result);
 
 #ifdef __cplusplus
 }

@@ -16,8 +16,10 @@
 extern "C" {
 #endif
 
+/* What is shown, and how; see above. */
 typedef struct algsurf_scene algsurf_scene;
 
+/* How points of the surface are lit. */
 typedef enum algsurf_quality {
     ALGSURF_QUALITY_PREVIEW = 0,  /* no illumination model */
     ALGSURF_QUALITY_STANDARD = 1, /* lights at their middles, no shadows */
@@ -44,19 +46,21 @@ ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, 
 /* Releases a scene, not its surface; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 
-/* Setters copy their argument; a refused value leaves the scene as it was.  Not to be called while
- * the scene is being rendered.  A null extent is all of space, null options of intersection are the
- * defaults, a null complex space is real space, any other null is E_ARGUMENT; so are negative colours and
- * weights, and a camera whose axes are not orthonormal.  Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
+/* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
+ * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
+ * are the defaults, a null complex space is real space, any other null is E_ARGUMENT; so are negative colours
+ * and weights, and a camera whose axes are not orthonormal.  Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
-/* At most 16 lights; count 0 removes them all. */
+/* At most 16 lights; count 0 removes them all.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
                                                     int count);
+/* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
+/* How points of the surface are lit.  Errors: as above, also for a quality that is none.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
-/* n x n samples a pixel, 1 <= n <= 16, on a regular grid. */
+/* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 /* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
  * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
@@ -66,20 +70,24 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1
  * most other edges too.  A slice's upper and lower neighbours are looked at as in the whole picture. Errors:
  * E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for
- * some per cent of its pixels. */
+ * some per cent of its pixels.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
+/* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
 /* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection then play no
  * part, and full quality is drawn like standard quality: which points of complex space belong to the
  * surface depends on the eye, and a light would see others, so that there are no shadows to speak of.
- * Errors: as algsurf_intersect_complex for the space.  Cost: an algsurf_intersect_complex a sample. */
+ * Errors: as algsurf_intersect_complex for the space.  Cost: an algsurf_intersect_complex a sample.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the roots of rays in complex space are found from those of their neighbours: half the iterations,
  * 2 to 12 per cent less time (most of it goes into the proof), and the same picture.  Source:
- * Sanjuan-Estrada, Casado, Garcia, section 3. */
+ * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: as above, also for a coherence that is none.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
 
 /* Called on the thread that called algsurf_render, after each finished row of that thread and ten times
@@ -87,16 +95,18 @@ ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, alg
  * making are abandoned.  Its last call in a picture that is not cancelled tells rows_done = rows_total. */
 typedef int (*algsurf_progress)(int rows_done, int rows_total, void *data);
 
+/* Size and part of a picture, threads, and who is told. */
 typedef struct algsurf_render_options {
-    size_t size;            /* sizeof(algsurf_render_options) */
-    int width, height;      /* of the whole picture, 1..65535 each */
-    int row_begin, row_end; /* the slice to draw, 0 <= row_begin < row_end <= height; both 0: all */
-    int threads;            /* 0: as many as there are processors; at most 256; fewer are used when there
-                               are fewer rows, or when the system refuses to start more */
-    algsurf_progress progress;
-    void *progress_data;
+    size_t size;               /* sizeof(algsurf_render_options) */
+    int width, height;         /* of the whole picture, 1..65535 each */
+    int row_begin, row_end;    /* the slice to draw, 0 <= row_begin < row_end <= height; both 0: all */
+    int threads;               /* 0: as many as there are processors; at most 256; fewer are used when there
+                                  are fewer rows, or when the system refuses to start more */
+    algsurf_progress progress; /* null: nobody is told */
+    void *progress_data;       /* the caller's, passed through */
 } algsurf_render_options;
 
+/* What a picture took. */
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
@@ -111,7 +121,7 @@ typedef struct algsurf_render_stats {
     double total_s;       /* wall time */
     int threads;          /* used, the caller's among them */
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
-    uint64_t single_rays; /* of the rays, those solved one by one: what packets left in doubt, or all */
+    uint64_t single_rays; /* of the rays, those that are no part of a row: what rows left in doubt, or all */
     double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
     double point_s;       /* seconds spent in positions and normals of what packets found */
     double shadow_s;      /* seconds spent in shadows; with the four others, summed over threads */

@@ -15,9 +15,10 @@ extern "C" {
 
 /* Arguments in radians: 0 <= sigma, 0 <= delta, sigma + delta <= pi (rounded up: 4 is refused). */
 typedef struct algsurf_sector {
-    double sigma, delta;
+    double sigma, delta; /* where the range begins, and how wide it is */
 } algsurf_sector;
 
+/* What is known of the root that is seen. */
 typedef enum algsurf_selected {
     ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
     ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and is the least, or as small as its conjugate */
@@ -26,7 +27,7 @@ typedef enum algsurf_selected {
 
 /* Is every root of the enclosure in the sector (1), none (0), or is that undecided (2)?  The root 0 has
  * argument 0.  Decided with the enclosing box: a real one has argument exactly 0 or pi.
- * Errors: E_ARGUMENT (null, sector out of range).  Since 1.0. */
+ * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root,
                                                 int *holds);
 

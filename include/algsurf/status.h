@@ -12,13 +12,15 @@
  *   positive     honestly undecided or stopped early: outputs hold what is known, the code says why.
  *
  * Conventions common to all functions, unless their comment says otherwise.
- *   Threads: reentrant; no mutable globals; const objects may be shared by any number of threads.
- *   Floating point: results do not depend on the caller's rounding mode or flush-to-zero bits,
- *   which are saved and restored.  Nothing prints, exits, aborts or reads an environment variable.
+ *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
+ *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
+ *                   saved and restored;
+ *   side effects    none: nothing prints, exits, aborts or reads an environment variable.
  */
 #ifndef ALGSURF_STATUS_H
 #define ALGSURF_STATUS_H
 
+/* The version compiled against; algsurf_version tells the one that runs. */
 #define ALGSURF_VERSION_MAJOR 1
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
@@ -39,24 +41,25 @@ extern "C" {
 #endif
 
 /* X(name, number, text).  Numbers are part of the ABI: appended, never reused. */
-#define ALGSURF_STATUS_LIST(X)                                                                     \
-    X(ALGSURF_E_ARGUMENT, -1, "invalid argument")                                                  \
-    X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite")                                          \
-    X(ALGSURF_E_NO_MEMORY, -3, "out of memory")                                                    \
-    X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                              \
-    X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z")                        \
-    X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                        \
-    X(ALGSURF_E_RANGE, -7, "a value leaves the range of double")                                   \
-    X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                       \
-    X(ALGSURF_OK, 0, "done")                                                                       \
-    X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")       \
-    X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")              \
-    X(ALGSURF_UNDECIDED_ZERO, 3, "the polynomial vanishes, or cannot be told from zero")           \
-    X(ALGSURF_UNDECIDED_RANGE, 4, "overflow or underflow hides the answer")                        \
-    X(ALGSURF_NOT_CONVERGED, 5, "the iteration limit was reached")                                 \
-    X(ALGSURF_CANCELLED, 6, "cancelled by the caller")                                             \
+#define ALGSURF_STATUS_LIST(X)                                                                               \
+    X(ALGSURF_E_ARGUMENT, -1, "invalid argument")                                                            \
+    X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite")                                                    \
+    X(ALGSURF_E_NO_MEMORY, -3, "out of memory")                                                              \
+    X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
+    X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z")                                  \
+    X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                                  \
+    X(ALGSURF_E_RANGE, -7, "a value leaves the range of double")                                             \
+    X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
+    X(ALGSURF_OK, 0, "done")                                                                                 \
+    X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
+    X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \
+    X(ALGSURF_UNDECIDED_ZERO, 3, "the polynomial vanishes, or cannot be told from zero")                     \
+    X(ALGSURF_UNDECIDED_RANGE, 4, "overflow or underflow hides the answer")                                  \
+    X(ALGSURF_NOT_CONVERGED, 5, "the iteration limit was reached")                                           \
+    X(ALGSURF_CANCELLED, 6, "cancelled by the caller")                                                       \
     X(ALGSURF_NOT_VERIFIED, 7, "an inclusion could not be verified")
 
+/* What became of a call. */
 typedef enum algsurf_status {
 #define ALGSURF_STATUS_ENUM(name, number, text) name = number,
     ALGSURF_STATUS_LIST(ALGSURF_STATUS_ENUM)

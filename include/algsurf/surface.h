@@ -14,19 +14,19 @@
 extern "C" {
 #endif
 
+/* A surface; what it consists of is private. */
 typedef struct algsurf_surface algsurf_surface;
 
-/* The monomial  a x^i y^j z^k,  i, j, k >= 0. */
+/* The monomial a x^i y^j z^k. */
 typedef struct algsurf_term {
-    int i, j, k;
-    double a;
+    int i, j, k; /* exponents, >= 0 */
+    double a;    /* the coefficient, finite */
 } algsurf_term;
 
-/* A named constant for algsurf_surface_from_equation: a letter, then letters, digits, underscores;
- * not x, y, z, sqrt. */
+/* A named constant for algsurf_surface_from_equation. */
 typedef struct algsurf_constant {
-    const char *name;
-    double value;
+    const char *name; /* a letter, then letters, digits, underscores; not x, y, z, sqrt */
+    double value;     /* finite */
 } algsurf_constant;
 
 /* Where and why an equation was refused. */
@@ -67,10 +67,10 @@ ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const
                                                          size_t count, algsurf_surface **surface,
                                                          algsurf_parse_error *error);
 
-/* How far the coefficients of a surface made from an equation are from those the equation has, numbers such as
- * 11.8 and sqrt(5) taken for what they are (constants for the doubles given): the largest relative error, or
- * a bound a little above it.  0 when the coefficients are computed from whole or binary numbers and all that
- * occurs fits a double, and for surfaces from terms; some 2^-53 as a rule; infinite when a coefficient
+/* How far the coefficients of a surface made from an equation are from those the equation has, numbers such
+ * as 11.8 and sqrt(5) taken for what they are (constants for the doubles given): the largest relative error,
+ * or a bound a little above it.  0 when the coefficients are computed from whole or binary numbers and all
+ * that occurs fits a double, and for surfaces from terms; some 2^-53 as a rule; infinite when a coefficient
  * underflowed to 0.  Those that double-double could not tell from zero are not counted.  0 for null.
  * Since 1.0. */
 ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
