@@ -30,7 +30,7 @@ struct stage {
     algsurf_camera camera;
     algsurf_surface *surface, *lifted;
     algsurf_scene *scene, *lifted_scene;
-    canvas reference, canvas;
+    canvas reference, smooth, canvas;
 };
 
 static void must(algsurf_status status, const char *what) {
@@ -107,6 +107,7 @@ stage *stage_open(const catalogue_entry *entry, int width, int height) {
     s->scene = make_scene(s, s->surface);
     s->lifted_scene = make_scene(s, s->lifted);
     s->reference = make_canvas(s);
+    s->smooth = make_canvas(s);
     s->canvas = make_canvas(s);
     render(s, &reference, &s->reference, &untimed);
     return s;
@@ -119,6 +120,8 @@ void stage_close(stage *s) {
     algsurf_surface_free(s->surface);
     free(s->canvas.hits);
     free(s->canvas.pixels);
+    free(s->smooth.hits);
+    free(s->smooth.pixels);
     free(s->reference.hits);
     free(s->reference.pixels);
     free(s);
@@ -168,6 +171,8 @@ static void render(stage *s, const manner *m, const canvas *to, drawing *d) {
     algsurf_render_stats stats = {.size = sizeof stats};
     must(algsurf_scene_set_intersect(scene, &intersect), s->entry->name);
     must(algsurf_scene_set_quality(scene, m->quality), s->entry->name);
+    must(algsurf_scene_set_antialias(scene, m->antialias > 0 ? m->antialias : 1), s->entry->name);
+    must(algsurf_scene_set_antialias_threshold(scene, m->threshold), s->entry->name);
     double begun = wall_clock();
     must(algsurf_render(scene, &options, to->pixels, 3 * (size_t)s->width, to->hits, &stats), s->entry->name);
     d->seconds[PART_ALL] = wall_clock() - begun;
@@ -189,13 +194,32 @@ static int same_hits(const stage *s) {
     return memcmp(s->canvas.hits, s->reference.hits, pixel_count(s) * sizeof(double)) == 0;
 }
 
-static int same_mask(const stage *s) {
+/* The same pixels with a hit; or, if more are allowed, at least those. */
+static int same_mask(const stage *s, int more) {
     for (size_t i = 0; i < pixel_count(s); i++) {
         algsurf_hit hit;
-        if (!isnan(s->canvas.hits[i]) == !isnan(s->reference.hits[i])) continue;
+        int here = !isnan(s->canvas.hits[i]), there = !isnan(s->reference.hits[i]);
+        if (here == there || (more && here)) continue;
         algsurf_ray ray = ray_of(s, i);
         must(algsurf_intersect_first(s->surface, &s->entry->extent, &ray, NULL, &hit), s->entry->name);
         if (hit.state != ALGSURF_UNCERTAIN) return 0;
+    }
+    return 1;
+}
+
+/* What was drawn, as a second picture to compare with. */
+static void keep(stage *s) {
+    canvas drawn = s->canvas;
+    s->canvas = s->smooth;
+    s->smooth = drawn;
+}
+
+static int same_as_either(const stage *s) {
+    for (size_t i = 0; i < pixel_count(s); i++) {
+        const uint8_t *drawn = s->canvas.pixels + 3 * i;
+        if (memcmp(drawn, s->reference.pixels + 3 * i, 3) != 0 &&
+            memcmp(drawn, s->smooth.pixels + 3 * i, 3) != 0)
+            return 0;
     }
     return 1;
 }
@@ -211,7 +235,11 @@ static const char *breach(const stage *s, duty owed) {
     case DUTY_HITS:
         return same_hits(s) ? NULL : "other hits than the reference";
     case DUTY_MASK:
-        return same_mask(s) ? NULL : "hits at other pixels than the reference";
+        return same_mask(s, 0) ? NULL : "hits at other pixels than the reference";
+    case DUTY_SMOOTH:
+        return same_mask(s, 1) ? NULL : "no hit where the reference has one";
+    case DUTY_EITHER:
+        return same_as_either(s) ? NULL : "a pixel that is neither smooth nor as in the reference";
     case DUTY_EMPTY:
         return count_hits(s, &s->canvas) == 0 ? NULL : "a hit where there is no surface";
     }
@@ -220,5 +248,7 @@ static const char *breach(const stage *s, duty owed) {
 
 const char *stage_draw(stage *s, const manner *m, drawing *d) {
     render(s, m, &s->canvas, d);
-    return breach(s, m->duty);
+    const char *failure = breach(s, m->duty);
+    if (!failure && m->duty == DUTY_SMOOTH) keep(s);
+    return failure;
 }

@@ -9,6 +9,8 @@ typedef enum duty {
     DUTY_PICTURE, /* the same bytes, of its hits too */
     DUTY_HITS,    /* the same bytes of its hits */
     DUTY_MASK,    /* a hit at the same pixels, but for those that algsurf_intersect_first leaves in doubt */
+    DUTY_SMOOTH,  /* of n x n samples, n odd: a hit at least at those pixels; it is kept */
+    DUTY_EITHER,  /* each pixel as in the reference or as in the picture kept */
     DUTY_EMPTY    /* not this: no hit at all */
 } duty;
 
@@ -19,6 +21,8 @@ typedef struct manner {
     algsurf_tier tier;
     algsurf_quality quality;
     algsurf_method method;
+    int antialias; /* n x n samples a pixel; 0: one */
+    double threshold;
     int lifted; /* the surface plus a constant that leaves no zero inside the extent */
     int once;   /* not repeated */
     duty duty;

@@ -11,11 +11,16 @@
 #include <string.h>
 
 #include "cli.h"
+#include "results.h"
 #include "verified_roots_check.h"
+#include "verified_roots_report.h"
+
+enum { POLYS = 400, QUICK_POLYS = 40, FEWER = 4 };
 
 typedef struct bench_options {
     const char *extra; /* a plain argument, which this program does not take */
-    int polys, seed, tsv;
+    const char *output;
+    int polys, seed, tsv, quick;
 } bench_options;
 
 static void set_choice(const cli_option *option, const char *value, void *field) {
@@ -30,6 +35,11 @@ static const cli_option options_table[] = {
     {"--seed", "S", "of the random pixels and coefficients, default 1", cli_set_int, FIELD(seed), 0,
      1000000000},
     {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv), 0, 0},
+    {"--output", "FOLDER",
+     "also measures random polynomials of more degrees, and clusters, a quarter as many of\n"
+     "each; all numbers as CSV and charts as SVG go there; made if there is none",
+     cli_set_text, FIELD(output), 0, 0},
+    {"--quick", NULL, "a tenth of the polynomials", cli_set_flag, FIELD(quick), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -39,21 +49,6 @@ static const cli_program program = {
     "wide the boxes are, and how long it took.  Answers that contradict each other or the polynomial:\n"
     "one line on standard error, no table, exit status 1.",
     options_table, FIELD(extra)};
-
-static const char legend[] =
-    "Boxes proved to enclose all complex roots of a polynomial, and what they cost.\n"
-    "  surface    along rays of random pixels of its view in the catalogue, re-centred, the chord inside\n"
-    "             its extent scaled to [-1,1]; random-N: coefficients uniform in [-1,1] x [-1,1] i.\n"
-    "             Coefficients count as exact.\n"
-    "  solver     robust: algsurf_root_solver_run; paper: algsurf_cpoly_zeros\n"
-    "  start      cold: its own (robust), 0 + i (paper); near: the roots of the ray a pixel to the left\n"
-    "  complete%  polynomials with all roots in verified boxes that are disjoint\n"
-    "  simple%    roots verified to be simple and alone in their box, each counted once\n"
-    "  ulps50%    width of verified boxes, median: real or imaginary part, whichever is wider, in units\n"
-    "             in the last place of that part of the value (of the other part if the box straddles\n"
-    "             an axis; a part that is exact counts 0)\n"
-    "  ulps99%    the width that 99 of 100 boxes do not exceed\n"
-    "  us50%      CPU time for all roots of a polynomial, microseconds, median\n";
 
 /* ---- the solvers ---- */
 
@@ -130,6 +125,7 @@ static void solve(work *w, const method *m, const polynomial *p, answer *a) {
 typedef struct tally {
     size_t polynomials, complete, roots, simple, boxes;
     double *width;   /* of each box, ulps */
+    double *widest;  /* of each polynomial: its widest box's larger part */
     double *seconds; /* for each polynomial */
 } tally;
 
@@ -148,12 +144,17 @@ static double box_in_ulps(const answer_root *root) {
 }
 
 static void count_answer(tally *t, const polynomial *p, const answer *a) {
-    t->polynomials++;
+    double *widest = &t->widest[t->polynomials++];
     t->complete += (size_t)a->complete;
     t->roots += (size_t)p->degree;
     t->simple += (size_t)simple_roots(a);
-    for (int i = 0; i < a->count; i++)
-        if (a->root[i].multiplicity > 0) t->width[t->boxes++] = box_in_ulps(&a->root[i]);
+    for (int i = 0; i < a->count; i++) {
+        const answer_root *root = &a->root[i];
+        if (root->multiplicity == 0) continue;
+        t->width[t->boxes++] = box_in_ulps(root);
+        *widest =
+            fmax(*widest, fmax(algsurf_interval_width(root->box.re), algsurf_interval_width(root->box.im)));
+    }
 }
 
 /* ---- a family of polynomials ---- */
@@ -162,6 +163,8 @@ typedef struct family {
     const char *name;
     int degree, has_near, seed, count;
     const polynomial *p;
+    int cluster; /* roots of each polynomial in a cluster; 0: none on purpose */
+    double gap;  /* between them */
 } family;
 
 /* Ends the program in one line that says which polynomial it was. */
@@ -196,66 +199,26 @@ static void clock_all(work *w, const family *f, tally *tallies) {
         }
 }
 
-/* ---- the table ---- */
-
-enum { COLUMNS = 10, CELL = 24 };
-
-static const struct column {
-    const char *title;
-    int width; /* negative: flush left */
-} columns[COLUMNS] = {{"surface", -12}, {"degree", 6},  {"polynomials", 11}, {"solver", -6}, {"start", -5},
-                      {"complete%", 9}, {"simple%", 8}, {"ulps50%", 9},      {"ulps99%", 9}, {"us50%", 9}};
-
-typedef struct row {
-    char cell[COLUMNS][CELL];
-} row;
-
 /* Rounded down: only what is complete is 100. */
 static double percent(size_t part, size_t whole) { return floor(1e4 * (double)part / (double)whole) / 1e2; }
 
-static void print_width(char *cell, const tally *t, double share) {
-    if (t->boxes > 0)
-        snprintf(cell, CELL, "%.3g", measure_quantile(t->width, t->boxes, share));
-    else
-        snprintf(cell, CELL, "-");
-}
-
 static void fill_row(row *r, const family *f, const method *m, tally *t) {
     measure_sort(t->width, t->boxes);
+    measure_sort(t->widest, t->polynomials);
     measure_sort(t->seconds, t->polynomials);
-    snprintf(r->cell[0], CELL, "%s", f->name);
-    snprintf(r->cell[1], CELL, "%d", f->degree);
-    snprintf(r->cell[2], CELL, "%zu", t->polynomials);
-    snprintf(r->cell[3], CELL, "%s", m->solver);
-    snprintf(r->cell[4], CELL, "%s", m->start);
-    snprintf(r->cell[5], CELL, "%.2f", percent(t->complete, t->polynomials));
-    snprintf(r->cell[6], CELL, "%.2f", percent(t->simple, t->roots));
-    print_width(r->cell[7], t, 0.5);
-    print_width(r->cell[8], t, 0.99);
-    snprintf(r->cell[9], CELL, "%.2f", 1e6 * measure_quantile(t->seconds, t->polynomials, 0.5));
-}
-
-static void print_cell(int k, const char *text, int tsv) {
-    if (tsv)
-        printf("%s%s", k > 0 ? "\t" : "", text);
-    else
-        printf("%s%*s", k > 0 ? "  " : "", columns[k].width, text);
-}
-
-static void print_table(const bench_options *o, const row *rows, int count) {
-    const char *mark = o->tsv ? "# " : "";
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    for (const char *line = legend; *line; line += strcspn(line, "\n") + 1)
-        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
-    printf("%smachine: %s\n%sseed: %d\n%s", mark, machine, mark, o->seed, o->tsv ? "#" : "\n");
-    for (int k = 0; k < COLUMNS; k++) print_cell(k, columns[k].title, o->tsv);
-    putchar('\n');
-    for (int i = 0; i < count; i++) {
-        for (int k = 0; k < COLUMNS; k++) print_cell(k, rows[i].cell[k], o->tsv);
-        putchar('\n');
-    }
-    cli_finish_output();
+    *r = (row){.degree = f->degree,
+               .cluster = f->cluster,
+               .gap = f->gap,
+               .polynomials = t->polynomials,
+               .solver = m->solver,
+               .start = m->start,
+               .complete = percent(t->complete, t->polynomials),
+               .simple = percent(t->simple, t->roots),
+               .ulps50 = t->boxes > 0 ? measure_quantile(t->width, t->boxes, 0.5) : NAN,
+               .ulps99 = t->boxes > 0 ? measure_quantile(t->width, t->boxes, 0.99) : NAN,
+               .widest = measure_quantile(t->widest, t->polynomials, 0.5),
+               .us = 1e6 * measure_quantile(t->seconds, t->polynomials, 0.5)};
+    snprintf(r->family, sizeof r->family, "%s", f->name);
 }
 
 /* ---- the run ---- */
@@ -273,6 +236,7 @@ static int run_family(work *w, const family *f, row *rows) {
     int written = 0;
     for (int m = 0; m < METHODS; m++) {
         tallies[m].width = allocate(count * (size_t)f->degree, sizeof(double));
+        tallies[m].widest = allocate(count, sizeof(double));
         tallies[m].seconds = allocate(count, sizeof(double));
     }
     for (int i = 0; i < f->count; i++) judge(w, f, &f->p[i], tallies);
@@ -280,49 +244,82 @@ static int run_family(work *w, const family *f, row *rows) {
     for (int m = 0; m < METHODS; m++) {
         if (tallies[m].polynomials > 0) fill_row(&rows[written++], f, &methods[m], &tallies[m]);
         free(tallies[m].width);
+        free(tallies[m].widest);
         free(tallies[m].seconds);
     }
     return written;
 }
 
-enum { RANDOM_FAMILIES = 3 };
+enum {
+    RANDOM_FAMILIES = 3,
+    DEGREES = 8,
+    CLUSTER_DEGREE = 12,
+    CLUSTER_MOST = 8,
+    GAPS = 4,
+    MAX_FAMILIES = 128
+};
 static const int random_degree[RANDOM_FAMILIES] = {16, 32, 64};
-static const char *const random_name[RANDOM_FAMILIES] = {"random-16", "random-32", "random-64"};
+static const int degrees[DEGREES] = {4, 6, 10, 16, 24, 32, 48, 64};
+static const double gaps[GAPS] = {1e-3, 1e-6, 1e-9, 0};
 
-/* Room for the rows of all families. */
-static row *allocate_rows(void) {
-    size_t families = RANDOM_FAMILIES;
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++) families++;
-    return allocate(families * METHODS, sizeof(row));
-}
-
-static int run_all(work *w, const bench_options *o, polynomial *p, row *rows) {
-    measure_random seeds = {(uint64_t)o->seed};
+/* The families of the table: surfaces, random polynomials. */
+static int run_usual(work *w, const bench_options *o, measure_random *seeds, polynomial *p, row *rows) {
     int count = 0;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        measure_random random = {measure_bits(&seeds)};
+        measure_random random = {measure_bits(seeds)};
         if (entry->degree < 2) continue;
         polynomials_of_rays(entry, &random, p, o->polys);
-        count += run_family(w, &(family){entry->name, entry->degree, 1, o->seed, o->polys, p}, rows + count);
+        family f = {entry->name, entry->degree, 1, o->seed, o->polys, p, 0, 0};
+        count += run_family(w, &f, rows + count);
     }
     for (int i = 0; i < RANDOM_FAMILIES; i++) {
-        measure_random random = {measure_bits(&seeds)};
+        measure_random random = {measure_bits(seeds)};
+        char name[sizeof rows->family];
+        snprintf(name, sizeof name, "random-%d", random_degree[i]);
         polynomials_at_random(random_degree[i], &random, p, o->polys);
-        count +=
-            run_family(w, &(family){random_name[i], random_degree[i], 0, o->seed, o->polys, p}, rows + count);
+        family f = {name, random_degree[i], 0, o->seed, o->polys, p, 0, 0};
+        count += run_family(w, &f, rows + count);
     }
     return count;
 }
 
+/* Those of the charts: degrees, clusters. */
+static int run_more(work *w, const bench_options *o, measure_random *seeds, polynomial *p, row *rows) {
+    int count = 0, polys = (o->polys + FEWER - 1) / FEWER;
+    char name[sizeof rows->family];
+    for (int i = 0; i < DEGREES; i++) {
+        measure_random random = {measure_bits(seeds)};
+        snprintf(name, sizeof name, "degree-%d", degrees[i]);
+        polynomials_with_neighbours(degrees[i], &random, p, polys);
+        count += run_family(w, &(family){name, degrees[i], 1, o->seed, polys, p, 0, 0}, rows + count);
+    }
+    for (int i = 0; i < GAPS; i++)
+        for (int k = 2; k <= CLUSTER_MOST; k++) {
+            measure_random random = {measure_bits(seeds)};
+            snprintf(name, sizeof name, "cluster-%d-%.0e", k, gaps[i]);
+            polynomials_with_cluster(CLUSTER_DEGREE, k, gaps[i], &random, p, polys);
+            count += run_family(w, &(family){name, CLUSTER_DEGREE, 0, o->seed, polys, p, k, gaps[i]},
+                                rows + count);
+        }
+    return count;
+}
+
 int main(int argc, char **argv) {
-    bench_options o = {.polys = 400, .seed = 1};
+    bench_options o = {.seed = 1};
     work *w = allocate(1, sizeof *w);
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    if (o.polys == 0) o.polys = o.quick ? QUICK_POLYS : POLYS;
+    if (o.output) results_folder(o.output);
     polynomial *p = allocate((size_t)o.polys, sizeof *p);
-    row *rows = allocate_rows();
+    row *rows = allocate(MAX_FAMILIES * METHODS, sizeof *rows);
     if (algsurf_root_solver_create(ALGSURF_MAX_DEGREE, &w->solver) != ALGSURF_OK) cli_no_memory();
-    print_table(&o, rows, run_all(w, &o, p, rows));
+    measure_random seeds = {(uint64_t)o.seed};
+    int count = run_usual(w, &o, &seeds, p, rows);
+    if (o.output) count += run_more(w, &o, &seeds, p, rows + count);
+    report_table(rows, count, o.seed, o.tsv);
+    cli_finish_output();
+    if (o.output) report_files(rows, count, o.output);
     algsurf_root_solver_free(w->solver);
     free(rows);
     free(p);

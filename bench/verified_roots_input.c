@@ -114,3 +114,66 @@ void polynomials_at_random(int degree, measure_random *random, polynomial *p, in
         }
     }
 }
+
+/* Coefficients move by up to this much of themselves from a pixel to the next. */
+static const double PIXEL = 0x1p-10;
+
+void polynomials_with_neighbours(int degree, measure_random *random, polynomial *p, int count) {
+    const chord same = {0, 1};
+    polynomials_at_random(degree, random, p, count);
+    for (int i = 0; i < count; i++) {
+        polynomial neighbour = p[i];
+        for (int k = 0; k <= degree; k++) {
+            neighbour.c[k].re *= 1 + PIXEL * measure_uniform(random, -1, 1);
+            neighbour.c[k].im *= 1 + PIXEL * measure_uniform(random, -1, 1);
+        }
+        start_near(&p[i], same, &neighbour, same);
+    }
+}
+
+/* A place in the unit disc, parts multiples of 1/8. */
+static algsurf_complex grid_place(measure_random *random) {
+    for (;;) {
+        algsurf_complex z = {(pick(random, 17) - 8) / 8.0, (pick(random, 17) - 8) / 8.0};
+        if (z.re * z.re + z.im * z.im <= 1) return z;
+    }
+}
+
+/* Different places. */
+static void pick_places(measure_random *random, algsurf_complex *z, int count) {
+    for (int i = 0; i < count; i++) {
+        int fresh = 0;
+        while (!fresh) {
+            z[i] = grid_place(random);
+            fresh = 1;
+            for (int j = 0; j < i; j++) fresh &= z[i].re != z[j].re || z[i].im != z[j].im;
+        }
+    }
+}
+
+/* p times X - z.  Exact for the first 12 places of the grid: after m factors coefficients are multiples of
+ * 8^-m below 2^m, and 4 m <= 53. */
+static void multiply_by(polynomial *p, algsurf_complex z) {
+    p->c[p->degree + 1] = p->c[p->degree];
+    for (int k = p->degree; k >= 0; k--) {
+        algsurf_complex a = p->c[k], below = k > 0 ? p->c[k - 1] : (algsurf_complex){0, 0};
+        p->c[k].re = below.re - (a.re * z.re - a.im * z.im);
+        p->c[k].im = below.im - (a.re * z.im + a.im * z.re);
+    }
+    p->degree++;
+}
+
+void polynomials_with_cluster(int degree, int cluster, double gap, measure_random *random, polynomial *p,
+                              int count) {
+    const double turn = 2 * acos(-1) / cluster, radius = gap / (2 * sin(turn / 2));
+    algsurf_complex z[ALGSURF_MAX_DEGREE];
+    for (int i = 0; i < count; i++) {
+        p[i].degree = p[i].has_near = 0;
+        p[i].c[0] = (algsurf_complex){1, 0};
+        pick_places(random, z, degree - cluster + 1);
+        for (int k = 0; k < cluster; k++)
+            multiply_by(
+                &p[i], (algsurf_complex){z[0].re + radius * cos(k * turn), z[0].im + radius * sin(k * turn)});
+        for (int k = 1; k <= degree - cluster; k++) multiply_by(&p[i], z[k]);
+    }
+}

@@ -19,4 +19,15 @@ void polynomials_of_rays(const catalogue_entry *entry, measure_random *random, p
 /* Complex coefficients, uniform in [-1,1] x [-1,1] i; no neighbours. */
 void polynomials_at_random(int degree, measure_random *random, polynomial *p, int count);
 
+/* The same with neighbours, whose coefficients differ by up to 2^-10 of their size: about as much as those of
+ * two rays through adjacent pixels. */
+void polynomials_with_neighbours(int degree, measure_random *random, polynomial *p, int count);
+
+/* Leading coefficient 1, roots in the unit disc at places whose parts are multiples of 1/8, all different. At
+ * the first of them stand `cluster` roots instead of one, on a circle about it, each `gap` from the next; the
+ * coefficients are those of the product, rounded, which moves the roots of a cluster by about
+ * (2^-53)^(1/cluster) more.  gap 0: a multiple root, exactly; degree <= 12.  No neighbours. */
+void polynomials_with_cluster(int degree, int cluster, double gap, measure_random *random, polynomial *p,
+                              int count);
+
 #endif

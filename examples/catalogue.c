@@ -2,10 +2,15 @@
  *
  * Sources: Chuyeshov, Visualization of algebraic surfaces, 2005; Sanjuan-Estrada, Casado, Garcia,
  * Rendering (complex) algebraic surfaces; Apery, Models of the real projective plane, 1987 (Boy's
- * surface); Barth, Two projective surfaces with many nodes, 1996.
+ * surface); Barth, Two projective surfaces with many nodes, 1996; Labs, A septic with 99 real nodes, 2006;
+ * Chmutov, Examples of projective surfaces with many singularities, 1992.
  *
  * The golden ratio p = (1+sqrt(5))/2 comes in powers: p^2 = (3+sqrt(5))/2, p^4 = (7+3sqrt(5))/2,
  * 1+2p = 2+sqrt(5), 3+5p = (11+5sqrt(5))/2, 2-p = (3-sqrt(5))/2.
+ *
+ * Labs' septic has the real root a of 7a^3 + 7a + 1 = 0, -0.1401068549871247764542..., in 50 - 7a + 49a^2 and
+ * -(56 + 384a + 84a^2)/49, -(196 - 24a + 224a^2)/49, -(196 - 24a + 196a^2)/49, -(56 - 8a + 56a^2)/49, written
+ * to 20 decimals.  Chmutov's octic is T8(x) + T8(y) + T8(z) + 1, T8 Chebyshev's polynomial, with 144 nodes.
  */
 #include "catalogue.h"
 
@@ -31,6 +36,14 @@
     "64(1-z)^3 z^3 - 48(1-z)^2 z^2 (3x^2+3y^2+2z^2)"                                                         \
     " + 12(1-z)z(27(x^2+y^2)^2 - 24z^2 (x^2+y^2) + 36sqrt(2) y z (y^2-3x^2) + 4z^4)"                         \
     " + (9x^2+9y^2-2z^2)(-81(x^2+y^2)^2 - 72z^2 (x^2+y^2) + 108sqrt(2) x z (x^2-3y^2) + 4z^4)"
+
+#define LABS                                                                                                 \
+    "x(x^6 - 21x^4 y^2 + 35x^2 y^4 - 7y^6)"                                                                  \
+    " + 7z((x^2+y^2)^3 - 8z^2 (x^2+y^2)^2 + 16z^4 (x^2+y^2)) - 64z^7"                                        \
+    " - (z + 51.94261459481465076650)((z+1)(x^2+y^2) - 0.07852820149698521536z^3"                            \
+    " - 4.15836059228801701763z^2 - 4.14714348896551232572z - 1.18816593807147873508)^2"
+
+#define CHMUTOV "(2(2(2x^2-1)^2-1)^2-1) + (2(2(2y^2-1)^2-1)^2-1) + (2(2(2z^2-1)^2-1)^2-1) + 1"
 
 /* clang-format off */
 const catalogue_entry catalogue[] = {
@@ -66,6 +79,10 @@ const catalogue_entry catalogue[] = {
      {3, -11.5, 4}, {0, 0, 0}, UP, 30, {0.35, 0.50, 0.80}, {0.90, 0.75, 0.35}},
     {"bicube", 4, "x^4 + y^4 + z^4 - 1", BALL(1.5),
      {2.8, -4.2, 2.6}, {0, 0, 0}, UP, 30, {0.70, 0.70, 0.30}, {0.40, 0.40, 0.70}},
+    {"labs", 7, LABS, BALL(5),
+     {14, -12, 8}, {0, 0, -0.3}, UP, 30, {0.90, 0.60, 0.25}, {0.25, 0.50, 0.80}},
+    {"chmutov", 8, CHMUTOV, BALL(1.75),
+     {3.3, -4.8, 2.9}, {0, 0, 0}, UP, 30, {0.30, 0.60, 0.55}, {0.85, 0.50, 0.30}},
     {.name = NULL}};
 /* clang-format on */
 

@@ -181,16 +181,13 @@ static int parse_option(const cli_program *program, char **argument, char *optio
     return taken;
 }
 
-void cli_parse(const cli_program *program, int argc, char **argv, void *options) {
+int cli_parse_files(const cli_program *program, int argc, char **argv, void *options) {
     program_name = program->name;
-    int plain_only = 0;
+    int plain_only = 0, files = 0;
     for (int i = 1; i < argc;) {
         const char *text = argv[i];
         if (plain_only || text[0] != '-') {
-            const char **name = (const char **)(void *)((char *)options + program->positional);
-            if (*name) cli_fail(CLI_BAD_INPUT, "one surface at a time: '%s'", cli_quote(text).text);
-            *name = text;
-            i++;
+            argv[++files] = argv[i++];
         } else if (strcmp(text, "--") == 0) {
             plain_only = 1;
             i++;
@@ -202,6 +199,14 @@ void cli_parse(const cli_program *program, int argc, char **argv, void *options)
             i += parse_option(program, argv + i, options);
         }
     }
+    return files;
+}
+
+void cli_parse(const cli_program *program, int argc, char **argv, void *options) {
+    const char **name = (const char **)(void *)((char *)options + program->positional);
+    int count = cli_parse_files(program, argc, argv, options);
+    if (count > 1) cli_fail(CLI_BAD_INPUT, "one surface at a time: '%s'", cli_quote(argv[2]).text);
+    if (count > 0) *name = argv[1];
 }
 
 void cli_set_flag(const cli_option *option, const char *value, void *field) {

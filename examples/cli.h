@@ -50,6 +50,10 @@ typedef struct cli_program {
 /* Reads the command line into the structure that the offsets are about. */
 void cli_parse(const cli_program *program, int argc, char **argv, void *options);
 
+/* The same for a program that takes any number of plain arguments: they become argv[1], argv[2] ...
+ * Returns how many; `positional` plays no part. */
+int cli_parse_files(const cli_program *program, int argc, char **argv, void *options);
+
 /* Ends the program: "--name: expected ARGUMENT, got 'value'". */
 _Noreturn void cli_expected(const cli_option *option, const char *value);
 

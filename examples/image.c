@@ -19,10 +19,11 @@ int image_format_of(const char *path, image_format *format) {
     return 0;
 }
 
-static const char *write_ppm(FILE *file, int width, int height, const uint8_t *pixels) {
-    fprintf(file, "P6\n%d %d\n255\n", width, height);
+void image_write_ppm(FILE *file, const char *comment, int width, int height, const uint8_t *pixels) {
+    fputs("P6\n", file);
+    if (comment) fprintf(file, "# %s\n", comment);
+    fprintf(file, "%d %d\n255\n", width, height);
     fwrite(pixels, 3 * (size_t)width, (size_t)height, file);
-    return NULL;
 }
 
 static void put_little_endian(uint8_t *at, uint32_t value) {
@@ -61,7 +62,8 @@ const char *image_write(FILE *file, image_format format, int width, int height, 
     case IMAGE_BMP:
         return write_bmp(file, width, height, pixels);
     case IMAGE_PPM:
-        return write_ppm(file, width, height, pixels);
+        image_write_ppm(file, NULL, width, height, pixels);
+        return NULL;
     }
     return "unknown format";
 }

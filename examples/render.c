@@ -6,10 +6,13 @@
 
 #include "catalogue.h"
 #include "cli.h"
+#include "output.h"
 #include "progress.h"
+#include "render_heatmap.h"
+#include "render_join.h"
 #include "render_options.h"
-#include "render_output.h"
-#include "render_view.h"
+#include "render_slice.h"
+#include "view.h"
 
 /* What the pictures of one run have in common. */
 typedef struct run {
@@ -89,62 +92,93 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     size_t room = sizeof format + strlen(surface) + NUMBERS;
     char *text = malloc(room);
     if (!text) cli_no_memory();
-    snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->width,
-             r->options->height, render_quality_name(r->options->quality), is_complex ? "complex" : "real",
-             is_complex ? "-" : render_tier_name(r->options->intersect.tier), stats->kernel, stats->threads,
-             stats->rays, stats->hits, stats->uncertain, stats->single_rays, stats->shadow_rays,
-             stats->iterations, stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s,
-             stats->shade_s, stats->total_s, algsurf_version());
+    snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->view.width,
+             r->options->view.height, render_quality_name(r->options->quality),
+             is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
+             stats->kernel, stats->threads, stats->rays, stats->hits, stats->uncertain, stats->single_rays,
+             stats->shadow_rays, stats->iterations, stats->expand_s, stats->solve_s, stats->point_s,
+             stats->shadow_s, stats->shade_s, stats->total_s, algsurf_version());
     output_text(set, path, text);
     free(text);
     free(surface);
 }
 
-static void draw_picture(run *r, const render_view *view, int picture) {
+static void write_heatmap(output_set *set, const char *path, run *r, const algsurf_extent *extent,
+                          const algsurf_camera *camera) {
+    render_heatmap map = render_make_heatmap(r->options, r->surface, extent, camera, &r->bar);
+    output_image(set, path, r->options->heatmap_format, map.width, map.height, map.pixels);
+    free(map.pixels);
+}
+
+/* The picture, or a slice of it that can be joined. */
+static void write_picture(output_set *set, const char *path, const run *r, const algsurf_extent *extent,
+                          const algsurf_camera *camera, const algsurf_complex_space *space) {
+    const render_options *options = r->options;
+    size_t count = (size_t)options->view.width * (size_t)r->rows;
+    if (options->row_end == 0 || options->format != IMAGE_PPM) {
+        output_image(set, path, options->format, options->view.width, r->rows, r->pixels);
+        return;
+    }
+    render_slice slice = {options->view.width,
+                          options->view.height,
+                          options->row_begin,
+                          options->row_end,
+                          render_job_digest(options, r->surface, extent, camera, space),
+                          render_pixels_digest(r->pixels, 3 * count),
+                          r->hits ? render_hits_digest(r->hits, count) : 0};
+    output_ppm(set, path, render_slice_write(&slice).text, options->view.width, r->rows, r->pixels);
+}
+
+static void draw_picture(run *r, const view *shown, int picture) {
     const render_options *options = r->options;
     const render_sweep *sweep = &options->sweep;
-    algsurf_camera camera =
-        render_make_camera(view, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
+    algsurf_camera camera = view_camera(shown, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
     algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
     char *output = numbered(options->output, r, picture);
     char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
+    char *heatmap = numbered(options->heatmap, r, picture);
     output_check(output);
     if (hits) output_check(hits);
     if (stats) output_check(stats);
+    if (heatmap) output_check(heatmap);
 
-    algsurf_render_options how = {sizeof how,       options->width,   options->height, options->row_begin,
-                                  options->row_end, options->threads, progress_rows,   &r->bar};
+    algsurf_render_options how = {
+        sizeof how,       options->view.width, options->view.height, options->row_begin,
+        options->row_end, options->threads,    progress_rows,        &r->bar};
     algsurf_render_stats counted = {.size = sizeof counted};
-    r->bar.picture = picture + 1;
+    r->bar.picture = options->frame > 0 ? 1 : picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
     demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
-    demand(algsurf_render(r->scene, &how, r->pixels, 3 * (size_t)options->width, r->hits, &counted));
+    demand(algsurf_render(r->scene, &how, r->pixels, 3 * (size_t)options->view.width, r->hits, &counted));
 
     output_set set = {.count = 0};
     if (stats) write_stats(&set, stats, r, &counted);
-    if (hits) output_hits(&set, hits, r->hits, (size_t)options->width * (size_t)r->rows);
-    output_image(&set, output, options->format, options->width, r->rows, r->pixels);
+    if (hits) output_hits(&set, hits, r->hits, (size_t)options->view.width * (size_t)r->rows);
+    if (heatmap) write_heatmap(&set, heatmap, r, &shown->extent, &camera);
+    write_picture(&set, output, r, &shown->extent, &camera, options->space.is_complex ? &space : NULL);
     output_commit(&set);
     free(output);
     free(hits);
     free(stats);
+    free(heatmap);
 }
 
 static void draw(const render_options *options, const algsurf_surface *surface,
                  const catalogue_entry *entry) {
-    render_view view = render_make_view(options, entry);
-    (void)render_make_camera(&view, 0, 1); /* a bad camera is told before anything else is done */
+    view shown = view_make(&options->view, entry);
+    (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     render_check_degree(&options->space, &options->sweep, algsurf_surface_degree(surface));
     run r = {.options = options, .surface = surface};
-    r.scene = make_scene(options, surface, entry, &view.extent);
-    r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->height;
-    size_t count = (size_t)options->width * (size_t)r.rows;
+    r.scene = make_scene(options, surface, entry, &shown.extent);
+    r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
+    size_t count = (size_t)options->view.width * (size_t)r.rows;
     r.pixels = malloc(3 * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
     if (!r.pixels || (options->hits && !r.hits)) cli_no_memory();
-    int pictures = options->sweep.pictures > 0 ? options->sweep.pictures : 1;
-    progress_begin(&r.bar, options->progress, pictures);
-    for (int i = 0; i < pictures; i++) draw_picture(&r, &view, i);
+    int first = options->frame > 0 ? options->frame - 1 : 0;
+    int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
+    progress_begin(&r.bar, options->progress, end - first);
+    for (int i = first; i < end; i++) draw_picture(&r, &shown, i);
     progress_end(&r.bar);
     algsurf_scene_free(r.scene);
     free(r.pixels);
@@ -152,6 +186,7 @@ static void draw(const render_options *options, const algsurf_surface *surface,
 }
 
 int main(int argc, char **argv) {
+    if (argc > 1 && strcmp(argv[1], "--join") == 0) return render_join(argc - 1, argv + 1);
     render_options options = render_parse_options(argc, argv);
     if (options.list) {
         list_surfaces();

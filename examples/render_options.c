@@ -4,24 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render_output.h"
+#include "output.h"
 
 enum { LARGEST = 65535 }; /* width, height: algsurf_render_options */
-
-static void set_size(const cli_option *option, const char *value, void *field) {
-    render_options *options = field;
-    char text[16];
-    size_t cut = strcspn(value, "x");
-    if (value[cut] == 'x' && cut < sizeof text) {
-        memcpy(text, value, cut);
-        text[cut] = '\0';
-        if (cli_whole(text, 1, LARGEST, &options->width) &&
-            cli_whole(value + cut + 1, 1, LARGEST, &options->height))
-            return;
-    }
-    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, each from 1 to %d, got '%s'", option->name, LARGEST,
-             cli_quote(value).text);
-}
 
 static void set_rows(const cli_option *option, const char *value, void *field) {
     render_options *options = field;
@@ -38,20 +23,11 @@ static void set_rows(const cli_option *option, const char *value, void *field) {
     cli_fail(CLI_BAD_INPUT, "%s: expected A:B, 0 <= A < B, got '%s'", option->name, cli_quote(value).text);
 }
 
-static void set_fov(const cli_option *option, const char *value, void *field) {
-    double fov;
-    if (!cli_numbers(value, ',', 1, &fov) || !(fov > 0 && fov < 180))
-        cli_fail(CLI_BAD_INPUT, "%s: expected degrees above 0 and below 180, got '%s'", option->name,
-                 cli_quote(value).text);
-    *(double *)field = fov;
-}
-
-static void set_orthographic(const cli_option *option, const char *value, void *field) {
-    double height;
-    if (!cli_numbers(value, ',', 1, &height) || !(height > 0))
-        cli_fail(CLI_BAD_INPUT, "%s: expected a number above 0, got '%s'", option->name,
-                 cli_quote(value).text);
-    *(double *)field = height;
+/* A command of its own: render_join.c. */
+static void set_join(const cli_option *option, const char *value, void *field) {
+    (void)value;
+    (void)field;
+    cli_fail(CLI_BAD_INPUT, "%s: must be the first argument", option->name);
 }
 
 static void set_threshold(const cli_option *option, const char *value, void *field) {
@@ -112,7 +88,7 @@ static void set_progress(const cli_option *option, const char *value, void *fiel
 static const cli_option options_table[] = {
     {"--list", NULL, "the named surfaces: name, degree, equation", cli_set_flag, FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
-    {"--size", "WxH", "size of the picture, default 1024x768", set_size, 0, 0, 0},
+    VIEW_OPTIONS(render_options),
     {"--output", "FILE",
      "the picture: .png, .bmp or .ppm; - is a PPM on standard output,\nand a "
      "device or pipe gets one; default NAME.png, or surface.png when the surface has no name",
@@ -128,20 +104,6 @@ static const cli_option options_table[] = {
      "a neighbour's by more than X, 0 to 1, in red, green or blue; the others\n"
      "get one; default 0: all pixels get them",
      set_threshold, FIELD(antialias_threshold)},
-    {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,
-     FIELD(eye)},
-    {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,
-     FIELD(look_at)},
-    {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector, FIELD(up)},
-    {"--fov", "DEGREES", "vertical field of view, default 30; magnifies: the eye stays", set_fov, FIELD(fov)},
-    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space", set_orthographic,
-     FIELD(orthographic)},
-    {"--extent", "sphere:R|box:X,Y,Z",
-     "what is shown (half sizes); default: as suits the named surface,\n"
-     "sphere:3 for others",
-     cli_set_extent, FIELD(extent)},
-    {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,
-     FIELD(centre)},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
      0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
@@ -169,13 +131,25 @@ static const cli_option options_table[] = {
     {"--sweep", "turn:N|delta:A:B:N|imag:K:A:B:N",
      "N pictures NAME-0001.png ...: a turn about the upward axis; --delta\nfrom A to B; --imag K from A to B",
      render_set_sweep, FIELD(sweep)},
+    {"--frame", "K", "only picture K of the --sweep, from 1 as in its name", cli_set_int,
+     offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
     {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
      offsetof(render_options, threads), 0, 256},
-    {"--rows", "A:B", "only the rows A to B-1 of the picture, from 0 at the top", set_rows, 0, 0, 0},
+    {"--rows", "A:B",
+     "a slice: only the rows A to B-1 of the picture, from 0 at the top; as a\n"
+     ".ppm it can be joined with others",
+     set_rows, 0, 0, 0},
+    {"--join", "SLICE.ppm ...", "a command of its own: slices become a picture; render --join --help",
+     set_join, 0, 0, 0},
     {"--hits", "FILE",
      "distances as raw little-endian doubles, row by row from the top:\nt of the hit "
      "along the unit ray from the eye, NaN where none",
      cli_set_text, FIELD(hits)},
+    {"--heatmap", "FILE",
+     "a second picture, with a legend: what the ray through the middle of each\n"
+     "pixel costs (intervals looked at, and evaluations, counted for single\n"
+     "rays on one thread), and where its answer is uncertain; names as --output",
+     cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE", "counts and times, a line 'key<TAB>value' each; - is standard output", cli_set_text,
      FIELD(stats)},
     {"--progress", "auto|always|never", "a bar with the time left on standard error", set_progress,
@@ -189,10 +163,24 @@ static const cli_program program = {
 
 /* Which file gets standard output; at most one may. */
 static void check_standard_output(const render_options *options) {
-    const char *files[] = {options->output, options->hits, options->stats};
+    const char *files[] = {options->output, options->hits, options->stats, options->heatmap};
     int users = 0;
-    for (int i = 0; i < 3; i++) users += files[i] && strcmp(files[i], "-") == 0;
-    if (users > 1) cli_fail(CLI_BAD_INPUT, "only one of --output, --hits, --stats can be '-'");
+    for (int i = 0; i < 4; i++) users += files[i] && strcmp(files[i], "-") == 0;
+    if (users > 1) cli_fail(CLI_BAD_INPUT, "only one of --output, --hits, --stats, --heatmap can be '-'");
+}
+
+image_format render_image_format(const char *option, const char *path) {
+    image_format format = IMAGE_PPM;
+    if (!image_format_of(path, &format) && strcmp(path, "-") != 0 && !output_is_special(path))
+        cli_fail(CLI_BAD_INPUT, "%s: expected a name that ends in .png, .bmp or .ppm, got '%s'", option,
+                 cli_quote(path).text);
+    return format;
+}
+
+static image_format check_image(const render_options *options, const char *option, const char *path) {
+    if (options->sweep.pictures > 0 && options->frame == 0 && strcmp(path, "-") == 0)
+        cli_fail(CLI_BAD_INPUT, "%s: '-' holds one picture, not a --sweep", option);
+    return render_image_format(option, path);
 }
 
 static void check_output(render_options *options) {
@@ -202,33 +190,31 @@ static void check_output(render_options *options) {
         if (!options->default_output) cli_no_memory();
         options->output = strcat(strcpy(options->default_output, name), ".png");
     }
-    options->format = IMAGE_PPM;
-    if (!image_format_of(options->output, &options->format) && strcmp(options->output, "-") != 0 &&
-        !output_is_special(options->output))
-        cli_fail(CLI_BAD_INPUT, "--output: expected a name that ends in .png, .bmp or .ppm, got '%s'",
-                 cli_quote(options->output).text);
-    if (options->sweep.pictures > 0 && strcmp(options->output, "-") == 0)
-        cli_fail(CLI_BAD_INPUT, "--output: '-' holds one picture, not a --sweep");
+    options->format = check_image(options, "--output", options->output);
+    if (options->heatmap) options->heatmap_format = check_image(options, "--heatmap", options->heatmap);
     check_standard_output(options);
 }
 
 render_options render_parse_options(int argc, char **argv) {
-    render_options options = {.width = 1024,
-                              .height = 768,
-                              .quality = ALGSURF_QUALITY_STANDARD,
+    render_options options = {.quality = ALGSURF_QUALITY_STANDARD,
                               .antialias = 1,
                               .intersect = {.size = sizeof options.intersect},
                               .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
     cli_parse(&program, argc, argv, &options);
+    view_check(&options.view);
     if (options.list) return options;
-    if (options.fov > 0 && options.orthographic > 0)
-        cli_fail(CLI_BAD_INPUT, "--orthographic: has no field of view; leave --fov out");
-    if (options.row_end > options.height)
+    if (options.row_end > options.view.height)
         cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
-                 options.height);
+                 options.view.height);
+    if (options.frame > 0 && options.sweep.pictures == 0)
+        cli_fail(CLI_BAD_INPUT, "--frame: plays no part without --sweep");
+    if (options.frame > options.sweep.pictures)
+        cli_fail(CLI_BAD_INPUT, "--frame: the --sweep has no picture %d, only %d", options.frame,
+                 options.sweep.pictures);
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part without --antialias 2 or more");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
+    if (options.heatmap) options.space.real_only = "--heatmap";
     render_check_space(&options.space, &options.sweep);
     check_output(&options);
     return options;

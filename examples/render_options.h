@@ -5,23 +5,23 @@
 #include "image.h"
 #include "progress.h"
 #include "render_space.h"
+#include "view.h"
 
 typedef struct render_options {
     int list;
-    int width, height;
+    view_options view;
     const char *output, *hits, *stats; /* hits, stats: null when not wanted; "-" is standard output */
-    char *default_output;              /* to be freed; null when --output is given */
+    const char *heatmap;               /* the same */
+    image_format heatmap_format;
+    char *default_output; /* to be freed; null when --output is given */
     image_format format;
     algsurf_quality quality;
     int antialias;
     double antialias_threshold;
-    cli_vector eye, look_at, up;
-    double fov, orthographic; /* 0: not given */
-    cli_extent extent;
-    cli_vector centre;
     algsurf_intersect_options intersect;
     int threads;
     int row_begin, row_end; /* both 0: all rows */
+    int frame;              /* of the sweep, from 1; 0: all */
     render_space space;
     render_sweep sweep;
     progress_mode progress;
@@ -30,6 +30,10 @@ typedef struct render_options {
 
 /* Reads and checks the command line; ends the program when it is bad, or answers --help. */
 render_options render_parse_options(int argc, char **argv);
+
+/* The format of a picture by the ending of its name, a PPM for one without a name; ends the program, naming
+ * the option, when there is none. */
+image_format render_image_format(const char *option, const char *path);
 
 /* The name of a setting, as written on the command line. */
 const char *render_quality_name(algsurf_quality quality);

@@ -8,8 +8,6 @@ static const double PI = 3.14159265358979323846;
 static const double REAL_DELTA =
     1e-10; /* radians: positive real roots only, their argument being exactly 0 */
 
-enum { MOST_PICTURES = 9999 };
-
 /* The text up to a separator, copied; returns what stands behind it, null when it is missing or too far. */
 static const char *cut(const char *text, const char *separator, char part[64]) {
     const char *at = strstr(text, separator);
@@ -78,7 +76,7 @@ static int read_sweep(const char *value, render_sweep *sweep) {
     const char *rest = cut(value, ":", part);
     *sweep = (render_sweep){.kind = SWEEP_TURN};
     if (!rest) return 0;
-    if (strcmp(part, "turn") == 0) return cli_whole(rest, 1, MOST_PICTURES, &sweep->pictures);
+    if (strcmp(part, "turn") == 0) return cli_whole(rest, 1, RENDER_MOST_PICTURES, &sweep->pictures);
     sweep->kind = strcmp(part, "imag") == 0 ? SWEEP_IMAG : SWEEP_DELTA;
     if (sweep->kind == SWEEP_DELTA && strcmp(part, "delta") != 0) return 0;
     if (sweep->kind == SWEEP_IMAG &&
@@ -88,13 +86,13 @@ static int read_sweep(const char *value, render_sweep *sweep) {
         if (!(rest = cut(rest, ":", part))) return 0;
         if (!(sweep->kind == SWEEP_DELTA ? angle(part, end) : cli_numbers(part, ',', 1, end))) return 0;
     }
-    return cli_whole(rest, 1, MOST_PICTURES, &sweep->pictures);
+    return cli_whole(rest, 1, RENDER_MOST_PICTURES, &sweep->pictures);
 }
 
 void render_set_sweep(const cli_option *option, const char *value, void *field) {
     if (!read_sweep(value, field))
         cli_fail(CLI_BAD_INPUT, "%s: expected turn:N, delta:A:B:N or imag:K:A:B:N, N from 1 to %d, got '%s'",
-                 option->name, MOST_PICTURES, cli_quote(value).text);
+                 option->name, RENDER_MOST_PICTURES, cli_quote(value).text);
 }
 
 void render_check_space(render_space *space, const render_sweep *sweep) {

@@ -3,6 +3,8 @@
 #define RENDER_SPACE_H
 #include "cli.h"
 
+enum { RENDER_MOST_PICTURES = 9999 }; /* of a sweep: their names have four digits */
+
 /* What --sweep changes from picture to picture. */
 typedef struct render_sweep {
     enum { SWEEP_NONE, SWEEP_TURN, SWEEP_DELTA, SWEEP_IMAG } kind;

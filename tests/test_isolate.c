@@ -244,6 +244,32 @@ static void test_capacity(void **state) {
     assert_int_equal(k, 1);
 }
 
+/* Intervals that Descartes' rule looks at.  Catches: a walk that is not counted, or counted twice. */
+static void test_counted(void **state) {
+    (void)state;
+    const double none[] = {1, 0, 1}, one[] = {-0.9, 1}, two[] = {0.665, -1.65, 1}, dyadic[] = {-0.25, 0, 1};
+    const double twice[] = {0.140625, -0.75, 1}; /* (t - 3/8)^2 */
+    algsurf_bracket b, plain;
+    int found, as_plain, n = 77;
+    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 2, -1, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 0 && n == 3); /* the whole, both halves */
+    assert_int_equal(algsurf_isolate_first_counted(one, NULL, 1, 0, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 1 && n == 1);
+    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 0.5, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 1 && n == 2); /* the whole, the left half: its root is the first */
+    assert_int_equal(algsurf_isolate_first_counted(dyadic, NULL, 2, 0.5, 0.5, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 1 && n == 0);
+    assert_int_equal(algsurf_isolate_first_counted(twice, NULL, 2, 0, 1, &b, &found, &n),
+                     algsurf_isolate_first(twice, NULL, 2, 0, 1, &plain, &as_plain));
+    assert_int_equal(found, as_plain);
+    assert_memory_equal(&b, &plain, sizeof b);
+    assert_in_range(n, 50, 1000); /* down to the floor in double, then in double-double */
+    n = 77;
+    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 0, 1, &b, &found, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 1, 0, &b, &found, &n), ALGSURF_E_ARGUMENT);
+    assert_int_equal(n, 77);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random),
@@ -254,6 +280,7 @@ int main(void) {
         cmocka_unit_test(test_one_point),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_capacity),
+        cmocka_unit_test(test_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

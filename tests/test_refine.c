@@ -540,6 +540,91 @@ static void test_bad_input(void **state) {
     assert_memory_equal(&r, &before, sizeof r);
 }
 
+/* ---- the observer ---- */
+
+typedef struct {
+    int calls, other_rounding;
+    double x[RECORDED], value[RECORDED];
+} record;
+
+static void watch(double x, double value, void *data) {
+    record *r = data;
+    volatile double one = 1, tiny = 0x1p-60;
+    assert_true(r->calls < RECORDED);
+    r->other_rounding |= one + tiny != 1 || one - tiny != 1;
+    r->x[r->calls] = x;
+    r->value[r->calls++] = value;
+}
+
+static double horner(const double *c, int n, double x) {
+    double y = c[n];
+    for (int i = n - 1; i >= 0; i--) y = y * x + c[i];
+    return y;
+}
+
+/* What a record says is what happened: the ends, the points, their values, the bracket they leave. */
+static void check_record(const record *seen, const double *c, int n, double lo, double hi,
+                         const algsurf_root *r) {
+    double left = lo, right = hi;
+    int found = 0;
+    assert_int_equal(seen->calls, r->evaluations);
+    assert_true(seen->x[0] == lo && seen->x[1] == hi);
+    for (int i = 0; i < seen->calls; i++) {
+        double x = seen->x[i];
+        assert_true(seen->value[i] == horner(c, n, x));
+        assert_true(lo <= x && x <= hi);
+        found |= x == r->root && seen->value[i] == r->value;
+        if (i < 2) continue;
+        assert_true(left <= x && x <= right);
+        if (sign_of(seen->value[i]) == sign_of(seen->value[0]))
+            left = x;
+        else
+            right = x;
+    }
+    assert_true(found);
+    if (r->value != 0) assert_true(r->lo == left && r->hi == right);
+}
+
+/* Catches: an observer that is not told an end or a point, is told another polynomial's value (that of the
+ * balanced one), changes the result, or runs in the caller's rounding. */
+static void test_observer(void **state) {
+    (void)state;
+    static record seen;
+    uint64_t seed = SEED;
+    int polynomials = 0;
+    for (int round = 0; round < 3000; round++) {
+        double c[6], shift = ldexp(1, 600 * (round % 3 - 1)); /* balanced, as it is, balanced */
+        for (int i = 0; i < 6; i++) c[i] = shift * exact_random_wide(&seed, -6, 3);
+        double lo = exact_random_unit(&seed), hi = lo + fabs(exact_random_unit(&seed));
+        if (sign_of(horner(c, 5, lo)) * sign_of(horner(c, 5, hi)) >= 0) continue;
+        polynomials++;
+        for (int m = 0; m < 4; m++) {
+            algsurf_refine_options o = options_of(methods[m], 1e-9, 0);
+            algsurf_root plain, r;
+            memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
+            seen.calls = 0;
+            algsurf_status status = algsurf_refine_poly(c, 5, lo, hi, &o, &plain);
+            fesetround(round % 2 ? FE_UPWARD : FE_TONEAREST);
+            algsurf_status observed = algsurf_refine_poly_observed(c, 5, lo, hi, &o, watch, &seen, &r);
+            fesetround(FE_TONEAREST);
+            assert_int_equal(observed, status);
+            assert_memory_equal(&r, &plain, sizeof r);
+            check_record(&seen, c, 5, lo, hi, &r);
+        }
+    }
+    assert_true(polynomials > 50);
+    assert_int_equal(seen.other_rounding, 0);
+    const double c[2] = {-0.5, 1};
+    algsurf_root r;
+    seen.calls = 0;
+    assert_int_equal(algsurf_refine_poly_observed(c, 1, 0, 1, NULL, NULL, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly_observed(NULL, 1, 0, 1, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly_observed(c, 1, 1, 0, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(seen.calls, 0);
+    assert_int_equal(algsurf_refine_poly_observed(c, 1, 1, 2, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(seen.calls, 2);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_methods_agree_on_known_roots),
@@ -555,6 +640,7 @@ int main(void) {
         cmocka_unit_test(test_any_environment),
         cmocka_unit_test(test_options),
         cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_observer),
     };
     return cmocka_run_group_tests_name("refine", tests, NULL, NULL);
 }

@@ -7,7 +7,6 @@
 
 #include "fuzz.h"
 #include "render_options.h"
-#include "render_view.h"
 
 enum { MOST_ARGUMENTS = 24 };
 
@@ -22,14 +21,16 @@ _Noreturn void __wrap_exit(int status) {
 }
 
 static void check_options(const render_options *o) {
-    fuzz_check(o->width >= 1 && o->width <= 65535 && o->height >= 1 && o->height <= 65535);
-    fuzz_check(o->row_begin >= 0 && o->row_end <= o->height && o->row_begin <= o->row_end);
+    fuzz_check(o->view.width >= 1 && o->view.width <= 65535 && o->view.height >= 1 &&
+               o->view.height <= 65535);
+    fuzz_check(o->row_begin >= 0 && o->row_end <= o->view.height && o->row_begin <= o->row_end);
     fuzz_check(o->antialias >= 1 && o->antialias <= 16 && o->threads >= 0 && o->threads <= 256);
-    fuzz_check(o->fov >= 0 && o->fov < 180 && o->orthographic >= 0 && isfinite(o->orthographic));
+    fuzz_check(o->view.fov >= 0 && o->view.fov < 180 && o->view.orthographic >= 0 &&
+               isfinite(o->view.orthographic));
     fuzz_check(o->intersect.tolerance >= 0 && isfinite(o->intersect.tolerance));
     for (int i = 0; i < 3; i++) {
-        fuzz_check(isfinite(o->eye.x[i]) && isfinite(o->look_at.x[i]) && isfinite(o->up.x[i]));
-        fuzz_check(isfinite(o->centre.x[i]) && isfinite(o->extent.extent.size[i]));
+        fuzz_check(isfinite(o->view.eye.x[i]) && isfinite(o->view.look_at.x[i]) && isfinite(o->view.up.x[i]));
+        fuzz_check(isfinite(o->view.centre.x[i]) && isfinite(o->view.extent.extent.size[i]));
     }
     for (size_t i = 0; i < o->surface.constant_count; i++)
         fuzz_check(isfinite(o->surface.constants[i].value) && o->surface.constants[i].name[0]);
@@ -38,11 +39,11 @@ static void check_options(const render_options *o) {
 /* From the options to the first camera, as render does it. */
 static void check_camera(const render_options *o) {
     const catalogue_entry *entry = o->surface.name ? catalogue_find(o->surface.name) : NULL;
-    render_view view = render_make_view(o, entry);
-    algsurf_camera camera = render_make_camera(&view, 0, 1);
+    view shown = view_make(&o->view, entry);
+    algsurf_camera camera = view_camera(&shown, 0, 1);
     algsurf_ray ray;
     fuzz_check(camera.half_height > 0 && isfinite(camera.half_height));
-    fuzz_check(algsurf_camera_ray(&camera, o->width, o->height, 0.5, 0.5, &ray) <= ALGSURF_OK);
+    fuzz_check(algsurf_camera_ray(&camera, o->view.width, o->view.height, 0.5, 0.5, &ray) <= ALGSURF_OK);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -1,12 +1,12 @@
-/* render_output.h - files that are whole or not there.
+/* output.h - files that are whole or not there.
  *
  * A regular file is written beside its target under another name, and renamed when all files of its
  * set are complete; whatever goes wrong before, it is removed and the target is as it was.  A target
  * that exists and is no regular file (a device, a pipe, a link) is written directly, "-" is standard
  * output.  Every function here ends the program, status 1, with one line when it cannot do its work.
  */
-#ifndef RENDER_OUTPUT_H
-#define RENDER_OUTPUT_H
+#ifndef OUTPUT_H
+#define OUTPUT_H
 #include <stddef.h>
 #include <stdint.h>
 
@@ -19,7 +19,7 @@ typedef struct output_file {
 
 /* The files of one picture; starts with all zero. */
 typedef struct output_set {
-    output_file files[3];
+    output_file files[4];
     int count;
 } output_set;
 
@@ -31,6 +31,8 @@ void output_check(const char *path);
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,
                   const uint8_t *pixels);
+void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
+                const uint8_t *pixels);
 void output_hits(output_set *set, const char *path, const double *hits, size_t count);
 void output_text(output_set *set, const char *path, const char *text);
 

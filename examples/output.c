@@ -1,6 +1,6 @@
-/* render_output.c - see render_output.h. */
+/* output.c - see output.h. */
 #define _POSIX_C_SOURCE 200809L
-#include "render_output.h"
+#include "output.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -41,7 +41,7 @@ static FILE *open_beside(const output_set *set, const char *path, char **name) {
     *name = malloc(room);
     if (!*name) fail(set, path, "out of memory");
     for (int i = 0; i < 100 && !file; i++) {
-        snprintf(*name, room, "%.*s.render-%ld-%d.part", folder, path, (long)getpid(), i);
+        snprintf(*name, room, "%.*s.algsurf-%ld-%d.part", folder, path, (long)getpid(), i);
         file = fopen(*name, "wbx");
         if (!file && errno != EEXIST) break;
     }
@@ -85,6 +85,13 @@ void output_image(output_set *set, const char *path, image_format format, int wi
     FILE *file = open_output(set, path);
     const char *wrong = image_write(file, format, width, height, pixels);
     if (wrong) fail(set, path, wrong);
+    close_output(set, path, file);
+}
+
+void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
+                const uint8_t *pixels) {
+    FILE *file = open_output(set, path);
+    image_write_ppm(file, comment, width, height, pixels);
     close_output(set, path, file);
 }
 

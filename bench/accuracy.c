@@ -1,0 +1,201 @@
+/* accuracy.c - what accuracy costs: method, tolerance and tier, single rays and packets: accuracy --help.
+ *
+ * Every setting answers the same rays of a surface's view, and is judged by roots that are proved to far more
+ * digits than double has (accuracy_truth.h).  All settings of all surfaces are judged before any is timed,
+ * and one that contradicts what it promises ends the program without a table.  Then they take turns, so that
+ * what else runs on the machine hits them alike.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "accuracy_report.h"
+#include "cli.h"
+#include "measure.h"
+#include "results.h"
+
+/* Regula falsi and the fast tier may be wrong, but if they are at more than one in FEW_WRONG of the hits, at
+ * tolerance 0, something is broken: regula falsi is at one in 80, on boy. */
+enum { MAX_SURFACES = 64, FEW_WRONG = 20 };
+
+typedef struct bench_options {
+    const char *extra; /* a plain argument, which this program does not take */
+    const char *output;
+    int repeat, quick;
+    const catalogue_entry *surface[MAX_SURFACES];
+    int surfaces;
+} bench_options;
+
+static void add_surface(bench_options *o, const catalogue_entry *entry) {
+    if (o->surfaces == MAX_SURFACES) cli_fail(CLI_BAD_INPUT, "more than %d surfaces", MAX_SURFACES);
+    o->surface[o->surfaces++] = entry;
+}
+
+static void set_surface(const cli_option *option, const char *value, void *field) {
+    const catalogue_entry *entry = catalogue_find(value);
+    if (!entry) cli_expected(option, value);
+    add_surface(field, entry);
+}
+
+#define FIELD(member) offsetof(bench_options, member)
+
+static const cli_option options_table[] = {
+    {"--surface", "NAME", "a surface of the catalogue (repeatable), default tangle, boy, barth, barth-decic",
+     set_surface, 0, 0, 0},
+    {"--repeat", "N", "times taken of which the median is told, default 3", cli_set_int, FIELD(repeat), 1,
+     MAX_REPEAT},
+    {"--output", "FOLDER", "all numbers as CSV and charts as SVG go there; made if there is none",
+     cli_set_text, FIELD(output), 0, 0},
+    {"--quick", NULL, "fewer rays: seconds instead of a minute", cli_set_flag, FIELD(quick), 0, 0},
+    {NULL, NULL, NULL, NULL, 0, 0, 0}};
+
+static const cli_program program = {
+    "accuracy", "[options]",
+    "Answers the rays of surfaces with every method, tolerance and tier, one by one, in packets and in\n"
+    "pictures; checks the answers against roots that are proved, then prints time and error of each.\n"
+    "An answer that contradicts what its setting promises: one line on standard error, no table, exit\n"
+    "status 1.",
+    options_table, FIELD(extra)};
+
+static const char legend[] =
+    "Time a ray takes, and how far its first hit is off.\n"
+    "  way        single: algsurf_intersect_first; packet: algsurf_intersect_packet; picture:\n"
+    "             algsurf_render, its share of intersections, positions and normals, one thread.\n"
+    "             Packets and pictures solve rays side by side by the default method only\n"
+    "  tolerance  wanted error of t, in units of space; 0: all that a double can tell\n"
+    "  ns         CPU time for each ray that meets the extent, median\n"
+    "  error      |t - exact| over the hits; 99.9 % do not exceed the number told (of fewer than 1000\n"
+    "             hits: none does)\n"
+    "  spread     longest less shortest time, in units of the median; median over tolerances\n"
+    "  wrong      rays with another state than the truth, or t off by more than tolerance and rounding,\n"
+    "             at the tolerance with most of them; uncertain: so told, at tolerance 0\n"
+    "  settled    the largest tolerance from which on the picture's bytes, standard quality, do not\n"
+    "             change any more; of other methods than the default, it is drawn ray by ray\n";
+
+typedef struct size {
+    int width, height, rows;
+} size;
+
+static size size_of(const bench_options *o) { return o->quick ? (size){96, 72, 12} : (size){256, 192, 24}; }
+
+/* ---- the settings ---- */
+
+static void make_lines(record *r) {
+    line *l = r->line;
+    for (int method = 0; method < METHODS; method++)
+        for (int tier = 0; tier < TIERS; tier++)
+            (l++)->setting = (setting){WAY_SINGLE, (algsurf_method)method, (algsurf_tier)tier, 0};
+    for (int w = WAY_PACKET; w <= WAY_PICTURE; w++)
+        for (int tier = 0; tier < TIERS; tier++)
+            (l++)->setting = (setting){(way)w, ALGSURF_METHOD_DEFAULT, (algsurf_tier)tier, 0};
+}
+
+static setting setting_at(const line *l, int tolerance) {
+    setting s = l->setting;
+    s.tolerance = accuracy_tolerances[tolerance];
+    return s;
+}
+
+/* ---- a surface ---- */
+
+static _Noreturn void refuse(const view *v, const setting *s, const char *what, size_t at) {
+    size_t width = (size_t)v->width;
+    cli_fail(CLI_BROKEN, "%s, %s, %s, %s, tolerance %g: pixel %zu,%zu of %dx%d: %s", v->entry->name,
+             way_name(s->way), method_name(s->method), tier_name(s->tier), s->tolerance, at % width,
+             at / width, v->width, v->height, what);
+}
+
+static void judge_line(const view *v, ways *w, line *l) {
+    for (int k = 0; k < TOLERANCES; k++) {
+        setting s = setting_at(l, k);
+        (void)ways_run(w, &s);
+        l->verdict[k] = ways_judge(w, &s);
+        if (l->verdict[k].breach) refuse(v, &s, l->verdict[k].breach, l->verdict[k].at);
+        if (s.tolerance == 0 && l->verdict[k].wrong > v->hits / FEW_WRONG)
+            refuse(v, &s, "too many hits are wrong, the first of them this one", l->verdict[k].first_wrong);
+    }
+}
+
+static void judge(const view *v, ways *w, record *r) {
+    *r = (record){.entry = v->entry, .rays = v->count, .hits = v->hits, .open = v->open, .worst = v->worst};
+    make_lines(r);
+    for (line *l = r->line; l < r->line + LINES; l++) judge_line(v, w, l);
+}
+
+static void clock_all(ways *w, record *r) {
+    for (line *l = r->line; l < r->line + LINES; l++) {
+        for (int k = 0; k < TOLERANCES; k++) {
+            setting s = setting_at(l, k);
+            l->seconds[k][l->taken] = ways_run(w, &s);
+        }
+        l->taken++;
+    }
+}
+
+static void settle(ways *w, record *r) {
+    for (line *l = r->line; l < r->line + LINES; l++) {
+        int drawn_so = (l->setting.way == WAY_PICTURE) == (l->setting.method == ALGSURF_METHOD_DEFAULT);
+        l->settled = drawn_so ? ways_settled(w, &l->setting, accuracy_tolerances, TOLERANCES) : -1;
+        for (int k = 0; k < TOLERANCES; k++) measure_sort(l->seconds[k], l->taken);
+    }
+}
+
+/* ---- the run ---- */
+
+static void print_head(const bench_options *o) {
+    char machine[512];
+    size pixels = size_of(o);
+    measure_machine(machine, sizeof machine);
+    printf("%smachine: %s\nkernel: %s\nrays: of the pixels of %d rows of a picture of %dx%d, view of the "
+           "catalogue\nrepeat: %d\n",
+           legend, machine, algsurf_kernel_name(0), pixels.rows, pixels.width, pixels.height, o->repeat);
+}
+
+static void *allocate(size_t count, size_t bytes) {
+    void *memory = calloc(count, bytes);
+    if (!memory) cli_no_memory();
+    return memory;
+}
+
+static void run_all(const bench_options *o, record *records) {
+    size_t count = (size_t)o->surfaces;
+    size pixels = size_of(o);
+    view **v = allocate(count, sizeof *v);
+    ways **w = allocate(count, sizeof *w);
+    for (size_t i = 0; i < count; i++) {
+        v[i] = view_open(o->surface[i], pixels.width, pixels.height, pixels.rows);
+        w[i] = ways_open(v[i]);
+        judge(v[i], w[i], &records[i]);
+    }
+    for (int turn = 0; turn < o->repeat; turn++)
+        for (size_t i = 0; i < count; i++) clock_all(w[i], &records[i]);
+    for (size_t i = 0; i < count; i++) {
+        settle(w[i], &records[i]);
+        ways_close(w[i]);
+        view_close(v[i]);
+    }
+    free(v);
+    free(w);
+}
+
+static void add_usual_surfaces(bench_options *o) {
+    static const char *const usual[] = {"tangle", "boy", "barth", "barth-decic"};
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) add_surface(o, catalogue_find(usual[i]));
+}
+
+int main(int argc, char **argv) {
+    bench_options o = {0};
+    cli_parse(&program, argc, argv, &o);
+    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    if (o.repeat == 0) o.repeat = o.quick ? 2 : 3;
+    if (o.surfaces == 0) add_usual_surfaces(&o);
+    if (o.output) results_folder(o.output);
+    record *records = allocate((size_t)o.surfaces, sizeof *records);
+    run_all(&o, records);
+    print_head(&o);
+    for (int i = 0; i < o.surfaces; i++) report_table(&records[i]);
+    report_advice(records, o.surfaces);
+    cli_finish_output();
+    if (o.output) report_files(records, o.surfaces, o.output);
+    free(records);
+    return 0;
+}

@@ -1,0 +1,99 @@
+/* peers_arb.c - Arb, now part of FLINT: balls in arbitrary precision.
+ *
+ * The first real root goes by the polynomial with integer coefficients that is an exact multiple of the one
+ * given, squarefree factors first: whether a root is real is then proved, and roots may be multiple.  All
+ * roots go by acb_poly_find_roots, in a precision doubled until each is isolated and known to 53 bits.
+ */
+#include <math.h>
+
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_factor.h>
+#if __has_include(<flint/acb_poly.h>)
+#include <flint/acb_poly.h>
+#include <flint/arb_fmpz_poly.h>
+#else
+#include <acb_poly.h>
+#include <arb_fmpz_poly.h>
+#endif
+
+#include "algsurf/status.h"
+#include "peers_solver.h"
+
+enum { BITS = 53, FIRST_PRECISION = 64, LAST_PRECISION = 4096 };
+
+static void scale_to_integers(fmpz_poly_t integral, const double *c, int degree) {
+    int exponent, least = 1 << 20;
+    fmpz_t m;
+    for (int k = 0; k <= degree; k++)
+        if (c[k] != 0) {
+            (void)frexp(c[k], &exponent);
+            if (exponent - BITS < least) least = exponent - BITS;
+        }
+    fmpz_init(m);
+    for (int k = 0; k <= degree; k++)
+        if (c[k] != 0) {
+            fmpz_set_si(m, (slong)ldexp(frexp(c[k], &exponent), BITS));
+            fmpz_mul_2exp(m, m, (ulong)(exponent - BITS - least));
+            fmpz_poly_set_coeff_fmpz(integral, k, m);
+        }
+    fmpz_clear(m);
+}
+
+static peer_root root_of_ball(const acb_struct *ball) {
+    mag_t radius;
+    peer_root root = {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
+                      arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR), 0};
+    mag_init(radius);
+    mag_hypot(radius, arb_radref(acb_realref(ball)), arb_radref(acb_imagref(ball)));
+    root.radius = mag_get_d(radius);
+    mag_clear(radius);
+    return root;
+}
+
+static int roots_of_factor(const fmpz_poly_struct *factor, peer_root *roots) {
+    slong degree = fmpz_poly_degree(factor);
+    if (degree < 1) return 0;
+    acb_ptr balls = _acb_vec_init(degree);
+    arb_fmpz_poly_complex_roots(balls, factor, 0, BITS);
+    for (slong i = 0; i < degree; i++) roots[i] = root_of_ball(balls + i);
+    _acb_vec_clear(balls, degree);
+    return (int)degree;
+}
+
+double peer_arb_first(const double *c, int degree) {
+    peer_root roots[ALGSURF_MAX_DEGREE];
+    fmpz_poly_t integral;
+    fmpz_poly_factor_t factors;
+    int count = 0;
+    fmpz_poly_init(integral);
+    fmpz_poly_factor_init(factors);
+    scale_to_integers(integral, c, degree);
+    fmpz_poly_factor_squarefree(factors, integral);
+    for (slong i = 0; i < factors->num; i++) count += roots_of_factor(factors->p + i, roots + count);
+    fmpz_poly_factor_clear(factors);
+    fmpz_poly_clear(integral);
+    return peer_least(roots, count);
+}
+
+static int known(acb_srcptr balls, slong count) {
+    for (slong i = 0; i < count; i++)
+        if (acb_rel_accuracy_bits(balls + i) < BITS && !acb_is_zero(balls + i)) return 0;
+    return 1;
+}
+
+int peer_arb_all(const double *re, const double *im, int degree, peer_root *roots) {
+    acb_poly_t p;
+    acb_ptr balls = _acb_vec_init(degree);
+    slong isolated = 0;
+    acb_poly_init2(p, degree + 1);
+    for (int k = 0; k <= degree; k++) acb_set_d_d(p->coeffs + k, re[k], im ? im[k] : 0);
+    _acb_poly_set_length(p, degree + 1);
+    for (slong precision = FIRST_PRECISION; precision <= LAST_PRECISION; precision *= 2) {
+        isolated = acb_poly_find_roots(balls, p, precision > FIRST_PRECISION ? balls : NULL, 0, precision);
+        if (isolated == degree && known(balls, degree)) break;
+    }
+    for (slong i = 0; i < isolated; i++) roots[i] = root_of_ball(balls + i);
+    _acb_vec_clear(balls, degree);
+    acb_poly_clear(p);
+    return (int)isolated;
+}

@@ -1,0 +1,23 @@
+# report_common.awk - tables for bench/report: columns by their names, numbers as people write them.
+function c(name) { # $(c("name")) is the cell in the column of that name
+    if (!(name in column)) {
+        print FILENAME ": no column " name >"/dev/stderr"
+        exit 3
+    }
+    return column[name]
+}
+function number(x, size) {
+    if (x !~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/) return x
+    size = x < 0 ? -x : x
+    return sprintf(size == int(size) && size < 1e7 ? "%d" : size >= 100 && size < 1e7 ? "%.0f" : "%.3g", x)
+}
+function median(list, n,   i, j, x) {
+    for (i = 2; i <= n; i++) {
+        x = list[i]
+        for (j = i - 1; j > 0 && list[j] + 0 > x + 0; j--) list[j + 1] = list[j]
+        list[j + 1] = x
+    }
+    return n % 2 ? list[(n + 1) / 2] : (list[n / 2] + list[n / 2 + 1]) / 2
+}
+function times(x) { return sprintf(x < 10 ? "%.2fx" : x < 100 ? "%.1fx" : "%.0fx", x) }
+FNR == 1 { for (i = 1; i <= NF; i++) column[heading[i] = $i] = i; next }

@@ -1,0 +1,28 @@
+# report_pictures.awk - what bench/report says of pictures.csv; size: of the pictures.
+{
+    way = $(c("manner")); name = $(c("surface"))
+    if (FNR == 2) first = way
+    if (way == first) { names[++n] = name; degree[name] = $(c("degree")) }
+    ms[way, name] = $(c("ms50%"))
+    threads[way] = $(c("threads"))
+}
+function ratio(way,   i, list) { # median over surfaces
+    for (i = 1; i <= n; i++) list[i] = ms[way, names[i]] / ms[first, names[i]]
+    return times(median(list, n))
+}
+function told(name) { return number(ms[first, name]) " ms (" name ", degree " degree[name] ")" }
+END {
+    low = high = names[1]
+    for (i = 2; i <= n; i++) {
+        if (ms[first, names[i]] + 0 < ms[first, low] + 0) low = names[i]
+        if (ms[first, names[i]] + 0 > ms[first, high] + 0) high = names[i]
+    }
+    printf "A picture of %s pixels by %s on one thread takes from ", size, first
+    printf "%s to %s.\n", told(low), told(high)
+    printf "Compared with that, surface by surface, median: the fast tier takes %s, ", ratio("fast")
+    printf "the certified tier %s, %d threads %s, ", ratio("certified"), threads["all"], ratio("all")
+    printf "the instructions every processor has %s, ", ratio("baseline")
+    printf "going ray by ray %s.\n", ratio("single")
+    printf "Nine samples a pixel take %s, nine on edges only %s", ratio("antialias"), ratio("adaptive")
+    print ((("full", low) in ms) ? ", area lights with shadows " ratio("full") "." : ".")
+}

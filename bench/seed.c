@@ -1,0 +1,180 @@
+/* seed.c - the comparison of root finders that this library grew from, made again: seed --help.
+ *
+ * Six surfaces of Chuyeshov, Visualization of algebraic surfaces, 2005, by bisection, regula falsi, Brent's
+ * method, the library's default, and three younger methods that are no part of the library; the Barth decic
+ * where regula falsi breaks; Newton's method where it finds another root.  Every root of every ray is
+ * compared with one that is proved before a time is told; a method that misses one ends the program without a
+ * table, except regula falsi, whose wrong roots are the result.  Methods take turns, so that what else runs
+ * on the machine hits them alike.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "measure.h"
+#include "seed_decic.h"
+#include "seed_figures.h"
+#include "results.h"
+#include "seed_pictures.h"
+#include "seed_report.h"
+
+static const double TOLERANCE = 1e-7;
+
+enum {
+    TIMED = 1 << 14, /* rays of a surface, evenly spread, that are timed: some 5 ms a pass */
+    REPEAT = 5,
+    PICTURES = 3,
+    QUICK_REPEAT = 3
+};
+
+typedef struct bench_options {
+    const char *extra; /* a plain argument, which this program does not take */
+    const char *output;
+    int quick;
+} bench_options;
+
+static int width_of(const bench_options *o) { return o->quick ? 160 : 1024; }
+static int height_of(const bench_options *o) { return o->quick ? 120 : 768; }
+
+#define FIELD(member) offsetof(bench_options, member)
+
+static const cli_option options_table[] = {
+    {"--output", "FOLDER", "tables as CSV and charts as SVG and PNG go there; made if there is none",
+     cli_set_text, FIELD(output), 0, 0},
+    {"--quick", NULL, "small pictures, three repetitions: seconds instead of a minute", cli_set_flag,
+     FIELD(quick), 0, 0},
+    {NULL, NULL, NULL, NULL, 0, 0, 0}};
+
+static const cli_program program = {
+    "seed", "[options]",
+    "Compares bisection, regula falsi, Brent's method, the library's default, Illinois, Chandrupatla and "
+    "ITP\n"
+    "on the rays of seven surfaces, checks every root, then prints what each costs and where it fails.\n"
+    "A root missed by a method that may not: one line on standard error, no table, exit status 1.",
+    options_table, FIELD(extra)};
+
+static const struct {
+    const char *name, *title;
+} surfaces[SEED_SURFACES] = {{"barth-sextic", "Barth sextic"},
+                             {"cusp", "cusp"},
+                             {"torus", "torus"},
+                             {"pillow", "pillow"},
+                             {"lemniscate", "lemniscate"},
+                             {"tanglecube", "Tanglecube"}};
+
+/* ---- roots ---- */
+
+/* A method on all brackets: what it found, judged. */
+static void judge(const seed_view *view, int m, seed_cost *cost) {
+    const seed_method *method = &seed_methods[m];
+    double evaluations = 0;
+    for (const seed_ray *ray = view->rays; ray < view->rays + view->count; ray++) {
+        algsurf_root root;
+        if (!ray->bracketed) continue;
+        algsurf_status status =
+            seed_solve(method, ray->c, view->entry->degree, ray->lo, ray->hi, TOLERANCE, 0, &root);
+        double allowed = seed_allowed(view, ray, TOLERANCE);
+        int right = status == ALGSURF_OK && fabs(root.root - ray->root) <= allowed;
+        int encloses = status >= 0 && root.lo <= ray->root + allowed && root.hi >= ray->root - allowed;
+        if (!encloses || (!right && !method->may_fail))
+            cli_fail(CLI_BROKEN, "%s, %s: pixel %d,%d has its root at %.17g, not %.17g", view->entry->name,
+                     method->name, ray->pixel % view->width, ray->pixel / view->width, ray->root, root.root);
+        cost->wrong += !right;
+        evaluations += root.evaluations;
+        if (root.evaluations > cost->evaluations_most) cost->evaluations_most = root.evaluations;
+    }
+    cost->evaluations = evaluations / (double)view->bracketed;
+}
+
+/* CPU seconds a ray: of those with a bracket, from there; or, isolated as well, of all. */
+static double pass(const seed_view *view, int m, double tolerance, int with_isolation) {
+    size_t stride = 1 + view->count / TIMED, rays = 0;
+    int degree = view->entry->degree;
+    double begun = measure_cpu();
+    for (size_t i = 0; i < view->count; i += stride) {
+        const seed_ray *ray = &view->rays[i];
+        algsurf_bracket bracket;
+        algsurf_root root;
+        int found;
+        if (with_isolation) (void)algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
+        rays += with_isolation || ray->bracketed;
+        if (ray->bracketed)
+            (void)seed_solve(&seed_methods[m], ray->c, degree, ray->lo, ray->hi, tolerance, 0, &root);
+    }
+    return (measure_cpu() - begun) / (double)rays;
+}
+
+static void add_time(seed_times *to, double seconds) { to->seconds[to->count++] = seconds; }
+
+/* ---- a surface ---- */
+
+static void time_roots(const seed_view *view, seed_result *result) {
+    for (int m = 0; m < SEED_METHODS; m++) {
+        add_time(&result->cost[m].refine, pass(view, m, TOLERANCE, 0));
+        add_time(&result->cost[m].solve, pass(view, m, TOLERANCE, 1));
+    }
+    add_time(&result->idle[0], pass(view, SEED_BRENT, 1, 0)); /* half a bracket is at most 1 */
+    add_time(&result->idle[1], pass(view, SEED_OWN, 1, 0));
+}
+
+static void time_pictures(const seed_view *view, seed_result *result, int repeat) {
+    seed_easel easel;
+    seed_easel_open(&easel, view);
+    for (int k = 0; k < repeat; k++) {
+        size_t none;
+        for (int m = 0; m < SEED_OWN; m++) {
+            double seconds = seed_draw(&easel, &seed_methods[m], TOLERANCE, 0, &result->cost[m].wrong_pixels);
+            add_time(&result->cost[m].picture, seconds);
+        }
+        add_time(&result->packets, seed_draw(&easel, &seed_methods[SEED_DEFAULT], TOLERANCE, 1, &none));
+    }
+    seed_easel_close(&easel);
+}
+
+static void measure_surface(int which, const bench_options *o, seed_result *result, seed_census *census) {
+    seed_view view;
+    seed_open(&view, surfaces[which].name, width_of(o), height_of(o));
+    if (view.bracketed == 0) cli_fail(CLI_BROKEN, "%s: no root at all", surfaces[which].name);
+    *result = (seed_result){.title = surfaces[which].title,
+                            .degree = view.entry->degree,
+                            .rays = view.count,
+                            .brackets = view.bracketed,
+                            .undecided = view.undecided};
+    for (int m = 0; m < SEED_METHODS; m++) judge(&view, m, &result->cost[m]);
+    for (int k = 0; k < (o->quick ? QUICK_REPEAT : REPEAT); k++) time_roots(&view, result);
+    time_pictures(&view, result, o->quick ? QUICK_REPEAT : PICTURES);
+    seed_newton_census(&view, census);
+    seed_close(&view);
+}
+
+static void sort_times(seed_result *r) {
+    for (int m = 0; m < SEED_METHODS; m++) {
+        measure_sort(r->cost[m].refine.seconds, r->cost[m].refine.count);
+        measure_sort(r->cost[m].solve.seconds, r->cost[m].solve.count);
+        measure_sort(r->cost[m].picture.seconds, r->cost[m].picture.count);
+    }
+    for (int i = 0; i < 2; i++) measure_sort(r->idle[i].seconds, r->idle[i].count);
+    measure_sort(r->packets.seconds, r->packets.count);
+}
+
+/* ---- the run ---- */
+
+int main(int argc, char **argv) {
+    bench_options o = {0};
+    static seed_result results[SEED_SURFACES];
+    static seed_census censuses[SEED_SURFACES];
+    static seed_decic decic;
+    cli_parse(&program, argc, argv, &o);
+    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    if (o.output) results_folder(o.output);
+    for (int i = 0; i < SEED_SURFACES; i++) {
+        measure_surface(i, &o, &results[i], &censuses[i]);
+        sort_times(&results[i]);
+    }
+    seed_decic_run(&decic, width_of(&o), height_of(&o), o.output);
+    seed_print(results, censuses, &decic);
+    if (o.output) seed_write(results, censuses, &decic, o.output);
+    seed_close(&decic.view);
+    return 0;
+}

@@ -1,0 +1,80 @@
+/* seed_pictures.c - see seed_pictures.h.
+ *
+ * The truth is the certified tier at full accuracy.  A pixel is right if its t is within ten tolerances (one
+ * is the method's; near an outline rounding adds to it) and the renderer's own 2^-36 of the radius; where
+ * the truth is in doubt, any answer is.
+ */
+#include "seed_pictures.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+#include "measure.h"
+
+static void render(seed_easel *easel, const algsurf_intersect_options *intersect, double *hits) {
+    const seed_view *view = easel->view;
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = view->width, .height = view->height};
+    seed_must(algsurf_scene_set_intersect(easel->scene, intersect), view->entry->name);
+    seed_must(algsurf_render(easel->scene, &options, easel->pixels, 3 * (size_t)view->width, hits, NULL),
+              view->entry->name);
+}
+
+void seed_easel_open(seed_easel *easel, const seed_view *view) {
+    const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
+    size_t pixels = (size_t)view->width * (size_t)view->height;
+    easel->view = view;
+    easel->pixels = seed_allocate(pixels, 3);
+    easel->hits = seed_allocate(pixels, sizeof *easel->hits);
+    easel->truth = seed_allocate(pixels, sizeof *easel->truth);
+    seed_must(algsurf_scene_create(view->surface, &easel->scene), view->entry->name);
+    seed_must(algsurf_scene_set_extent(easel->scene, &view->entry->extent), view->entry->name);
+    seed_must(algsurf_scene_set_camera(easel->scene, &view->camera), view->entry->name);
+    render(easel, &certified, easel->truth);
+}
+
+void seed_easel_close(seed_easel *easel) {
+    algsurf_scene_free(easel->scene);
+    free(easel->pixels);
+    free(easel->hits);
+    free(easel->truth);
+}
+
+/* Is it in doubt whether, or where, the pixel shows the surface? */
+static int doubtful(const seed_view *view, int pixel) {
+    algsurf_ray chord;
+    algsurf_hit hit;
+    if (!seed_chord(view, pixel, &chord)) return 1; /* its ray touches the extent at most */
+    seed_must(algsurf_intersect_first(view->surface, NULL, &chord, NULL, &hit), view->entry->name);
+    return hit.state == ALGSURF_UNCERTAIN;
+}
+
+static int is_right(const seed_easel *easel, int pixel, double tolerance) {
+    double t = easel->hits[pixel], truth = easel->truth[pixel];
+    if (isnan(t) && isnan(truth)) return 1;
+    double allowed = 10 * tolerance + 0x1p-36 * easel->view->entry->extent.size[0];
+    return fabs(t - truth) <= allowed || doubtful(easel->view, pixel);
+}
+
+double seed_draw(seed_easel *easel, const seed_method *method, double tolerance, int packets, size_t *wrong) {
+    /* any limit of iterations of the caller's makes the renderer go ray by ray */
+    const algsurf_intersect_options options = {.size = sizeof options,
+                                               .method = method->method,
+                                               .tolerance = tolerance,
+                                               .max_iterations = packets ? 0 : 1000};
+    const seed_view *view = easel->view;
+    double begun = measure_cpu();
+    render(easel, &options, easel->hits);
+    double seconds = measure_cpu() - begun;
+    *wrong = 0;
+    for (int pixel = 0; pixel < view->width * view->height; pixel++) {
+        if (is_right(easel, pixel, tolerance)) continue;
+        if (!method->may_fail)
+            cli_fail(CLI_BROKEN, "%s, picture by %s: pixel %d,%d shows t = %.17g, not %.17g",
+                     view->entry->name, method->name, pixel % view->width, pixel / view->width,
+                     easel->hits[pixel], easel->truth[pixel]);
+        ++*wrong;
+    }
+    return seconds;
+}

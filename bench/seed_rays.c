@@ -1,0 +1,109 @@
+/* seed_rays.c - see seed_rays.h.
+ *
+ * The root that methods are judged by is found by halving to the last digit, and then proved without regard
+ * to how it was found: Descartes' rule, with bounds on all rounding, counts one root within so far of it; and
+ * the bracket holds no other.
+ */
+#include "seed_rays.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+
+static const double FAR = 0x1p-34; /* a thousand times as far as any of the seven surfaces needs */
+
+void seed_must(algsurf_status status, const char *what) {
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
+}
+
+void *seed_allocate(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (!memory) cli_no_memory();
+    return memory;
+}
+
+int seed_chord(const seed_view *view, int pixel, algsurf_ray *chord) {
+    algsurf_ray ray;
+    int meets;
+    seed_must(algsurf_camera_ray(&view->camera, view->width, view->height, pixel % view->width + 0.5,
+                                 pixel / view->width + 0.5, &ray),
+              view->entry->name);
+    seed_must(algsurf_extent_clip(&view->entry->extent, &ray, chord, &meets), view->entry->name);
+    return meets && chord->t_min < chord->t_max;
+}
+
+/* The ray for which t in [-1,1] is the chord. */
+static algsurf_ray from_the_middle(const algsurf_ray *chord) {
+    algsurf_ray ray = {.t_min = -1, .t_max = 1};
+    double middle = 0.5 * (chord->t_min + chord->t_max), half = 0.5 * (chord->t_max - chord->t_min);
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = chord->origin[i] + middle * chord->direction[i];
+        ray.direction[i] = half * chord->direction[i];
+    }
+    return ray;
+}
+
+static void prove_root(seed_ray *ray, int degree, const char *name) {
+    algsurf_root found;
+    seed_must(seed_solve(&seed_methods[SEED_BISECTION], ray->c, degree, ray->lo, ray->hi, 0, 0, &found),
+              name);
+    ray->root = found.root;
+    for (ray->radius = 0x1p-50; ray->radius <= FAR; ray->radius *= 4) {
+        double lo = fmax(ray->lo, ray->root - ray->radius), hi = fmin(ray->hi, ray->root + ray->radius);
+        int roots = 0;
+        if (lo == ray->lo && hi == ray->hi) return; /* isolated as it is */
+        if (algsurf_count_roots(ray->c, NULL, degree, lo, hi, &roots) == ALGSURF_OK && roots == 1) return;
+    }
+    cli_fail(CLI_BROKEN, "%s: no root is proved to be near %.17g", name, ray->root);
+}
+
+static void isolate(seed_view *view, seed_ray *ray) {
+    algsurf_bracket bracket;
+    int found, degree = view->entry->degree;
+    algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
+    if (status < 0) seed_must(status, view->entry->name);
+    view->undecided += status > 0;
+    ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_ROOT_BRACKET;
+    if (!ray->bracketed) return;
+    view->bracketed++;
+    ray->lo = bracket.lo;
+    ray->hi = bracket.hi;
+    prove_root(ray, degree, view->entry->name);
+}
+
+void seed_open(seed_view *view, const char *name, int width, int height) {
+    const catalogue_entry *entry = catalogue_find(name);
+    *view = (seed_view){.entry = entry, .width = width, .height = height};
+    seed_must(algsurf_surface_from_equation(entry->equation, NULL, 0, &view->surface, NULL), name);
+    seed_must(algsurf_camera_pinhole(&view->camera, entry->eye, entry->look_at, entry->up, entry->fov), name);
+    view->rays = seed_allocate((size_t)width * (size_t)height, sizeof *view->rays);
+    for (int pixel = 0; pixel < width * height; pixel++) {
+        algsurf_ray chord;
+        if (!seed_chord(view, pixel, &chord)) continue;
+        seed_ray *ray = &view->rays[view->count++];
+        ray->pixel = pixel;
+        chord = from_the_middle(&chord);
+        seed_must(algsurf_expand_power(view->surface, &chord, ray->c, NULL), name);
+        isolate(view, ray);
+    }
+}
+
+void seed_close(seed_view *view) {
+    algsurf_surface_free(view->surface);
+    free(view->rays);
+}
+
+/* Horner's rule: |error of p| <= 2 n u p~(|x|), p~ the polynomial of magnitudes. */
+static double noise(const double *c, int degree, double x) {
+    double magnitudes = 0, slope;
+    for (int i = degree; i >= 0; i--) magnitudes = magnitudes * fabs(x) + fabs(c[i]);
+    (void)seed_value(c, degree, x, &slope);
+    return degree * DBL_EPSILON * magnitudes / fabs(slope);
+}
+
+double seed_allowed(const seed_view *view, const seed_ray *ray, double tolerance) {
+    double width = 2 * (tolerance + 0x1p-51 * fabs(ray->root));
+    return width + ray->radius + 2 * noise(ray->c, view->entry->degree, ray->root);
+}

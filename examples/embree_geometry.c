@@ -1,0 +1,267 @@
+/* embree_geometry.c - an algebraic surface as a user geometry of Embree 3, checked against single rays.
+ *
+ * The callbacks are the part to copy.  main traces the same rays through rtcIntersect1, 4, 8, 16 and
+ * rtcOccluded1, 4, 8, 16 with flush-to-zero and denormals-are-zero on, as Embree's manual asks, over a floor
+ * of two triangles, and compares every answer with algsurf_intersect_first.  Exit status 1 if any differs.
+ *
+ *     cc -I../include embree_geometry.c ../lib/[a-z]*.c -lembree3 -lm -pthread -o embree_geometry
+ */
+#include <embree3/rtcore.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <xmmintrin.h>
+
+#include "algsurf/algsurf.h"
+
+/* ---- the user geometry ---- */
+
+typedef struct user_surface {
+    algsurf_surface *surface;
+    algsurf_extent extent; /* a ball */
+    algsurf_intersect_options how;
+} user_surface;
+
+enum { LANES = 16 }; /* rays that are handed on together */
+
+/* Embree's rays are structures of arrays of N floats: ray.org_x[N], org_y[N], ... hit.Ng_x[N], ... */
+enum { ORG = 0, TNEAR = 3, DIR = 4, TFAR = 8, NG = 12, U = 15, V = 16, PRIM = 17, GEOM = 18, INST = 19 };
+
+static void bounds(const struct RTCBoundsFunctionArguments *a) {
+    const user_surface *s = a->geometryUserPtr;
+    const double *c = s->extent.centre, r = s->extent.size[0];
+    float lower[3], upper[3];
+    for (int k = 0; k < 3; k++) { /* outward */
+        lower[k] = nextafterf((float)(c[k] - r), -INFINITY);
+        upper[k] = nextafterf((float)(c[k] + r), INFINITY);
+    }
+    *a->bounds_o = (struct RTCBounds){lower[0], lower[1], lower[2], 0, upper[0], upper[1], upper[2], 0};
+}
+
+/* At most LANES rays as doubles: those of N from `first` on. */
+typedef struct lanes {
+    double org[3][LANES], dir[3][LANES], t_min[LANES], t_max[LANES];
+    unsigned char active[LANES];
+    algsurf_ray_packet packet;
+} lanes;
+
+static void load(lanes *l, const float *ray, const int *valid, unsigned N, unsigned first) {
+    unsigned count = N - first < LANES ? N - first : LANES;
+    for (unsigned i = 0; i < count; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            l->org[k][i] = ray[(ORG + k) * N + first + i];
+            l->dir[k][i] = ray[(DIR + k) * N + first + i];
+        }
+        l->t_min[i] = ray[TNEAR * N + first + i];
+        l->t_max[i] = ray[TFAR * N + first + i];
+        l->active[i] = valid[first + i] != 0;
+    }
+    l->packet = (algsurf_ray_packet){.size = sizeof l->packet,
+                                     .count = count,
+                                     .origin = {l->org[0], l->org[1], l->org[2]},
+                                     .direction = {l->dir[0], l->dir[1], l->dir[2]},
+                                     .t_min = l->t_min,
+                                     .t_max = l->t_max,
+                                     .active = l->active};
+}
+
+static void intersect(const struct RTCIntersectFunctionNArguments *a) {
+    const user_surface *s = a->geometryUserPtr;
+    float *ray = (float *)a->rayhit;
+    unsigned *id = (unsigned *)a->rayhit, N = a->N;
+    for (unsigned first = 0; first < N; first += LANES) {
+        lanes l;
+        unsigned char state[LANES];
+        double t[LANES], n[3][LANES];
+        algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t, .normal = {n[0], n[1], n[2]}};
+        load(&l, ray, a->valid, N, first);
+        if (algsurf_intersect_packet(s->surface, &s->extent, &l.packet, &s->how, &hits) < 0) continue;
+        for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
+            if (!l.active[i] || state[i] == ALGSURF_MISS) continue;
+            ray[TFAR * N + j] = (float)t[i];
+            for (unsigned k = 0; k < 3; k++) ray[(NG + k) * N + j] = (float)n[k][i];
+            ray[U * N + j] = ray[V * N + j] = 0;
+            id[PRIM * N + j] = a->primID;
+            id[GEOM * N + j] = a->geomID;
+            id[INST * N + j] = a->context->instID[0];
+        }
+    }
+}
+
+static void occluded(const struct RTCOccludedFunctionNArguments *a) {
+    const user_surface *s = a->geometryUserPtr;
+    float *ray = (float *)a->ray;
+    for (unsigned first = 0; first < a->N; first += LANES) {
+        lanes l;
+        unsigned char state[LANES];
+        load(&l, ray, a->valid, a->N, first);
+        if (algsurf_occluded_packet(s->surface, &s->extent, &l.packet, &s->how, state) < 0) continue;
+        for (unsigned i = 0; i < l.packet.count; i++)
+            if (l.active[i] && state[i] != ALGSURF_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
+    }
+}
+
+static void attach_surface(RTCDevice device, RTCScene scene, user_surface *s, unsigned geomID) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, 1);
+    rtcSetGeometryUserData(geometry, s);
+    rtcSetGeometryBoundsFunction(geometry, bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, intersect);
+    rtcSetGeometryOccludedFunction(geometry, occluded);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, geomID);
+    rtcReleaseGeometry(geometry);
+}
+
+/* ---- the check ---- */
+
+enum { RAYS = 1 << 14, MEMBERS = 20, FLOOR = 0, SURFACE = 1 };
+
+static void attach_floor(RTCDevice device, RTCScene scene) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *v =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4);
+    unsigned *index = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                              3 * sizeof(unsigned), 2);
+    const float corners[12] = {-9, -9, -1, 9, -9, -1, -9, 9, -1, 9, 9, -1};
+    const unsigned triangles[6] = {0, 1, 2, 1, 3, 2};
+    memcpy(v, corners, sizeof corners);
+    memcpy(index, triangles, sizeof triangles);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, FLOOR);
+    rtcReleaseGeometry(geometry);
+}
+
+static float uniform(void) { /* in [-1,1): Knuth's linear congruential generator, from a fixed seed */
+    static uint64_t state = 20050101;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (float)(state >> 40) * 0x1p-23f - 1;
+}
+
+/* A ray towards the middle of things; every sixteenth has a subnormal component. */
+static struct RTCRayHit make_ray(int number) {
+    struct RTCRayHit r = {.ray = {.tfar = INFINITY, .mask = -1u}, .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
+    r.ray.org_x = 5 * uniform();
+    r.ray.org_y = 5 * uniform();
+    r.ray.org_z = 3 + 2 * uniform();
+    r.ray.dir_x = 1.5f * uniform() - r.ray.org_x;
+    r.ray.dir_y = number % 16 ? 1.5f * uniform() - r.ray.org_y : 0x1p-140f;
+    r.ray.dir_z = 1.5f * uniform() - r.ray.org_z;
+    return r;
+}
+
+/* What single rays say: the floor alone from Embree, the surface, up to there, from the library. */
+static struct RTCRayHit truth(RTCScene floor, const user_surface *s, struct RTCRayHit r) {
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(floor, &context, &r);
+    const algsurf_ray ray = {{r.ray.org_x, r.ray.org_y, r.ray.org_z},
+                             {r.ray.dir_x, r.ray.dir_y, r.ray.dir_z},
+                             r.ray.tnear,
+                             r.ray.tfar};
+    algsurf_hit hit;
+    if (algsurf_intersect_first(s->surface, &s->extent, &ray, &s->how, &hit) < 0) exit(1);
+    if (hit.state == ALGSURF_MISS) return r;
+    r.ray.tfar = (float)hit.t;
+    r.hit = (struct RTCHit){.Ng_x = (float)hit.normal[0],
+                            .Ng_y = (float)hit.normal[1],
+                            .Ng_z = (float)hit.normal[2],
+                            .geomID = SURFACE};
+    return r;
+}
+
+/* Traces N rays of which some are not valid and hold anything. */
+static void trace(RTCScene scene, const int *valid, unsigned N, int shadow, float *rays) {
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    void *p = rays;
+    if (N == 1 && shadow) rtcOccluded1(scene, &context, p);
+    if (N == 1 && !shadow) rtcIntersect1(scene, &context, p);
+    if (N == 4 && shadow) rtcOccluded4(valid, scene, &context, p);
+    if (N == 4 && !shadow) rtcIntersect4(valid, scene, &context, p);
+    if (N == 8 && shadow) rtcOccluded8(valid, scene, &context, p);
+    if (N == 8 && !shadow) rtcIntersect8(valid, scene, &context, p);
+    if (N == 16 && shadow) rtcOccluded16(valid, scene, &context, p);
+    if (N == 16 && !shadow) rtcIntersect16(valid, scene, &context, p);
+}
+
+/* The same number, but for the last bit: packets and single rays may round differently. */
+static int same(float a, float b) { return a >= nextafterf(b, -INFINITY) && a <= nextafterf(b, INFINITY); }
+
+static int agrees(const struct RTCRayHit *got, const struct RTCRayHit *want, int shadow) {
+    int met = want->hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    if (shadow) return got->ray.tfar == (met ? -INFINITY : INFINITY);
+    if (got->hit.geomID != want->hit.geomID) return 0;
+    if (!met) return got->ray.tfar == INFINITY;
+    if (!same(got->ray.tfar, want->ray.tfar)) return 0;
+    return fabsf(got->hit.Ng_x - want->hit.Ng_x) <= 1e-6f && fabsf(got->hit.Ng_y - want->hit.Ng_y) <= 1e-6f &&
+           fabsf(got->hit.Ng_z - want->hit.Ng_z) <= 1e-6f;
+}
+
+/* All rays, N at a time; returns how many answers differ from those wanted. */
+static int check(RTCScene scene, const struct RTCRayHit *rays, const struct RTCRayHit *want, unsigned N,
+                 int shadow) {
+    _Alignas(64) float packet[MEMBERS * LANES];
+    _Alignas(64) int valid[LANES];
+    int differ = 0;
+    for (unsigned first = 0; first < RAYS; first += N) {
+        for (unsigned i = 0; i < N; i++) {
+            valid[i] = N > 1 && uniform() < -0.5f ? 0 : -1;
+            for (unsigned m = 0; m < MEMBERS; m++)
+                memcpy(&packet[m * N + i], (const float *)&rays[first + i] + m, sizeof(float));
+            if (!valid[i]) packet[ORG * N + i] = packet[TFAR * N + i] = NAN;
+        }
+        trace(scene, valid, N, shadow, packet);
+        for (unsigned i = 0; i < N; i++) {
+            struct RTCRayHit got;
+            for (unsigned m = 0; m < MEMBERS; m++)
+                memcpy((float *)&got + m, &packet[m * N + i], sizeof(float));
+            differ += valid[i] ? !agrees(&got, &want[first + i], shadow) : !isnan(got.ray.tfar);
+        }
+    }
+    return differ;
+}
+
+int main(void) {
+    static struct RTCRayHit rays[RAYS], want[RAYS];
+    user_surface s = {.extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}},
+                      .how = {.size = sizeof s.how, .doubt = ALGSURF_DOUBT_HIT}};
+    const char *barth = "4(a x^2 - y^2)(a y^2 - z^2)(a z^2 - x^2) = b (x^2 + y^2 + z^2 - 1)^2";
+    const algsurf_constant constants[2] = {{"a", (3 + sqrt(5)) / 2}, {"b", 2 + sqrt(5)}};
+    if (algsurf_surface_from_equation(barth, constants, 2, &s.surface, NULL) != ALGSURF_OK) return 1;
+
+    _mm_setcsr(_mm_getcsr() | 0x8040u); /* flush to zero, denormals are zero */
+    unsigned control = _mm_getcsr() & ~0x3fu;
+    RTCDevice device = rtcNewDevice("threads=1");
+    RTCScene scene = rtcNewScene(device), floor = rtcNewScene(device);
+    attach_floor(device, floor);
+    attach_floor(device, scene);
+    attach_surface(device, scene, &s, SURFACE);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST); /* no ray slips past the edges of the bounds */
+    rtcCommitScene(floor);
+    rtcCommitScene(scene);
+
+    int surface = 0, ground = 0, wrong = 0;
+    for (int i = 0; i < RAYS; i++) {
+        rays[i] = make_ray(i);
+        want[i] = truth(floor, &s, rays[i]);
+        surface += want[i].hit.geomID == SURFACE;
+        ground += want[i].hit.geomID == FLOOR;
+    }
+    printf("%d rays: %d hit the surface first, %d the floor\n", RAYS, surface, ground);
+    for (unsigned N = 1; N <= LANES; N = N == 1 ? 4 : 2 * N) {
+        int hits = check(scene, rays, want, N, 0), shadows = check(scene, rays, want, N, 1);
+        printf("%2u at a time: %d first hits and %d occlusions differ from single rays\n", N, hits, shadows);
+        wrong += hits + shadows;
+    }
+    int kept = (_mm_getcsr() & ~0x3fu) == control;
+    if (!kept) puts("the floating-point environment has changed");
+
+    rtcReleaseScene(scene);
+    rtcReleaseScene(floor);
+    rtcReleaseDevice(device);
+    algsurf_surface_free(s.surface);
+    return wrong > 0 || !kept || surface < RAYS / 10 || ground < RAYS / 10;
+}

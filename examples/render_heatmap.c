@@ -1,0 +1,85 @@
+/* render_heatmap.c - see render_heatmap.h. */
+#include "render_heatmap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "chord.h"
+#include "render_legend.h"
+
+enum { NO_CHORD = -1, UNCERTAIN = -2 }; /* in place of a cost */
+
+/* Evaluations until the root in a bracket is refined, as a single ray does it. */
+static int evaluations(const chord *on, const algsurf_bracket *bracket,
+                       const algsurf_intersect_options *how) {
+    algsurf_refine_options options = {.size = sizeof options,
+                                      .method = how->method,
+                                      .max_iterations = how->max_iterations,
+                                      .tolerance = 0.5 * how->tolerance / on->half};
+    algsurf_root root = {.evaluations = 2}; /* the ends, if that is all */
+    (void)algsurf_refine_poly(on->c, on->degree, bracket->lo, bracket->hi, &options, &root);
+    return root.evaluations;
+}
+
+static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
+                   const algsurf_intersect_options *how) {
+    chord on;
+    algsurf_hit hit;
+    algsurf_bracket bracket;
+    int meets = 0, found = 0, intervals = 0;
+    algsurf_status status = chord_make(surface, extent, ray, &on, &meets);
+    if (!meets) return NO_CHORD;
+    if (algsurf_intersect_first(surface, extent, ray, how, &hit) < ALGSURF_OK) return UNCERTAIN;
+    if (hit.state == ALGSURF_UNCERTAIN || status != ALGSURF_OK) return UNCERTAIN;
+    status = algsurf_isolate_first_counted(on.c, on.r, on.degree, -1, 1, &bracket, &found, &intervals);
+    if (status == ALGSURF_OK && found && bracket.kind == ALGSURF_ROOT_BRACKET)
+        return intervals + evaluations(&on, &bracket, how);
+    return intervals;
+}
+
+/* Costs of all pixels, row by row. */
+static int *count_costs(const render_options *options, const algsurf_surface *surface,
+                        const algsurf_extent *extent, const algsurf_camera *camera, int first, int rows,
+                        progress *bar) {
+    int width = options->view.width, height = options->view.height;
+    int *costs = malloc((size_t)width * (size_t)rows * sizeof *costs), *at = costs;
+    if (!costs) cli_no_memory();
+    for (int y = 0; y < rows; y++) {
+        for (int x = 0; x < width; x++) {
+            algsurf_ray ray;
+            algsurf_status status = algsurf_camera_ray(camera, width, height, x + 0.5, first + y + 0.5, &ray);
+            *at++ = status == ALGSURF_OK ? cost_of(surface, extent, &ray, &options->intersect) : UNCERTAIN;
+        }
+        (void)progress_rows(y + 1, rows, bar);
+    }
+    return costs;
+}
+
+render_heatmap render_make_heatmap(const render_options *options, const algsurf_surface *surface,
+                                   const algsurf_extent *extent, const algsurf_camera *camera,
+                                   progress *bar) {
+    int first = options->row_begin, width = options->view.width;
+    int rows = (options->row_end > 0 ? options->row_end : options->view.height) - first;
+    int *costs = count_costs(options, surface, extent, camera, first, rows, bar);
+    render_legend legend = {.top = 1};
+    for (size_t i = 0; i < (size_t)width * (size_t)rows; i++) {
+        if (costs[i] > legend.top) legend.top = costs[i];
+        legend.uncertain += costs[i] == UNCERTAIN;
+    }
+    render_heatmap map = {width > LEGEND_WIDTH ? width : LEGEND_WIDTH, rows + LEGEND_HEIGHT, NULL};
+    size_t bytes = 3 * (size_t)map.width * (size_t)map.height;
+    map.pixels = malloc(bytes);
+    if (!map.pixels) cli_no_memory();
+    memset(map.pixels, 255, bytes);
+    for (int y = 0; y < rows; y++)
+        for (int x = 0; x < width; x++) {
+            int cost = costs[(size_t)y * (size_t)width + (size_t)x];
+            legend_colour colour = cost == NO_CHORD    ? legend_no_chord
+                                   : cost == UNCERTAIN ? legend_uncertain
+                                                       : legend_cost(cost, legend.top);
+            memcpy(map.pixels + 3 * ((size_t)y * (size_t)map.width + (size_t)x), colour.rgb, 3);
+        }
+    render_draw_legend(&legend, map.pixels, map.width, rows);
+    free(costs);
+    return map;
+}

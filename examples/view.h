@@ -1,0 +1,58 @@
+/* view.h - what is shown and from where: options, else the catalogue, else what frames the extent. */
+#ifndef VIEW_H
+#define VIEW_H
+#include "catalogue.h"
+#include "cli.h"
+
+typedef struct view_options {
+    int width, height; /* of the picture, in pixels; 0: not given */
+    cli_vector eye, look_at, up;
+    double fov, orthographic; /* 0: not given */
+    cli_extent extent;
+    cli_vector centre;
+} view_options;
+
+/* Setters for the fields above. */
+void view_set_size(const cli_option *option, const char *value, void *field); /* view_options */
+void view_set_fov(const cli_option *option, const char *value, void *field);
+void view_set_orthographic(const cli_option *option, const char *value, void *field);
+
+/* clang-format off */
+/* The rows of the option table for the member `view` of a structure. */
+#define VIEW_OPTIONS(type)                                                                                   \
+    {"--size", "WxH", "size of the picture, default 1024x768", view_set_size, offsetof(type, view), 0, 0},   \
+    {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,      \
+     offsetof(type, view.eye), 0, 0},                                                                        \
+    {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,        \
+     offsetof(type, view.look_at), 0, 0},                                                                    \
+    {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector,                            \
+     offsetof(type, view.up), 0, 0},                                                                         \
+    {"--fov", "DEGREES", "vertical field of view, default 30; magnifies: the eye stays", view_set_fov,       \
+     offsetof(type, view.fov), 0, 0},                                                                        \
+    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",                  \
+     view_set_orthographic, offsetof(type, view.orthographic), 0, 0},                                        \
+    {"--extent", "sphere:R|box:X,Y,Z",                                                                       \
+     "what is shown (half sizes); default: as suits the named surface,\nsphere:3 for others",                \
+     cli_set_extent, offsetof(type, view.extent), 0, 0},                                                     \
+    {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,            \
+     offsetof(type, view.centre), 0, 0}
+/* clang-format on */
+
+/* Fills the default size in; ends the program when options do not go together. */
+void view_check(view_options *options);
+
+typedef struct view {
+    algsurf_extent extent;
+    double eye[3], look_at[3], up[3];
+    double fov;          /* degrees, vertical */
+    double orthographic; /* height of the picture in space; 0: a pinhole camera */
+} view;
+
+/* entry: the catalogue's, null for a surface without a name. */
+view view_make(const view_options *options, const catalogue_entry *entry);
+
+/* The camera of picture number `picture` (from 0) of a turn of `pictures` about the upward axis through
+ * the point looked at.  Ends the program when there is no such camera. */
+algsurf_camera view_camera(const view *v, int picture, int pictures);
+
+#endif

@@ -1,0 +1,237 @@
+/* zerofind.c - plots the polynomial along one ray, and how its first root is found: zerofind --help.
+ * After the program ZEROFIND in Chuyeshov, Visualization of algebraic surfaces, 2005, section 3.2. */
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "output.h"
+#include "view.h"
+#include "zerofind_plot.h"
+#include "zerofind_solve.h"
+
+typedef struct zerofind_ray {
+    int given;
+    algsurf_ray ray;
+} zerofind_ray;
+
+typedef struct zerofind_pixel {
+    int given, x, y;
+} zerofind_pixel;
+
+typedef struct zerofind_options {
+    cli_surface surface;
+    view_options view;
+    zerofind_pixel pixel;
+    zerofind_ray ray;
+    algsurf_method method;
+    double tolerance;
+    int trace;
+    const char *output;
+} zerofind_options;
+
+/* The text between commas; returns how many, of which at most `capacity` are stored. */
+static int split_commas(char *text, char **fields, int capacity) {
+    int count = 0;
+    for (char *at = text; at;) {
+        char *comma = strchr(at, ',');
+        if (comma) *comma++ = '\0';
+        if (count < capacity) fields[count] = at;
+        count++;
+        at = comma;
+    }
+    return count;
+}
+
+static char *copy_of(const char *text) {
+    char *copy = malloc(strlen(text) + 1);
+    if (!copy) cli_no_memory();
+    return strcpy(copy, text);
+}
+
+static void set_pixel(const cli_option *option, const char *value, void *field) {
+    zerofind_pixel pixel = {.given = 1};
+    char *text = copy_of(value), *fields[2];
+    if (split_commas(text, fields, 2) != 2 || !cli_whole(fields[0], 0, 65534, &pixel.x) ||
+        !cli_whole(fields[1], 0, 65534, &pixel.y))
+        cli_fail(CLI_BAD_INPUT, "%s: expected two whole numbers X,Y, got '%s'", option->name,
+                 cli_quote(value).text);
+    free(text);
+    *(zerofind_pixel *)field = pixel;
+}
+
+/* Six numbers or eight; only the last two may be infinite. */
+static void set_ray(const cli_option *option, const char *value, void *field) {
+    char *text = copy_of(value), *fields[8];
+    double x[8] = {[6] = 0, [7] = INFINITY};
+    int count = split_commas(text, fields, 8), good = count == 6 || count == 8;
+    for (int i = 0; i < count && good; i++)
+        good = cli_number(fields[i], &x[i]) && !isnan(x[i]) && (i >= 6 || isfinite(x[i]));
+    free(text);
+    if (!good)
+        cli_fail(CLI_BAD_INPUT, "%s: expected %s, got '%s'", option->name, option->argument,
+                 cli_quote(value).text);
+    if (x[3] == 0 && x[4] == 0 && x[5] == 0)
+        cli_fail(CLI_BAD_INPUT, "%s: the direction is zero", option->name);
+    *(zerofind_ray *)field = (zerofind_ray){1, {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]}};
+}
+
+#define FIELD(member) offsetof(zerofind_options, member), 0, 0
+
+static const cli_option options_table[] = {
+    CLI_SURFACE_OPTIONS(zerofind_options),
+    {"--pixel", "X,Y", "the ray through the middle of that pixel, from 0,0 in the upper left corner",
+     set_pixel, FIELD(pixel)},
+    {"--ray", "OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]",
+     "the ray o + t d, default 0 <= t < inf; it needs no camera, and --size,\n"
+     "--eye, --look-at, --up, --fov, --orthographic are refused with it",
+     set_ray, FIELD(ray)},
+    VIEW_OPTIONS(zerofind_options),
+    {"--method", "default|brent|bisection|regula-falsi",
+     "how the isolated root is refined; default: Newton's method, guarded by\nits bracket", cli_set_method,
+     FIELD(method)},
+    {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
+     FIELD(tolerance)},
+    {"--output", "FILE", "the plot, an SVG document; - is standard output", cli_set_text, FIELD(output)},
+    {"--trace", NULL,
+     "prints the iterates as a table on standard output: number, what it is\n"
+     "(end, iterate, root, other, uncertain), t, P*(t), and the bracket known\n"
+     "then; makes --output optional",
+     cli_set_flag, FIELD(trace)},
+    {NULL, NULL, NULL, NULL, 0, 0, 0}};
+
+static const cli_program program = {
+    "zerofind",
+    "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
+    "                (NAME | --equation TEXT | --terms FILE)",
+    "Plots the polynomial P*(t) of a surface along one ray, as far as it is inside the extent: the roots,\n"
+    "the bracket that isolates the first one, and every iterate on the way to it.  NAME is one of those\n"
+    "that render --list shows; pixels, camera and extent are as for render.",
+    options_table, offsetof(zerofind_options, surface.name)};
+
+static void refuse_camera(const view_options *asked) {
+    const struct {
+        const char *name;
+        int given;
+    } options[] = {{"--size", asked->width > 0},        {"--eye", asked->eye.given},
+                   {"--look-at", asked->look_at.given}, {"--up", asked->up.given},
+                   {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0}};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        if (options[i].given) cli_fail(CLI_BAD_INPUT, "%s: plays no part with --ray", options[i].name);
+}
+
+static zerofind_options parse(int argc, char **argv) {
+    zerofind_options options = {.output = NULL};
+    cli_parse(&program, argc, argv, &options);
+    if (options.pixel.given + options.ray.given != 1)
+        cli_fail(CLI_BAD_INPUT, "expected %s --pixel X,Y and --ray OX,OY,OZ,DX,DY,DZ",
+                 options.pixel.given ? "only one of" : "one of");
+    if (!options.output && !options.trace)
+        cli_fail(CLI_BAD_INPUT, "expected --output FILE.svg, or --trace for a table");
+    if (options.trace && options.output && strcmp(options.output, "-") == 0)
+        cli_fail(CLI_BAD_INPUT, "--output: '-' holds the plot or the table of --trace, not both");
+    if (options.ray.given) refuse_camera(&options.view);
+    view_check(&options.view);
+    if (options.pixel.given &&
+        (options.pixel.x >= options.view.width || options.pixel.y >= options.view.height))
+        cli_fail(CLI_BAD_INPUT, "--pixel: %d,%d is outside of a picture of %dx%d", options.pixel.x,
+                 options.pixel.y, options.view.width, options.view.height);
+    return options;
+}
+
+static void demand(algsurf_status status) {
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK) cli_fail(CLI_BAD_INPUT, "the ray: %s", algsurf_status_text(status));
+}
+
+static algsurf_ray choose_ray(const zerofind_options *options, const view *shown) {
+    if (options->ray.given) return options->ray.ray;
+    algsurf_camera camera = view_camera(shown, 0, 1);
+    algsurf_ray ray;
+    demand(algsurf_camera_ray(&camera, options->view.width, options->view.height, options->pixel.x + 0.5,
+                              options->pixel.y + 0.5, &ray));
+    return ray;
+}
+
+/* ---- the table ---- */
+
+static void print_row(const char *kind, double t, double value, double lo, double hi) {
+    printf("%s\t%.17g\t%.17g\t%.17g\t%.17g\n", kind, t, value, lo, hi);
+}
+
+static void print_trace(const zerofind *z, const algsurf_surface *surface) {
+    printf("#k\tpoint\tt\tP\tt_lo\tt_hi\n");
+    for (int k = 0; k < z->point_count; k++) {
+        const zerofind_point *p = &z->points[k];
+        printf("%d\t", k);
+        print_row(k < 2 ? "end" : "iterate", chord_t(&z->chord, p->s), p->value, chord_t(&z->chord, p->s_lo),
+                  chord_t(&z->chord, p->s_hi));
+    }
+    for (int i = 0; i < z->count; i++) {
+        const algsurf_hit *hit = &z->hits[i];
+        double value = 0;
+        (void)algsurf_surface_value(surface, hit->position, &value, NULL);
+        printf("-\t");
+        print_row(hit->state != ALGSURF_HIT ? "uncertain"
+                  : i == 0                  ? "root"
+                                            : "other",
+                  hit->t, value, hit->t_lo, hit->t_hi);
+    }
+    cli_finish_output();
+}
+
+/* ---- the plot ---- */
+
+static void write_plot(const char *path, const zerofind *z, const zerofind_words *words) {
+    output_set set = {.count = 0};
+    char *text = NULL;
+    size_t size;
+    FILE *memory = open_memstream(&text, &size);
+    if (!memory || zerofind_plot(z, words, memory) != 0) cli_no_memory();
+    if (fclose(memory) != 0) cli_no_memory();
+    output_text(&set, path, text);
+    output_commit(&set);
+    free(text);
+}
+
+/* The ray, as the plot names it. */
+static void describe_ray(const zerofind_options *options, const algsurf_ray *ray, char *text, size_t size) {
+    const double *o = ray->origin, *d = ray->direction;
+    if (options->pixel.given)
+        snprintf(text, size, "The ray through pixel %d,%d of %dx%d", options->pixel.x, options->pixel.y,
+                 options->view.width, options->view.height);
+    else
+        snprintf(text, size, "The ray (%.6g, %.6g, %.6g) + t (%.6g, %.6g, %.6g)", o[0], o[1], o[2], d[0],
+                 d[1], d[2]);
+}
+
+int main(int argc, char **argv) {
+    static zerofind z;
+    zerofind_options options = parse(argc, argv);
+    const cli_surface *given = &options.surface;
+    cli_quoted name = cli_quote(given->name       ? given->name
+                                : given->equation ? given->equation
+                                : given->terms    ? given->terms
+                                                  : "");
+    algsurf_surface *surface = cli_make_surface(&options.surface);
+    view shown = view_make(&options.view, given->name ? catalogue_find(given->name) : NULL);
+    algsurf_ray ray = choose_ray(&options, &shown);
+    chord on;
+    int meets;
+    demand(chord_make(surface, &shown.extent, &ray, &on, &meets));
+    if (!meets)
+        cli_fail(CLI_BAD_INPUT, "the ray misses the extent: there is nothing to plot (--extent, --centre)");
+    demand(zerofind_solve(surface, &shown.extent, &ray, &on, options.method, options.tolerance, &z));
+    if (options.output) {
+        char about[160];
+        describe_ray(&options, &ray, about, sizeof about);
+        zerofind_words words = {name.text, about, options.method,
+                                options.pixel.given ? "t, the distance from the camera"
+                                                    : "t, in lengths of the ray's direction"};
+        write_plot(options.output, &z, &words);
+    }
+    if (options.trace) print_trace(&z, surface);
+    algsurf_surface_free(surface);
+    return 0;
+}

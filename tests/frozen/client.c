@@ -1,0 +1,238 @@
+/* client.c - a program of release 1.0, kept: compiled with the headers beside it, linked against the symbols
+ * of algsurf.map beside it, and run against the shared library of today (check_frozen).
+ *
+ * Each struct that starts with its size is passed in every size that a caller may have, down to the first
+ * that makes sense.  It ends where the readable memory ends, and its padding is filled with ones: a library
+ * that reads or writes beyond a caller's size, or puts a new member where released ones had padding, fails
+ * here. The answers checked are exact ones, which no later version may change. */
+#define _DEFAULT_SOURCE
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "algsurf/algsurf.h"
+
+enum { UNIT = 8 }; /* the alignment of the structs */
+
+static int failures;
+
+#define CHECK(condition)                                                                                     \
+    do {                                                                                                     \
+        if (condition) break;                                                                                \
+        fprintf(stderr, "client.c:%d: %s\n", __LINE__, #condition);                                          \
+        failures++;                                                                                          \
+    } while (0)
+
+static int near(double a, double b) { return fabs(a - b) <= 1e-6; }
+
+/* The first `size` bytes of a struct, its own size set to that, at the end of the readable memory. */
+static void *at_edge(const void *whole, size_t size) {
+    size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    char *room = mmap(NULL, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED || mprotect(room + page, page, PROT_NONE) != 0) _exit(1);
+    char *at = room + page - size;
+    memcpy(at, whole, size);
+    memcpy(at, &size, sizeof size);
+    return at;
+}
+
+/* A struct to be filled in member by member; what is not a member stays ones. */
+#define BLANK(type, name)                                                                                    \
+    type name;                                                                                               \
+    memset(&name, 0xff, sizeof name)
+
+static algsurf_surface *sphere(void) {
+    algsurf_surface *surface = NULL;
+    algsurf_parse_error error = {0, NULL};
+    const algsurf_constant r = {"r", 1};
+    CHECK(algsurf_surface_from_equation("x^2 + y^2 + z^2 = r^2", &r, 1, &surface, &error) == ALGSURF_OK);
+    CHECK(algsurf_surface_degree(surface) == 2 && algsurf_surface_term_count(surface) == 4);
+    return surface;
+}
+
+static const algsurf_ray along_x = {{-4, 0, 0}, {1, 0, 0}, 0, INFINITY};
+
+static void check_values(const algsurf_surface *s) {
+    const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -1}};
+    const double point[3] = {2, 0, 0};
+    double value = 0, bound = 1;
+    algsurf_surface *same = NULL;
+    CHECK(strncmp(algsurf_version(), "1.", 2) == 0 && ALGSURF_VERSION_MAJOR == 1);
+    CHECK(strcmp(algsurf_status_name(ALGSURF_E_SYNTAX), "ALGSURF_E_SYNTAX") == 0);
+    CHECK(algsurf_surface_from_terms(terms, 4, &same) == ALGSURF_OK);
+    CHECK(algsurf_surface_value(s, point, &value, &bound) == ALGSURF_OK && near(value, 3));
+    CHECK(algsurf_surface_value(same, point, &value, &bound) == ALGSURF_OK && near(value, 3));
+    algsurf_surface_free(same);
+    CHECK(algsurf_interval_contains(algsurf_interval_sub((algsurf_interval){1, 2}, (algsurf_interval){1, 1}),
+                                    1));
+}
+
+static void check_rays(const algsurf_surface *s) {
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    BLANK(algsurf_intersect_options, o);
+    o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
+    o.tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT;
+    for (size_t size = UNIT; size <= sizeof o; size += UNIT) {
+        algsurf_hit hit, hits[2];
+        algsurf_hit_state state = ALGSURF_MISS;
+        int count = 0;
+        const algsurf_intersect_options *options = at_edge(&o, size);
+        CHECK(algsurf_intersect_first(s, &extent, &along_x, options, &hit) == ALGSURF_OK);
+        CHECK(hit.state == ALGSURF_HIT && hit.reason == ALGSURF_OK && near(hit.t, 3) &&
+              near(hit.normal[0], -1));
+        CHECK(hit.t_lo <= 3 && 3 <= hit.t_hi && near(hit.position[0], -1));
+        CHECK(algsurf_intersect_all(s, NULL, &along_x, options, hits, 2, &count) == ALGSURF_OK);
+        CHECK(count == 2 && near(hits[0].t, 3) && near(hits[1].t, 5));
+        CHECK(algsurf_occluded(s, NULL, &along_x, options, &state) == ALGSURF_OK && state == ALGSURF_HIT);
+    }
+}
+
+static void check_packets(const algsurf_surface *s) {
+    const double ox[] = {-4, -4}, oy[] = {0, 3}, oz[] = {0, 0}, dx[] = {1, 1}, dy[] = {0, 0}, dz[] = {0, 0};
+    const double near_end[] = {0, 0}, far_end[] = {INFINITY, INFINITY};
+    const unsigned char active[] = {1, 1};
+    unsigned char state[2];
+    double t[2], t_lo[2], t_hi[2], position[3][2], normal[3][2];
+    BLANK(algsurf_ray_packet, rays);
+    BLANK(algsurf_hit_packet, hits);
+    rays.count = 2, rays.t_min = near_end, rays.t_max = far_end, rays.active = active;
+    rays.origin[0] = ox, rays.origin[1] = oy, rays.origin[2] = oz;
+    rays.direction[0] = dx, rays.direction[1] = dy, rays.direction[2] = dz;
+    hits.state = state, hits.t = t, hits.t_lo = t_lo, hits.t_hi = t_hi;
+    for (int i = 0; i < 3; i++) hits.position[i] = position[i], hits.normal[i] = normal[i];
+    for (size_t size = offsetof(algsurf_ray_packet, t_min); size <= sizeof rays; size += UNIT) {
+        const algsurf_ray_packet *given = at_edge(&rays, size);
+        memset(state, 9, sizeof state);
+        CHECK(algsurf_intersect_packet(
+                  s, NULL, given, NULL,
+                  &(algsurf_hit_packet){
+                      sizeof hits, state, t, t_lo, t_hi, {NULL, NULL, NULL}, {NULL, NULL, NULL}}) ==
+              ALGSURF_OK);
+        CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS && near(t[0], 3));
+        CHECK(algsurf_occluded_packet(s, NULL, given, NULL, state) == ALGSURF_OK && state[0] == ALGSURF_HIT);
+    }
+    rays.size = sizeof rays;
+    for (size_t size = offsetof(algsurf_hit_packet, t); size <= sizeof hits; size += UNIT) {
+        memset(state, 9, sizeof state);
+        memset(normal, 0, sizeof normal);
+        CHECK(algsurf_intersect_packet(s, NULL, &rays, NULL, at_edge(&hits, size)) == ALGSURF_OK);
+        CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS);
+        CHECK(near(normal[0][0], size > offsetof(algsurf_hit_packet, normal) ? -1 : 0));
+    }
+}
+
+static void check_complex(const algsurf_surface *s) {
+    BLANK(algsurf_complex_space, space);
+    space.sector = (algsurf_sector){0, 1e-10};
+    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) space.imaginary[k] = 0;
+    for (size_t size = offsetof(algsurf_complex_space, imaginary); size <= sizeof space; size += UNIT) {
+        algsurf_hit hit;
+        algsurf_complex root;
+        CHECK(algsurf_intersect_complex(s, NULL, &along_x, at_edge(&space, size), NULL, NULL, &hit, &root) ==
+              ALGSURF_OK);
+        CHECK(hit.state == ALGSURF_HIT && near(root.re, 3) && near(root.im, 0));
+    }
+}
+
+static void check_roots(void) {
+    const double c[] = {-2, 0, 1}; /* t^2 - 2 */
+    const algsurf_complex p[] = {{-2, 0}, {0, 0}, {1, 0}}, start[] = {{1, 1}, {1, -1}};
+    algsurf_enclosure roots[2];
+    algsurf_bracket bracket;
+    int count = 0, found = 0;
+    CHECK(algsurf_roots_real(c, NULL, 2, roots, &count) == ALGSURF_OK && count == 2);
+    CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].value.re), sqrt(2)));
+    CHECK(algsurf_isolate_first(c, NULL, 2, 0, 2, &bracket, &found) == ALGSURF_OK && found == 1);
+    CHECK(bracket.lo <= sqrt(2) && sqrt(2) <= bracket.hi && bracket.sign == -1);
+
+    BLANK(algsurf_refine_options, r);
+    r.method = ALGSURF_METHOD_BISECTION, r.max_iterations = 100, r.tolerance = 1e-9;
+    for (size_t size = UNIT; size <= sizeof r; size += UNIT) {
+        algsurf_root root;
+        CHECK(algsurf_refine_poly(c, 2, 1, 2, at_edge(&r, size), &root) == ALGSURF_OK);
+        CHECK(near(root.root, sqrt(2)) && root.converged == 1);
+    }
+    BLANK(algsurf_zero_options, z);
+    z.epsilon = 1e-10, z.max_steps = 60, z.max_inflations = 12;
+    for (size_t size = UNIT; size <= sizeof z; size += UNIT) {
+        algsurf_cpoly_zero zeros[2];
+        int complete = 0;
+        CHECK(algsurf_cpoly_zeros(p, NULL, 2, start, at_edge(&z, size), zeros, &complete) == ALGSURF_OK);
+        CHECK(complete == 1 && near(zeros[0].value.re + zeros[1].value.re, 0));
+        CHECK(zeros[0].verified == 1 && zeros[1].verified == 1);
+    }
+}
+
+static void check_many(void) {
+    const double c0[] = {-2, 2}, c1[] = {0, 0}, c2[] = {1, 1}, lo[] = {0, 0}, hi[] = {2, 2};
+    const double *const c[] = {c0, c1, c2};
+    BLANK(algsurf_poly_packet, packet);
+    BLANK(algsurf_first_roots_options, o);
+    packet.count = 2, packet.degree = 2, packet.c = c, packet.r = NULL, packet.lo = lo, packet.hi = hi;
+    o.kernel = NULL, o.tolerance = 0;
+    for (size_t size = UNIT; size <= sizeof o; size += UNIT) {
+        unsigned char state[2];
+        double root[2];
+        CHECK(algsurf_first_roots(at_edge(&packet, sizeof packet), at_edge(&o, size), state, root) ==
+              ALGSURF_OK);
+        CHECK(state[0] == ALGSURF_FIRST_ROOT_FOUND && near(root[0], sqrt(2)));
+        CHECK(state[1] == ALGSURF_FIRST_ROOT_NONE && isinf(root[1]));
+    }
+}
+
+static int count_rows(int rows_done, int rows_total, void *data) {
+    *(int *)data = rows_done;
+    return rows_done > rows_total;
+}
+
+static void check_picture(const algsurf_surface *s) {
+    enum { W = 16, H = 12 };
+    static unsigned char pixels[3 * W * H];
+    const double eye[3] = {0, 0, 4}, look_at[3] = {0, 0, 0}, up[3] = {0, 1, 0}, black[3] = {0, 0, 0};
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
+    const algsurf_material matt = {{1, 0, 0}, {0, 1, 0}, 0.2, 0.8, 0, 1};
+    const algsurf_light light = {{0, 0, 9}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 2, 2};
+    algsurf_scene *scene = NULL;
+    algsurf_camera camera;
+    int rows = 0;
+    CHECK(algsurf_camera_orthographic(&camera, eye, look_at, up, 3) == ALGSURF_OK);
+    CHECK(algsurf_scene_create(s, &scene) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_extent(scene, &extent) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_camera(scene, &camera) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_material(scene, &matt) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_lights(scene, &light, 1) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_background(scene, black) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL) == ALGSURF_OK);
+    BLANK(algsurf_render_options, o);
+    BLANK(algsurf_render_stats, stats);
+    o.width = W, o.height = H, o.row_begin = 0, o.row_end = H, o.threads = 2;
+    o.progress = count_rows, o.progress_data = &rows;
+    for (size_t size = offsetof(algsurf_render_options, row_begin); size <= sizeof o; size += UNIT)
+        if (size != offsetof(algsurf_render_options, progress_data)) /* a function without its data */
+            CHECK(algsurf_render(scene, at_edge(&o, size), pixels, 3 * W, NULL, NULL) == ALGSURF_OK);
+    CHECK(rows == H);
+    o.size = sizeof o;
+    for (size_t size = UNIT; size <= sizeof stats; size += UNIT) {
+        algsurf_render_stats *given = at_edge(&stats, size);
+        CHECK(algsurf_render(scene, &o, pixels, 3 * W, NULL, given) == ALGSURF_OK);
+        CHECK(size <= offsetof(algsurf_render_stats, hits) || (given->rays == W * H && given->hits > 32));
+    }
+    CHECK(pixels[0] == 0 && pixels[3 * (W * H / 2 + W / 2)] > 100);
+    algsurf_scene_free(scene);
+}
+
+int main(void) {
+    algsurf_surface *s = sphere();
+    check_values(s);
+    check_rays(s);
+    check_packets(s);
+    check_complex(s);
+    check_roots();
+    check_many();
+    check_picture(s);
+    algsurf_surface_free(s);
+    if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);
+    return failures > 0;
+}

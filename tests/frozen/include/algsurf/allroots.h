@@ -1,0 +1,146 @@
+/* algsurf/allroots.h - all complex roots of a polynomial, enclosed and counted.
+ *
+ * Two families.  The robust solver, algsurf_roots and its kin, returns for degree n always n roots, as
+ * disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.  The
+ * algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
+ * beside it, with the failures they have: algsurf_approximation, algsurf_interval_iteration,
+ * algsurf_cpoly_zeros.
+ *
+ * Coefficients are complex numbers, lowest degree first; an optional array of radii r >= 0 widens the
+ * polynomial to all those with complex |c'_k - c_k| <= r_k: every guarantee then holds for each of them.
+ */
+#ifndef ALGSURF_ALLROOTS_H
+#define ALGSURF_ALLROOTS_H
+#include <stddef.h>
+
+#include "algsurf/interval.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A root, or a cluster of roots that could not be told apart. */
+typedef struct algsurf_enclosure {
+    algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
+    algsurf_complex value; /* approximate, in the box */
+    int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
+    int real;              /* 1: real, proved: box.im is [0,0] */
+} algsurf_enclosure;
+
+/* All roots of sum c_k z^k.
+ *   c, r    degree+1 coefficients, lowest first; radii or null
+ *   roots   room for `degree` entries; at least 1
+ *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
+ *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
+ * Exact zeros at the low end are the root 0, exactly.  Polynomials whose coefficients are all real (and
+ * without radii) have their real roots proved real and the others in exactly conjugate boxes.
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_DEGREE, negative radius), E_NOT_FINITE, E_ZERO,
+ * E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its radius).
+ * Cost: O(degree^2) times some 10 iterations; no allocation; about 30 KiB of stack.
+ * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
+ * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree,
+                                         algsurf_enclosure *roots, int *count);
+
+/* The same for real coefficients; radii then stand for real coefficients too, so that roots can be proved
+ * real.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_roots_real(const double *c, const double *r, int degree,
+                                              algsurf_enclosure *roots, int *count);
+
+/* ---- the seed's algorithms: approximate, then verify, root by root ---- */
+
+/* Limits of the three algorithms below. */
+typedef struct algsurf_zero_options {
+    size_t size;        /* sizeof(algsurf_zero_options) */
+    double epsilon;     /* the approximation stops when steps of z, and of q, are below epsilon times their
+                           size; 0: 1e-10 */
+    int max_steps;      /* of the approximation, 0: 50 */
+    int max_inflations; /* of the interval iteration, 0: 10 */
+} algsurf_zero_options;
+
+/* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.
+ *   p       degree+1 coefficients, degree 1..ALGSURF_MAX_POLY_DEGREE, p[degree] not 0
+ *   start   first z; the first q is Horner's.  A real polynomial with a real start stays real.  Degree 1 is
+ *           solved from any start.
+ *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
+ *   steps   how many were made; may be null
+ * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
+ * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT,
+ * E_NOT_FINITE.  Cost: O(degree) a step; 40 KiB of stack.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
+ * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
+                                                 const algsurf_zero_options *options, algsurf_complex *z,
+                                                 algsurf_complex *q, int *steps);
+
+/* Verifies an approximation by interval iteration with epsilon inflation.
+ *   p, r      the polynomial and radii of its coefficients, or null
+ *   z, q      as algsurf_approximation leaves them; q[degree-1] is taken to be p[degree]
+ *   Z, Q      enclose a root and its deflated coefficients (degree entries; Q may be null), for every
+ *             polynomial in the set: verified
+ *   unique    1: the root in Z is simple and the only one there (0 is not in the enclosure of q(Z)):
+ *             verified; 0: not known.  May be null
+ *   inflations  how many were made; may be null
+ * Returns OK, or NOT_VERIFIED (nothing is written but inflations); multiple roots never verify, roots closer
+ * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_NOT_FINITE.  Cost: O(degree) each
+ * inflation; 75 KiB of stack.  Source: as above, 2.2; the residual is computed in doubled precision (the
+ * original uses an exact dot product).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
+                                                      algsurf_complex z, const algsurf_complex *q,
+                                                      const algsurf_zero_options *options,
+                                                      algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
+                                                      int *inflations);
+
+/* A root found by algsurf_cpoly_zeros. */
+typedef struct algsurf_cpoly_zero {
+    algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
+    algsurf_complex value; /* the approximation, polished on the whole polynomial; in the box */
+    int verified;          /* the interval iteration ended in an inclusion */
+    int unique;            /* and the root is simple and alone in the box */
+    int converged;         /* the approximation met its stopping test, on both polynomials */
+    int steps, inflations; /* of the approximation, of the interval iteration */
+} algsurf_cpoly_zero;
+
+/* The paper's algorithm: approximate a root of the deflated polynomial, polish and verify it on the
+ * original one, deflate, go on; the last root is that of the linear factor.
+ *   start    null: the cold start 0 + i for every root, which even and odd real polynomials hold on the
+ *            imaginary axis; or `degree` start values, best by increasing magnitude (dividing by a large root
+ *            first costs the small ones their digits)
+ *   zeros    `degree` entries, in the order found
+ *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
+ *            0: at least one failed, or two slid onto the same root
+ * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
+ * Cost: O(degree^2) times the steps; 110 KiB of stack.  Source: as above, AllCPolyZeros.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
+                                               const algsurf_complex *start,
+                                               const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
+                                               int *complete);
+
+/* ---- the robust solver with its own memory ---- */
+
+/* Work memory for repeated calls and for degrees up to ALGSURF_MAX_POLY_DEGREE; not to be used by two
+ * threads at once. */
+typedef struct algsurf_root_solver algsurf_root_solver;
+
+/* What a solve took. */
+typedef struct algsurf_root_stats {
+    int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
+    int retries;    /* roots that went to double-double */
+} algsurf_root_stats;
+
+/* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,
+ * E_NO_MEMORY.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **solver);
+/* null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_root_solver_free(algsurf_root_solver *solver);
+/* As algsurf_roots; `start` null, or `degree` start values for the iteration, all different (good ones
+ * save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.
+ * Errors: as algsurf_roots; E_DEGREE (above the solver's).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsurf_complex *c,
+                                                   const double *r, int degree, const algsurf_complex *start,
+                                                   algsurf_enclosure *roots, int *count,
+                                                   algsurf_root_stats *stats);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,44 @@
+/* algsurf/camera.h - from a point of the picture to a ray.
+ *
+ * A picture of width x height pixels has its origin in the upper left corner, x to the right, y down;
+ * pixel (i,j) covers [i,i+1) x [j,j+1), its centre is (i+1/2, j+1/2).  Pixels are square.
+ */
+#ifndef ALGSURF_CAMERA_H
+#define ALGSURF_CAMERA_H
+#include "algsurf/ray.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A plain value; make it with one of the two functions below.  right, up, forward are orthonormal,
+ * right-handed as seen: right x up points to the viewer. */
+typedef struct algsurf_camera {
+    double eye[3];                      /* where the rays start; orthographic: a point of their plane */
+    double right[3], up[3], forward[3]; /* in the picture to the right and upwards, and along the view */
+    double half_height; /* of the image plane: at distance 1 (pinhole) or in space (orthographic) */
+    int orthographic;   /* 0 or 1 */
+} algsurf_camera;
+
+/* A pinhole camera at eye that looks at a point; fov is the vertical field of view in degrees,
+ * 0 < fov < 180; up need not be orthogonal to the view, only not parallel to it.
+ * Errors: E_ARGUMENT (null, eye = look_at, up parallel or zero, fov outside), E_NOT_FINITE.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_camera_pinhole(algsurf_camera *camera, const double eye[3],
+                                                  const double look_at[3], const double up[3], double fov);
+
+/* A parallel projection; height > 0 is the height of the picture in space.  Rays start on the plane
+ * through the eye, and nothing behind it is seen.  Errors: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_camera_orthographic(algsurf_camera *camera, const double eye[3],
+                                                       const double look_at[3], const double up[3],
+                                                       double height);
+
+/* The ray through the point (x,y) of a width x height picture: t_min = 0, t_max = +inf, direction of
+ * unit length up to rounding, so that t is the distance from the eye (pinhole) or from the plane.
+ * Errors: E_ARGUMENT (null, width or height < 1), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x,
+                                              double y, algsurf_ray *ray);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,191 @@
+/* algsurf/intersect.h - where a ray meets a surface: first hit, all hits, occluded or not. */
+#ifndef ALGSURF_INTERSECT_H
+#define ALGSURF_INTERSECT_H
+#include "algsurf/ray.h"
+#include "algsurf/refine.h"
+#include "algsurf/select.h"
+#include "algsurf/surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How much is known about an answer, and what it may cost. */
+typedef enum algsurf_tier {
+    ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
+                                  again in double-double; what is still in doubt is told: uncertain */
+    ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; never uncertain, may be wrong within
+                                  rounding of a tangency */
+    ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
+                                  uncertain are only multiple roots (a ray that exactly touches), roots closer
+                                  than 2^-60 of what double-double leaves open, rays in the surface, and rays
+                                  whose numbers span thousands of digits.  An uncertain ray allocates memory,
+                                  and stays uncertain if there is none.  The extent counts as exact: a root
+                                  as close to its surface as the ends of a chord can be rounded is in it or
+                                  not (in the other tiers it may go either way); uncertain is one on it */
+} algsurf_tier;
+
+/* What becomes of an uncertain place. */
+typedef enum algsurf_doubt {
+    ALGSURF_DOUBT_REPORT = 0, /* it is told, as ALGSURF_UNCERTAIN */
+    ALGSURF_DOUBT_HIT = 1,    /* it counts as a hit; its `reason` still tells why it was in doubt */
+    ALGSURF_DOUBT_MISS = 2    /* it is passed over */
+} algsurf_doubt;
+
+/* What is known of a hit. */
+typedef enum algsurf_hit_state {
+    ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified, except in the fast tier */
+    ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified, except in the fast tier */
+    ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, that the tier cannot decide */
+} algsurf_hit_state;
+
+/* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
+typedef struct algsurf_hit {
+    int state;             /* an algsurf_hit_state */
+    algsurf_status reason; /* ALGSURF_OK, or why it is uncertain (a positive status) */
+    double t;              /* approximate, along the ray as given; uncertain: where it is in doubt */
+    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one (its ends
+                              are rounded outward, and what rounding takes in, some units in the last place
+                              of the ray's t, may hold another one);
+                              uncertain: no hit is before t_lo, it is open whether one is in
+                              [t_lo, t_hi]; fast tier: both are t */
+    double position[3];    /* origin + t direction; finite: at most the largest double in size */
+    double normal[3];      /* the gradient of P there, unit length; all 0 at a singular point, and
+                              where the gradient is beyond the range of double */
+} algsurf_hit;
+
+/* How rays are intersected. */
+typedef struct algsurf_intersect_options {
+    size_t size;           /* sizeof(algsurf_intersect_options) */
+    algsurf_tier tier;     /* how much is to be known about an answer */
+    algsurf_method method; /* how brackets are refined */
+    int max_iterations;    /* of the refinement, 0: 1000; at the limit the best point so far counts */
+    double tolerance;      /* wanted error of t, absolute; 0: all a double can tell, with the final
+                              Newton step on P at the point itself */
+    const char *kernel;    /* the packet code to use for packets and pictures, by a name that
+                              algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
+    algsurf_doubt doubt;   /* what becomes of an uncertain place */
+} algsurf_intersect_options;
+
+/* The packet code that runs on this machine, the fastest first: "avx512" (8 rays side by side), "avx2" (4),
+ * "baseline" (2).  All of them give the same bits.
+ *   index  from 0 on
+ * Returns a static string, or null when there are not that many.  Since 1.0. */
+ALGSURF_API const char *algsurf_kernel_name(int index);
+
+/* The first hit on the ray inside the extent, t in [t_min, t_max], both ends included.
+ *   extent   null: all of space
+ *   options  null: standard tier, default method, full accuracy
+ * Guarantee: see algsurf_tier.  |t - exact| in the standard tier with default method and tolerance is
+ * within a few u S(X)/|p'(t)|, u = 2^-53, S(X) the size that rounding the inputs can give P at the hit.
+ * Returns OK also for a miss and for uncertain: the state is in hit.
+ * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction).
+ * Cost: 0.3 to 3 microseconds for degrees 2 to 10; a doubtful ray some 30 times that; no allocation.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
+                                                   const algsurf_extent *extent, const algsurf_ray *ray,
+                                                   const algsurf_intersect_options *options,
+                                                   algsurf_hit *hit);
+
+/* All hits, in increasing t.  (A ray within a plane has one, uncertain, from end to end.)
+ *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
+ *   count           how many were written, uncertain ones included
+ * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
+ * first hit, for each; what is not in an entry is no hit.  Cost: about that of the first hit for each of
+ * them.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
+                                                 const algsurf_ray *ray,
+                                                 const algsurf_intersect_options *options, algsurf_hit *hits,
+                                                 int capacity, int *count);
+
+/* Is there any hit?  Cheaper than the first hit: nothing is refined, and an odd number of roots is
+ * known from the ends alone.
+ *   state  ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNCERTAIN
+ * Errors: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                                            const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                            algsurf_hit_state *state);
+
+/* Rays side by side, as structure of arrays: ray i is origin[0..2][i] + t direction[0..2][i],
+ * t_min[i] <= t <= t_max[i], with directions of any length. */
+typedef struct algsurf_ray_packet {
+    size_t size;                            /* sizeof(algsurf_ray_packet) */
+    size_t count;                           /* of rays; the arrays may be null when it is 0 */
+    const double *origin[3], *direction[3]; /* x, y, z */
+    const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
+    const unsigned char *active;            /* null: all; 0: that ray may be anything, and gets no answer */
+} algsurf_ray_packet;
+
+/* Where the answers go: entry i as the members of ray i's algsurf_hit.  A null array is not asked for. */
+typedef struct algsurf_hit_packet {
+    size_t size;                     /* sizeof(algsurf_hit_packet) */
+    unsigned char *state;            /* an algsurf_hit_state each; not null */
+    double *t, *t_lo, *t_hi;         /* along the ray as given */
+    double *position[3], *normal[3]; /* x, y, z */
+} algsurf_hit_packet;
+
+/* The first hit of each ray of a packet inside the extent: what algsurf_intersect_first says of it.
+ *   rays     any number of them; neighbours that take similar ways cost least
+ *   options  as there, and a kernel; methods other than the default, a limit of iterations, and degrees
+ *            above 20 take the rays one by one; a tolerance is met, but saves nothing
+ *   hits     arrays that overlap neither each other nor those of the rays
+ * Guarantee: that of the single call.  In the standard tier the states are the same, but that a packet may
+ * decide a ray, thousands of natural units long, of which the single call is uncertain; intervals enclose and
+ * isolate, and t, position and normal are within the same bound; in the fast tier a state may differ within
+ * rounding of a tangency.  The bits of an answer do not depend on the kernel, nor on the other rays of the
+ * packet.
+ * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
+ * options; E_ARGUMENT (null, or a size that is none).  In any case nothing is written.
+ * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
+ * side by side.  A single call is added for a ray too close to call in double, one without end, and one that
+ * is several thousand times as long as the surface is large.  No allocation.
+ * Source: values at Chebyshev's nodes, turned to the Bernstein basis; Descartes' rule; Newton's method; all
+ * for several rays at once.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
+                                                    const algsurf_extent *extent,
+                                                    const algsurf_ray_packet *rays,
+                                                    const algsurf_intersect_options *options,
+                                                    const algsurf_hit_packet *hits);
+
+/* Is there any hit on each ray of a packet?  What algsurf_occluded says of each.
+ *   state  receives an algsurf_hit_state for each active ray
+ * Errors, guarantee: as above.  Cost: two thirds of the above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surface,
+                                                   const algsurf_extent *extent,
+                                                   const algsurf_ray_packet *rays,
+                                                   const algsurf_intersect_options *options,
+                                                   unsigned char *state);
+
+/* What of complex space is seen. */
+typedef struct algsurf_complex_space {
+    size_t size;                              /* sizeof(algsurf_complex_space) */
+    algsurf_sector sector;                    /* of the arguments of t that count */
+    double imaginary[ALGSURF_MAX_DEGREE + 1]; /* times i, added to the coefficient p_k of t^k */
+} algsurf_complex_space;
+
+/* The first hit in complex space.  The polynomial along the ray, p(t) = P(origin + t direction)
+ * + i sum_k imaginary[k] t^k, k up to the surface's degree, has degree-many complex roots t.  Of those
+ * whose argument lies in the sector and whose magnitude lies in the part [t_min, t_max] of the ray
+ * inside the extent, t_min >= 0, the one of least magnitude is shown.
+ *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
+ *          normal of the surface shown when the direction varies about a fixed origin (with g the complex
+ *          gradient of P at origin + t direction: Re(g / p'(t)) corrected along the ray), the gradient's
+ *          direction for a real root.  state UNCERTAIN: whether a root is in the sector or range, or which
+ *          one is the least, stays open; the hit then is the least root that may be meant
+ *   root   the complex root t shown; may be null
+ *   start  null, or degree-many start values for the roots t, from a neighbouring ray say: they change
+ *          the time, not the answer
+ *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
+ *          is missing is NaN
+ * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
+ * algsurf_roots, 2 to 10 microseconds for degrees 4 to 10.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
+                                                     const algsurf_extent *extent, const algsurf_ray *ray,
+                                                     const algsurf_complex_space *space,
+                                                     const algsurf_complex *start, algsurf_complex *roots,
+                                                     algsurf_hit *hit, algsurf_complex *root);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,68 @@
+/* algsurf/packet.h - the first roots of many real polynomials of one degree, side by side.
+ *
+ * What isolate.h and refine.h do for one polynomial, the packet code of this processor does here for
+ * several at once.  A polynomial that it would have to doubt is handed to algsurf_isolate_first. */
+#ifndef ALGSURF_PACKET_H
+#define ALGSURF_PACKET_H
+#include <stddef.h>
+
+#include "algsurf/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Polynomials as structure of arrays: number i is c[0][i] + c[1][i] t + ... + c[degree][i] t^degree, with
+ * radii r[k][i], on the interval [lo[i], hi[i]]. */
+typedef struct algsurf_poly_packet {
+    size_t size;            /* sizeof(algsurf_poly_packet) */
+    size_t count;           /* of polynomials; the arrays may be null when it is 0 */
+    int degree;             /* a bound: leading zeros are allowed */
+    const double *const *c; /* degree + 1 arrays of `count` coefficients, lowest power first */
+    const double *const *r; /* the same for radii; null: the coefficients are exact */
+    const double *lo, *hi;  /* finite, lo < hi; both ends belong to the interval */
+} algsurf_poly_packet;
+
+/* What is known of the first root. */
+typedef enum algsurf_first_root_state {
+    ALGSURF_FIRST_ROOT_NONE = 0,     /* no root in the interval: verified; root is +inf */
+    ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one, and it lies in a bracket that isolates the first one:
+                                        verified */
+    ALGSURF_FIRST_ROOT_UNCERTAIN = 2 /* beyond double-double; root is where it is in doubt: none is before,
+                                        but for the width of the place in doubt */
+} algsurf_first_root_state;
+
+/* How first roots are found. */
+typedef struct algsurf_first_roots_options {
+    size_t size;        /* sizeof(algsurf_first_roots_options) */
+    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
+                           runs here.  All of them give the same bits. */
+    double tolerance;   /* wanted error of a root, relative to the length of its interval, 0 <= tolerance < 1;
+                           0: 1e-12 or better */
+} algsurf_first_roots_options;
+
+/* The first (smallest) root of each polynomial in its interval.
+ *   options  null: all defaults
+ *   state    an algsurf_first_root_state for each polynomial
+ *   root     for each polynomial; null: not asked for
+ * Neither may overlap the input.
+ * Guarantee: a state other than UNCERTAIN is verified, and is what algsurf_isolate_first says.  (With
+ * radii one may be verified where the single call stays undecided.)  A multiple root is UNCERTAIN, unless
+ * it is at 0 or at an end; so is a polynomial that is zero throughout.  The root stays in the bracket that
+ * isolates the first one; where in it is approximate, by the default tolerance to 1e-12 of the interval and
+ * the rounding of the root itself: what double cannot tell to that is refined in double-double.  The bits
+ * of an answer depend on its polynomial only, not on the kernel, the other polynomials or their number.
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
+ * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
+ * deciding; nothing is written then.
+ * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
+ * is handed on costs the single calls, some microseconds; so do all above degree 20.  No allocation.
+ * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
+                                               const algsurf_first_roots_options *options,
+                                               unsigned char *state, double *root);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

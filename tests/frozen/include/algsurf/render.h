@@ -1,0 +1,160 @@
+/* algsurf/render.h - a picture of one surface.
+ *
+ * A scene is one surface, one extent, one camera, one material, lights, a background: no more.
+ * It is opaque so that it can grow.  A picture is the same, byte for byte, for any number of threads
+ * and any split into rows, with spatial coherence and without.
+ */
+#ifndef ALGSURF_RENDER_H
+#define ALGSURF_RENDER_H
+#include <stdint.h>
+
+#include "algsurf/camera.h"
+#include "algsurf/intersect.h"
+#include "algsurf/shade.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What is shown, and how; see above. */
+typedef struct algsurf_scene algsurf_scene;
+
+/* How points of the surface are lit. */
+typedef enum algsurf_quality {
+    ALGSURF_QUALITY_PREVIEW = 0,  /* no illumination model */
+    ALGSURF_QUALITY_STANDARD = 1, /* lights at their middles, no shadows */
+    ALGSURF_QUALITY_FULL = 2      /* every sample of every light, with shadows */
+} algsurf_quality;
+
+/* What the iteration for the roots of a ray starts with, in complex space. */
+typedef enum algsurf_coherence {
+    ALGSURF_COHERENCE_NONE = 0,      /* nothing: every ray by itself */
+    ALGSURF_COHERENCE_NEIGHBOURS = 1 /* root by root, the averages over the pixels above left, above,
+                                        above right and left */
+} algsurf_coherence;
+
+/* A scene showing a surface with defaults: extent all of space, a pinhole camera at (4,3,2.5) looking
+ * at the origin with z up and a field of view of 30 degrees, a warm outside and a cool inside, white
+ * background, standard quality, 1 sample a pixel, standard tier, real space, coherence by neighbours (for
+ * complex space), and, until lights are set, two area lights of 5x5 samples that follow camera and
+ * extent: above left and above right of what is shown, on the viewer's side, some 8 radii from its centre
+ * (all of space: the radius that fills the picture at the origin).  The surface is borrowed: it must
+ * outlive the scene.
+ * Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
+
+/* Releases a scene, not its surface; null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
+
+/* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
+ * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
+ * are the defaults, a null complex space is real space, any other null is E_ARGUMENT; so are negative colours
+ * and weights, and a camera whose axes are not orthonormal.  Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
+ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
+ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
+/* At most 16 lights; count 0 removes them all.  Errors: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
+                                                    int count);
+/* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full.  Errors: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
+/* How points of the surface are lit.  Errors: as above, also for a quality that is none.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
+/* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
+/* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
+ * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
+ * left or right by more than 255 threshold in a channel of 0..255; any other pixel shows its middle alone. So
+ * each pixel is that of one of two pictures without a threshold, n x n samples or one, and the latter tells
+ * which; so are the hits, but for the last bits, which may depend on what is solved beside them.  Threshold 1
+ * chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1
+ * most other edges too.  A slice's upper and lower neighbours are looked at as in the whole picture. Errors:
+ * E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for
+ * some per cent of its pixels.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
+/* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
+                                                       const algsurf_intersect_options *options);
+
+/* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection then play no
+ * part, and full quality is drawn like standard quality: which points of complex space belong to the
+ * surface depends on the eye, and a light would see others, so that there are no shadows to speak of.
+ * Errors: as algsurf_intersect_complex for the space.  Cost: an algsurf_intersect_complex a sample.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
+                                                           const algsurf_complex_space *space);
+/* Whether the roots of rays in complex space are found from those of their neighbours: half the iterations,
+ * 2 to 12 per cent less time (most of it goes into the proof), and the same picture.  Source:
+ * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: as above, also for a coherence that is none.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
+
+/* Called on the thread that called algsurf_render, after each finished row of that thread and ten times
+ * a second while it waits, with the number of rows done by all threads; non-zero cancels: rows in the
+ * making are abandoned.  Its last call in a picture that is not cancelled tells rows_done = rows_total. */
+typedef int (*algsurf_progress)(int rows_done, int rows_total, void *data);
+
+/* Size and part of a picture, threads, and who is told. */
+typedef struct algsurf_render_options {
+    size_t size;               /* sizeof(algsurf_render_options) */
+    int width, height;         /* of the whole picture, 1..65535 each */
+    int row_begin, row_end;    /* the slice to draw, 0 <= row_begin < row_end <= height; both 0: all */
+    int threads;               /* 0: as many as there are processors; at most 256; fewer are used when there
+                                  are fewer rows, or when the system refuses to start more */
+    algsurf_progress progress; /* null: nobody is told */
+    void *progress_data;       /* the caller's, passed through */
+} algsurf_render_options;
+
+/* What a picture took. */
+typedef struct algsurf_render_stats {
+    size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
+    uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
+                             middle of each pixel, and n x n for each pixel chosen, the middle not counted
+                             again where it is one of them.  Counts are those of the rows drawn */
+    uint64_t hits;        /* of them, ALGSURF_HIT */
+    uint64_t uncertain;   /* of them, ALGSURF_UNCERTAIN, not among the hits (drawn like them, where the
+                             surface seems to touch) */
+    uint64_t shadow_rays; /* only lights and samples above the tangent plane get one */
+    double solve_s;       /* seconds spent in intersection, summed over threads */
+    double shade_s;       /* seconds spent in shading, summed over threads */
+    double total_s;       /* wall time */
+    int threads;          /* used, the caller's among them */
+    uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
+    uint64_t single_rays; /* of the rays, those that are no part of a row: what rows left in doubt, or all */
+    double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
+    double point_s;       /* seconds spent in positions and normals of what packets found */
+    double shadow_s;      /* seconds spent in shadows; with the four others, summed over threads */
+    const char *kernel;   /* the packet code's name (algsurf_kernel_name) */
+} algsurf_render_stats;
+
+/* Draws rows row_begin .. row_end-1 of the picture.
+ *   pixels   row_end-row_begin rows of width * 3 bytes, red green blue, top row first; each row
+ *            starts stride bytes after the one before, stride >= 3 * width
+ *   hits     null, or (row_end-row_begin) * width doubles: t of the hit along the unit ray of the
+ *            pixel (complex space: |t|), the smallest over the samples shown, NaN where none.  The ray of
+ *            sample (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n); the
+ *            middle is sample (0,0) of 1 x 1; |t - exact| is within what rounding that ray, t and P can
+ *            change, and 2^-36 of the extent's radius
+ *   stats    null, or receives counts and times
+ * Uncertain samples are drawn as hits at the place of doubt and counted; an uncertain shadow ray counts
+ * as occluded.  A pixel is the average of its samples' clamped colours, rounded to nearest.
+ * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
+ * surface, in real space; in preview, depth runs along the view through the extent.
+ * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
+ * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY,
+ * E_THREAD (no locks to be had).
+ * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
+ * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
+ * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some
+ * 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 100 more, in complex space
+ * 32 more for each degree, allocated once. Source: P in camera axes once a frame and by rows; Descartes' rule
+ * on Bernstein coefficients for neighbouring pixels side by side.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
+                                          uint8_t *pixels, size_t stride, double *hits,
+                                          algsurf_render_stats *stats);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,47 @@
+/* algsurf/select.h - the root that is seen in complex space: least magnitude in a range of arguments.
+ *
+ * In complex space a ray shows, of all roots t of its polynomial, the one of least magnitude |t| whose
+ * argument lies in [sigma, sigma + delta] or in the conjugate range [-sigma - delta, -sigma].  Real
+ * space is sigma = 0 with a small delta: positive real roots have argument exactly 0.
+ * Source: Sanjuan-Estrada, Casado, Garcia, section 4.
+ */
+#ifndef ALGSURF_SELECT_H
+#define ALGSURF_SELECT_H
+#include "algsurf/allroots.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Arguments in radians: 0 <= sigma, 0 <= delta, sigma + delta <= pi (rounded up: 4 is refused). */
+typedef struct algsurf_sector {
+    double sigma, delta; /* where the range begins, and how wide it is */
+} algsurf_sector;
+
+/* What is known of the root that is seen. */
+typedef enum algsurf_selected {
+    ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
+    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and is the least, or as small as its conjugate */
+    ALGSURF_SELECTED_UNDECIDED = 2 /* index is the least root that may be in the sector */
+} algsurf_selected;
+
+/* Is every root of the enclosure in the sector (1), none (0), or is that undecided (2)?  The root 0 has
+ * argument 0.  Decided with the enclosing box: a real one has argument exactly 0 or pi.
+ * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root,
+                                                int *holds);
+
+/* The root of least magnitude among those in the sector with lo <= |t| <= hi.
+ *   roots, count  as algsurf_roots gives them
+ *   lo, hi        magnitudes that count; 0 <= lo <= hi, hi may be infinite
+ *   selected      an algsurf_selected
+ *   index         which; untouched if NONE
+ * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument is in doubt.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_select(const algsurf_enclosure *roots, int count,
+                                          const algsurf_sector *sector, double lo, double hi,
+                                          algsurf_selected *selected, int *index);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,83 @@
+/* algsurf/status.h - outcomes, limits, version, and the words guarantees are stated in.
+ *
+ * Vocabulary.  Every comment of this library uses these words in one sense only:
+ *   encloses     the exact value lies in the returned interval;
+ *   isolates     the interval holds exactly one root, counted without multiplicity;
+ *   verified     a proof was carried out in floating point with every rounding accounted for;
+ *   approximate  nothing is proved: the value is what a careful computation in double gives.
+ *
+ * Outcomes.  Every function that can fail returns an algsurf_status:
+ *   negative     misuse, or no memory: nothing was computed, outputs are untouched;
+ *   zero         done, as promised;
+ *   positive     honestly undecided or stopped early: outputs hold what is known, the code says why.
+ *
+ * Conventions common to all functions, unless their comment says otherwise.
+ *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
+ *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
+ *                   saved and restored;
+ *   side effects    none: nothing prints, exits, aborts or reads an environment variable.
+ */
+#ifndef ALGSURF_STATUS_H
+#define ALGSURF_STATUS_H
+
+/* The version compiled against; algsurf_version tells the one that runs. */
+#define ALGSURF_VERSION_MAJOR 1
+#define ALGSURF_VERSION_MINOR 0
+#define ALGSURF_VERSION_PATCH 0
+
+/* Largest total degree of a surface, hence of the polynomial along a ray. */
+#define ALGSURF_MAX_DEGREE 64
+/* Largest degree of a polynomial handed to the root finders directly. */
+#define ALGSURF_MAX_POLY_DEGREE 512
+
+#if defined(__GNUC__) || defined(__clang__)
+#define ALGSURF_API __attribute__((visibility("default")))
+#else
+#define ALGSURF_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* X(name, number, text).  Numbers are part of the ABI: appended, never reused. */
+#define ALGSURF_STATUS_LIST(X)                                                                               \
+    X(ALGSURF_E_ARGUMENT, -1, "invalid argument")                                                            \
+    X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite")                                                    \
+    X(ALGSURF_E_NO_MEMORY, -3, "out of memory")                                                              \
+    X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
+    X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z")                                  \
+    X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                                  \
+    X(ALGSURF_E_RANGE, -7, "a value leaves the range of double")                                             \
+    X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
+    X(ALGSURF_OK, 0, "done")                                                                                 \
+    X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
+    X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \
+    X(ALGSURF_UNDECIDED_ZERO, 3, "the polynomial vanishes, or cannot be told from zero")                     \
+    X(ALGSURF_UNDECIDED_RANGE, 4, "overflow or underflow hides the answer")                                  \
+    X(ALGSURF_NOT_CONVERGED, 5, "the iteration limit was reached")                                           \
+    X(ALGSURF_CANCELLED, 6, "cancelled by the caller")                                                       \
+    X(ALGSURF_NOT_VERIFIED, 7, "an inclusion could not be verified")
+
+/* What became of a call. */
+typedef enum algsurf_status {
+#define ALGSURF_STATUS_ENUM(name, number, text) name = number,
+    ALGSURF_STATUS_LIST(ALGSURF_STATUS_ENUM)
+#undef ALGSURF_STATUS_ENUM
+} algsurf_status;
+
+/* A short English text for a status, static, never null ("unknown status" for a number not listed).
+ * Cost: constant.  Since 1.0. */
+ALGSURF_API const char *algsurf_status_text(algsurf_status status);
+
+/* The name of a status as written in the source, "ALGSURF_OK", static, never null.  Since 1.0. */
+ALGSURF_API const char *algsurf_status_name(algsurf_status status);
+
+/* The version of the library that runs (the macros give the one compiled against), as
+ * "major.minor.patch", static.  Since 1.0. */
+ALGSURF_API const char *algsurf_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

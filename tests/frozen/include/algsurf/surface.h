@@ -1,0 +1,119 @@
+/* algsurf/surface.h - an algebraic surface P(x,y,z) = 0.
+ *
+ * A surface is an immutable polynomial whose coefficients are doubles, taken as exact numbers.
+ * It may be shared by any number of threads; nothing is allocated after it is made.  Where the doubles are
+ * themselves roundings, of sqrt(5) for one, algsurf_surface_with_error says so, and answers allow for it.
+ */
+#ifndef ALGSURF_SURFACE_H
+#define ALGSURF_SURFACE_H
+#include <stddef.h>
+
+#include "algsurf/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A surface; what it consists of is private. */
+typedef struct algsurf_surface algsurf_surface;
+
+/* The monomial a x^i y^j z^k. */
+typedef struct algsurf_term {
+    int i, j, k; /* exponents, >= 0 */
+    double a;    /* the coefficient, finite */
+} algsurf_term;
+
+/* A named constant for algsurf_surface_from_equation. */
+typedef struct algsurf_constant {
+    const char *name; /* a letter, then letters, digits, underscores; not x, y, z, sqrt */
+    double value;     /* finite */
+} algsurf_constant;
+
+/* Where and why an equation was refused. */
+typedef struct algsurf_parse_error {
+    size_t offset;       /* of the offending character from the start of the text, in bytes */
+    const char *message; /* what was expected or what is wrong there; static */
+} algsurf_parse_error;
+
+/* A surface from its terms, in any order; terms with the same exponents are added (in order, each sum
+ * rounded once), then zero terms vanish, whatever their exponents.  count may be 0 only in error.
+ *   surface  receives the new surface; free it with algsurf_surface_free
+ * Errors: E_ARGUMENT (null, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum overflows),
+ * E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
+ * E_NO_MEMORY.  A non-zero constant is accepted: a surface without points.
+ * Cost: O(count log count).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t count,
+                                                      algsurf_surface **surface);
+
+/* A surface from an equation as text, "x^2 + y^2 = 1 - z^2".
+ * Grammar: + - * / ^ ( ), numbers (decimal or hexadecimal, point and exponent allowed, independent of
+ * the locale), variables x y z, the given constants, sqrt(...) of a constant, implicit multiplication
+ * (3x^2 y), blanks anywhere between tokens, at most one '=' (left minus right).  ^ binds tighter than
+ * unary minus, is right associative and takes a constant integer exponent 0..64 (down to -64 for a
+ * constant base); division only by a constant.  Implicit multiplication binds like *: 1/2x is x/2; its
+ * right operand is never a number.  A name is read as long as it goes; one that is no constant but made
+ * of x, y, z only is their product: xyz.
+ * Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
+ * double.  What double-double cannot tell from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
+ *   constants, count  named values; may be null when count is 0
+ *   error             may be null; filled only when E_SYNTAX, E_DEGREE, E_RANGE is returned
+ * Errors: E_SYNTAX (also unknown names, sqrt of a negative number, division by zero or by x, y, z),
+ * E_DEGREE (a product or power above degree 64, even if it would cancel: at its operator), E_RANGE (a
+ * number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26
+ * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 200 is E_SYNTAX.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
+                                                         size_t count, algsurf_surface **surface,
+                                                         algsurf_parse_error *error);
+
+/* How far the coefficients of a surface made from an equation are from those the equation has, numbers such
+ * as 11.8 and sqrt(5) taken for what they are (constants for the doubles given): the largest relative error,
+ * or a bound a little above it.  0 when the coefficients are computed from whole or binary numbers and all
+ * that occurs fits a double, and for surfaces from terms; some 2^-53 as a rule; infinite when a coefficient
+ * underflowed to 0.  Those that double-double could not tell from zero are not counted.  0 for null.
+ * Since 1.0. */
+ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
+
+/* The same surface with coefficients that are known up to a relative error only: it stands for all
+ * polynomials with coefficients a', |a' - a| <= error |a|, and what is said to be certain of it (states, that
+ * a root is the first, the intervals that enclose it, bounds of values) holds for each of them.  What differs
+ * among them is uncertain; the certified tier cannot decide it either.  With the error that
+ * algsurf_surface_rounding tells, answers are about the equation instead of its rounded coefficients.
+ *   error        0 <= error < 1; 0 for exact coefficients
+ *   approximate  receives the new surface; free it with algsurf_surface_free
+ * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
+                                                      algsurf_surface **approximate);
+
+/* Releases a surface; null is allowed.  Since 1.0. */
+ALGSURF_API void algsurf_surface_free(algsurf_surface *surface);
+
+/* The total degree, 0..ALGSURF_MAX_DEGREE; -1 for null.  Since 1.0. */
+ALGSURF_API int algsurf_surface_degree(const algsurf_surface *surface);
+
+/* The number of non-zero terms; 0 for null.  Since 1.0. */
+ALGSURF_API size_t algsurf_surface_term_count(const algsurf_surface *surface);
+
+/* Copies the terms, sorted by decreasing k, then j, then i; terms must have room for
+ * algsurf_surface_term_count of them.  Errors: E_ARGUMENT (null).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_terms(const algsurf_surface *surface, algsurf_term *terms);
+
+/* P at a point in double.
+ *   value, bound  encloses: |value - P(point)| <= bound; bound may be null
+ * Errors: E_ARGUMENT, E_NOT_FINITE (point), E_RANGE (overflow).  Cost: O(terms) for dense surfaces.
+ * Source: nested Horner scheme with the same scheme on magnitudes as its error bound.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3],
+                                                 double *value, double *bound);
+
+/* P and its gradient at a point in double, with bounds on each error; both bounds may be null.
+ * Errors, source: as above.  Cost: about three times algsurf_surface_value.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3],
+                                                    double *value, double gradient[3], double *value_bound,
+                                                    double gradient_bound[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

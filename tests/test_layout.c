@@ -1,0 +1,171 @@
+/* test_layout.c - what compiled callers rely on: the size of every public struct, where its members lie, and
+ * the numbers of the enumerators, as released.  The values are part of the ABI: lines are added, never
+ * changed. A struct that starts with its size may grow at its end (GROWS); lib/algsurf.map says how. Breaks
+ * caught: a member added, moved or given another type, an enumerator renumbered, a limit that is the length
+ * of a public array changed.  check_symbols demands that every struct of the headers is here. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "algsurf/algsurf.h"
+
+typedef struct fact {
+    const char *what;
+    long long now, released;
+    int may_grow;
+} fact;
+
+#define SIZE(type, bytes)                                                                                    \
+    { "the size of " #type, (long long)sizeof(type), bytes, 0 }
+#define GROWS(type, bytes)                                                                                   \
+    { "the size of " #type, (long long)sizeof(type), bytes, 1 }
+#define AT(type, member, bytes)                                                                              \
+    { "the place of " #type "." #member, (long long)offsetof(type, member), bytes, 0 }
+#define NUMBER(name, value)                                                                                  \
+    { "the number of " #name, name, value, 0 }
+
+/* clang-format off */
+static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and pointers have 64 */
+    SIZE(algsurf_complex, 16),
+    AT(algsurf_complex, re, 0), AT(algsurf_complex, im, 8),
+    SIZE(algsurf_interval, 16),
+    AT(algsurf_interval, lo, 0), AT(algsurf_interval, hi, 8),
+    SIZE(algsurf_cinterval, 32),
+    AT(algsurf_cinterval, re, 0), AT(algsurf_cinterval, im, 16),
+    SIZE(algsurf_bracket, 32),
+    AT(algsurf_bracket, lo, 0), AT(algsurf_bracket, hi, 8), AT(algsurf_bracket, kind, 16),
+    AT(algsurf_bracket, sign, 20), AT(algsurf_bracket, most, 24), AT(algsurf_bracket, status, 28),
+    GROWS(algsurf_refine_options, 24),
+    AT(algsurf_refine_options, size, 0), AT(algsurf_refine_options, method, 8),
+    AT(algsurf_refine_options, max_iterations, 12), AT(algsurf_refine_options, tolerance, 16),
+    SIZE(algsurf_root, 48),
+    AT(algsurf_root, root, 0), AT(algsurf_root, lo, 8), AT(algsurf_root, hi, 16),
+    AT(algsurf_root, value, 24), AT(algsurf_root, evaluations, 32), AT(algsurf_root, iterations, 36),
+    AT(algsurf_root, converged, 40),
+    GROWS(algsurf_poly_packet, 56),
+    AT(algsurf_poly_packet, size, 0), AT(algsurf_poly_packet, count, 8),
+    AT(algsurf_poly_packet, degree, 16), AT(algsurf_poly_packet, c, 24), AT(algsurf_poly_packet, r, 32),
+    AT(algsurf_poly_packet, lo, 40), AT(algsurf_poly_packet, hi, 48),
+    GROWS(algsurf_first_roots_options, 24),
+    AT(algsurf_first_roots_options, size, 0), AT(algsurf_first_roots_options, kernel, 8),
+    AT(algsurf_first_roots_options, tolerance, 16),
+    SIZE(algsurf_enclosure, 56),
+    AT(algsurf_enclosure, box, 0), AT(algsurf_enclosure, value, 32),
+    AT(algsurf_enclosure, multiplicity, 48), AT(algsurf_enclosure, real, 52),
+    GROWS(algsurf_zero_options, 24),
+    AT(algsurf_zero_options, size, 0), AT(algsurf_zero_options, epsilon, 8),
+    AT(algsurf_zero_options, max_steps, 16), AT(algsurf_zero_options, max_inflations, 20),
+    SIZE(algsurf_cpoly_zero, 72),
+    AT(algsurf_cpoly_zero, box, 0), AT(algsurf_cpoly_zero, value, 32), AT(algsurf_cpoly_zero, verified, 48),
+    AT(algsurf_cpoly_zero, unique, 52), AT(algsurf_cpoly_zero, converged, 56),
+    AT(algsurf_cpoly_zero, steps, 60), AT(algsurf_cpoly_zero, inflations, 64),
+    SIZE(algsurf_root_stats, 8),
+    AT(algsurf_root_stats, iterations, 0), AT(algsurf_root_stats, retries, 4),
+    SIZE(algsurf_sector, 16),
+    AT(algsurf_sector, sigma, 0), AT(algsurf_sector, delta, 8),
+    SIZE(algsurf_term, 24),
+    AT(algsurf_term, i, 0), AT(algsurf_term, j, 4), AT(algsurf_term, k, 8), AT(algsurf_term, a, 16),
+    SIZE(algsurf_constant, 16),
+    AT(algsurf_constant, name, 0), AT(algsurf_constant, value, 8),
+    SIZE(algsurf_parse_error, 16),
+    AT(algsurf_parse_error, offset, 0), AT(algsurf_parse_error, message, 8),
+    SIZE(algsurf_ray, 64),
+    AT(algsurf_ray, origin, 0), AT(algsurf_ray, direction, 24), AT(algsurf_ray, t_min, 48),
+    AT(algsurf_ray, t_max, 56),
+    SIZE(algsurf_extent, 56),
+    AT(algsurf_extent, kind, 0), AT(algsurf_extent, centre, 8), AT(algsurf_extent, size, 32),
+    SIZE(algsurf_hit, 80),
+    AT(algsurf_hit, state, 0), AT(algsurf_hit, reason, 4), AT(algsurf_hit, t, 8), AT(algsurf_hit, t_lo, 16),
+    AT(algsurf_hit, t_hi, 24), AT(algsurf_hit, position, 32), AT(algsurf_hit, normal, 56),
+    GROWS(algsurf_intersect_options, 48),
+    AT(algsurf_intersect_options, size, 0), AT(algsurf_intersect_options, tier, 8),
+    AT(algsurf_intersect_options, method, 12), AT(algsurf_intersect_options, max_iterations, 16),
+    AT(algsurf_intersect_options, tolerance, 24), AT(algsurf_intersect_options, kernel, 32),
+    AT(algsurf_intersect_options, doubt, 40),
+    GROWS(algsurf_ray_packet, 88),
+    AT(algsurf_ray_packet, size, 0), AT(algsurf_ray_packet, count, 8), AT(algsurf_ray_packet, origin, 16),
+    AT(algsurf_ray_packet, direction, 40), AT(algsurf_ray_packet, t_min, 64),
+    AT(algsurf_ray_packet, t_max, 72), AT(algsurf_ray_packet, active, 80),
+    GROWS(algsurf_hit_packet, 88),
+    AT(algsurf_hit_packet, size, 0), AT(algsurf_hit_packet, state, 8), AT(algsurf_hit_packet, t, 16),
+    AT(algsurf_hit_packet, t_lo, 24), AT(algsurf_hit_packet, t_hi, 32),
+    AT(algsurf_hit_packet, position, 40), AT(algsurf_hit_packet, normal, 64),
+    GROWS(algsurf_complex_space, 544),
+    AT(algsurf_complex_space, size, 0), AT(algsurf_complex_space, sector, 8),
+    AT(algsurf_complex_space, imaginary, 24),
+    SIZE(algsurf_camera, 112),
+    AT(algsurf_camera, eye, 0), AT(algsurf_camera, right, 24), AT(algsurf_camera, up, 48),
+    AT(algsurf_camera, forward, 72), AT(algsurf_camera, half_height, 96),
+    AT(algsurf_camera, orthographic, 104),
+    SIZE(algsurf_material, 80),
+    AT(algsurf_material, outside, 0), AT(algsurf_material, inside, 24), AT(algsurf_material, ambient, 48),
+    AT(algsurf_material, diffuse, 56), AT(algsurf_material, specular, 64),
+    AT(algsurf_material, shininess, 72),
+    SIZE(algsurf_light, 104),
+    AT(algsurf_light, position, 0), AT(algsurf_light, colour, 24), AT(algsurf_light, edge_u, 48),
+    AT(algsurf_light, edge_v, 72), AT(algsurf_light, samples_u, 96), AT(algsurf_light, samples_v, 100),
+    GROWS(algsurf_render_options, 48),
+    AT(algsurf_render_options, size, 0), AT(algsurf_render_options, width, 8),
+    AT(algsurf_render_options, height, 12), AT(algsurf_render_options, row_begin, 16),
+    AT(algsurf_render_options, row_end, 20), AT(algsurf_render_options, threads, 24),
+    AT(algsurf_render_options, progress, 32), AT(algsurf_render_options, progress_data, 40),
+    GROWS(algsurf_render_stats, 120),
+    AT(algsurf_render_stats, size, 0), AT(algsurf_render_stats, rays, 8),
+    AT(algsurf_render_stats, hits, 16), AT(algsurf_render_stats, uncertain, 24),
+    AT(algsurf_render_stats, shadow_rays, 32), AT(algsurf_render_stats, solve_s, 40),
+    AT(algsurf_render_stats, shade_s, 48), AT(algsurf_render_stats, total_s, 56),
+    AT(algsurf_render_stats, threads, 64), AT(algsurf_render_stats, iterations, 72),
+    AT(algsurf_render_stats, single_rays, 80), AT(algsurf_render_stats, expand_s, 88),
+    AT(algsurf_render_stats, point_s, 96), AT(algsurf_render_stats, shadow_s, 104),
+    AT(algsurf_render_stats, kernel, 112),
+};
+
+static const fact numbers[] = { /* those of algsurf_status are in test_status.c */
+    NUMBER(ALGSURF_ROOT_BRACKET, 0), NUMBER(ALGSURF_ROOT_EXACT, 1), NUMBER(ALGSURF_ROOT_UNDECIDED, 2),
+    NUMBER(ALGSURF_METHOD_DEFAULT, 0), NUMBER(ALGSURF_METHOD_BRENT, 1), NUMBER(ALGSURF_METHOD_BISECTION, 2),
+    NUMBER(ALGSURF_METHOD_REGULA_FALSI, 3),
+    NUMBER(ALGSURF_FIRST_ROOT_NONE, 0), NUMBER(ALGSURF_FIRST_ROOT_FOUND, 1),
+    NUMBER(ALGSURF_FIRST_ROOT_UNCERTAIN, 2),
+    NUMBER(ALGSURF_SELECTED_NONE, 0), NUMBER(ALGSURF_SELECTED_ONE, 1),
+    NUMBER(ALGSURF_SELECTED_UNDECIDED, 2),
+    NUMBER(ALGSURF_EXTENT_ALL, 0), NUMBER(ALGSURF_EXTENT_SPHERE, 1), NUMBER(ALGSURF_EXTENT_BOX, 2),
+    NUMBER(ALGSURF_TIER_STANDARD, 0), NUMBER(ALGSURF_TIER_FAST, 1), NUMBER(ALGSURF_TIER_CERTIFIED, 2),
+    NUMBER(ALGSURF_DOUBT_REPORT, 0), NUMBER(ALGSURF_DOUBT_HIT, 1), NUMBER(ALGSURF_DOUBT_MISS, 2),
+    NUMBER(ALGSURF_MISS, 0), NUMBER(ALGSURF_HIT, 1), NUMBER(ALGSURF_UNCERTAIN, 2),
+    NUMBER(ALGSURF_QUALITY_PREVIEW, 0), NUMBER(ALGSURF_QUALITY_STANDARD, 1),
+    NUMBER(ALGSURF_QUALITY_FULL, 2),
+    NUMBER(ALGSURF_COHERENCE_NONE, 0), NUMBER(ALGSURF_COHERENCE_NEIGHBOURS, 1),
+    NUMBER(ALGSURF_MAX_DEGREE, 64), NUMBER(ALGSURF_MAX_POLY_DEGREE, 512),
+};
+/* clang-format on */
+
+static void check(const fact *facts, size_t count) {
+    int wrong = 0;
+    for (size_t i = 0; i < count; i++) {
+        const fact *f = &facts[i];
+        if (f->may_grow ? f->now >= f->released : f->now == f->released) continue;
+        print_error("%s is %lld, released with %lld\n", f->what, f->now, f->released);
+        wrong++;
+    }
+    assert_int_equal(wrong, 0);
+}
+
+static void test_structs(void **state) {
+    (void)state;
+    if (sizeof(int) != 4 || sizeof(size_t) != 8 || sizeof(double) != 8 || sizeof(void *) != 8) skip();
+    check(structs, sizeof structs / sizeof structs[0]);
+}
+
+static void test_numbers(void **state) {
+    (void)state;
+    check(numbers, sizeof numbers / sizeof numbers[0]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_structs), cmocka_unit_test(test_numbers)};
+    return cmocka_run_group_tests_name("layout", tests, NULL, NULL);
+}
