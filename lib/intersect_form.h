@@ -1,0 +1,54 @@
+/* intersect_form.h - P, and what bounds an extent, along a part of a ray, as forms with integer coefficients.
+ *
+ * All doubles are integers times powers of two, so on [lo,hi], t = lo (1-s) + hi s, the point (X, w) of the
+ * ray, homogeneous, is linear in s, and 2^S times it has integer ends.  P, made homogeneous of its degree n,
+ * is then a form of degree n in (1-s, s) with integer coefficients c_k; with an infinite end it is the same
+ * with the direction, w = 0, for that end, times 2^m, about the size of the other one.  The numbers
+ * k! (n-k)! c_k are n! times its Bernstein coefficients.
+ *
+ * A point is in a sphere where R^2 w^2 - |X - c w|^2 >= 0, in a box where h_i^2 w^2 - (X_i - c_i w)^2 >= 0:
+ * quadratic forms, to which the same is done.
+ *
+ * Size of the integers.  If all ends are below 2^U and coefficients below 2^A, a form's coefficients add up
+ * to at most 2^16 2^A 2^((U+1) n), for a surface has fewer than 2^16 terms; n! <= 2^(6n), and each bisection
+ * adds n bits.  The extent's forms need no more than one of degree 2 with n! and 2^16 in it.
+ */
+#ifndef ALGSURF_INTERSECT_FORM_H
+#define ALGSURF_INTERSECT_FORM_H
+#include "algsurf/ray.h"
+#include "eft_integer.h"
+#include "surface_impl.h"
+
+enum { ALGSURF_QUADRATIC = 3 }; /* coefficients of a quadratic form */
+
+typedef struct algsurf_i_form_linear {
+    algsurf_i_factor at[2]; /* at s = 0 and s = 1 */
+} algsurf_i_form_linear;
+
+typedef struct algsurf_i_ray_form {
+    const algsurf_surface *surface;
+    const algsurf_extent *extent; /* null: none */
+    double lo, hi;                /* not both infinite */
+    int far;                /* m: where an end is infinite, t is lo + 2^m s/(1-s), or hi - 2^m (1-s)/s */
+    int depth;              /* bisections that the integers have room for */
+    int n, size;            /* degree; words of an integer */
+    uint32_t *p;            /* n! times P's Bernstein coefficients */
+    uint32_t *inside;       /* those of one quadratic form (sphere) or three (box): >= 0 in the extent */
+    uint32_t *left, *right; /* room for two more of degree n, */
+    uint32_t *part;         /* and for two quadratic ones */
+    int shift;              /* S; w is 2^S at finite ends */
+    int coefficient_shift;  /* of the surface's coefficients */
+    algsurf_i_form_linear x[3];
+    uint32_t *memory, *row, *level, *spare; /* all of it; forms on the way; one integer */
+} algsurf_i_ray_form;
+
+static inline uint32_t *algsurf_i_form_entry(const algsurf_i_ray_form *f, uint32_t *form, int k) {
+    return form + (size_t)k * (size_t)f->size;
+}
+
+/* Makes the forms of a surface, an extent, and [lo,hi], which are set, as is depth.  0: there are too many
+ * digits, or the surface's coefficients are not exact, or there is no memory.  To be freed if 1. */
+int algsurf_i_ray_form_make(algsurf_i_ray_form *f, const algsurf_ray *ray);
+void algsurf_i_ray_form_free(algsurf_i_ray_form *f);
+
+#endif
