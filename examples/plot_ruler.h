@@ -10,9 +10,9 @@ typedef struct plot_ruler {
 } plot_ruler;
 
 typedef struct plot_tick {
-    double at;     /* along the axis, 0..1 */
-    char text[80]; /* SVG; empty: a minor tick */
-    double width;  /* of the text in its own height, about */
+    double at;      /* along the axis, 0..1 */
+    char text[112]; /* SVG; empty: a minor tick */
+    double width;   /* of the text in its own height, about */
 } plot_tick;
 
 enum { PLOT_MOST_TICKS = 400 };
