@@ -65,7 +65,8 @@ static void decide(answer *a, const algsurf_i_ray_root *group, int count) {
     }
     all.t_lo = group[0].t_lo;
     const algsurf_extent *extent = a->edges ? a->edges->extent : NULL;
-    int found = algsurf_i_exact_roots(a->surface, a->ray, extent, all.t_lo, all.t_hi, a->want, exact);
+    algsurf_i_want want = a->options->doubt == ALGSURF_DOUBT_MISS ? ALGSURF_WANT_ALL : a->want;
+    int found = algsurf_i_exact_roots(a->surface, a->ray, extent, all.t_lo, all.t_hi, want, exact);
     if (all.state == ALGSURF_HIT) {
         all.state = ALGSURF_UNCERTAIN;
         all.reason = ALGSURF_UNDECIDED_END;
@@ -144,11 +145,12 @@ int algsurf_i_decided_roots(const algsurf_surface *surface, const algsurf_ray *r
     int count = algsurf_i_ray_roots(surface, ray, options, want, frame, roots, capacity);
     int looked_at = want == ALGSURF_WANT_ALL ? count : count > 0;
     if (options->tier != ALGSURF_TIER_CERTIFIED && options->doubt == ALGSURF_DOUBT_REPORT) return count;
-    if (!any_at_edges(surface, ray, edges, roots, looked_at)) edges = NULL;
-    if (!edges && !uncertain_among(roots, looked_at)) return count;
-    answer a = {surface, ray, edges, options, want, frame, roots, 0, capacity};
+    if (!uncertain_among(roots, looked_at) && !any_at_edges(surface, ray, edges, roots, looked_at))
+        return count;
     int room = surface->degree > 0 ? surface->degree : 1;
     count = algsurf_i_ray_roots(surface, ray, options, ALGSURF_WANT_ALL, frame, found, room);
+    if (!any_at_edges(surface, ray, edges, found, count)) edges = NULL; /* what looked first may dissolve */
+    answer a = {surface, ray, edges, options, want, frame, roots, 0, capacity};
     decide_all(&a, found, count);
     return a.count;
 }

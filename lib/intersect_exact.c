@@ -7,14 +7,16 @@
  * interval of its own, between doubles, and so does what lies on either side of it. */
 #include "intersect_exact.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "intersect_form.h"
 
 enum {
-    DEPTH = 60, /* of bisection */
-    GAIN = 30   /* bits by which a place must be shorter than its interval to be worth a new one */
+    DEPTH = 60,      /* of bisection */
+    MOST_PARTS = 99, /* of an interval: enough to walk through the range of double, 3 for 60 bits */
+    GAIN = 30        /* bits by which a place must be shorter than its interval to be worth a new one */
 };
 
 typedef struct task {
@@ -23,6 +25,7 @@ typedef struct task {
     algsurf_i_want want;
     algsurf_i_exact_root *roots;
     int count;
+    int parts;                 /* that the interval has been cut into, or is to be */
     double place_lo, place_hi; /* what is to be an interval of its own, if place_lo <= place_hi */
 } task;
 
@@ -75,7 +78,7 @@ static void find_cell(const task *t, place at) {
 
 /* The least and the largest sign that a form of the extent's has among its coefficients over a cell, or at
  * its left end. */
-static void signs_in_cell(const task *t, const uint32_t *form, place at, int end_only, int sign[2]) {
+static void signs_in_cell(const task *t, const uint32_t *form, place at, int end_only, int sign[3]) {
     uint32_t *left = t->f.part, *right = entry(t, t->f.part, ALGSURF_QUADRATIC);
     int from = 0, count = end_only ? 1 : ALGSURF_QUADRATIC;
     memcpy(right, form, ALGSURF_QUADRATIC * (size_t)t->f.size * sizeof *form);
@@ -85,54 +88,61 @@ static void signs_in_cell(const task *t, const uint32_t *form, place at, int end
         if (!(at.position >> bit & 1))
             memcpy(right, left, ALGSURF_QUADRATIC * (size_t)t->f.size * sizeof *form);
     }
-    sign[0] = 1, sign[1] = -1;
+    sign[0] = 1, sign[1] = sign[2] = -1;
     for (int k = from; k < from + count; k++) {
         int one = algsurf_i_integer_sign(entry(t, right, k), t->f.size);
         sign[0] = one < sign[0] ? one : sign[0];
         sign[1] = one > sign[1] ? one : sign[1];
+        if (k != 1) sign[2] = one > sign[2] ? one : sign[2];
     }
 }
 
-/* Is a root in a cell, not at its ends, or at the left end of it, in the extent?  1, -1: it is not, 0: both
- * may be. */
-static int in_extent(const task *t, place at, int end_only) {
+typedef enum part_of_cell { INNER_POINTS, LEFT_END, ALL_POINTS } part_of_cell;
+
+/* Are these points of a cell in the extent?  1: all, -1: none, 0: some may be. */
+static int in_extent(const task *t, place at, part_of_cell part) {
     int answer = 1, forms = !t->f.extent ? 0 : t->f.extent->kind == ALGSURF_EXTENT_BOX ? 3 : 1;
     for (int i = 0; i < forms; i++) {
-        int sign[2];
-        signs_in_cell(t, entry(t, t->f.inside, ALGSURF_QUADRATIC * i), at, end_only, sign);
-        if (sign[0] < 0 && sign[1] <= 0) return -1;
+        int sign[3];
+        signs_in_cell(t, entry(t, t->f.inside, ALGSURF_QUADRATIC * i), at, part == LEFT_END, sign);
+        if (sign[0] < 0 && sign[1] <= 0 && (part != ALL_POINTS || sign[2] < 0)) return -1;
         if (sign[0] < 0) answer = 0;
     }
     return answer;
 }
 
-/* t at a position, with a relative error of 2^-90 of what it is added to. */
+static double end_size(double end) { return isinf(end) ? 0 : fabs(end); }
+
+/* t at a position, with a relative error of 2^-90 of what it is added to; infinite where it is beyond the
+ * range of double.  In units of 2^64 where the intermediate results could be. */
 static algsurf_dd t_at(const task *t, uint64_t position, int depth) {
+    const algsurf_i_ray_form *f = &t->f;
     uint64_t whole = (uint64_t)1 << depth;
-    algsurf_dd before = algsurf_two_sum(ldexp((double)(position >> 32), 32), (double)(uint32_t)position);
+    algsurf_dd before = algsurf_two_sum(ldexp((double)(position >> 32), 32), (double)(uint32_t)position), at;
     algsurf_dd behind =
         algsurf_two_sum(ldexp((double)((whole - position) >> 32), 32), (double)(uint32_t)(whole - position));
-    double unit = ldexp(1, t->f.far);
-    if (isinf(t->f.hi))
-        return position == whole
-                   ? algsurf_dd_from(t->f.hi)
-                   : algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(before, behind), unit), t->f.lo);
-    if (isinf(t->f.lo))
-        return position == 0
-                   ? algsurf_dd_from(t->f.lo)
-                   : algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(behind, before), -unit), t->f.hi);
-    algsurf_dd share = algsurf_dd_scale(before, ldexp(1, -depth));
-    return algsurf_dd_add_d(algsurf_dd_mul(algsurf_two_sum(t->f.hi, -t->f.lo), share), t->f.lo);
+    int up = fmax(end_size(f->lo), end_size(f->hi)) >= 0x1p900 ? 64 : 0;
+    double unit = ldexp(1, f->far - up), lo = ldexp(f->lo, -up), hi = ldexp(f->hi, -up);
+    if ((position == 0 && isinf(lo)) || (position == whole && isinf(hi)))
+        return algsurf_dd_from(position == 0 ? lo : hi);
+    if (isinf(hi))
+        at = algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(before, behind), unit), lo);
+    else if (isinf(lo))
+        at = algsurf_dd_add_d(algsurf_dd_scale(algsurf_dd_div(behind, before), -unit), hi);
+    else
+        at = algsurf_dd_add_d(
+            algsurf_dd_mul(algsurf_two_sum(hi, -lo), algsurf_dd_scale(before, ldexp(1, -depth))), lo);
+    if (isinf(ldexp(at.hi, up))) return algsurf_dd_from(ldexp(at.hi, up));
+    return (algsurf_dd){ldexp(at.hi, up), ldexp(at.lo, up)};
 }
 
 /* Moved outward by more than the error of t_at. */
 static double outward(const task *t, algsurf_dd at, int side) {
+    if (isinf(at.hi)) return side * at.hi > 0 ? at.hi : copysign(DBL_MAX, at.hi);
     double size = fabs(at.hi) + (isinf(t->f.lo) ? 0 : fabs(t->f.lo)) + (isinf(t->f.hi) ? 0 : fabs(t->f.hi));
     double moved = nextafter(at.hi + side * (0x1p-85 * size), side * HUGE_VAL);
     return fmin(fmax(nextafter(moved, side * HUGE_VAL), t->f.lo), t->f.hi);
 }
-
-static double end_size(double end) { return isinf(end) ? 0 : fabs(end); }
 
 /* A cell is as narrow as bisection makes it: is it so much shorter than [lo,hi] that it is worth an interval
  * of its own?  Then it is noted. */
@@ -141,11 +151,13 @@ static int set_apart(task *t, place at) {
     double hi = outward(t, t_at(t, at.position + 1, at.depth), 1);
     double size = fmax(end_size(t->f.lo), end_size(t->f.hi));
     int gained;
+    if (lo == hi || t->parts >= MOST_PARTS) return 0;
     if (isinf(lo) || isinf(hi))
         gained = fmax(end_size(lo), end_size(hi)) >= ldexp(fmax(size, 1), GAIN);
     else
         gained = isinf(t->f.lo) || isinf(t->f.hi) || hi - lo <= ldexp(t->f.hi - t->f.lo, -GAIN);
     if (!gained) return 0;
+    t->parts += 3;
     t->place_lo = lo;
     t->place_hi = hi;
     return 1;
@@ -153,7 +165,8 @@ static int set_apart(task *t, place at) {
 
 /* When there is no room the last one grows, and is uncertain. */
 static void add_root(task *t, int state, algsurf_status reason, place from, uint64_t length) {
-    int inside = in_extent(t, from, length == 0);
+    part_of_cell part = length == 0 ? LEFT_END : reason == ALGSURF_UNDECIDED_ZERO ? ALL_POINTS : INNER_POINTS;
+    int inside = in_extent(t, from, part);
     if (inside < 0) return;
     if (inside == 0 && state == ALGSURF_HIT) {
         state = ALGSURF_UNCERTAIN;
@@ -164,6 +177,7 @@ static void add_root(task *t, int state, algsurf_status reason, place from, uint
                                  algsurf_dd_scale(algsurf_dd_add(lo, hi), 0.5)};
     if (isinf(lo.hi)) root.t = hi;
     if (isinf(hi.hi)) root.t = lo;
+    if (isinf(root.t.hi)) root.t = algsurf_dd_from(copysign(DBL_MAX, root.t.hi));
     if (t->count <= t->f.n) {
         t->roots[t->count++] = root;
         return;
@@ -178,7 +192,7 @@ static void add_root(task *t, int state, algsurf_status reason, place from, uint
 static void add_bracket(task *t, place at) {
     while (at.depth < DEPTH) {
         algsurf_dd lo = t_at(t, at.position, at.depth), hi = t_at(t, at.position + 1, at.depth);
-        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi && in_extent(t, at, 0) != 0) break;
+        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi && in_extent(t, at, INNER_POINTS) != 0) break;
         halve(t);
         at.depth++;
         at.position *= 2;
@@ -237,6 +251,10 @@ static void search(task *t) {
     place later[DEPTH + 1] = {{0, 0}};
     int waiting = 1;
     const uint32_t *end = entry(t, t->f.p, t->f.n);
+    if (t->f.lo == t->f.hi) {
+        if (variations(t, t->f.p) < 0 && !t->open_lo) add_root(t, ALGSURF_HIT, ALGSURF_OK, later[0], 0);
+        return;
+    }
     if (variations(t, t->f.p) < 0) {
         add_root(t, ALGSURF_UNCERTAIN, ALGSURF_UNDECIDED_ZERO, later[0], 1);
         return;

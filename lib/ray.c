@@ -131,16 +131,14 @@ int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, 
     return 1;
 }
 
-/* An extent larger by d is entered earlier by d / |direction| or more, the sphere's radius and the box's half
- * sizes alike; the clip is off by less than 2^-47 of the distance from the origin to its far side.  d is
- * 2^-44 of that, and more than what underflows. */
-static double margin(const algsurf_extent *extent, const algsurf_ray *ray) {
-    double far = 0;
-    for (int i = 0; i < 3; i++) {
-        double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0];
-        far = fmax(far, 0.25 * fabs(ray->origin[i]) + 0.25 * fabs(extent->centre[i]) + 0.25 * size);
-    }
-    return fmin(0x1p-41 * far + 0x1p-1060, 0.25 * DBL_MAX);
+/* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
+ * entered earlier by d / |direction| or more, the sphere's radius and the box's half sizes alike; the clip is
+ * off by less than 2^-47 of the distance from the origin to its far side, for a box along each axis by
+ * itself, and t by 2^-1074 where it underflows.  d is 2^-43 of that, and more than what underflows. */
+static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int axis) {
+    double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? axis : 0];
+    double far = 0.25 * fabs(ray->origin[axis]) + 0.25 * fabs(extent->centre[axis]) + 0.25 * size;
+    return fmin(0x1p-41 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]), 0.25 * DBL_MAX);
 }
 
 int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
@@ -149,11 +147,13 @@ int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ra
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
     algsurf_extent outer = *extent, inner = *extent;
     algsurf_ray sure;
-    int sizes = extent->kind == ALGSURF_EXTENT_BOX ? 3 : 1, solid = 1;
-    double d = margin(extent, ray);
-    for (int i = 0; i < sizes; i++) {
-        outer.size[i] = fmin(extent->size[i] + d, DBL_MAX);
-        inner.size[i] = extent->size[i] - d;
+    int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
+    double d[3];
+    for (int i = 0; i < 3; i++) d[i] = margin(extent, ray, i);
+    if (!box) d[0] = fmax(d[0], fmax(d[1], d[2]));
+    for (int i = 0; i < (box ? 3 : 1); i++) {
+        outer.size[i] = fmin(extent->size[i] + d[i], DBL_MAX);
+        inner.size[i] = extent->size[i] - d[i];
         solid &= inner.size[i] > 0;
     }
     if (!algsurf_i_extent_clip(&outer, ray, chord)) return 0;

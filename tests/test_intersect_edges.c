@@ -5,10 +5,12 @@
  * extent is made to end there, up to rounding.  Which roots are in it is decided over the rationals.
  *
  * Breaks caught, each tried: no margin, a negative one, edges not looked at, only the first or only the last
- * looked at, P's change within an edge left out, a middle coefficient of the extent's forms wrong, their signs
- * turned, one of the box's left out, cells narrowed only as far as doubles go.
+ * looked at, P's change within an edge left out, a middle coefficient of the extent's forms wrong, their
+ * signs turned, one of the box's left out, cells narrowed only as far as doubles go.
  */
 #include "intersect_case.h"
+
+#include <float.h>
 
 #define SEED 71u
 
@@ -213,7 +215,115 @@ static void grazing_lines(void **state) {
         }
 }
 
+/* Cases that were wrong: a first entry that dissolves while a later one is at an edge; extents near the
+ * largest double; a ray in the surface of which one point is in the extent; a chord that is one point; a long
+ * box. */
+static void found_before(void **state) {
+    const algsurf_extent_kind ball = ALGSURF_EXTENT_SPHERE, box = ALGSURF_EXTENT_BOX;
+    const double inf = INFINITY;
+    const struct {
+        const char *equation;
+        algsurf_ray ray;
+        algsurf_extent extent;
+        algsurf_doubt doubt;
+        int state, count;
+    } cases[] = {
+        {"(x^2 - 1)(y - 1)",
+         {{1, -1.5, -1.75}, {-0.875, -0.75, -0.625}, 0x1p-300, inf},
+         {ball, {0, 0, 0}, {0x1.284e77c9b63e6p+2}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_MISS,
+         0},
+        {"x - 1",
+         {{0, 1, 0}, {1, 0, 0}, -inf, inf},
+         {ball, {0, 0, 0}, {DBL_MAX}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_HIT,
+         1},
+        {"(3x - 1)(3x - 1 - y)",
+         {{0, 0x1p-30, 0}, {1, 0, 0}, 0, inf},
+         {box, {0, 0, 0}, {1e301, 2, 2}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_HIT,
+         2},
+        {"(3x - 1)^2 (3x - 1 - y)",
+         {{0, 0x1p-30, 0}, {1, 0, 0}, 0, 4},
+         {ball, {0, 0, 0}, {9}},
+         ALGSURF_DOUBT_MISS,
+         ALGSURF_HIT,
+         1},
+        {"x",
+         {{0, 1, 0}, {0, 1, 0}, 0, inf},
+         {ball, {0, 0, 0}, {1}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_UNCERTAIN,
+         1},
+        {"x",
+         {{0, 1, 0}, {0, 1, 0}, 0, inf},
+         {box, {0, 0, 0}, {1, 1, 1}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_UNCERTAIN,
+         1},
+        {"x - 1/2",
+         {{0, 0, 0}, {1, 0, 0}, 0.5, 0.5},
+         {ball, {0, 0, 0}, {0.5}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_HIT,
+         1},
+        {"x",
+         {{0, 0, 0}, {1, 0, 0}, 0, inf},
+         {box, {0, 0, 0}, {1e15, 1, 1}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_HIT,
+         1},
+        {"x - 0x1.4e147ae147ae1p-70",
+         {{0, 0, 0}, {0x1p1000, 0, 0}, 0, inf},
+         {ball, {0, 0, 0}, {0x1.48f5c28f5c28fp-70}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_MISS,
+         0},
+        {"x^2",
+         {{5, 0, 0}, {0x1p-1074, 0, 0}, -inf, inf},
+         {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0}},
+         ALGSURF_DOUBT_REPORT,
+         ALGSURF_UNCERTAIN,
+         1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static intersect_case c;
+        intersect_answer a;
+        const algsurf_intersect_options how = {
+            .size = sizeof how, .tier = ALGSURF_TIER_CERTIFIED, .doubt = cases[i].doubt};
+        intersect_equation(&c, cases[i].equation);
+        c.ray = cases[i].ray;
+        intersect_ask(&c, &cases[i].extent, &how, &a);
+        if (a.first.state != cases[i].state || a.count != cases[i].count ||
+            (int)a.occluded != cases[i].state || (a.count > 0 && a.first.t_hi == -inf))
+            intersect_fail(cases[i].equation, &c, &a);
+        algsurf_surface_free(c.surface);
+    }
+}
+
+/* With coefficients that are not exact, edges far from a root do not make it uncertain. */
+static void a_long_box(void **state) {
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1e15, 1, 1}};
+    static intersect_case c;
+    intersect_answer a;
+    algsurf_surface *exact;
+    (void)state;
+    intersect_equation(&c, "x - 1");
+    exact = c.surface;
+    assert_int_equal(algsurf_surface_with_error(exact, 1e-10, &c.surface), ALGSURF_OK);
+    c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    intersect_ask(&c, &extent, &certified, &a);
+    if (a.first.state != ALGSURF_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
+    algsurf_surface_free(c.surface);
+    algsurf_surface_free(exact);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines),
+                                       cmocka_unit_test(found_before), cmocka_unit_test(a_long_box)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

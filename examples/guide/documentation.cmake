@@ -3,7 +3,7 @@
 #     cmake --build build --target reference    build/reference/index.html, by Doxygen, if there is one
 #     cmake --build build --target man          build/man/*.1, from what the programs say to --help
 #
-# The manual pages are installed if they were built.
+# The manual pages stay in the build folder, like the programs they are about.
 
 set(guide_folder "${CMAKE_CURRENT_LIST_DIR}")
 set(reference_folder "${PROJECT_BINARY_DIR}/reference")
@@ -33,4 +33,3 @@ algsurf_man_page(intersect "find where rays meet an algebraic surface")
 algsurf_man_page(roots "find all roots of polynomials, with proofs")
 algsurf_man_page(zerofind "plot the polynomial along a ray and how its first root is found")
 add_custom_target(man DEPENDS ${man_pages})
-install(FILES ${man_pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" OPTIONAL)

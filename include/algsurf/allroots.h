@@ -47,7 +47,7 @@ ALGSURF_API algsurf_status algsurf_roots(const algsurf_complex *c, const double 
 ALGSURF_API algsurf_status algsurf_roots_real(const double *c, const double *r, int degree,
                                               algsurf_enclosure *roots, int *count);
 
-/* ---- the seed's algorithms: approximate, then verify, root by root ---- */
+/* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
 
 /* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {
