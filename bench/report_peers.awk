@@ -5,20 +5,21 @@
     ratio[key, ++count[key]] = $(c("times"))
     wrong[key] += $(c("missed")) + $(c("extra"))
 }
-function tell(title, kind, unit,   i, k, key, list, some) {
+function tell(title, kind, unit,   i, k, key, list, some, middle) {
     printf "- %s:", title
     for (i = 1; i <= n; i++) {
         key = keys[i]
         if (of[key] != kind || name[key] == "algsurf") continue
         for (k = 1; k <= count[key]; k++) list[k] = ratio[key, k]
-        printf "%s %s %s", (some++ ? "," : ""), name[key], times(median(list, count[key]))
-        if (wrong[key]) printf " (%d %s wrong)", wrong[key], unit
+        middle = times(median(list, count[key])) # sorts
+        printf "%s %s %s (%s to %s)", (some++ ? "," : ""), name[key], middle, times(list[1]), times(list[count[key]])
+        if (wrong[key]) printf ", %d %s wrong", wrong[key], unit
     }
     print (some ? "." : " nothing is installed to compare with.")
 }
 END {
-    print "The same tasks in one run, in units of the time of algsurf, median over tasks; what the others"
-    print "get wrong is counted.\n"
+    print "The same tasks in one run, in units of the time of algsurf, median over tasks (least to most); what the"
+    print "others get wrong is counted.\n"
     tell("Pictures", "pictures", "pixels")
     tell("First real roots", "first root", "roots")
     tell("All complex roots", "all roots", "roots")

@@ -77,18 +77,16 @@ static plot plot_of(const chart *c, const char *title, const char *subtitle, plo
 }
 
 static void write_degrees(const row *rows, int count, const char *folder) {
-    static const double aim_x[] = {4, 6, 10, 16, 32, 64}, aim_y[] = {4, 8, 25, 70, 300, 1500};
     const plot_axis x = {.label = "degree", .scale = PLOT_LOG, .lo = 3.5, .hi = 72};
     chart time = {.count = 0}, width = {.count = 0};
-    add_series(&time, "robust, cold start", rows, count, "robust", "cold", -1, TIME);
-    add_series(&time, "robust, near start", rows, count, "robust", "near", -1, TIME);
-    add_series(&time, "paper, cold start", rows, count, "paper", "cold", -1, TIME);
-    add_series(&time, "paper, near start", rows, count, "paper", "near", -1, TIME);
-    time.series[time.count++] = (plot_series){"aim", PLOT_LINE, aim_x, aim_y, sizeof aim_x / sizeof *aim_x};
-    add_series(&width, "robust, median", rows, count, "robust", "cold", -1, ULPS50);
-    add_series(&width, "robust, 99 %", rows, count, "robust", "cold", -1, ULPS99);
-    add_series(&width, "paper, median", rows, count, "paper", "cold", -1, ULPS50);
-    add_series(&width, "paper, 99 %", rows, count, "paper", "cold", -1, ULPS99);
+    add_series(&time, "this library, cold start", rows, count, "robust", "cold", -1, TIME);
+    add_series(&time, "this library, near start", rows, count, "robust", "near", -1, TIME);
+    add_series(&time, "Sanjuan-Estrada et al., cold start", rows, count, "paper", "cold", -1, TIME);
+    add_series(&time, "Sanjuan-Estrada et al., near start", rows, count, "paper", "near", -1, TIME);
+    add_series(&width, "this library, median", rows, count, "robust", "cold", -1, ULPS50);
+    add_series(&width, "this library, 99 %", rows, count, "robust", "cold", -1, ULPS99);
+    add_series(&width, "Sanjuan-Estrada et al., median", rows, count, "paper", "cold", -1, ULPS50);
+    add_series(&width, "Sanjuan-Estrada et al., 99 %", rows, count, "paper", "cold", -1, ULPS99);
     const plot plots[] = {
         plot_of(&time, "All complex roots, verified: time against degree",
                 "Random complex coefficients; near start: from the roots of a polynomial whose coefficients "
@@ -103,10 +101,11 @@ static void write_degrees(const row *rows, int count, const char *folder) {
 
 static void write_clusters(const row *rows, int count, const char *folder) {
     static const double gaps[] = {1e-3, 1e-6, 1e-9, 0};
-    static const char *const robust[] = {"robust, gap 1e-3", "robust, gap 1e-6", "robust, gap 1e-9",
-                                         "robust, gap 0"},
-                             *const paper[] = {"paper, gap 1e-3", "paper, gap 1e-6", "paper, gap 1e-9",
-                                               "paper, gap 0"};
+    static const char *const robust[] = {"this library, gap 1e-3", "this library, gap 1e-6",
+                                         "this library, gap 1e-9", "this library, gap 0"},
+                             *const paper[] = {
+                                 "Sanjuan-Estrada et al., gap 1e-3", "Sanjuan-Estrada et al., gap 1e-6",
+                                 "Sanjuan-Estrada et al., gap 1e-9", "Sanjuan-Estrada et al., gap 0"};
     const plot_axis x = {.label = "roots in the cluster", .lo = 1.5, .hi = 8.5};
     chart time = {.count = 0}, complete = {.count = 0}, width = {.count = 0};
     for (int i = 0; i < 4; i++) {
