@@ -15,7 +15,7 @@
 
 enum {
     DEPTH = 60,      /* of bisection */
-    MOST_PARTS = 99, /* of an interval: enough to walk through the range of double, 3 for 60 bits */
+    MOST_PARTS = 99, /* of an interval: 33 places set apart, one in the other, differ by 2^1980 in size */
     GAIN = 30        /* bits by which a place must be shorter than its interval to be worth a new one */
 };
 
@@ -77,7 +77,7 @@ static void find_cell(const task *t, place at) {
 }
 
 /* The least and the largest sign that a form of the extent's has among its coefficients over a cell, or at
- * its left end. */
+ * its left end; and the largest of those at its ends. */
 static void signs_in_cell(const task *t, const uint32_t *form, place at, int end_only, int sign[3]) {
     uint32_t *left = t->f.part, *right = entry(t, t->f.part, ALGSURF_QUADRATIC);
     int from = 0, count = end_only ? 1 : ALGSURF_QUADRATIC;
