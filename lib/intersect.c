@@ -80,11 +80,24 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
 
 /* The point at t where the frame has, or may have, overflowed; what is beyond the largest double is drawn in.
  */
+static double coordinate_at(const query *q, int axis, double t) {
+    return fmin(fmax(fma(t, q->ray.direction[axis], q->ray.origin[axis]), -DBL_MAX), DBL_MAX);
+}
+
 static void point_within_range(const query *q, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
-        double at = fma(t, q->ray.direction[i], q->ray.origin[i]);
-        x[i] = ldexp(at, -q->surface->unit);
-        position[i] = fmin(fmax(at, -DBL_MAX), DBL_MAX);
+        position[i] = coordinate_at(q, i, t);
+        x[i] = ldexp(fma(t, q->ray.direction[i], q->ray.origin[i]), -q->surface->unit);
+    }
+}
+
+/* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
+static void set_position(const query *q, const algsurf_i_frame *f, const double x[3], double t,
+                         double position[3]) {
+    for (int i = 0; i < 3; i++) {
+        int lost = q->ray.direction[i] != 0 && fabs(f->V[i]) < 0x1p-900;
+        lost |= x[i] != 0 && fabs(x[i]) < 0x1p-900;
+        position[i] = lost ? coordinate_at(q, i, t) : ldexp(x[i], q->surface->unit);
     }
 }
 
@@ -94,7 +107,7 @@ static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_roo
     if (root->polish) polish(q, f, root, x, gradient);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
     t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
-    for (int i = 0; i < 3; i++) hit->position[i] = ldexp(x[i], q->surface->unit);
+    set_position(q, f, x, t, hit->position);
     if (root->reason == ALGSURF_UNDECIDED_RANGE || !algsurf_is_finite3(hit->position))
         point_within_range(q, t, x, hit->position);
     if (!root->polish) (void)algsurf_i_surface_value(q->surface, x, gradient);

@@ -1,8 +1,10 @@
 /* isolate.c - roots of a polynomial in an interval of the line: the public calls.
  *
- * Every stretch of the interval is walked in double; if a cell stays undecided, all of them once more in
- * double-double; if then an end of the interval is in doubt and the coefficients are exact, the sign
- * there is computed exactly, and the walk repeated knowing that the end is a root. */
+ * An interval and coefficients of moderate size, the common case, are walked as they are, in double.  If that
+ * leaves a cell undecided, or sizes differ too much, every stretch of the interval is walked in its own unit;
+ * if a cell still stays undecided, all of them once more in double-double; if then an end of the interval is
+ * in doubt and the coefficients are exact, the sign there is computed exactly, and the walk repeated knowing
+ * that the end is a root. */
 #include "algsurf/isolate.h"
 
 #include <math.h>
@@ -101,6 +103,48 @@ static int walk(task *t, int (*one)(task *, const algsurf_i_stretch *)) {
     return finished(t) || !zero_due || algsurf_i_add_exact(&t->found, &t->p, 0, t->p.zeros);
 }
 
+enum {
+    MODERATE = 400, /* binary orders of magnitude that a coefficient may be from 1 */
+    LONGER = 8      /* and by which the interval may be longer than the roots are large, on average */
+};
+
+/* Coefficients in units of 2^exponent, if that keeps them moderate, and the roots not too close to 0. */
+static int moderate(const algsurf_i_coefficients *p, int exponent, double *q, double *r) {
+    const double unit = ldexp(1, exponent);
+    double power = 1, largest = 0;
+    if (abs(exponent) * p->degree > 2 * MODERATE) return 0;
+    for (int k = 0; k <= p->degree; k++, power *= unit) {
+        q[k] = p->c[k] * power;
+        r[k] = p->r ? p->r[k] * power : 0;
+        largest = fabs(q[k]) > largest ? fabs(q[k]) : largest;
+        if (!(r[k] < ldexp(1, MODERATE))) return 0;
+    }
+    return largest > ldexp(1, -MODERATE) && largest < ldexp(1, MODERATE) &&
+           fabs(q[0]) >= ldexp(largest, -LONGER * p->degree);
+}
+
+/* All of [lo,hi] in double, as one piece in units of its larger end; returns 0 when that is no way to find
+ * out: numbers far from 1, a root at 0 known beforehand, or a cell that stays undecided. */
+static int walk_whole(task *t) {
+    double q[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    int decided = 1, exponent;
+    algsurf_i_stretch s = {t->lo, t->hi, 0};
+    algsurf_i_walk_d walk;
+    algsurf_i_cell cell;
+    if (t->p.zeros > 0 || t->p.degree == 0 || isinf(t->lo) || isinf(t->hi)) return 0;
+    if (frexp(fmax(fabs(t->lo), fabs(t->hi)), &exponent) == 0.5) exponent--;
+    s.exponent = exponent;
+    if (!moderate(&t->p, exponent, q, r)) return 0;
+    const algsurf_i_piece piece = {0, algsurf_dd_from(ldexp(t->lo, -exponent)),
+                                   algsurf_dd_from(ldexp(t->hi, -exponent)), 0, 0};
+    if (ldexp(piece.lo.hi, exponent) != t->lo || ldexp(piece.hi.hi, exponent) != t->hi) return 0;
+    algsurf_i_walk_begin_d(&walk, q, t->p.r ? r : NULL, t->p.degree, 1, &piece, 1);
+    while (decided && !finished(t) && algsurf_i_walk_next_d(&walk, &cell))
+        decided = cell.kind == ALGSURF_ROOT_BRACKET && algsurf_i_add_cell(&t->found, &t->p, &s, &cell);
+    t->counted += walk.counted;
+    return decided;
+}
+
 /* Undecided at an end of the interval: is that end exactly a root? */
 static int end_is_root(const task *t, double x) {
     if (t->p.r || x == 0 || isinf(x)) return 0;
@@ -141,7 +185,7 @@ static void isolate(task *t) {
         single_point(t);
         return;
     }
-    if (walk(t, walk_d)) return;
+    if (walk_whole(t) || walk(t, walk_d)) return;
     int fits = walk(t, walk_dd);
     t->zero_at_lo = end_is_root(t, t->lo);
     t->zero_at_hi = end_is_root(t, t->hi);

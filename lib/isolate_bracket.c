@@ -174,6 +174,17 @@ static int add_loose(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
     return 0;
 }
 
+/* Are the ends of a cell doubles of the caller's variable, and in the stretch?  Then the walk knows the signs
+ * there, but at 0 where p has a root that the local polynomial has not. */
+static int ends_are_doubles(const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
+                            const algsurf_i_cell *cell, double *lo, double *hi) {
+    *lo = ldexp(cell->lo.hi, s->exponent) + 0.0; /* no -0 */
+    *hi = ldexp(cell->hi.hi, s->exponent) + 0.0;
+    return cell->exact && *lo >= s->lo && *hi <= s->hi && isfinite(*lo) && isfinite(*hi) &&
+           ldexp(*lo, -s->exponent) == cell->lo.hi && ldexp(*hi, -s->exponent) == cell->hi.hi &&
+           (p->zeros == 0 || (*lo != 0 && *hi != 0));
+}
+
 /* A cell with one root, from the sign b before it to the sign -b behind: lo and hi are doubles where the sign
  * is b and -b.  No root lies between the entry before and the cell; hence -b at x, right of that entry, says
  * that the root is left of x, wherever the cell ends, and b at x, left of the cell's end, that it is right of
@@ -181,8 +192,12 @@ static int add_loose(algsurf_i_brackets *found, const algsurf_i_coefficients *p,
 static int add_bracket(algsurf_i_brackets *found, const algsurf_i_coefficients *p, const algsurf_i_stretch *s,
                        const algsurf_i_cell *cell) {
     double last = found->count > 0 ? found->b[found->count - 1].hi : -HUGE_VAL;
-    double inside = right_inside(s, cell), lo = fmax(end_of(s, cell, -1, 2), last), hi = fmax(inside, lo);
+    double lo, hi, inside = right_inside(s, cell);
     int before = sign_before(p, s, cell), added = 0;
+    if (ends_are_doubles(p, s, cell, &lo, &hi) && lo >= last)
+        return append(found, (algsurf_bracket){lo, hi, ALGSURF_ROOT_BRACKET, before, 1, ALGSURF_OK});
+    lo = fmax(end_of(s, cell, -1, 2), last);
+    hi = fmax(inside, lo);
     algsurf_bracket open = {lo, end_of(s, cell, 1, 2),     ALGSURF_ROOT_UNDECIDED, 0,
                             1,  ALGSURF_UNDECIDED_MULTIPLE};
     int beyond = beyond_range(s, cell);

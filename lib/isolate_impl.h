@@ -34,6 +34,7 @@ typedef struct algsurf_i_cell {
     int most;                  /* for undecided: variations at most */
     int at_lo, at_hi;          /* 1: the cell touches that end of its piece */
     algsurf_dd lo, hi;         /* its ends, to double-double */
+    int exact;                 /* 1: they are the ends, and doubles; the piece is near */
     double value_lo, value_hi; /* of the local polynomial, approximate */
 } algsurf_i_cell;
 

@@ -174,7 +174,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(polynomial p, double lo, doub
     double largest = 0.0, room[ALGSURF_MAX_POLY_DEGREE + 1];
     for (int i = 0; i <= p.degree; i++) {
         if (!isfinite(p.c[i])) return ALGSURF_E_NOT_FINITE;
-        largest = fmax(largest, fabs(p.c[i]));
+        largest = fabs(p.c[i]) > largest ? fabs(p.c[i]) : largest;
     }
     balance(&p, largest, room);
     p.inner = method == ALGSURF_METHOD_DEFAULT ? value_and_slope : value;

@@ -30,7 +30,8 @@ int algsurf_i_search_running(const algsurf_i_search *s);
 
 /* The half width at which the bracket is narrow enough: tolerance + 4u max(|b|, smallest normal). */
 static inline double algsurf_i_search_tolerance(const algsurf_i_search *s) {
-    return s->tolerance + 0x1p-51 * fmax(fabs(s->b), DBL_MIN);
+    double size = fabs(s->b);
+    return s->tolerance + 0x1p-51 * (size > DBL_MIN ? size : DBL_MIN);
 }
 
 /* (c - b)/2 without overflow. */

@@ -120,9 +120,9 @@ static inline const char *intersect_truth(const intersect_case *c, const exact_s
         exact_count_roots(s, lo, f->t_lo) > exact_count_roots(s, f->t_lo, f->t_lo) &&
         exact_count_roots(s, lo, nextafter(f->t_lo, -INFINITY)) > 0)
         return "a root before the first hit";
-    int narrow = f->t_hi - f->t_lo <= 0x1p-49 * fabs(f->t); /* no double tells the roots in it apart */
-    if (f->state == ALGSURF_HIT && !narrow && exact_count_roots(s, lo, f->t_hi) != 1 &&
-        exact_count_roots(s, lo, f->t) > 1)
+    double before = f->t - 0x1p-49 * fabs(f->t); /* from there to t no double tells roots apart */
+    if (f->state == ALGSURF_HIT && exact_count_roots(s, lo, f->t_hi) != 1 && before >= lo &&
+        exact_count_roots(s, lo, before) > 0 && exact_count_roots(s, lo, f->t) > 1)
         return "the first hit is a later root";
     if (a->occluded == ALGSURF_HIT && total == 0) return "occluded by nothing";
     return NULL;

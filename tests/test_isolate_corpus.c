@@ -281,9 +281,9 @@ static void test_loose_bracket(void **state) {
     const algsurf_i_stretch all = {-16, 16, 4};
     const algsurf_i_piece piece = {0, {-1, 0}, {1, 0}, 0, 0};
     const algsurf_dd end = {ldexp(next, -4), 0}, near = {0.125, 0}, far = {0.25, 0}, after = {0.1875, 0};
-    algsurf_i_cell with_root = {&piece, ALGSURF_ROOT_BRACKET, -1, 1, 0, 0, near, end, -1, 1};
-    algsurf_i_cell touching = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, end, far, 1, 1};
-    algsurf_i_cell apart = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, after, far, 1, 1};
+    algsurf_i_cell with_root = {&piece, ALGSURF_ROOT_BRACKET, -1, 1, 0, 0, near, end, 0, -1, 1};
+    algsurf_i_cell touching = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, end, far, 0, 1, 1};
+    algsurf_i_cell apart = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, after, far, 0, 1, 1};
     algsurf_bracket b[3];
     algsurf_i_brackets found = {b, 0, 3, 0, 0};
     assert_true(algsurf_i_add_cell(&found, &p, &all, &with_root));

@@ -158,7 +158,8 @@ static void judge(const algsurf_extent *extent) {
     static packet p;
     ask_packets(&p, extent);
     check_lanes(&p, extent);
-    if (c.ray.t_min > c.ray.t_max) {
+    int no_point = isinf(c.ray.t_min) && c.ray.t_min == c.ray.t_max;
+    if (c.ray.t_min > c.ray.t_max || no_point) {
         intersect_ask(&c, extent, NULL, &answer);
         fuzz_check(answer.count == 0 && answer.first.state == ALGSURF_MISS &&
                    answer.occluded == ALGSURF_MISS);
