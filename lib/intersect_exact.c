@@ -25,7 +25,8 @@ typedef struct task {
     algsurf_i_want want;
     algsurf_i_exact_root *roots;
     int count;
-    int parts;                 /* that the interval has been cut into, or is to be */
+    int parts;                               /* that the interval has been cut into, or is to be */
+    signed char on_face[ALGSURF_MOST_FACES]; /* does its form divide P: 1, 0; -1: not asked yet */
     double place_lo, place_hi; /* what is to be an interval of its own, if place_lo <= place_hi */
 } task;
 
@@ -76,37 +77,59 @@ static void find_cell(const task *t, place at) {
     }
 }
 
-/* The least and the largest sign that a form of the extent's has among its coefficients over a cell, or at
- * its left end; and the largest of those at its ends. */
-static void signs_in_cell(const task *t, const uint32_t *form, place at, int end_only, int sign[3]) {
-    uint32_t *left = t->f.part, *right = entry(t, t->f.part, ALGSURF_QUADRATIC);
-    int from = 0, count = end_only ? 1 : ALGSURF_QUADRATIC;
-    memcpy(right, form, ALGSURF_QUADRATIC * (size_t)t->f.size * sizeof *form);
-    if (at.position >> at.depth) from = ALGSURF_QUADRATIC - 1; /* the right end of all */
-    for (int bit = at.depth - 1; from == 0 && bit >= 0; bit--) {
-        halve_form(t, ALGSURF_QUADRATIC - 1, left, right);
-        if (!(at.position >> bit & 1))
-            memcpy(right, left, ALGSURF_QUADRATIC * (size_t)t->f.size * sizeof *form);
+/* Signs of the Bernstein coefficients of a face's form over a cell. */
+typedef struct signs {
+    int least, most;
+    int left, right; /* those at the ends */
+} signs;
+
+static signs signs_in_cell(const task *t, int face, place at) {
+    int m = t->f.face_degree;
+    uint32_t *left = t->f.part, *right = entry(t, t->f.part, m + 1);
+    const size_t bytes = (size_t)(m + 1) * (size_t)t->f.size * sizeof *left;
+    memcpy(right, algsurf_i_form_face(&t->f, face), bytes);
+    for (int bit = at.depth - 1; bit >= 0; bit--) {
+        halve_form(t, m, left, right);
+        if (!(at.position >> bit & 1)) memcpy(right, left, bytes);
     }
-    sign[0] = 1, sign[1] = sign[2] = -1;
-    for (int k = from; k < from + count; k++) {
-        int one = algsurf_i_integer_sign(entry(t, right, k), t->f.size);
-        sign[0] = one < sign[0] ? one : sign[0];
-        sign[1] = one > sign[1] ? one : sign[1];
-        if (k != 1) sign[2] = one > sign[2] ? one : sign[2];
+    signs s = {1, -1, 0, 0};
+    for (int k = 0; k <= m; k++) {
+        int sign = algsurf_i_integer_sign(entry(t, right, k), t->f.size);
+        s.least = sign < s.least ? sign : s.least;
+        s.most = sign > s.most ? sign : s.most;
+        if (k == 0) s.left = sign;
+        s.right = sign;
     }
+    return s;
 }
 
-typedef enum part_of_cell { INNER_POINTS, LEFT_END, ALL_POINTS } part_of_cell;
+/* The right end of all is none of a cell's left ends. */
+static int sign_at_left(const task *t, int face, place at) {
+    if (!(at.position >> at.depth)) return signs_in_cell(t, face, at).left;
+    return algsurf_i_integer_sign(entry(t, algsurf_i_form_face(&t->f, face), t->f.face_degree), t->f.size);
+}
+
+typedef enum part_of_cell { INNER_POINTS, LEFT_END, ALL_POINTS, THE_ROOT } part_of_cell;
+
+/* Is a root of P, the only one in a cell in which a face's form changes sign, on that face? */
+static int is_on_face(task *t, int face) {
+    if (t->on_face[face] < 0) t->on_face[face] = (signed char)algsurf_i_face_divides(&t->f, face);
+    return t->on_face[face];
+}
 
 /* Are these points of a cell in the extent?  1: all, -1: none, 0: some may be. */
-static int in_extent(const task *t, place at, part_of_cell part) {
-    int answer = 1, forms = !t->f.extent ? 0 : t->f.extent->kind == ALGSURF_EXTENT_BOX ? 3 : 1;
-    for (int i = 0; i < forms; i++) {
-        int sign[3];
-        signs_in_cell(t, entry(t, t->f.inside, ALGSURF_QUADRATIC * i), at, part == LEFT_END, sign);
-        if (sign[0] < 0 && sign[1] <= 0 && (part != ALL_POINTS || sign[2] < 0)) return -1;
-        if (sign[0] < 0) answer = 0;
+static int in_extent(task *t, place at, part_of_cell part) {
+    int answer = 1;
+    for (int face = 0; face < t->f.faces; face++) {
+        if (part == LEFT_END) {
+            if (sign_at_left(t, face, at) < 0) return -1;
+            continue;
+        }
+        signs s = signs_in_cell(t, face, at);
+        int outer_end = s.left < 0 && s.right < 0;
+        if (s.least < 0 && s.most <= 0 && (part != ALL_POINTS || outer_end)) return -1;
+        if (s.least >= 0 || (part == THE_ROOT && s.left * s.right < 0 && is_on_face(t, face))) continue;
+        answer = 0;
     }
     return answer;
 }
@@ -165,7 +188,9 @@ static int set_apart(task *t, place at) {
 
 /* When there is no room the last one grows, and is uncertain. */
 static void add_root(task *t, int state, algsurf_status reason, place from, uint64_t length) {
-    part_of_cell part = length == 0 ? LEFT_END : reason == ALGSURF_UNDECIDED_ZERO ? ALL_POINTS : INNER_POINTS;
+    part_of_cell part = state == ALGSURF_HIT ? THE_ROOT : INNER_POINTS;
+    if (length == 0) part = LEFT_END;
+    if (reason == ALGSURF_UNDECIDED_ZERO) part = ALL_POINTS;
     int inside = in_extent(t, from, part);
     if (inside < 0) return;
     if (inside == 0 && state == ALGSURF_HIT) {
@@ -192,7 +217,7 @@ static void add_root(task *t, int state, algsurf_status reason, place from, uint
 static void add_bracket(task *t, place at) {
     while (at.depth < DEPTH) {
         algsurf_dd lo = t_at(t, at.position, at.depth), hi = t_at(t, at.position + 1, at.depth);
-        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi && in_extent(t, at, INNER_POINTS) != 0) break;
+        if (nextafter(lo.hi, HUGE_VAL) >= hi.hi && in_extent(t, at, THE_ROOT) != 0) break;
         halve(t);
         at.depth++;
         at.position *= 2;
@@ -291,6 +316,7 @@ int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray
                           const algsurf_extent *extent, double lo, double hi, algsurf_i_want want,
                           algsurf_i_exact_root *roots) {
     task t = {.want = want, .roots = roots};
+    memset(t.on_face, -1, sizeof t.on_face);
     t.f.surface = surface;
     t.f.extent = extent;
     t.f.depth = DEPTH;

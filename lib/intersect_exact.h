@@ -13,8 +13,9 @@ typedef struct algsurf_i_exact_root {
 
 /* The roots in [lo,hi], lo <= hi, not both infinite, that lie in the extent (null: all of them), in
  * increasing order; for WANT_FIRST the first entry, for WANT_ANY all up to the first hit.  Uncertain are only
- * places of width 2^-60 (hi - lo), and less than 2^-30 of what they are from 0, with a multiple root, several
- * roots, or a root and the extent's surface; and all of [lo,hi] where P vanishes on it.
+ * places of width 2^-60 (hi - lo), and less than 2^-30 of what they are from 0, with a multiple root or
+ * several roots; or a root next to an extent's sphere, or on it if the ray's other point of the sphere is not
+ * on P = 0; and all of [lo,hi] where P vanishes on it.
  *
  *   roots  room for degree + 1
  *

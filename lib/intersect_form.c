@@ -22,20 +22,13 @@ static void times(const algsurf_i_ray_form *f, uint32_t *form, int degree, const
     }
 }
 
-static uint64_t binomial(int n, int k) {
-    uint64_t b = 1;
-    for (int i = 1; i <= k; i++) /* C(64,32) 64 would overflow: b (n-k+i) / i by parts */
-        b = b / (uint64_t)i * (uint64_t)(n - k + i) + b % (uint64_t)i * (uint64_t)(n - k + i) / (uint64_t)i;
-    return b;
-}
-
 /* form += a w^degree. */
 static void add_constant(const algsurf_i_ray_form *f, uint32_t *form, int degree, double a) {
     algsurf_i_factor factor;
     if (a == 0 || (degree > 0 && isinf(f->lo) && isinf(f->hi))) return;
     algsurf_i_factor_of(&factor, a, f->coefficient_shift);
     for (int k = isinf(f->lo) ? degree : 0; k <= (isinf(f->hi) ? 0 : degree); k++) {
-        uint64_t b = isinf(f->lo) || isinf(f->hi) ? 1 : binomial(degree, k);
+        uint64_t b = isinf(f->lo) || isinf(f->hi) ? 1 : algsurf_i_binomial(degree, k);
         algsurf_i_integer_zero(f->spare, f->size);
         f->spare[0] = (uint32_t)b;
         if (f->size > 1) f->spare[1] = (uint32_t)(b >> 32);
@@ -96,6 +89,17 @@ static void from_centre(const algsurf_i_ray_form *f, int axis, int end, uint32_t
     algsurf_i_integer_add_product(distance, f->spare, &factor, f->size);
 }
 
+/* 2^shift size w at an end. */
+static void size_at(const algsurf_i_ray_form *f, double size, int end, uint32_t *at) {
+    algsurf_i_factor factor;
+    algsurf_i_integer_zero(at, f->size);
+    if (isinf(end ? f->hi : f->lo)) return;
+    algsurf_i_integer_zero(f->spare, f->size);
+    f->spare[0] = 1;
+    algsurf_i_factor_of(&factor, size, f->shift - f->surface->unit);
+    algsurf_i_integer_add_product(at, f->spare, &factor, f->size);
+}
+
 /* form += sign times the square of a linear form with these values at the ends. */
 static void add_square(const algsurf_i_ray_form *f, uint32_t *form, int sign, uint32_t *const at[2]) {
     algsurf_i_factor factor;
@@ -109,25 +113,38 @@ static void add_square(const algsurf_i_ray_form *f, uint32_t *form, int sign, ui
     }
 }
 
-/* The Bernstein coefficients of what is not negative in the extent. */
-static void set_extent(const algsurf_i_ray_form *f) {
-    int box = f->extent->kind == ALGSURF_EXTENT_BOX;
+static void set_sphere(const algsurf_i_ray_form *f) {
     uint32_t *const at[2] = {algsurf_i_form_entry(f, f->part, 0), algsurf_i_form_entry(f, f->part, 1)};
-    algsurf_i_integer_zero(f->inside, 3 * ALGSURF_QUADRATIC * f->size);
+    algsurf_i_integer_zero(f->inside, 3 * f->size);
     for (int axis = 0; axis < 3; axis++) {
-        uint32_t *form = algsurf_i_form_entry(f, f->inside, box ? ALGSURF_QUADRATIC * axis : 0);
         for (int end = 0; end < 2; end++) from_centre(f, axis, end, at[end]);
-        add_square(f, form, -1, at);
-        if (!box && axis > 0) continue;
-        algsurf_i_factor factor;
-        algsurf_i_factor_of(&factor, f->extent->size[axis], f->shift - f->surface->unit);
-        for (int end = 0; end < 2; end++) {
-            algsurf_i_integer_zero(at[end], f->size);
-            if (isinf(end ? f->hi : f->lo)) continue;
-            algsurf_i_integer_add_product(at[end], f->spare, &factor, f->size);
-        }
-        add_square(f, form, 1, at);
+        add_square(f, f->inside, -1, at);
     }
+    for (int end = 0; end < 2; end++) size_at(f, f->extent->size[0], end, at[end]);
+    add_square(f, f->inside, 1, at);
+}
+
+static void set_box(const algsurf_i_ray_form *f) {
+    const algsurf_i_factor minus_one = {1, 1, {1}};
+    uint32_t *distance = algsurf_i_form_entry(f, f->part, 0), *size = algsurf_i_form_entry(f, f->part, 1);
+    for (int axis = 0; axis < 3; axis++)
+        for (int end = 0; end < 2; end++) {
+            uint32_t *below = algsurf_i_form_entry(f, algsurf_i_form_face(f, 2 * axis), end);
+            uint32_t *above = algsurf_i_form_entry(f, algsurf_i_form_face(f, 2 * axis + 1), end);
+            from_centre(f, axis, end, distance);
+            size_at(f, f->extent->size[axis], end, size);
+            memcpy(below, size, (size_t)f->size * sizeof *size);
+            memcpy(above, size, (size_t)f->size * sizeof *size);
+            algsurf_i_integer_add(below, distance, f->size);
+            algsurf_i_integer_add_product(above, distance, &minus_one, f->size);
+        }
+}
+
+static void set_extent(algsurf_i_ray_form *f) {
+    if (f->extent->kind == ALGSURF_EXTENT_BOX)
+        set_box(f);
+    else
+        set_sphere(f);
 }
 
 /* ---- its size ---- */
@@ -215,8 +232,12 @@ int algsurf_i_ray_form_make(algsurf_i_ray_form *f, const algsurf_ray *ray) {
     f->n = f->surface->degree;
     f->far = (isinf(f->lo) || isinf(f->hi)) && size > 1 ? ilogb(size) : 0;
     if ((isinf(f->lo) && isinf(f->hi)) || !measure(f, ray)) return 0;
+    int box = f->extent && f->extent->kind == ALGSURF_EXTENT_BOX;
+    f->faces = !f->extent ? 0 : box ? ALGSURF_MOST_FACES : 1;
+    f->face_degree = box ? 1 : 2;
     size_t integer = (size_t)f->size, form = (size_t)(f->n + 1) * integer;
-    f->memory = malloc((5 * form + (5 * ALGSURF_QUADRATIC + 1) * integer) * sizeof *f->memory);
+    size_t face = (size_t)(f->face_degree + 1) * integer;
+    f->memory = malloc((5 * form + (size_t)(f->faces + 2) * face + integer) * sizeof *f->memory);
     if (!f->memory) return 0;
     f->row = f->memory;
     f->level = f->row + form;
@@ -224,8 +245,8 @@ int algsurf_i_ray_form_make(algsurf_i_ray_form *f, const algsurf_ray *ray) {
     f->left = f->p + form;
     f->right = f->left + form;
     f->inside = f->right + form;
-    f->part = f->inside + 3 * ALGSURF_QUADRATIC * integer;
-    f->spare = f->part + 2 * ALGSURF_QUADRATIC * integer;
+    f->part = f->inside + (size_t)f->faces * face;
+    f->spare = f->part + 2 * face;
     expand(f);
     if (f->extent) set_extent(f);
     return 1;

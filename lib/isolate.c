@@ -8,6 +8,7 @@
 #include "algsurf/isolate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "fpenv.h"

@@ -57,7 +57,8 @@ void algsurf_i_refine_newton(algsurf_i_search *s, const double *derivative) {
         double surplus = SURPLUS * algsurf_i_search_tolerance(s);
         double step = -s->fx / *derivative, length = fabs(step);
         double x = s->x + (step + copysign(surplus, inward));
-        int inside = s->b < s->c ? x > s->b && x < s->c : x > s->c && x < s->b, shrinks = inside && length <= 0.5 * before;
+        int inside = s->b < s->c ? x > s->b && x < s->c : x > s->c && x < s->b;
+        int shrinks = inside && length <= 0.5 * before;
         if (!shrinks) {
             leap = fmax(LEAP * leap, fmax(LEAP * before, surplus));
             length = leap;

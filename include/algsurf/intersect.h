@@ -22,7 +22,9 @@ typedef enum algsurf_tier {
                                   whose numbers span thousands of digits.  An uncertain ray allocates memory,
                                   and stays uncertain if there is none.  The extent counts as exact: a root
                                   as close to its surface as the ends of a chord can be rounded is in it or
-                                  not (in the other tiers it may go either way); uncertain is one on it */
+                                  not (in the other tiers it may go either way).  One on a box's face is in
+                                  it, and so is one on a sphere where the ray's other point of the sphere is
+                                  on the surface, too; else one on a sphere stays uncertain */
 } algsurf_tier;
 
 /* What becomes of an uncertain place. */
