@@ -18,6 +18,7 @@
 #include "ray_impl.h"
 
 #include <float.h>
+#include <stddef.h>
 
 #include "eft.h"
 #include "fpenv.h"
