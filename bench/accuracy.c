@@ -183,10 +183,9 @@ static void add_usual_surfaces(bench_options *o) {
 }
 
 int main(int argc, char **argv) {
-    bench_options o = {0};
+    bench_options o = {.repeat = 3};
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
-    if (o.repeat == 0) o.repeat = o.quick ? 2 : 3;
     if (o.surfaces == 0) add_usual_surfaces(&o);
     if (o.output) results_folder(o.output);
     record *records = allocate((size_t)o.surfaces, sizeof *records);

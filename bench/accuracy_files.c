@@ -50,7 +50,7 @@ typedef struct panel {
 } panel;
 
 static const char *const series_name[SERIES] = {
-    "single, default", "single, brent",    "single, bisection",     "single, regula falsi",
+    "single, default", "single, Brent",    "single, bisection",     "single, regula falsi",
     "packet, default", "picture, default", "front of single calls", "front of all"};
 
 static int by_error(const void *left, const void *right) {

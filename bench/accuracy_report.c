@@ -131,9 +131,9 @@ static const struct {
      {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
     {"picture, certified instead of standard",
      {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .tier = ALGSURF_TIER_CERTIFIED, DEFAULT, AT_0}},
-    {"single call, brent instead of default", {.method = ALGSURF_METHOD_BRENT, AT_0}},
+    {"single call, Brent instead of default", {.method = ALGSURF_METHOD_BRENT, AT_0}},
     {"single call, bisection instead of default", {.method = ALGSURF_METHOD_BISECTION, AT_0}},
-    {"single call, regula-falsi instead of default", {.method = ALGSURF_METHOD_REGULA_FALSI, AT_0}}};
+    {"single call, regula falsi instead of default", {.method = ALGSURF_METHOD_REGULA_FALSI, AT_0}}};
 
 /* Wrong answers of lines that may have any, added up over tolerances and surfaces. */
 static size_t wrong_of(const record *records, int count, int regula_falsi) {
@@ -195,7 +195,7 @@ void report_advice(const record *records, int count) {
            "  - Rays that come in numbers: a packet, or a picture; no tolerance or method costs or saves as "
            "much\n    as solving rays side by side.\n"
            "  - A picture: the default method, standard tier, tolerance 0.  Its bytes no longer change "
-           "below\n    tolerance %s (brent: %s, bisection: %s); what a coarser one saves is in the second "
+           "below\n    tolerance %s (Brent: %s, bisection: %s); what a coarser one saves is in the second "
            "ratio.\n",
            tolerance_text(at_default, settled(records, count, ALGSURF_METHOD_DEFAULT)),
            tolerance_text(at_brent, settled(records, count, ALGSURF_METHOD_BRENT)),

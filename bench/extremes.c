@@ -36,8 +36,7 @@ static void set_sweep(const cli_option *option, const char *value, void *field) 
 static const cli_option options_table[] = {
     {"--rays", "N", "rays of a scene (a value has 1 to 6 scenes), default 64", cli_set_int, FIELD(rays), 1,
      MOST_RAYS},
-    {"--quick", NULL, "12 rays of a scene, timed once: seconds instead of a minute", cli_set_flag,
-     FIELD(quick), 0, 0},
+    {"--quick", NULL, "12 rays of a scene: seconds instead of a minute", cli_set_flag, FIELD(quick), 0, 0},
     {"--seed", "S", "of the random rays, default 1", cli_set_int, FIELD(seed), 0, 1000000000},
     {"--sweep", "distance|scale|gap|degree|singular|extent|spread|leading", "that one only, default all",
      set_sweep, 0, 0, 0},
@@ -137,7 +136,7 @@ static void judge_all(const work *w, const truth *known, tally *t) {
     }
 }
 
-static void run_scene(work *w, tally tallies[MANNERS], int repeat) {
+static void run_scene(work *w, tally tallies[MANNERS]) {
     const bench_options *o = w->options;
     if (!scene_make(w->sweep, w->point, w->variant, (size_t)o->rays, o->seed, &w->scene)) cli_no_memory();
     truth *known = find_truths(w);
@@ -146,7 +145,7 @@ static void run_scene(work *w, tally tallies[MANNERS], int repeat) {
         ask(w);
         judge_all(w, known, &tallies[m]);
     }
-    for (int turn = 0; turn < repeat; turn++)
+    for (int turn = 0; turn < REPEAT; turn++)
         for (int m = 0; m < MANNERS; m++) {
             w->manner = (manner)m;
             tallies[m].seconds[turn] += measure_call(ask, w);
@@ -157,14 +156,13 @@ static void run_scene(work *w, tally tallies[MANNERS], int repeat) {
 
 /* ---- a sweep ---- */
 
-static finding find(tally *t, int repeat) {
+static finding find(tally *t) {
     finding f = {t->rays, t->hits, t->wrong, t->uncertain, NAN, NAN, 0, 0, 0};
-    size_t turns = (size_t)repeat;
     double unit = 1e9 / (double)t->rays;
-    measure_sort(t->seconds, turns);
-    f.ns = unit * measure_quantile(t->seconds, turns, 0.5);
+    measure_sort(t->seconds, REPEAT);
+    f.ns = unit * measure_quantile(t->seconds, REPEAT, 0.5);
     f.ns_min = unit * t->seconds[0];
-    f.ns_max = unit * t->seconds[turns - 1];
+    f.ns_max = unit * t->seconds[REPEAT - 1];
     if (t->errors == 0) return f;
     measure_sort(t->error, t->errors);
     f.error_median = measure_quantile(t->error, t->errors, 0.5);
@@ -173,16 +171,15 @@ static finding find(tally *t, int repeat) {
 }
 
 static void run_sweep(const bench_options *o, const sweep *which, record *r) {
-    int repeat = o->quick ? 1 : REPEAT;
     size_t rays = (size_t)o->rays;
     work w = {.options = o, .sweep = which, .answers = make_answers(rays)};
     r->sweep = which;
     for (w.point = 0; w.point < which->points; w.point++) {
         tally tallies[MANNERS] = {{0}};
         for (int m = 0; m < MANNERS; m++) tallies[m].error = allocate(MOST_VARIANTS * rays, sizeof(double));
-        for (w.variant = 0; w.variant < which->variants; w.variant++) run_scene(&w, tallies, repeat);
+        for (w.variant = 0; w.variant < which->variants; w.variant++) run_scene(&w, tallies);
         for (int m = 0; m < MANNERS; m++) {
-            r->finding[w.point][m] = find(&tallies[m], repeat);
+            r->finding[w.point][m] = find(&tallies[m]);
             free(tallies[m].error);
         }
     }

@@ -67,9 +67,9 @@ static double shown(const finding *f, int panel, manner m) {
 /* Doubt and error and time, one below the other. */
 static void write_charts(const record *r, const char *folder) {
     static const char *const names[PANELS][MANNERS] = {
-        {"fast: wrong", "standard: uncertain", "certified: uncertain", "packet: uncertain"},
-        {"fast", "standard", "certified", "packet"},
-        {"fast", "standard", "certified", "packet"}};
+        {"fast: wrong", "standard: open", "certified: open", "standard, packet: open"},
+        {"fast", "standard", "certified", "standard, packet"},
+        {"fast", "standard", "certified", "standard, packet"}};
     static const plot_axis y[PANELS] = {
         {.label = "% of the rays", .scale = PLOT_SYMLOG, .hi = 100, .linear = 0.1},
         {.label = "largest error of t, in u \316\272 |t|", .scale = PLOT_LOG},
@@ -94,6 +94,12 @@ static void write_charts(const record *r, const char *folder) {
                           .height = 320};
     }
     plots[0].title = r->sweep->title;
+    plots[0].subtitle =
+        "answers that are wrong (fast tier), or left open (the others, which give no wrong ones)";
+    plots[1].title = "How far off a hit is at most";
+    plots[1].subtitle =
+        "u = 2^-53, \316\272: condition of the root; 0.01 stands for less, and where there is no hit";
+    plots[2].title = "What a ray costs";
     plots[1].y.lo = LEAST_ERROR;
     plots[1].y.hi = MOST_ERROR;
     for (size_t i = 0; i < count; i++)

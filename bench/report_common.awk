@@ -9,7 +9,8 @@ function c(name) { # $(c("name")) is the cell in the column of that name
 function number(x, size) {
     if (x !~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/) return x
     size = x < 0 ? -x : x
-    return sprintf(size == int(size) && size < 1e7 ? "%d" : size >= 100 && size < 1e7 ? "%.0f" : "%.3g", x)
+    if (size < 1e7 && (size == int(size) || size >= 100)) return sprintf("%.0f", x)
+    return sprintf("%.3g", x)
 }
 function median(list, n,   i, j, x) {
     for (i = 2; i <= n; i++) {
@@ -20,4 +21,12 @@ function median(list, n,   i, j, x) {
     return n % 2 ? list[(n + 1) / 2] : (list[n / 2] + list[n / 2 + 1]) / 2
 }
 function times(x) { return sprintf(x < 10 ? "%.2fx" : x < 100 ? "%.1fx" : "%.0fx", x) }
+function head(name,   i, k, pair) { # in words, if heads, "name=words;name=words", has any
+    if (!told_heads++)
+        for (i = split(heads, pair, ";"); i > 0; i--) {
+            k = index(pair[i], "=")
+            words[substr(pair[i], 1, k - 1)] = substr(pair[i], k + 1)
+        }
+    return name in words ? words[name] : name
+}
 FNR == 1 { for (i = 1; i <= NF; i++) column[heading[i] = $i] = i; next }

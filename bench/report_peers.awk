@@ -12,14 +12,15 @@ function tell(title, kind, unit,   i, k, key, list, some, middle) {
         if (of[key] != kind || name[key] == "algsurf") continue
         for (k = 1; k <= count[key]; k++) list[k] = ratio[key, k]
         middle = times(median(list, count[key])) # sorts
-        printf "%s %s %s (%s to %s)", (some++ ? "," : ""), name[key], middle, times(list[1]), times(list[count[key]])
+        printf "%s %s %s (%s to %s)", (some++ ? "," : ""), name[key], middle, times(list[1]),
+            times(list[count[key]])
         if (wrong[key]) printf ", %d %s wrong", wrong[key], unit
     }
     print (some ? "." : " nothing is installed to compare with.")
 }
 END {
-    print "The same tasks in one run, in units of the time of algsurf, median over tasks (least to most); what the"
-    print "others get wrong is counted.\n"
+    print "The same tasks in one run, in units of the time of algsurf, median over tasks (least to most);"
+    print "what the others get wrong is counted.\n"
     tell("Pictures", "pictures", "pixels")
     tell("First real roots", "first root", "roots")
     tell("All complex roots", "all roots", "roots")

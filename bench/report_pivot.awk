@@ -1,6 +1,7 @@
 # report_pivot.awk - for bench/report: a line for each value of column `row`, a column for each of column
-# `across`, in them column `value`, where it is not empty and, if `where` names a column, that one is `is`.
-$(c(value)) == "" || (where != "" && $(c(where)) != is) { next }
+# `across` but `without`, in them column `value`, where it is not empty and, if `where` names a column, that
+# one is `is`; heads: columns in words.
+$(c(value)) == "" || $(c(across)) == without || (where != "" && $(c(where)) != is) { next }
 {
     this = $(c(row)); that = $(c(across))
     if (!(this in line)) { line[this] = 1; lines[++n] = this }
@@ -8,8 +9,8 @@ $(c(value)) == "" || (where != "" && $(c(where)) != is) { next }
     cell[this, that] = $(c(value))
 }
 END {
-    title = "| " row " "; rule = "|---"
-    for (k = 1; k <= m; k++) { title = title "| " overs[k] " "; rule = rule "|--:" }
+    title = "| " head(row) " "; rule = "|---"
+    for (k = 1; k <= m; k++) { title = title "| " head(overs[k]) " "; rule = rule "|--:" }
     print title "|"; print rule "|"
     for (i = 1; i <= n; i++) {
         text = "| " lines[i] " "

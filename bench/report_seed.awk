@@ -1,23 +1,25 @@
 # report_seed.awk - what bench/report says of seed.csv.
 $(c("evaluations")) == "" { next }
 {
-    way = $(c("method")); surface = $(c("surface"))
-    if (!(surface in least) || $(c("solve_ns")) < least[surface] + 0) {
-        least[surface] = $(c("solve_ns")); fastest[surface] = way
-    }
-    if (!(way in sum)) ways[++n] = way
-    sum[way] += $(c("evaluations")); count[way]++
+    way = $(c("method")); surface = $(c("surface")); ns = $(c("solve_ns")) + 0
+    if (!(surface in least)) surfaces[++m] = surface
+    if (!(surface in least) || ns < least[surface]) { least[surface] = ns; fastest[surface] = way }
+    if (way !~ /^(bisection|regula falsi)$/ && ns > most[surface]) most[surface] = ns
+    if (!(way in solve)) ways[++n] = way
     wrong[way] += $(c("wrong_roots")); brackets[way] += $(c("brackets"))
-    solve[way] += $(c("solve_ns"))
+    solve[way] += ns
 }
 END {
-    printf "From bracket to root they evaluate P, on average:"
-    for (i = 1; i <= n; i++)
-        printf "%s %s %.1f times", (i > 1 ? "," : ""), ways[i], sum[ways[i]] / count[ways[i]]
-    printf " (default: of P and its derivative).\nThe whole solve takes %s as long by bisection as by the default method, and %s by Brent",
+    printf "The whole solve takes %s as long by bisection as by the default method, and %s by Brent: ",
         times(solve["bisection"] / solve["default"]), times(solve["Brent"] / solve["default"])
-    print ": isolation is the same for all."
-    for (surface in fastest) won[fastest[surface]]++
+    print "isolation\nis the same for all."
+    for (i = 1; i <= m; i++) {
+        list[i] = 100 * (1 - least[surfaces[i]] / most[surfaces[i]])
+        won[fastest[surfaces[i]]]++
+    }
+    printf "Bisection and regula falsi apart, the choice of a method is worth %.0f %% of it, ",
+        median(list, m)
+    print "median over surfaces."
     printf "Fastest:"
     for (i = 1; i <= n; i++)
         if (won[ways[i]])

@@ -13,6 +13,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "seed_bare.h"
 #include "seed_decic.h"
 #include "seed_figures.h"
 #include "results.h"
@@ -54,14 +55,8 @@ static const cli_program program = {
     "A root missed by a method that may not: one line on standard error, no table, exit status 1.",
     options_table, FIELD(extra)};
 
-static const struct {
-    const char *name, *title;
-} surfaces[SEED_SURFACES] = {{"barth-sextic", "Barth sextic"},
-                             {"cusp", "cusp"},
-                             {"torus", "torus"},
-                             {"pillow", "pillow"},
-                             {"lemniscate", "lemniscate"},
-                             {"tanglecube", "Tanglecube"}};
+static const char *const surfaces[SEED_SURFACES] = {"barth",  "cusp",       "torus",
+                                                    "pillow", "lemniscate", "tangle"};
 
 /* ---- roots ---- */
 
@@ -87,6 +82,30 @@ static void judge(const seed_view *view, int m, seed_cost *cost) {
     cost->evaluations = evaluations / (double)view->bracketed;
 }
 
+static int bare_is_right(const seed_ray *ray, int degree) {
+    double lo, hi;
+    int found = seed_bare_isolate(ray->c, degree, &lo, &hi);
+    return found == ray->bracketed && (!found || (lo <= ray->root && ray->root <= hi));
+}
+
+/* Everything about a view that is no time. */
+static void count(const seed_view *view, seed_result *result) {
+    double sum = 0;
+    size_t wrong = 0;
+    for (const seed_ray *ray = view->rays; ray < view->rays + view->count; ray++) {
+        if (ray->bracketed) sum += log(ray->hi - ray->lo);
+        wrong += !bare_is_right(ray, view->entry->degree);
+    }
+    *result = (seed_result){.name = view->entry->name,
+                            .degree = view->entry->degree,
+                            .rays = view->count,
+                            .brackets = view->bracketed,
+                            .undecided = view->undecided,
+                            .width = exp(sum / (double)view->bracketed),
+                            .bare_wrong = wrong};
+    for (int m = 0; m < SEED_METHODS; m++) judge(view, m, &result->cost[m]);
+}
+
 /* CPU seconds a ray: of those with a bracket, from there; or, isolated as well, of all. */
 static double pass(const seed_view *view, int m, double tolerance, int with_isolation) {
     size_t stride = 1 + view->count / TIMED, rays = 0;
@@ -105,6 +124,21 @@ static double pass(const seed_view *view, int m, double tolerance, int with_isol
     return (measure_cpu() - begun) / (double)rays;
 }
 
+/* CPU seconds a ray of isolation alone. */
+static double pass_isolation(const seed_view *view, int bare) {
+    size_t stride = 1 + view->count / TIMED, rays = 0;
+    double begun = measure_cpu();
+    for (size_t i = 0; i < view->count; i += stride, rays++) {
+        algsurf_bracket bracket;
+        int found;
+        if (bare)
+            (void)seed_bare_isolate(view->rays[i].c, view->entry->degree, &bracket.lo, &bracket.hi);
+        else
+            (void)algsurf_isolate_first(view->rays[i].c, NULL, view->entry->degree, -1, 1, &bracket, &found);
+    }
+    return (measure_cpu() - begun) / (double)rays;
+}
+
 static void add_time(seed_times *to, double seconds) { to->seconds[to->count++] = seconds; }
 
 /* ---- a surface ---- */
@@ -116,6 +150,8 @@ static void time_roots(const seed_view *view, seed_result *result) {
     }
     add_time(&result->idle[0], pass(view, SEED_BRENT, 1, 0)); /* half a bracket is at most 1 */
     add_time(&result->idle[1], pass(view, SEED_OWN, 1, 0));
+    add_time(&result->isolation, pass_isolation(view, 0));
+    add_time(&result->bare, pass_isolation(view, 1));
 }
 
 static void time_pictures(const seed_view *view, seed_result *result, int repeat) {
@@ -134,14 +170,9 @@ static void time_pictures(const seed_view *view, seed_result *result, int repeat
 
 static void measure_surface(int which, const bench_options *o, seed_result *result, seed_census *census) {
     seed_view view;
-    seed_open(&view, surfaces[which].name, width_of(o), height_of(o));
-    if (view.bracketed == 0) cli_fail(CLI_BROKEN, "%s: no root at all", surfaces[which].name);
-    *result = (seed_result){.title = surfaces[which].title,
-                            .degree = view.entry->degree,
-                            .rays = view.count,
-                            .brackets = view.bracketed,
-                            .undecided = view.undecided};
-    for (int m = 0; m < SEED_METHODS; m++) judge(&view, m, &result->cost[m]);
+    seed_open(&view, surfaces[which], width_of(o), height_of(o));
+    if (view.bracketed == 0) cli_fail(CLI_BROKEN, "%s: no root at all", surfaces[which]);
+    count(&view, result);
     for (int k = 0; k < (o->quick ? QUICK_REPEAT : REPEAT); k++) time_roots(&view, result);
     time_pictures(&view, result, o->quick ? QUICK_REPEAT : PICTURES);
     seed_newton_census(&view, census);
@@ -155,6 +186,8 @@ static void sort_times(seed_result *r) {
         measure_sort(r->cost[m].picture.seconds, r->cost[m].picture.count);
     }
     for (int i = 0; i < 2; i++) measure_sort(r->idle[i].seconds, r->idle[i].count);
+    measure_sort(r->isolation.seconds, r->isolation.count);
+    measure_sort(r->bare.seconds, r->bare.count);
     measure_sort(r->packets.seconds, r->packets.count);
 }
 
@@ -162,7 +195,7 @@ static void sort_times(seed_result *r) {
 
 int main(int argc, char **argv) {
     bench_options o = {0};
-    static seed_result results[SEED_SURFACES];
+    static seed_result results[SEED_COUNTED];
     static seed_census censuses[SEED_SURFACES];
     static seed_decic decic;
     cli_parse(&program, argc, argv, &o);
@@ -173,6 +206,7 @@ int main(int argc, char **argv) {
         sort_times(&results[i]);
     }
     seed_decic_run(&decic, width_of(&o), height_of(&o), o.output);
+    count(&decic.view, &results[SEED_DECIC]);
     seed_print(results, censuses, &decic);
     if (o.output) seed_write(results, censuses, &decic, o.output);
     seed_close(&decic.view);

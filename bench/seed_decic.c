@@ -63,6 +63,7 @@ static void count_error(seed_decic *decic, int row, const seed_ray *ray, const a
 
 /* ---- pictures ---- */
 
+/* Orange, red, white: bench/report tells what they mean. */
 static const uint8_t OFF[3] = {230, 159, 0}, VISIBLE[3] = {213, 0, 94}, BEHIND[3] = {255, 255, 255};
 
 /* The surface's colour where the ray has the parameter x in [-1,1]. */
@@ -98,6 +99,23 @@ static void mark(const seed_view *view, const seed_ray *ray, double error, uint8
         memcpy(pixel, OFF, 3);
 }
 
+enum { READABLE = 640 }; /* pixels: narrower pictures are enlarged by a whole number */
+
+static void write_picture(const uint8_t *picture, int width, int height, const char *folder,
+                          const char *name) {
+    int by = width < READABLE ? READABLE / width : 1;
+    size_t across = (size_t)width * (size_t)by, down = (size_t)height * (size_t)by;
+    uint8_t *large = seed_allocate(across * down, 3);
+    for (size_t i = 0; i < across * down; i++) {
+        size_t column = i % across / (size_t)by, row = i / across / (size_t)by;
+        memcpy(large + 3 * i, picture + 3 * (row * (size_t)width + column), 3);
+    }
+    FILE *file = results_create(folder, name);
+    if (image_write(file, IMAGE_PNG, (int)across, (int)down, large)) cli_no_memory();
+    results_finish(file, folder, name);
+    free(large);
+}
+
 static void draw(const seed_decic *decic, const double *found, int marked, const char *folder,
                  const char *name) {
     const seed_view *view = &decic->view;
@@ -111,9 +129,7 @@ static void draw(const seed_decic *decic, const double *found, int marked, const
         shade(view, ray, found[i], pixel);
         if (marked) mark(view, ray, fabs(found[i] - ray->root), pixel);
     }
-    FILE *file = results_create(folder, name);
-    if (image_write(file, IMAGE_PNG, view->width, view->height, picture)) cli_no_memory();
-    results_finish(file, folder, name);
+    write_picture(picture, view->width, view->height, folder, name);
     free(picture);
 }
 

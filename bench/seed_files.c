@@ -23,7 +23,7 @@ static void write_costs(const seed_result *results, const char *folder) {
     for (const seed_result *r = results; r < results + SEED_SURFACES; r++) {
         for (int m = 0; m < SEED_METHODS; m++) {
             const seed_cost *c = &r->cost[m];
-            fprintf(file, "%s,%d,%zu,%zu,%s,%.6g,%d,%zu", r->title, r->degree, r->rays, r->brackets,
+            fprintf(file, "%s,%d,%zu,%zu,%s,%.6g,%d,%zu", r->name, r->degree, r->rays, r->brackets,
                     seed_methods[m].name, c->evaluations, c->evaluations_most, c->wrong);
             put_times(file, &c->refine, 1e9);
             put_times(file, &c->solve, 1e9);
@@ -33,11 +33,42 @@ static void write_costs(const seed_result *results, const char *folder) {
             else
                 fprintf(file, ",\n");
         }
-        fprintf(file, "%s,%d,%zu,%zu,packets,,,,,,,,,", r->title, r->degree, r->rays, r->brackets);
+        fprintf(file, "%s,%d,%zu,%zu,packets,,,,,,,,,", r->name, r->degree, r->rays, r->brackets);
         put_times(file, &r->packets, 1e3);
         fprintf(file, ",0\n");
     }
     results_finish(file, folder, "seed.csv");
+}
+
+/* What each method evaluates, and from how wide a bracket. */
+static void write_evaluations(const seed_result *results, const char *folder) {
+    FILE *file = results_create(folder, "seed_evaluations.csv");
+    fprintf(file, "surface,degree,rays,brackets,width,method,a_root,a_ray,most\n");
+    for (const seed_result *r = results; r < results + SEED_COUNTED; r++)
+        for (int m = 0; m < SEED_METHODS; m++) {
+            const seed_cost *c = &r->cost[m];
+            fprintf(file, "%s,%d,%zu,%zu,%.4g,%s,%.6g,%.6g,%d\n", r->name, r->degree, r->rays, r->brackets,
+                    r->width, seed_methods[m].name, c->evaluations,
+                    c->evaluations * (double)r->brackets / (double)r->rays, c->evaluations_most);
+        }
+    results_finish(file, folder, "seed_evaluations.csv");
+}
+
+static void write_isolation(const seed_result *results, const char *folder) {
+    FILE *file = results_create(folder, "seed_isolation.csv");
+    fprintf(file, "surface,degree,isolation_ns,isolation_ns_min,isolation_ns_max,bare_ns,bare_ns_min,"
+                  "bare_ns_max,bare_wrong,idle_ns,idle_ns_min,idle_ns_max,rival_idle_ns,rival_idle_ns_min,"
+                  "rival_idle_ns_max\n");
+    for (const seed_result *r = results; r < results + SEED_SURFACES; r++) {
+        fprintf(file, "%s,%d", r->name, r->degree);
+        put_times(file, &r->isolation, 1e9);
+        put_times(file, &r->bare, 1e9);
+        fprintf(file, ",%zu", r->bare_wrong);
+        put_times(file, &r->idle[0], 1e9);
+        put_times(file, &r->idle[1], 1e9);
+        fprintf(file, "\n");
+    }
+    results_finish(file, folder, "seed_isolation.csv");
 }
 
 static void write_decic(const seed_decic *d, const char *folder) {
@@ -53,7 +84,7 @@ static void write_census(const seed_result *results, const seed_census *censuses
     FILE *file = results_create(folder, "seed_newton.csv");
     fprintf(file, "surface,roots,other_root,unsettled\n");
     for (int i = 0; i < SEED_SURFACES; i++)
-        fprintf(file, "%s,%zu,%zu,%zu\n", results[i].title, censuses[i].roots, censuses[i].other,
+        fprintf(file, "%s,%zu,%zu,%zu\n", results[i].name, censuses[i].roots, censuses[i].other,
                 censuses[i].lost);
     results_finish(file, folder, "seed_newton.csv");
 }
@@ -84,7 +115,7 @@ static void begin_bars(bars *b, const seed_result *results, int count, const cha
                        const char *subtitle, plot_axis axis) {
     for (int i = 0; i < SEED_SURFACES; i++) {
         b->x[i] = i;
-        b->names[i] = results[i].title;
+        b->names[i] = results[i].name;
     }
     b->names[SEED_SURFACES] = NULL;
     for (int m = 0; m < count; m++)
@@ -158,17 +189,19 @@ void seed_write(const seed_result *results, const seed_census *censuses, const s
     int example = best_example(censuses), degree = decic->view.entry->degree;
     measure_machine(machine, sizeof machine);
     write_costs(results, folder);
+    write_evaluations(results, folder);
+    write_isolation(results, folder);
     write_decic(decic, folder);
     write_census(results, censuses, folder);
     plot_evaluations(results, folder);
     plot_times(results, machine, folder);
-    seed_plot_creep(decic->slow, degree, "Barth decic", folder, "seed_creep.svg");
+    seed_plot_creep(decic->slow, degree, "barth-decic", folder, "seed_creep.svg");
     FILE *file = results_create(folder, "seed_polynomials.csv");
     fprintf(file, "figure,lo,hi,root,p0,p1,p2,p3,p4,p5,p6,p7,p8,p9,p10\n");
     put_polynomial(file, "seed_creep.svg", decic->slow, degree);
     if (example >= 0) {
         const seed_newton *n = &censuses[example].example;
-        seed_plot_newton(n, results[example].title, folder, "seed_newton.svg");
+        seed_plot_newton(n, results[example].name, folder, "seed_newton.svg");
         put_polynomial(file, "seed_newton.svg", &n->ray, n->degree);
     }
     results_finish(file, folder, "seed_polynomials.csv");

@@ -42,7 +42,7 @@ static double percent(size_t part, size_t whole) { return 100 * (double)part / (
 static double median(const seed_times *t) { return measure_quantile(t->seconds, t->count, 0.5); }
 
 static void print_costs(const seed_result *r, size_t pixels) {
-    printf("\n%s: degree %d, %zu rays, %zu brackets", r->title, r->degree, r->rays, r->brackets);
+    printf("\n%s: degree %d, %zu rays, %zu brackets", r->name, r->degree, r->rays, r->brackets);
     if (r->undecided) printf(", %zu in doubt", r->undecided);
     printf("; a call with nothing to refine: %.0f ns, a rival's %.0f ns\n", 1e9 * median(&r->idle[0]),
            1e9 * median(&r->idle[1]));
@@ -72,13 +72,46 @@ static void print_savings(const seed_result *results) {
     printf("\nWhat Brent's method saves of a whole picture, ray by ray, per cent\n");
     printf("%-14s %16s %16s\n", "", "over bisection", "over regula falsi");
     for (int i = 0; i < SEED_SURFACES; i++)
-        printf("%-14s %16.1f %16.1f\n", results[i].title, saved(&results[i], SEED_BISECTION),
+        printf("%-14s %16.1f %16.1f\n", results[i].name, saved(&results[i], SEED_BISECTION),
                saved(&results[i], SEED_REGULA_FALSI));
     printf("%-14s %16s %16s\n", "Chuyeshov 2005", "0.9 to 1.7", "0 to 1.9");
     printf(
         "The last line is what the times in that paper's figure 2 come to; its text says 2 to 3, and the "
         "times\n"
         "themselves are not at hand.  Refinement can have been but a few per cent of that program's work.\n");
+}
+
+static void print_isolation(const seed_result *results) {
+    printf(
+        "\nIsolation alone, ns a ray that meets the extent: algsurf_isolate_first; bare: Descartes' rule and "
+        "halving\n"
+        "in plain double, nothing bounded or checked; bare%%: its brackets that are lacking or wrong\n"
+        "%-14s %14s %14s %8s\n",
+        "", "isolation", "bare", "bare%");
+    for (int i = 0; i < SEED_SURFACES; i++) {
+        const seed_result *r = &results[i];
+        printf("%-14s %14s %14s %8.2f\n", r->name, spread(&r->isolation, 1e9).text,
+               spread(&r->bare, 1e9).text, percent(r->bare_wrong, r->rays));
+    }
+}
+
+static void print_evaluations(const seed_result *results) {
+    printf("\nEvaluations for a bracket, and for a ray that meets the extent (one without a bracket: none); "
+           "width: of\n"
+           "the brackets isolation leaves, geometric mean, half chords\n"
+           "%-14s %6s",
+           "", "width");
+    for (int m = 0; m < SEED_METHODS; m++) printf(" %12s", seed_methods[m].name);
+    printf("\n");
+    for (int i = 0; i < SEED_COUNTED; i++) {
+        const seed_result *r = &results[i];
+        printf("%-14s %6.3f", r->name, r->width);
+        for (int m = 0; m < SEED_METHODS; m++) {
+            double a_root = r->cost[m].evaluations;
+            printf(" %6.1f %5.1f", a_root, a_root * (double)r->brackets / (double)r->rays);
+        }
+        printf("\n");
+    }
 }
 
 static void print_decic(const seed_decic *d) {
@@ -103,7 +136,7 @@ static void print_census(const seed_result *results, const seed_census *censuses
     printf("\nNewton's method without a bracket, from the middle of the bracket of the first root\n");
     printf("%-14s %8s %13s %13s\n", "surface", "roots", "other root%", "unsettled%");
     for (int i = 0; i < SEED_SURFACES; i++)
-        printf("%-14s %8zu %13.2f %13.2f\n", results[i].title, censuses[i].roots,
+        printf("%-14s %8zu %13.2f %13.2f\n", results[i].name, censuses[i].roots,
                percent(censuses[i].other, censuses[i].roots), percent(censuses[i].lost, censuses[i].roots));
 }
 
@@ -114,6 +147,8 @@ void seed_print(const seed_result *results, const seed_census *censuses, const s
            decic->view.width, decic->view.height);
     size_t pixels = (size_t)decic->view.width * (size_t)decic->view.height;
     for (int i = 0; i < SEED_SURFACES; i++) print_costs(&results[i], pixels);
+    print_evaluations(results);
+    print_isolation(results);
     print_savings(results);
     print_decic(decic);
     print_census(results, censuses);
