@@ -106,6 +106,7 @@ static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_roo
     point_at(f, root->offset, x);
     if (root->polish) polish(q, f, root, x, gradient);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
+    if (!isfinite(t)) t = 0.5 * root->t_lo + 0.5 * root->t_hi; /* the frame has overflowed */
     t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
     set_position(q, f, x, t, hit->position);
     if (root->reason == ALGSURF_UNDECIDED_RANGE || !algsurf_is_finite3(hit->position))

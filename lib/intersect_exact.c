@@ -16,7 +16,7 @@
 enum {
     DEPTH = 60,      /* of bisection */
     MOST_PARTS = 99, /* of an interval: 33 places set apart, one in the other, differ by 2^1980 in size */
-    GAIN = 30        /* bits by which a place must be shorter than its interval to be worth a new one */
+    GAIN = 12        /* bits by which a place must be shorter than its interval to be worth a new one */
 };
 
 typedef struct task {
@@ -162,8 +162,8 @@ static algsurf_dd t_at(const task *t, uint64_t position, int depth) {
 /* Moved outward by more than the error of t_at. */
 static double outward(const task *t, algsurf_dd at, int side) {
     if (isinf(at.hi)) return side * at.hi > 0 ? at.hi : copysign(DBL_MAX, at.hi);
-    double size = fabs(at.hi) + (isinf(t->f.lo) ? 0 : fabs(t->f.lo)) + (isinf(t->f.hi) ? 0 : fabs(t->f.hi));
-    double moved = nextafter(at.hi + side * (0x1p-85 * size), side * HUGE_VAL);
+    double error = 0x1p-85 * fabs(at.hi) + 0x1p-85 * end_size(t->f.lo) + 0x1p-85 * end_size(t->f.hi);
+    double moved = nextafter(at.hi + side * error, side * HUGE_VAL);
     return fmin(fmax(nextafter(moved, side * HUGE_VAL), t->f.lo), t->f.hi);
 }
 
@@ -277,7 +277,7 @@ static void search(task *t) {
     int waiting = 1;
     const uint32_t *end = entry(t, t->f.p, t->f.n);
     if (t->f.lo == t->f.hi) {
-        if (variations(t, t->f.p) < 0 && !t->open_lo) add_root(t, ALGSURF_HIT, ALGSURF_OK, later[0], 0);
+        if (variations(t, t->f.p) < 0) add_root(t, ALGSURF_HIT, ALGSURF_OK, later[0], 0);
         return;
     }
     if (variations(t, t->f.p) < 0) {
@@ -289,7 +289,7 @@ static void search(task *t) {
         find_cell(t, at);
         search_cell(t, at, later, &waiting);
     }
-    if (!satisfied(t) && !isinf(t->f.hi) && t->f.lo < t->f.hi && algsurf_i_integer_sign(end, t->f.size) == 0)
+    if (!satisfied(t) && !isinf(t->f.hi) && algsurf_i_integer_sign(end, t->f.size) == 0)
         add_root(t, ALGSURF_HIT, ALGSURF_OK, (place){1, 0}, 0);
 }
 

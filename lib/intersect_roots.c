@@ -127,8 +127,22 @@ static int add_undecided(search *s, const algsurf_i_cell *cell) {
     return 1;
 }
 
-/* The root in a bracket found in double.  The signs at the ends are known from the walk; where the
- * computed values disagree, the root is at that end as far as double can tell. */
+/* The first point from an end of a bracket inward at which Horner's rule gives the sign that the end has; the
+ * end itself if no step doubled from a rounding error's length finds one. */
+static double end_with_sign(const double *c, int n, double end, double other, int sign) {
+    double at = end, step = 0x1p-50 * (other - end);
+    for (; fabs(step) < fabs(other - end); step *= 2) {
+        double value = c[n];
+        for (int k = n - 1; k >= 0; k--) value = value * at + c[k];
+        if (sign * value > 0) return at;
+        at = end + step;
+    }
+    return end;
+}
+
+/* The root in a bracket found in double.  The signs at the ends are known from the walk; where the computed
+ * values disagree, or are zero, next to another root or to this one, the bracket begins where they agree, and
+ * if they do nowhere the root is at that end as far as double can tell. */
 static double refine_d(const search *s, const double *c, int n, const algsurf_i_cell *cell) {
     algsurf_refine_options options = {sizeof options, s->options->method, s->options->max_iterations, 0};
     double lo = cell->lo.hi, hi = cell->hi.hi, v = fmin(fabs(lo), fabs(hi));
@@ -136,7 +150,11 @@ static double refine_d(const search *s, const double *c, int n, const algsurf_i_
     algsurf_root root;
     /* half the wanted error, for the root is an end of the bracket; dt = dv / v^2 in a far piece */
     options.tolerance = 0.5 * tolerance * (cell->piece->far ? v * v : 1);
-    if (algsurf_refine_poly(c, n, lo, hi, &options, &root) >= ALGSURF_OK) return root.root;
+    algsurf_status status = algsurf_refine_poly(c, n, lo, hi, &options, &root);
+    if (status >= ALGSURF_OK && root.root != lo && root.root != hi) return root.root;
+    lo = end_with_sign(c, n, lo, hi, cell->sign);
+    hi = end_with_sign(c, n, hi, lo, -cell->sign);
+    if (lo < hi && algsurf_refine_poly(c, n, lo, hi, &options, &root) >= ALGSURF_OK) return root.root;
     return fabs(cell->value_lo) < fabs(cell->value_hi) ? lo : hi;
 }
 

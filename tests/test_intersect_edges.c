@@ -6,11 +6,15 @@
  *
  * Breaks caught, each tried: no margin, a negative one, edges not looked at, only the first or only the last
  * looked at, P's change within an edge left out, a middle coefficient of the extent's forms wrong, their
- * signs turned, one of the box's left out, cells narrowed only as far as doubles go.
+ * signs turned, one of the box's left out, cells narrowed only as far as doubles go; the end of a part looked
+ * at twice or never, what was found before it kept or all forgotten; doubt told as a hit or passed over where
+ * it is to be reported, and the other way round.
  */
 #include "intersect_case.h"
 
 #include <float.h>
+
+#include "intersect_exact.h"
 
 #define SEED 71u
 
@@ -322,8 +326,195 @@ static void a_long_box(void **state) {
     algsurf_surface_free(exact);
 }
 
+/* Along this ray x = t - 3/2, y is a unit in the last place of t there, z far less: roots at 0, at k y, and z
+ * beside each, which only parts of their own tell apart. */
+static const algsurf_ray beside = {{-1.5, 0x1p-52, 0x1p-100}, {1, 0, 0}, -INFINITY, INFINITY};
+
+/* A root at 3/2 + k y + hairs z. */
+typedef struct hair {
+    int k, hairs;
+} hair;
+
+static int in_order(const void *left, const void *right) {
+    const hair *a = left, *b = right;
+    return a->k != b->k ? a->k - b->k : a->hairs - b->hairs;
+}
+
+static double step(int k) { return 1.5 + k * 0x1p-52; }
+
+/* Is the root in [lo,hi], t's ends? */
+static int hair_between(hair h, double lo, double hi) {
+    return (h.hairs < 0 ? lo < step(h.k) : lo <= step(h.k)) &&
+           (h.hairs > 0 ? hi > step(h.k) : hi >= step(h.k));
+}
+
+/* Each root in [lo,hi] is found once, in its order. */
+static void find_hairs(const algsurf_surface *surface, hair *roots, int count, double lo, double hi) {
+    algsurf_i_exact_root found[8];
+    int next = 0, n = algsurf_i_exact_roots(surface, &beside, NULL, lo, hi, ALGSURF_WANT_ALL, found);
+    qsort(roots, (size_t)count, sizeof *roots, in_order);
+    for (int i = 0; i < count; i++) {
+        if (!hair_between(roots[i], lo, hi)) continue;
+        if (next >= n || found[next].state != ALGSURF_HIT ||
+            !hair_between(roots[i], found[next].lo, found[next].hi))
+            fail_msg("[%a, %a]: the root at %a + %d z is not number %d of %d", lo, hi, step(roots[i].k),
+                     roots[i].hairs, next, n);
+        next++;
+    }
+    if (next != n) fail_msg("[%a, %a]: %d roots, %d found", lo, hi, next, n);
+}
+
+/* A place that is set apart ends some doubles before and behind its two roots, and what is beside it begins
+ * there.  A root at each double around them, by itself or with two more behind it, before it, or a place
+ * further on, which are set apart in their turn; and intervals that begin or end at one of these doubles. */
+static void ends_of_parts(void **state) {
+    enum { AROUND = 6 };
+    static const hair more[] = {{0, 0}, {0, 1}, {0, -1}, {AROUND, 1}}; /* from that root on; 0: none */
+    (void)state;
+    for (int k = -AROUND; k <= AROUND; k++)
+        for (int i = 0; i < 4; i++) {
+            char text[200], pair[100] = "";
+            static intersect_case c;
+            int at = k + more[i].k, side = more[i].hairs, count = side ? 5 : 3;
+            hair roots[] = {{0, 1}, {0, 2}, {k, 0}, {at, side}, {at, 2 * side}};
+            if (at == 0 && side == 1) continue; /* the same two once more */
+            if (side)
+                (void)snprintf(pair, sizeof pair, "(x - (%d) y - (%d) z)(x - (%d) y - (%d) z)", at, side, at,
+                               2 * side);
+            (void)snprintf(text, sizeof text, "(x - z)(x - 2 z)(x - (%d) y) %s", k, pair);
+            intersect_equation(&c, text);
+            find_hairs(c.surface, roots, count, 1.25, 1.75);
+            for (int end = -AROUND; end <= AROUND; end++) {
+                find_hairs(c.surface, roots, count, step(end), 1.75);
+                find_hairs(c.surface, roots, count, 1.25, step(end));
+            }
+            algsurf_surface_free(c.surface);
+        }
+}
+
+/* ---- every tier, and what becomes of doubt ---- */
+
+enum { TIERS = 3, DOUBTS = 3 };
+
+/* What the calls say of one ray. */
+typedef struct saying {
+    intersect_answer single;
+    unsigned char first, occluded; /* of a packet */
+} saying;
+
+static void ask_all(const edge_case *e, algsurf_tier tier, algsurf_doubt doubt, saying *s) {
+    const algsurf_ray *ray = &e->c.ray;
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = doubt};
+    const algsurf_ray_packet one = {.size = sizeof one,
+                                    .count = 1,
+                                    .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
+                                    .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
+    const algsurf_hit_packet to = {.size = sizeof to, .state = &s->first};
+    intersect_ask(&e->c, &e->extent, &how, &s->single);
+    assert_int_equal(algsurf_intersect_packet(e->c.surface, &e->extent, &one, &how, &to), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded_packet(e->c.surface, &e->extent, &one, &how, &s->occluded), ALGSURF_OK);
+}
+
+/* Is the root inside of, or outside of, both a little smaller and a little larger extents?  Else 0. */
+static int surely(const edge_case *e, const mpq_t root) {
+    edge_case other = *e;
+    int sign[2];
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 3; i++)
+            other.extent.size[i] = e->extent.size[i] * (k ? 1 - 0x1p-30 : 1 + 0x1p-30);
+        sign[k] = sign_at(&other, root);
+    }
+    return sign[0] == sign[1] ? sign[0] : 0;
+}
+
+/* What is sure in any tier, and in the certified one what is so at all: such roots are told, others are not.
+ * The fast tier takes P's sign at an end as computed; with a root there it may be any. */
+static const char *judge_roots(const edge_case *e, algsurf_tier tier, const intersect_answer *a) {
+    int found = 0, may_be = 0;
+    if (tier == ALGSURF_TIER_FAST && surely(e, e->root[0]) * surely(e, e->root[1]) == 0) return NULL;
+    for (int i = 0; i < PLANES; i++) {
+        int sign = tier == ALGSURF_TIER_CERTIFIED ? e->sign[i] : surely(e, e->root[i]), told = 0;
+        for (int k = 0; k < a->count; k++) {
+            double reach = tier == ALGSURF_TIER_FAST ? 1e-9 * (1 + fabs(a->all[k].t)) : 0;
+            told |= exact_between(a->all[k].t_lo - reach, e->root[i], a->all[k].t_hi + reach);
+        }
+        if (sign > 0 && !told) return "a root in the extent is missing";
+        found += sign > 0, may_be += sign >= 0;
+    }
+    if (a->count < found || a->count > may_be) return "a root outside of the extent";
+    return NULL;
+}
+
+/* Where there is a hit in REPORT there is the same in HIT and MISS; an uncertain place is a hit in HIT, and
+ * nothing in MISS. */
+static const char *judge_doubt(const saying said[DOUBTS]) {
+    const intersect_answer *report = &said[ALGSURF_DOUBT_REPORT].single;
+    const intersect_answer *hit = &said[ALGSURF_DOUBT_HIT].single, *miss = &said[ALGSURF_DOUBT_MISS].single;
+    int passed = 0;
+    if (hit->count != report->count) return "HIT counts otherwise";
+    for (int i = 0; i < report->count; i++) {
+        const algsurf_hit *h = report->all + i;
+        if (hit->all[i].state != ALGSURF_HIT || hit->all[i].t != h->t || hit->all[i].reason != h->reason)
+            return "HIT tells another place";
+        if (h->state == ALGSURF_UNCERTAIN) continue;
+        if (passed >= miss->count || miss->all[passed].t != h->t) return "MISS passed over a hit";
+        passed++;
+    }
+    return passed < miss->count ? "MISS tells of doubt" : NULL;
+}
+
+static const char *judge_calls(const saying *s) {
+    const intersect_answer *a = &s->single;
+    const char *wrong = intersect_agree(a);
+    if (!wrong && s->first != a->first.state) wrong = "the packet says another state";
+    if (!wrong && s->occluded != a->occluded) wrong = "the packet is occluded otherwise";
+    return wrong;
+}
+
+/* Roots just inside, just outside, and on the extent's surface, for all tiers and doubts. */
+static void judge_all(const edge_case *e, int round, int uncertain[TIERS]) {
+    for (int tier = 0; tier < TIERS; tier++) {
+        saying said[DOUBTS];
+        const char *wrong = NULL;
+        for (int doubt = 0; doubt < DOUBTS; doubt++) {
+            ask_all(e, (algsurf_tier)tier, (algsurf_doubt)doubt, &said[doubt]);
+            const intersect_answer *a = &said[doubt].single;
+            for (int i = 0; i < a->count; i++) {
+                uncertain[tier] += a->all[i].state == ALGSURF_UNCERTAIN;
+                if (doubt != ALGSURF_DOUBT_REPORT && a->all[i].state == ALGSURF_UNCERTAIN)
+                    refuse(e, a, "told, though not to be reported", round);
+            }
+            if (doubt != ALGSURF_DOUBT_MISS) wrong = judge_roots(e, (algsurf_tier)tier, a);
+            if (!wrong && tier != ALGSURF_TIER_FAST) wrong = judge_calls(&said[doubt]);
+            if (wrong) refuse(e, a, wrong, round);
+        }
+        wrong = judge_doubt(said);
+        if (wrong) refuse(e, &said[0].single, wrong, round);
+    }
+}
+
+static void doubt_at_the_edge(void **state) {
+    uint64_t seed = SEED + 1;
+    int uncertain[TIERS] = {0}, on = 0;
+    static edge_case e;
+    (void)state;
+    mpq_inits(e.root[0], e.root[1], NULL);
+    for (int i = 0; i < ROUNDS; i++) {
+        if (!make_planes(&e, &seed)) continue;
+        if (make_extent(&e, &seed)) judge_all(&e, i, uncertain);
+        on += e.sign[0] == 0 || e.sign[1] == 0;
+        algsurf_surface_free(e.c.surface);
+    }
+    mpq_clears(e.root[0], e.root[1], NULL);
+    assert_int_equal(uncertain[ALGSURF_TIER_FAST], 0);
+    assert_in_range(uncertain[ALGSURF_TIER_CERTIFIED], 0, on);
+    assert_true(on > 10);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines),
-                                       cmocka_unit_test(found_before), cmocka_unit_test(a_long_box)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines),
+        cmocka_unit_test(found_before),      cmocka_unit_test(a_long_box),
+        cmocka_unit_test(ends_of_parts),     cmocka_unit_test(doubt_at_the_edge)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -198,6 +198,50 @@ static void exact_sign_depth(void **state) {
     for (int k = 0; k <= 20; k++) p[k] = k % 2 ? -1.0 / (k + 1) : 1.0 / (k + 3);
     assert_true(algsurf_i_poly_exact_sign(p, 20, 0x1.23456789abcdfp-6) != ALGSURF_SIGN_UNKNOWN);
 }
+/* A ray in the surface was a hit at either end, with nothing in between, where the degree dropped to 1. */
+static void zeros_at_both_ends(void **state) {
+    (void)state;
+    intersect_equation(&c, "(x - 2 y)^2");
+    c.ray = (algsurf_ray){{2, 1, 1.75}, {2, 1, 3}, 0, 20};
+    intersect_ask(&c, NULL, NULL, &hits);
+    assert_int_equal(hits.first.state, ALGSURF_HIT);
+    assert_true(hits.first.t == 0 && hits.all[0].t == 0 && hits.count > 1);
+    double reached = 0;
+    for (int i = 1; i < hits.count; i++)
+        if (hits.all[i].t_lo <= reached) reached = hits.all[i].t_hi;
+    assert_true(reached == 20);
+    algsurf_surface_free(c.surface);
+}
+/* Sums of the ends of a chord overflowed, and t was far from its root. */
+static void near_the_largest_double(void **state) {
+    (void)state;
+    const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {0x1p1022, 0x1p1022, 0x1p1022}};
+    const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
+    intersect_equation(&c, "x - 1/4");
+    c.ray = (algsurf_ray){{-0x1.8p1022, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    intersect_ask(&c, &box, &certified, &hits);
+    assert_int_equal(hits.first.state, ALGSURF_HIT);
+    assert_true(fabs(hits.first.t / 0x1.8p1022 - 1) < 1e-15 && hits.count == 1);
+    assert_true(hits.first.t_hi - hits.first.t_lo < 0x1p975);
+    algsurf_surface_free(c.surface);
+}
+/* Another root just behind the end of the chord was told as the first, 20 units after it. */
+static void first_root_taken_for_the_end(void **state) {
+    (void)state;
+    const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
+    const algsurf_extent box = {
+        ALGSURF_EXTENT_BOX, {0, 0, 0}, {0x1.54ef15d3fa91cp+5, 0x1.b51c9b0d5fee6p+5, 0x1.6e5145f5cdd56p+5}};
+    intersect_equation(&c, "(14 x^2 - 101 x + 171) (x^2 + y^2 + z^2 + 1)");
+    c.ray = (algsurf_ray){{-0x1.ap+0, 0x1.fe4bc62bdf7fp+0, -0x1.fb94cbea3c378p+1},
+                          {0x1.73b36a77344e6p-4, 0x1.8f5b0674e3fa2p-1, 0x1.a4fa130c48b78p-2},
+                          0,
+                          INFINITY};
+    intersect_ask(&c, &box, &fast, &hits);
+    assert_int_equal(hits.first.state, ALGSURF_HIT);
+    assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
+    algsurf_surface_free(c.surface);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lost_root),
@@ -220,6 +264,9 @@ int main(void) {
         cmocka_unit_test(single_point),
         cmocka_unit_test(t_infinite),
         cmocka_unit_test(exact_sign_depth),
+        cmocka_unit_test(zeros_at_both_ends),
+        cmocka_unit_test(near_the_largest_double),
+        cmocka_unit_test(first_root_taken_for_the_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

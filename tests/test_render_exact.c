@@ -53,6 +53,7 @@ typedef struct view {
     algsurf_camera camera;
     double radius; /* of the ball about the extent */
     int width, height, row_begin, row_end, antialias;
+    algsurf_tier tier;
     const char *kernel;
 } view;
 
@@ -279,7 +280,7 @@ static void make_camera(view *v, uint64_t *seed) {
 
 static void draw(const view *v, const char *kernel, int row_begin, drawing *out) {
     algsurf_scene *scene = NULL;
-    algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
+    algsurf_intersect_options how = {.size = sizeof how, .tier = v->tier, .kernel = kernel};
     algsurf_render_options o = {.size = sizeof o,
                                 .width = v->width,
                                 .height = v->height,
@@ -640,6 +641,87 @@ static void test_depths_in_a_large_ball(void **state) {
     }
 }
 
+/* ---- extents of any size, in the certified tier ---- */
+
+/* Planes, or a paraboloid, of a size of 2^length; P's own size is about 1 there. */
+static void set_wide_surface(view *v, int length, int planes, uint64_t *seed) {
+    algsurf_term terms[8];
+    int count = 0;
+    for (int axis = 0; axis < 3; axis++)
+        terms[count++] = (algsurf_term){axis == 0, axis == 1, axis == 2, exact_random_unit(seed)};
+    terms[count++] = (algsurf_term){0, 0, 0, 0.4 * exact_random_unit(seed)};
+    if (!planes) terms[count++] = (algsurf_term){2, 0, 0, 1}, terms[count++] = (algsurf_term){0, 2, 0, 1};
+    for (int i = 0; i < count; i++) {
+        int power = terms[i].i + terms[i].j + terms[i].k;
+        terms[i].a = ldexp(terms[i].a, (1 - power) * length);
+    }
+    set_surface(v, terms, count);
+}
+
+static void aim_at_wide_extent(view *v, uint64_t *seed) {
+    double eye[3], d[3], far = exact_random_int(seed, 3) ? 3 : 0.5;
+    const double *at = v->extent.centre;
+    unit_vector(d, 3, seed);
+    for (int i = 0; i < 3; i++) eye[i] = at[i] + far * v->radius * d[i];
+    if (exact_random_int(seed, 2))
+        aim_parallel(v, eye, at, 2.1 * v->radius, seed);
+    else
+        aim(v, eye, at, far > 1 ? 0.35 : 1, seed);
+}
+
+/* A pixel against integers, and against a single ray in the same tier; returns 1 if that is uncertain.  Of
+ * extents so large that sums of t overflow only the state is looked at. */
+static int check_certified_pixel(const view *v, const drawing *d, int x, int y) {
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = v->tier};
+    double t = d->hits[y * v->width + x];
+    algsurf_ray ray = ray_at(v, x + 0.5, y + 0.5);
+    exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
+    algsurf_hit hit;
+    int met = v->radius > 0x1p1016, state = isnan(t) ? ALGSURF_MISS : ALGSURF_HIT;
+    assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
+    for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
+    seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;
+    if (hit.state == ALGSURF_UNCERTAIN) return 1;
+    if (state != hit.state) complain(v, x + 0.5, y + 0.5, t, &ray, &answer, "not what the single ray says");
+    if (state == ALGSURF_MISS && answer.sure) complain(v, x, y, t, &ray, &answer, "a miss for a hit");
+    if (state == ALGSURF_HIT && !met) complain(v, x, y, t, &ray, &answer, "not the first root");
+    return 0;
+}
+
+/* Extents from 2^-1000 to 2^1020, about the origin or beside it, of surfaces as large, or of a size of 1. */
+static void test_wide_extents(void **state) {
+    static const int sizes[] = {-1000, -997, -505, -300, 0, 300, 499, 505, 900, 997, 1005, 1015, 1020};
+    enum { SIZES = sizeof sizes / sizeof *sizes, TURNS = 12 };
+    static drawing d;
+    long wrong = seen.wrong, hits = seen.hits, misses = seen.misses, uncertain = 0;
+    uint64_t seed = 11;
+    (void)state;
+    for (int turn = 0; turn < SIZES * TURNS; turn++) {
+        int size = sizes[turn % SIZES], kind = turn / SIZES, box = kind % 2, aside = kind / 2 % 2;
+        view v = {.number = turn, .name = "wide", .width = 14, .height = 10, .row_end = 10, .antialias = 1};
+        v.tier = ALGSURF_TIER_CERTIFIED;
+        v.extent.kind = box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE;
+        for (int i = 0; i < 3; i++) {
+            v.extent.size[i] = ldexp(1 + 0.2 * i, size);
+            v.extent.centre[i] = aside ? ldexp(exact_random_unit(&seed), size) : 0;
+        }
+        v.radius = (box ? 2.1 : 1) * v.extent.size[0];
+        set_wide_surface(&v, kind < 8 ? size : 0, kind % 3 || abs(size) > 500, &seed);
+        aim_at_wide_extent(&v, &seed);
+        draw(&v, NULL, 0, &d);
+        int open = 0;
+        for (int i = 0; i < v.width * v.height && seen.wrong < wrong + 3; i++)
+            open += check_certified_pixel(&v, &d, i % v.width, i / v.width);
+        uncertain += open;
+        if (open > (int)d.stats.uncertain) fail_msg("%d uncertain, %d told", open, (int)d.stats.uncertain);
+        release(&v);
+    }
+    assert_int_equal(seen.wrong, wrong);
+    hits = seen.hits - hits, misses = seen.misses - misses;
+    if (hits < 2000 || misses < 2000 || uncertain * 100 > hits)
+        fail_msg("%ld hits, %ld misses, %ld uncertain", hits, misses, uncertain);
+}
+
 int main(int count, char **arguments) {
     if (count > 1) view_count = atoi(arguments[1]);
     if (count > 2) first_view = atoi(arguments[2]);
@@ -648,6 +730,7 @@ int main(int count, char **arguments) {
         cmocka_unit_test(test_extreme_views),          cmocka_unit_test(test_edge_of_a_far_ball),
         cmocka_unit_test(test_tiny_and_huge_parallel), cmocka_unit_test(test_noise_of_second_order),
         cmocka_unit_test(test_root_at_a_slanted_face), cmocka_unit_test(test_depths_in_a_large_ball),
+        cmocka_unit_test(test_wide_extents),
     };
     return cmocka_run_group_tests_name("render_exact", tests, NULL, NULL);
 }

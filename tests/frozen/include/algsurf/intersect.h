@@ -14,8 +14,8 @@ extern "C" {
 typedef enum algsurf_tier {
     ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
                                   again in double-double; what is still in doubt is told: uncertain */
-    ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; never uncertain, may be wrong within
-                                  rounding of a tangency */
+    ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
+                                  of a root at an end; uncertain only where numbers overflow */
     ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
                                   uncertain are only multiple roots (a ray that exactly touches), roots closer
                                   than 2^-60 of what double-double leaves open, rays in the surface, and rays
