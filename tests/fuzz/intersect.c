@@ -99,7 +99,7 @@ static void check_lanes(const packet *p, const algsurf_extent *extent) {
  * underflow. */
 static const char *form(const algsurf_hit *h) {
     double reach = fmax(fabs(h->t_lo), fabs(h->t_hi));
-    int underflow = h->t != 0 && fabs(h->t) < 0x1p-960;
+    int underflow = reach > 0 && fabs(h->t) < 0x1p-960;
     for (int k = 0; k < 3; k++)
         if (h->state != ALGSURF_MISS && (underflow || !isfinite(reach * c.ray.direction[k]))) return NULL;
     return intersect_form(&c, h);
