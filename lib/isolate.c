@@ -20,6 +20,7 @@ typedef struct task {
     int first_only;
     int zero_at_lo, zero_at_hi; /* ends, not 0, that are known to be roots */
     algsurf_i_brackets found;
+    int kept;    /* of them are certain: [lo,hi] begins after them */
     int counted; /* intervals, in all walks */
 } task;
 
@@ -92,7 +93,8 @@ static int walk(task *t, int (*one)(task *, const algsurf_i_stretch *)) {
     int constant = t->p.degree == t->p.zeros; /* but for x^zeros; it does not vanish, see may_vanish */
     int count = constant ? 0 : algsurf_i_stretches(&t->p, t->lo, t->hi, s);
     int zero_due = t->p.zeros > 0 && t->lo <= 0 && t->hi >= 0;
-    t->found.count = t->found.loose = 0;
+    t->found.count = t->kept;
+    t->found.loose = 0;
     for (int i = 0; i < count && !finished(t); i++) {
         if (zero_due && s[i].lo >= 0) {
             zero_due = 0;
@@ -124,6 +126,14 @@ static int moderate(const algsurf_i_coefficients *p, int exponent, double *q, do
            fabs(q[0]) >= ldexp(largest, -LONGER * p->degree);
 }
 
+/* What has been found up to where a cell stayed undecided is kept, so that the first root is the same whether
+ * the others are looked for or not. */
+static void keep_brackets(task *t) {
+    int count = t->found.count - t->found.loose;
+    while (t->kept < count && t->found.b[t->kept].kind == ALGSURF_ROOT_BRACKET) t->kept++;
+    if (t->kept > 0) t->lo = t->found.b[t->kept - 1].hi;
+}
+
 /* All of [lo,hi] in double, as one piece in units of its larger end; returns 0 when that is no way to find
  * out: numbers far from 1, a root at 0 known beforehand, or a cell that stays undecided. */
 static int walk_whole(task *t) {
@@ -141,8 +151,10 @@ static int walk_whole(task *t) {
     if (ldexp(piece.lo.hi, exponent) != t->lo || ldexp(piece.hi.hi, exponent) != t->hi) return 0;
     algsurf_i_walk_begin_d(&walk, q, t->p.r ? r : NULL, t->p.degree, 1, &piece, 1);
     while (decided && !finished(t) && algsurf_i_walk_next_d(&walk, &cell))
-        decided = cell.kind == ALGSURF_ROOT_BRACKET && algsurf_i_add_cell(&t->found, &t->p, &s, &cell);
+        decided = cell.kind == ALGSURF_ROOT_BRACKET && algsurf_i_add_cell(&t->found, &t->p, &s, &cell) &&
+                  t->found.b[t->found.count - 1].kind == ALGSURF_ROOT_BRACKET;
     t->counted += walk.counted;
+    if (!decided) keep_brackets(t);
     return decided;
 }
 
@@ -232,7 +244,7 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
                           algsurf_bracket *room, int *count, int *intervals) {
     int capacity = first_only ? 2 : degree > 0 ? degree : 1;
-    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, capacity, 0, 0}, 0};
+    task t = {{c, r, degree, 0}, lo, hi, first_only, 0, 0, {room, 0, capacity, 0, 0}, 0, 0};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);
