@@ -135,11 +135,8 @@ static void measure(const bench_options *o, const plan *p, const catalogue_entry
 
 /* All of the catalogue, but for second names of a surface. */
 static void add_all_surfaces(bench_options *o) {
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        const catalogue_entry *first = catalogue;
-        while (strcmp(first->equation, entry->equation) != 0) first++;
-        if (first == entry) add_surface(o, entry);
-    }
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++)
+        if (catalogue_first_of(entry) == entry) add_surface(o, entry);
 }
 
 static void add_few_surfaces(bench_options *o) {

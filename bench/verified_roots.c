@@ -267,7 +267,7 @@ static int run_usual(work *w, const bench_options *o, measure_random *seeds, pol
     int count = 0;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         measure_random random = {measure_bits(seeds)};
-        if (entry->degree < 2) continue;
+        if (entry->degree < 2 || catalogue_first_of(entry) != entry) continue;
         polynomials_of_rays(entry, &random, p, o->polys);
         family f = {entry->name, entry->degree, 1, o->seed, o->polys, p, 0, 0};
         count += run_family(w, &f, rows + count);

@@ -54,13 +54,13 @@ const catalogue_entry catalogue[] = {
     {"whitney", 3, "x^2 z + y^2", BALL(2),
      {5.6, -3.2, 1.9}, {0, 0, -0.75}, UP, 30, {0.20, 0.55, 0.75}, {0.95, 0.70, 0.30}},
     {"steiner", 4, "x^2 y^2 + x^2 z^2 + y^2 z^2 + x y z", BALL(0.8),
-     {1.2, -1.7, 1.3}, {0, 0, 0}, UP, 30, {0.90, 0.60, 0.20}, {0.35, 0.45, 0.80}},
+     {1.2, -1.7, 1.3}, {0, 0, 0.05}, UP, 30, {0.90, 0.60, 0.20}, {0.35, 0.45, 0.80}},
     {"chair", 4, "(x^2+y^2+z^2 - 0.95*5^2)^2 - 0.8((z-5)^2 - 2x^2)((z+5)^2 - 2y^2)", BALL(6),
      {22, -7, 7}, {0, 0, 0}, UP, 30, {0.60, 0.30, 0.65}, {0.55, 0.75, 0.35}},
     {"tangle", 4, TANGLE, BALL(3.7),
      {7.5, -10, 6}, {0, 0, 0}, UP, 30, {0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}},
     {"boy", 6, BOY, {ALGSURF_EXTENT_SPHERE, {0, 0, 1}, {1.9, 0, 0}},
-     {3.9, -5, 1.3}, {0, 0, 0.95}, UP, 30, {0.95, 0.60, 0.25}, {0.30, 0.60, 0.85}},
+     {3.9, -5, 1.3}, {0, 0, 1.07}, UP, 30, {0.95, 0.60, 0.25}, {0.30, 0.60, 0.85}},
     {"barth", 6, BARTH, BALL(2),
      {4.4, -5.6, 3.6}, {0, 0, 0}, UP, 30, {0.30, 0.35, 0.70}, {0.95, 0.72, 0.25}},
     {"barth-sextic", 6, BARTH, BALL(2),
@@ -70,7 +70,7 @@ const catalogue_entry catalogue[] = {
     {"barth-decic", 10, DECIC, BALL(2),
      {4.4, -5.6, 3.6}, {0, 0, 0}, UP, 30, {0.25, 0.65, 0.70}, {0.85, 0.35, 0.40}},
     {"cusp", 3, "z^3 + x z + y", BALL(2),
-     {-5.8, 3.9, 3.9}, {0, 0, 0}, UP, 30, {0.40, 0.70, 0.35}, {0.75, 0.40, 0.65}},
+     {-7, 2.4, 4.3}, {0, 0, -0.3}, UP, 30, {0.40, 0.70, 0.35}, {0.75, 0.40, 0.65}},
     {"torus", 4, "(x^2+y^2+z^2 - 0.9^2 - 2.5^2)^2 - 4*2.5^2*(0.9^2 - z^2)", BALL(3.6),
      {6, -10, 8}, {0, 0, 0}, UP, 30, {0.85, 0.50, 0.25}, {0.35, 0.55, 0.75}},
     {"pillow", 4, "x^4 + y^4 + z^4 - (x^2+y^2+z^2)", BALL(1.9),
@@ -90,4 +90,10 @@ const catalogue_entry *catalogue_find(const char *name) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         if (strcmp(entry->name, name) == 0) return entry;
     return NULL;
+}
+
+const catalogue_entry *catalogue_first_of(const catalogue_entry *entry) {
+    const catalogue_entry *first = catalogue;
+    while (strcmp(first->equation, entry->equation) != 0) first++;
+    return first;
 }

@@ -20,4 +20,7 @@ extern const catalogue_entry catalogue[];
 /* The surface of that name, or null. */
 const catalogue_entry *catalogue_find(const char *name);
 
+/* The first entry with the same equation: another one is a synonym, perhaps seen from elsewhere. */
+const catalogue_entry *catalogue_first_of(const catalogue_entry *entry);
+
 #endif

@@ -224,7 +224,11 @@ static int check(RTCScene scene, const struct RTCRayHit *rays, const struct RTCR
     return differ;
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) {
+        fprintf(stderr, "%s: takes no arguments\n", argv[0]);
+        return 2;
+    }
     static struct RTCRayHit rays[RAYS], want[RAYS];
     user_surface s = {.extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}},
                       .how = {.size = sizeof s.how, .doubt = ALGSURF_DOUBT_HIT}};

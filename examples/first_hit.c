@@ -20,7 +20,11 @@ static void shoot(const algsurf_surface *surface, const algsurf_ray *ray) {
     }
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) {
+        fprintf(stderr, "%s: takes no arguments\n", argv[0]);
+        return 2;
+    }
     algsurf_surface *sphere;
     if (algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &sphere, NULL) != ALGSURF_OK) return 1;
 

@@ -308,7 +308,11 @@ static void show_complex_space(const algsurf_surface *surface, const algsurf_ray
            hit.t, atan2(root.im, root.re) / degree);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) {
+        fprintf(stderr, "one_pixel: takes no arguments, got '%s'\n", argv[1]);
+        return 2;
+    }
     algsurf_surface *surface = surface_of(EQUATION);
     algsurf_camera camera = make_camera();
     algsurf_ray ray = ray_through(&camera, PIXEL_X, PIXEL_Y), chord = chord_of(&ray);

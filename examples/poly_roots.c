@@ -6,7 +6,11 @@
 
 #include "algsurf/algsurf.h"
 
-int main(void) {
+int main(int argc, char **argv) {
+    if (argc > 1) {
+        fprintf(stderr, "%s: takes no arguments\n", argv[0]);
+        return 2;
+    }
     /* (t-1)(t-2)(t-3)(t^2-2), lowest degree first: three roots and sqrt(2) lie in [0, 4] */
     const double c[] = {12, -22, 6, 9, -6, 1};
     enum { DEGREE = sizeof c / sizeof *c - 1 };

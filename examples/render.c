@@ -26,8 +26,13 @@ typedef struct run {
 } run;
 
 static void list_surfaces(void) {
-    for (const catalogue_entry *entry = catalogue; entry->name; entry++)
-        printf("%s\t%d\t%s\n", entry->name, entry->degree, entry->equation);
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        const catalogue_entry *first = catalogue_first_of(entry);
+        if (first == entry)
+            printf("%s\t%d\t%s\n", entry->name, entry->degree, entry->equation);
+        else
+            printf("%s\t%d\tas %s\n", entry->name, entry->degree, first->name);
+    }
     cli_finish_output();
 }
 
@@ -38,11 +43,7 @@ static void demand(algsurf_status status) {
 
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
-    algsurf_material material = {{0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
-    if (entry) {
-        memcpy(material.outside, entry->outside, sizeof material.outside);
-        memcpy(material.inside, entry->inside, sizeof material.inside);
-    }
+    algsurf_material material = view_material(entry);
     algsurf_scene *scene;
     demand(algsurf_scene_create(surface, &scene));
     demand(algsurf_scene_set_extent(scene, extent));

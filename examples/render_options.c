@@ -86,7 +86,8 @@ static void set_progress(const cli_option *option, const char *value, void *fiel
 #define FIELD(member) offsetof(render_options, member), 0, 0
 
 static const cli_option options_table[] = {
-    {"--list", NULL, "the named surfaces: name, degree, equation", cli_set_flag, FIELD(list)},
+    {"--list", NULL, "the named surfaces: name, degree, equation, or as NAME for a synonym", cli_set_flag,
+     FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
     VIEW_OPTIONS(render_options),
     {"--output", "FILE",
@@ -150,8 +151,15 @@ static const cli_option options_table[] = {
      "pixel costs (intervals looked at, and evaluations, counted for single\n"
      "rays on one thread), and where its answer is uncertain; names as --output",
      cli_set_text, FIELD(heatmap)},
-    {"--stats", "FILE", "counts and times, a line 'key<TAB>value' each; - is standard output", cli_set_text,
-     FIELD(stats)},
+    {"--stats", "FILE",
+     "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
+     "rays: samples of the picture; hits, uncertain: of them; single_rays: of them,\n"
+     "those not solved together with their row; shadow_rays: to lights;\n"
+     "iterations: corrections of roots in complex space, 0 for a real surface;\n"
+     "expand_s, solve_s, point_s, shadow_s, shade_s: seconds for the surface in the\n"
+     "view, for roots, positions and normals, shadows, colours, each summed over\n"
+     "threads; total_s: seconds by the clock, without reading and writing files",
+     cli_set_text, FIELD(stats)},
     {"--progress", "auto|always|never", "a bar with the time left on standard error", set_progress,
      FIELD(progress)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};

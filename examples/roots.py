@@ -9,7 +9,10 @@ The shared library is looked for where the system looks: installed, or in LD_LIB
 import ctypes as ct
 import sys
 
-lib = ct.CDLL("libalgsurf.so.1")
+try:
+    lib = ct.CDLL("libalgsurf.so.1")
+except OSError as error:
+    sys.exit(f"roots.py: {error}")
 lib.algsurf_status_text.restype = ct.c_char_p
 
 
@@ -30,9 +33,11 @@ def roots(coefficients):
 
 if __name__ == "__main__":
     try:
-        for r in roots([float(a) for a in sys.argv[1:]]):
-            kind = "real" if r.real else "complex"
-            print(f"{kind}\t{r.multiplicity}\t{r.re!r}\t{r.im!r}\t{r.re_hi - r.re_lo:.2g}\t{r.im_hi - r.im_lo:.2g}")
+        found = roots([float(a) for a in sys.argv[1:]])
     except ValueError as error:
-        print(f"roots.py: {error}", file=sys.stderr)
+        print(f"usage: roots.py P0 P1 ... PN, lowest degree first; {str(error)[:200]}", file=sys.stderr)
         sys.exit(2)
+    for r in found:
+        kind = "real" if r.real else "complex"
+        widths = f"{r.re_hi - r.re_lo:.2g}\t{r.im_hi - r.im_lo:.2g}"
+        print(f"{kind}\t{r.multiplicity}\t{r.re!r}\t{r.im!r}\t{widths}")

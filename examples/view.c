@@ -158,3 +158,12 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: %s", algsurf_status_text(status));
     return camera;
 }
+
+algsurf_material view_material(const catalogue_entry *entry) {
+    algsurf_material material = {{0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
+    if (entry) {
+        memcpy(material.outside, entry->outside, sizeof material.outside);
+        memcpy(material.inside, entry->inside, sizeof material.inside);
+    }
+    return material;
+}

@@ -1,4 +1,5 @@
-/* view.h - what is shown and from where: options, else the catalogue, else what frames the extent. */
+/* view.h - what is shown, from where, in which colours: options, else the catalogue, else what frames the
+ * extent. */
 #ifndef VIEW_H
 #define VIEW_H
 #include "catalogue.h"
@@ -54,5 +55,8 @@ view view_make(const view_options *options, const catalogue_entry *entry);
 /* The camera of picture number `picture` (from 0) of a turn of `pictures` about the upward axis through
  * the point looked at.  Ends the program when there is no such camera. */
 algsurf_camera view_camera(const view *v, int picture, int pictures);
+
+/* The catalogue's colours, or those of a surface without a name (null), and one lustre for all. */
+algsurf_material view_material(const catalogue_entry *entry);
 
 #endif

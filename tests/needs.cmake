@@ -1,0 +1,28 @@
+# What the tests need beyond the library.  Where it is missing they are left out, which is told with what to
+# install; if they were asked for, by -DALGSURF_BUILD_TESTS=ON, that is an error.
+find_path(CMOCKA_INCLUDE cmocka.h)
+find_library(CMOCKA_LIBRARY cmocka)
+find_path(GMP_INCLUDE gmp.h)
+find_library(GMP_LIBRARY gmp)
+find_path(Z_INCLUDE zlib.h)
+find_library(Z_LIBRARY z)
+
+set(missing "")
+foreach(need CMOCKA=libcmocka-dev GMP=libgmp-dev Z=zlib1g-dev)
+    string(REPLACE "=" ";" need "${need}")
+    list(GET need 0 name)
+    list(GET need 1 package)
+    if(NOT ${name}_INCLUDE OR NOT ${name}_LIBRARY)
+        list(APPEND missing ${package})
+    endif()
+endforeach()
+
+if(missing)
+    list(JOIN missing " " missing)
+    if(ALGSURF_BUILD_TESTS STREQUAL "AUTO")
+        message(STATUS "Tests are left out; they need (Debian packages): ${missing}")
+        set(build_tests OFF)
+    else()
+        message(FATAL_ERROR "no tests without these (Debian packages): ${missing}")
+    endif()
+endif()
