@@ -78,12 +78,12 @@ static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root 
     }
 }
 
-/* The point at t where the frame has, or may have, overflowed; what is beyond the largest double is drawn in.
- */
+/* A coordinate of the point at t; what is beyond the largest double is drawn in. */
 static double coordinate_at(const query *q, int axis, double t) {
     return fmin(fmax(fma(t, q->ray.direction[axis], q->ray.origin[axis]), -DBL_MAX), DBL_MAX);
 }
 
+/* The point at t where the frame has, or may have, overflowed. */
 static void point_within_range(const query *q, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
         position[i] = coordinate_at(q, i, t);

@@ -49,10 +49,10 @@ typedef struct algsurf_first_roots_options {
  * Guarantee: a state other than UNCERTAIN is verified, and is what algsurf_isolate_first says.  (With
  * radii, or with a root so close to 0 that no double is between, one may be verified where the single call
  * stays undecided.)  A multiple root is UNCERTAIN, unless it is at 0 or at an end; so is a polynomial that is
- * zero throughout.  The root stays in the bracket that
- * isolates the first one; where in it is approximate, by the default tolerance to 1e-12 of the interval and
- * the rounding of the root itself: what double cannot tell to that is refined in double-double.  The bits
- * of an answer depend on its polynomial only, not on the kernel, the other polynomials or their number.
+ * zero throughout.  The root stays in the bracket that isolates the first one; where in it is approximate, by
+ * the default tolerance to 1e-12 of the interval and the rounding of the root itself: what double cannot tell
+ * to that is refined in double-double.  The bits of an answer depend on its polynomial only, not on the
+ * kernel, the other polynomials or their number.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
  * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
  * deciding; nothing is written then.
