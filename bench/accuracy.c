@@ -49,12 +49,15 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "accuracy", "[options]",
-    "Answers the rays of surfaces with every method, tolerance and tier, one by one, in packets and in\n"
-    "pictures; checks the answers against roots that are proved, then prints time and error of each.\n"
-    "An answer that contradicts what its setting promises: one line on standard error, no table, exit\n"
-    "status 1.",
-    options_table, FIELD(extra)};
+    .name = "accuracy",
+    .synopsis = "[options]",
+    .about = "Answers the rays of surfaces with every method, tolerance and tier, one by one, in\n"
+             "packets and in pictures; checks the answers against roots that are proved, then prints\n"
+             "time and error of each.  An answer that contradicts what its setting promises: one line\n"
+             "on standard error, no table, exit status 1.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 static const char legend[] =
     "Time a ray takes, and how far its first hit is off.\n"

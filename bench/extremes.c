@@ -44,13 +44,15 @@ static const cli_option options_table[] = {
      cli_set_text, FIELD(output), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
-static const cli_program program = {"extremes", "[options]",
-                                    "Asks for first hits at the edges of what doubles can say, checks the "
-                                    "answers, then prints how many were\n"
-                                    "uncertain, how far off, and how long they took.  A wrong answer of any "
-                                    "tier but the fast one: one line on\n"
-                                    "standard error, no table, exit status 1.",
-                                    options_table, FIELD(extra)};
+static const cli_program program = {
+    .name = "extremes",
+    .synopsis = "[options]",
+    .about = "Asks for first hits at the edges of what doubles can say, checks the answers, then\n"
+             "prints how many were uncertain, how far off, and how long they took.  A wrong answer\n"
+             "of any tier but the fast one: one line on standard error, no table, exit status 1.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 static const char legend[] =
     "First hits at the extremes.\n"

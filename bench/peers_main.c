@@ -25,9 +25,13 @@ static const cli_option options_table[] = {
     {"--surf", "FILE", "the program", cli_set_text, FIELD(programs.surf), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
-static const cli_program program = {"peers", "--work FOLDER [options]",
-                                    "Compares libalgsurf with other software; called by bench/peers.",
-                                    options_table, FIELD(extra)};
+static const cli_program program = {
+    .name = "peers",
+    .synopsis = "--work FOLDER [options]",
+    .about = "Compares libalgsurf with other software; called by bench/peers.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 static const char *const all_surfaces[] = {"sphere", "whitney", "cusp", "steiner", "chair",       "tangle",
                                            "torus",  "pillow",  "boy",  "barth",   "barth-decic", NULL};

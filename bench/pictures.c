@@ -71,13 +71,15 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "pictures", "[options]",
-    "Draws named surfaces with each kernel of this machine, with one thread and more, in each tier, with\n"
-    "antialiasing, in full quality, and ray by ray; checks the pictures against each other, then prints "
-    "what\n"
-    "they cost.  "
-    "Pictures that contradict each other: one line on standard error, no table, exit status 1.",
-    options_table, FIELD(extra)};
+    .name = "pictures",
+    .synopsis = "[options]",
+    .about = "Draws named surfaces with each kernel of this machine, with one thread and more, in\n"
+             "each tier, with antialiasing, in full quality, and ray by ray; checks the pictures\n"
+             "against each other, then prints what they cost.  Pictures that contradict each other:\n"
+             "one line on standard error, no table, exit status 1.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 /* ---- the ways to draw ---- */
 

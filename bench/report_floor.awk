@@ -2,6 +2,5 @@
 FNR == 2 { first = $(c("kernel")) }
 $(c("kernel")) == first { list[++n] = $(c("ratio")) }
 END {
-    print "Solving a ray takes " times(median(list, n)) " the least it can:"
-    print "a chord, coefficients and their signs."
+    print "Solving a ray takes " times(median(list, n)) " the least it can: a chord, coefficients and their signs."
 }

@@ -27,11 +27,11 @@ END {
     printf "All complex roots of a polynomial in boxes that are proved to hold them, from %s ", told(low)
     printf "to %s: complete for %.4g %% of the polynomials, ", told(high),
         whole["robust cold"] / count["robust cold"]
-    printf "boxes %s units in the last place wide (median).\n", width("robust cold")
+    printf "width of the boxes in units in the last place, median: %s.\n", width("robust cold")
     printf "The algorithm of Sanjuan-Estrada, Casado and Garcia takes %s as long, ",
         ratio("paper cold", "robust cold")
     printf "is complete for %.4g %%, ", whole["paper cold"] / count["paper cold"]
-    printf "its boxes %s units wide.\n", width("paper cold")
+    printf "width of its boxes: %s units.\n", width("paper cold")
     printf "Starting with the roots of the neighbouring ray takes %s the time of a cold start, ",
         ratio("robust near", "robust cold")
     printf "for their algorithm %s.\n", ratio("paper near", "paper cold")

@@ -48,12 +48,15 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "seed", "[options]",
-    "Compares bisection, regula falsi, Brent's method, the library's default, Illinois, Chandrupatla and "
-    "ITP\n"
-    "on the rays of seven surfaces, checks every root, then prints what each costs and where it fails.\n"
-    "A root missed by a method that may not: one line on standard error, no table, exit status 1.",
-    options_table, FIELD(extra)};
+    .name = "seed",
+    .synopsis = "[options]",
+    .about = "Compares bisection, regula falsi, Brent's method, the library's default, Illinois,\n"
+             "Chandrupatla and ITP on the rays of seven surfaces, checks every root, then prints\n"
+             "what each costs and where it fails.  A root missed by a method that may not: one line\n"
+             "on standard error, no table, exit status 1.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 static const char *const surfaces[SEED_SURFACES] = {"barth",  "cusp",       "torus",
                                                     "pillow", "lemniscate", "tangle"};

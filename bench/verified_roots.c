@@ -43,12 +43,16 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "verified_roots", "[options]",
-    "Encloses all complex roots of polynomials, with the robust solver and with the algorithm of\n"
-    "Sanjuan-Estrada, Casado, Garcia; checks the answers, then prints how many roots were verified, how\n"
-    "wide the boxes are, and how long it took.  Answers that contradict each other or the polynomial:\n"
-    "one line on standard error, no table, exit status 1.",
-    options_table, FIELD(extra)};
+    .name = "verified_roots",
+    .synopsis = "[options]",
+    .about = "Encloses all complex roots of polynomials, with the robust solver and with the\n"
+             "algorithm of Sanjuan-Estrada, Casado, Garcia; checks the answers, then prints how many\n"
+             "roots were verified, how wide the boxes are, and how long it took.  Answers that\n"
+             "contradict each other or the polynomial: one line on standard error, no table, exit\n"
+             "status 1.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 /* ---- the solvers ---- */
 

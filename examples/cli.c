@@ -143,11 +143,20 @@ static void print_option(const char *name, const char *argument, const char *hel
     }
 }
 
+static void print_examples(const char *line) {
+    puts("\nexamples:");
+    for (size_t length; *line; line += length + (line[length] == '\n')) {
+        length = strcspn(line, "\n");
+        printf("  %.*s\n", (int)length, line);
+    }
+}
+
 static _Noreturn void print_help(const cli_program *program) {
     printf("usage: %s %s\n\n%s\n\noptions:\n", program->name, program->synopsis, program->about);
     for (const cli_option *o = program->options; o->name; o++) print_option(o->name, o->argument, o->help);
     print_option("--help", NULL, "this text");
     print_option("--version", NULL, "the version of libalgsurf");
+    if (program->examples) print_examples(program->examples);
     cli_finish_output();
     exit(0);
 }

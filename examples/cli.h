@@ -45,6 +45,7 @@ typedef struct cli_program {
     const char *name, *synopsis, *about;
     const cli_option *options; /* ends with a row of zeros; --help and --version come by themselves */
     size_t positional;         /* offset of the const char * that receives the one plain argument */
+    const char *examples;      /* commands, one a line, or null */
 } cli_program;
 
 /* Reads the command line into the structure that the offsets are about. */

@@ -24,9 +24,13 @@ static const cli_option options_table[] = {
      cli_set_text, offsetof(sheet_options, output), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
-static const cli_program program = {"gallery_sheet", "[options]",
-                                    "Draws all named surfaces in one picture, each with its name.",
-                                    options_table, offsetof(sheet_options, extra)};
+static const cli_program program = {
+    .name = "gallery_sheet",
+    .synopsis = "[options]",
+    .about = "Draws all named surfaces in one picture, each with its name.",
+    .options = options_table,
+    .positional = offsetof(sheet_options, extra),
+};
 
 static void demand(algsurf_status status, const char *name) {
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();

@@ -43,9 +43,13 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "host_renderer", "[options]",
-    "Draws a tanglecube among balls and over a floor: shadows, mirrors, packets of rays, a cut-away.",
-    options_table, FIELD(extra)};
+    .name = "host_renderer",
+    .synopsis = "[options]",
+    .about = "Draws a tanglecube among balls and over a floor: shadows, mirrors, packets of rays, a\n"
+             "cut-away.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
 
 /* Subnormal operands and results become zero, as Embree asks of its users. */
 static void flush_to_zero(void) {

@@ -32,13 +32,19 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "intersect", "[options] (NAME | --equation TEXT | --terms FILE)",
-    "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal or\n"
-    "hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table with the\n"
-    "columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z, nx, ny, nz: t_lo..t_hi\n"
-    "holds the hit (for uncertain: no hit lies before t_lo), x y z is the point, nx ny nz the unit\n"
-    "normal, and what does not exist is '-'.  NAME is one of those that render --list shows.",
-    options_table, offsetof(intersect_options, surface.name)};
+    .name = "intersect",
+    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
+    .about = "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal\n"
+             "or hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table\n"
+             "with the columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z,\n"
+             "nx, ny, nz: t_lo..t_hi holds the hit (for uncertain: no hit lies before t_lo), x y z\n"
+             "is the point, nx ny nz the unit normal, and what does not exist is '-'.  NAME is one\n"
+             "of those that render --list shows.",
+    .options = options_table,
+    .positional = offsetof(intersect_options, surface.name),
+    .examples = "echo '-4 0.25 0  1 0 0  0 inf' | intersect torus\n"
+                "echo '-4 0 0  1 0 0  0 inf' | intersect --equation 'x^2 + y^2 + z^2 = 1' --all",
+};
 
 /* What every line needs. */
 typedef struct run {

@@ -310,7 +310,7 @@ static void show_complex_space(const algsurf_surface *surface, const algsurf_ray
 
 int main(int argc, char **argv) {
     if (argc > 1) {
-        fprintf(stderr, "one_pixel: takes no arguments, got '%s'\n", argv[1]);
+        fprintf(stderr, "%s: takes no arguments\n", argv[0]);
         return 2;
     }
     algsurf_surface *surface = surface_of(EQUATION);

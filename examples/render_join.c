@@ -31,11 +31,16 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "render --join", "--output FILE [--hits FILE] SLICE.ppm ...",
-    "Joins slices that --rows drew, here or elsewhere, in any order: the files are those that a run\n"
-    "without --rows writes.  Rows that are missing or there twice, damaged files and slices of\n"
-    "different pictures are told, and nothing is written.",
-    options_table, 0};
+    .name = "render --join",
+    .synopsis = "--output FILE [--hits FILE] SLICE.ppm ...",
+    .about = "Joins slices that --rows drew, here or elsewhere, in any order: the files are those\n"
+             "that a run without --rows writes.  Rows that are missing or there twice, damaged files\n"
+             "and slices of different pictures are told, and nothing is written.",
+    .options = options_table,
+    .examples = "render barth --rows 0:384 --output upper.ppm\n"
+                "render barth --rows 384:768 --output lower.ppm\n"
+                "render --join --output barth.png upper.ppm lower.ppm",
+};
 
 static size_t rows_of(const render_slice *slice) { return (size_t)(slice->end - slice->begin); }
 

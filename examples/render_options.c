@@ -91,8 +91,9 @@ static const cli_option options_table[] = {
     CLI_SURFACE_OPTIONS(render_options),
     VIEW_OPTIONS(render_options),
     {"--output", "FILE",
-     "the picture: .png, .bmp or .ppm; - is a PPM on standard output,\nand a "
-     "device or pipe gets one; default NAME.png, or surface.png when the surface has no name",
+     "the picture, .png, .bmp or .ppm by its ending; - is standard output, as a\n"
+     "PPM, which a device or a pipe by name gets, too, whatever its ending;\n"
+     "default NAME.png, or surface.png when the surface has no name",
      cli_set_text, FIELD(output)},
     {"--quality", "preview|standard|full",
      "no illumination model; lights without shadows (default);\ntwo "
@@ -165,9 +166,18 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "render", "[options] (NAME | --equation TEXT | --terms FILE)",
-    "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.", options_table,
-    offsetof(render_options, surface.name)};
+    .name = "render",
+    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
+    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.",
+    .options = options_table,
+    .positional = offsetof(render_options, surface.name),
+    .examples = "render barth --output barth.png\n"
+                "render --equation 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
+                "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
+                "render labs --tier certified --stats -\n"
+                "render steiner --delta pi/36 --output opening.png\n"
+                "render tangle --sweep turn:36 --size 512x384 --output turn.png",
+};
 
 /* Which file gets standard output; at most one may. */
 static void check_standard_output(const render_options *options) {

@@ -45,15 +45,23 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "roots", "[options]",
-    "Reads polynomials from standard input, one a line, as coefficients p_0 p_1 ... p_n separated by\n"
-    "blanks, each \"re\" or \"re,im\", decimal or hexadecimal, at most 513; '#' starts a comment.  Prints\n"
-    "all complex roots: an approximation, a box that encloses it, how many roots the box holds, and\n"
-    "whether that is proved.  Leading zeros are no coefficients: roots at infinity are not listed.\n"
-    "The columns of --format tsv: line, index, re, im, re_lo, re_hi, im_lo, im_hi, multiplicity (- where\n"
-    "it is not known), verified (1 or 0; for real roots 0 means: maybe there is none); a bad line has\n"
-    "the index \"error\", and '-' for what does not exist.  Numbers read back exactly.",
-    options_table, offsetof(roots_options, extra)};
+    .name = "roots",
+    .synopsis = "[options]",
+    .about = "Reads polynomials from standard input, one a line, as coefficients p_0 p_1 ... p_n\n"
+             "separated by blanks, each \"re\" or \"re,im\", decimal or hexadecimal, at most 513; '#'\n"
+             "starts a comment.  Prints all complex roots: an approximation, a box that encloses it,\n"
+             "how many roots the box holds, and whether that is proved.  Zeros at the end of a line\n"
+             "lower the degree: no root is at infinity.\n"
+             "The columns of --format tsv: line, index, re, im, re_lo, re_hi, im_lo, im_hi,\n"
+             "multiplicity (- where it is not known), verified (1 or 0; for real roots 0 means:\n"
+             "maybe there is none); a bad line has the index \"error\", and '-' for what does not\n"
+             "exist.  Numbers read back exactly.",
+    .options = options_table,
+    .positional = offsetof(roots_options, extra),
+    .examples = "echo '-4 0 3 0 1' | roots\n"
+                "echo '-4 0 3 0 1' | roots --real 0:inf --format tsv\n"
+                "echo '1,2 0 -3.5,0x1p-3' | roots",
+};
 
 /* What every line needs. */
 typedef struct run {
@@ -79,13 +87,14 @@ static void print_columns(size_t line, const roots_row *rows, int count) {
 }
 
 static void print_root(int index, const roots_row *r) {
-    printf("%5d  %.17g", index, r->value.re);
-    if (r->box.im.lo != 0 || r->box.im.hi != 0) printf(" %+.17g i", r->value.im);
+    int real = r->box.im.lo == 0 && r->box.im.hi == 0;
+    printf("%5d  %-7s  %.17g", index, real ? "real" : "complex", r->value.re);
+    if (!real) printf(" %+.17g i", r->value.im);
     printf("   in [%.17g, %.17g]", r->box.re.lo, r->box.re.hi);
-    if (r->box.im.lo != 0 || r->box.im.hi != 0) printf(" + [%.17g, %.17g] i", r->box.im.lo, r->box.im.hi);
+    if (!real) printf(" + [%.17g, %.17g] i", r->box.im.lo, r->box.im.hi);
     if (r->multiplicity > 1) printf(", %d roots", r->multiplicity);
     if (r->multiplicity == 0 && r->verified) printf(", simple or multiple");
-    puts(r->verified ? "" : ", not verified: maybe none");
+    puts(r->verified ? ", verified" : ", not verified: maybe none");
 }
 
 static void print_text(const run *r, size_t line, int count) {

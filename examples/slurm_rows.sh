@@ -32,5 +32,9 @@ end=$(((SLURM_ARRAY_TASK_ID + 1) * height / slices))
 [ "$first" -lt "$end" ] || exit 0 # more slices than rows
 mkdir -p "$folder"
 slice=$folder/slice-$SLURM_ARRAY_TASK_ID
-exec "${RENDER:-render}" "$@" --size "$size" --rows "$first:$end" --threads "${SLURM_CPUS_PER_TASK:-1}" \
-    --progress never --output "$slice.ppm" --hits "$slice.hits"
+"${RENDER:-render}" "$@" --size "$size" --rows "$first:$end" --threads "${SLURM_CPUS_PER_TASK:-1}" \
+    --progress never --output "$slice.ppm" --hits "$slice.hits" || {
+    status=$?
+    rmdir "$folder" 2>/dev/null || : # a refusal leaves nothing; a folder with other tasks' slices stays
+    exit $status
+}

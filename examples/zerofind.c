@@ -102,13 +102,18 @@ static const cli_option options_table[] = {
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
-    "zerofind",
-    "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
-    "                (NAME | --equation TEXT | --terms FILE)",
-    "Plots the polynomial P*(t) of a surface along one ray, as far as it is inside the extent: the roots,\n"
-    "the bracket that isolates the first one, and every iterate on the way to it.  NAME is one of those\n"
-    "that render --list shows; pixels, camera and extent are as for render.",
-    options_table, offsetof(zerofind_options, surface.name)};
+    .name = "zerofind",
+    .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
+                "                (NAME | --equation TEXT | --terms FILE)",
+    .about = "Plots the polynomial P*(t) = P(o + t d) of a surface P = 0 along one ray, as far as it\n"
+             "is inside the extent: the roots, the bracket that isolates the first one, and every\n"
+             "iterate on the way to it.  NAME is one of those that render --list shows; pixels,\n"
+             "camera and extent are as for render.",
+    .options = options_table,
+    .positional = offsetof(zerofind_options, surface.name),
+    .examples = "zerofind barth --pixel 500,300 --output p.svg\n"
+                "zerofind tangle --ray -4,1,0.5,1,0,0 --method regula-falsi --trace",
+};
 
 static void refuse_camera(const view_options *asked) {
     const struct {

@@ -17,13 +17,15 @@ if(DOXYGEN_FOUND)
         COMMENT "${reference_folder}/index.html" VERBATIM)
 endif()
 
+set(man_programs render intersect roots zerofind)
+list(JOIN man_programs " " man_programs_text)
 set(man_pages "")
 function(algsurf_man_page program summary)
     set(page "${PROJECT_BINARY_DIR}/man/${program}.1")
     add_custom_command(OUTPUT "${page}"
         COMMAND ${CMAKE_COMMAND} -E make_directory "${PROJECT_BINARY_DIR}/man"
         COMMAND "${guide_folder}/manual" "${page}" "${summary}" "${PROJECT_VERSION}"
-                ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>
+                "${man_programs_text}" ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>
         DEPENDS ${program} "${guide_folder}/manual" COMMENT "${page}" VERBATIM)
     set(man_pages ${man_pages} "${page}" PARENT_SCOPE)
 endfunction()

@@ -130,7 +130,7 @@ typedef struct algsurf_root_stats {
 /* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,
  * E_NO_MEMORY.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **solver);
-/* null is allowed.  Since 1.0. */
+/* Releases a solver and its memory; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_root_solver_free(algsurf_root_solver *solver);
 /* As algsurf_roots; `start` null, or `degree` start values for the iteration, all different (good ones
  * save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.

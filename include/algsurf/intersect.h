@@ -13,7 +13,9 @@ extern "C" {
 /* How much is known about an answer, and what it may cost. */
 typedef enum algsurf_tier {
     ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
-                                  again in double-double; what is still in doubt is told: uncertain */
+                                  again in double-double; what is still in doubt is told: uncertain.  Where
+                                  an extent cuts the ray, the ends of the piece inside are rounded, and
+                                  answers are about the rounded piece */
     ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
                                   of a root at an end; uncertain only where numbers overflow */
     ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
@@ -36,8 +38,8 @@ typedef enum algsurf_doubt {
 
 /* What is known of a hit. */
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified, except in the fast tier */
-    ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified, except in the fast tier */
+    ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified as algsurf_tier says */
+    ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified as algsurf_tier says */
     ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, that the tier cannot decide */
 } algsurf_hit_state;
 
