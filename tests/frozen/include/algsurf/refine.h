@@ -68,9 +68,9 @@ ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, doub
 typedef void (*algsurf_refine_observer)(double x, double value, void *data);
 
 /* algsurf_refine_poly, watched: the same result, bit for bit, and `observe` called once for each evaluation,
- * in their order: lo, hi, then the points the method chooses.  (A function that algsurf_refine calls sees them
- * by itself.)  The observer runs in the library's floating-point environment, round to nearest, and must leave
- * that as it is.
+ * in their order: lo, hi, then the points the method chooses.  (With algsurf_refine_function it is the
+ * function that sees them.)  The observer runs in the library's floating-point environment, round to nearest,
+ * and must leave that as it is.
  * Errors: as above, and E_ARGUMENT for a null observer; with equal signs it has seen both ends.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
