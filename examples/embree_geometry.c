@@ -187,17 +187,13 @@ static void trace(RTCScene scene, const int *valid, unsigned N, int shadow, floa
     if (N == 16 && !shadow) rtcIntersect16(valid, scene, &context, p);
 }
 
-/* The same number, but for the last bit: packets and single rays may round differently. */
-static int same(float a, float b) { return a >= nextafterf(b, -INFINITY) && a <= nextafterf(b, INFINITY); }
-
 static int agrees(const struct RTCRayHit *got, const struct RTCRayHit *want, int shadow) {
     int met = want->hit.geomID != RTC_INVALID_GEOMETRY_ID;
     if (shadow) return got->ray.tfar == (met ? -INFINITY : INFINITY);
     if (got->hit.geomID != want->hit.geomID) return 0;
     if (!met) return got->ray.tfar == INFINITY;
-    if (!same(got->ray.tfar, want->ray.tfar)) return 0;
-    return fabsf(got->hit.Ng_x - want->hit.Ng_x) <= 1e-6f && fabsf(got->hit.Ng_y - want->hit.Ng_y) <= 1e-6f &&
-           fabsf(got->hit.Ng_z - want->hit.Ng_z) <= 1e-6f;
+    return got->ray.tfar == want->ray.tfar && got->hit.Ng_x == want->hit.Ng_x &&
+           got->hit.Ng_y == want->hit.Ng_y && got->hit.Ng_z == want->hit.Ng_z; /* the same bits */
 }
 
 /* All rays, N at a time; returns how many answers differ from those wanted. */

@@ -1,4 +1,7 @@
-/* intersect.c - first hit, all hits, occluded: roots along a ray become hits. */
+/* intersect.c - a single ray's first hit, all of its hits, occluded or not: roots become hits.
+ *
+ * The first hit, and occlusion, are here for the rays that the packet code leaves alone (intersect_packet.c).
+ */
 #include "algsurf/intersect.h"
 
 #include <float.h>
@@ -139,17 +142,6 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface 
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                       const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                       algsurf_hit *hit) {
-    if (!hit) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_intersect_first(surface, extent, ray, options, hit);
-    algsurf_fpenv_leave(&saved);
-    return status;
-}
-
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
                                            const algsurf_ray *ray, const algsurf_intersect_options *options,
                                            algsurf_hit *hits, int capacity, int *count) {
@@ -193,15 +185,4 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_occluded(const algsurf_surface *surfac
                                               roots, ALGSURF_MAX_DEGREE + 1);
     *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
     return ALGSURF_OK;
-}
-
-algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                                const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                algsurf_hit_state *state) {
-    if (!state) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_occluded(surface, extent, ray, options, state);
-    algsurf_fpenv_leave(&saved);
-    return status;
 }

@@ -46,6 +46,7 @@ struct algsurf_surface {
     int node_degree; /* at least degree */
     double *nodes, *to_bernstein;
     double amplification; /* the largest sum of |entries| in a row */
+    double clear_reach;   /* the largest reach of a chord (rays.inc) over which rounding stays below 2^-12 */
 };
 
 /* The rounding of values counts amplification times, which doubles with each degree.  Of rays on Chmutov's
@@ -57,7 +58,7 @@ struct algsurf_surface {
 algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error, double rounding,
                                       algsurf_surface **surface);
 
-/* Sets node_degree, nodes, to_bernstein and amplification; 0 when there is no memory. */
+/* Sets node_degree, nodes, to_bernstein, amplification and clear_reach; 0 when there is no memory. */
 int algsurf_i_surface_set_nodes(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by

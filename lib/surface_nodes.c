@@ -58,5 +58,7 @@ int algsurf_i_surface_set_nodes(algsurf_surface *s) {
         for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[j * (n + 1) + i]);
         s->amplification = fmax(s->amplification, sum);
     }
+    /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
+    s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
     return 1;
 }

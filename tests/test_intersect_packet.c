@@ -1,10 +1,10 @@
-/* test_intersect_packet.c - packets of rays against single calls, and against exact arithmetic.
+/* test_intersect_packet.c - packets of rays against the scalar way, and against exact arithmetic.
  *
  * Breaks caught, each tried: the rounding of the values or of the chord's ends left out of the bounds, the
  * bound of the ends without that of the extent, an end that is not looked at, a doubtful lane told as a miss,
  * the middle of a far chord without double-double, no step on P itself, a lane that depends on its
  * neighbours, a mask or a count not looked at, rays not checked, a kernel that doubts everything, an
- * environment left as the caller's.
+ * environment left as the caller's, a single call with other bits than a packet.
  */
 #include "intersect_case.h"
 
@@ -115,14 +115,32 @@ static void judge_normal(const packet_case *c, int i, const algsurf_hit *hit) {
     tallied.normals++;
 }
 
-/* Ray i of a packet that was asked, beside the single calls. */
-static void judge(const packet_case *c, int i, const algsurf_extent *extent,
-                  const algsurf_intersect_options *options) {
+/* A single call's bits are those of the packet. */
+static void judge_single(const packet_case *c, int i, const algsurf_extent *extent,
+                         const algsurf_intersect_options *options) {
     algsurf_ray ray = ray_at(c, i);
     algsurf_hit single, hit = hit_at(c, i);
     algsurf_hit_state occluded;
     assert_int_equal(algsurf_intersect_first(surface, extent, &ray, options, &single), ALGSURF_OK);
     assert_int_equal(algsurf_occluded(surface, extent, &ray, options, &occluded), ALGSURF_OK);
+    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNCERTAIN))
+        packet_fail("a reason to be uncertain", c, i, &single);
+    single.reason = ALGSURF_OK; /* packets do not tell */
+    if (memcmp(&hit, &single, sizeof hit) != 0 || c->occluded[i] != occluded)
+        packet_fail("not what a single call writes", c, i, &single);
+}
+
+/* Ray i of a packet that was asked, beside the scalar way: the packet code knows no limits of iterations. */
+static void judge(const packet_case *c, int i, const algsurf_extent *extent,
+                  const algsurf_intersect_options *options) {
+    algsurf_ray ray = ray_at(c, i);
+    algsurf_hit single, hit = hit_at(c, i);
+    algsurf_hit_state occluded;
+    algsurf_intersect_options scalar = *options;
+    scalar.max_iterations = 1000;
+    judge_single(c, i, extent, options);
+    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &scalar, &single), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded(surface, extent, &ray, &scalar, &occluded), ALGSURF_OK);
     if (hit.state != single.state) packet_fail("state", c, i, &single);
     if (c->occluded[i] != occluded) packet_fail("occluded", c, i, &single);
     tallied.rays++, tallied.hits += hit.state == ALGSURF_HIT;
@@ -130,10 +148,10 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
     if (hit.state != ALGSURF_HIT) {
         single.reason = ALGSURF_OK;
         if (memcmp(&hit, &single, sizeof hit) != 0)
-            packet_fail("not what a single call writes", c, i, &single);
+            packet_fail("not what the scalar way says", c, i, &single);
         return;
     }
-    int fast = options && options->tier == ALGSURF_TIER_FAST;
+    int fast = options->tier == ALGSURF_TIER_FAST;
     if (!(hit.t_lo <= hit.t && hit.t <= hit.t_hi)) packet_fail("t outside of its interval", c, i, &single);
     if (!fast && !(hit.t_lo <= single.t_hi && single.t_lo <= hit.t_hi))
         packet_fail("intervals apart", c, i, &single);
@@ -148,7 +166,7 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
     judge_normal(c, i, &hit);
 }
 
-/* The first `count` rays by every kernel: the same bits, and what single calls say. */
+/* The first `count` rays by every kernel: the same bits, and what the scalar way says. */
 static void judge_all(int count, const algsurf_extent *extent, algsurf_tier tier) {
     for (int k = 0; algsurf_kernel_name(k); k++) {
         algsurf_intersect_options options = {.size = sizeof options, .tier = tier};

@@ -1,9 +1,9 @@
 /* intersect.c - fuzzes rays: "OX OY OZ DX DY DZ T_MIN T_MAX", "KIND CX CY CZ SX SY SZ", then terms "I J K A".
  *
  * KIND: 0 no extent, 1 a ball, 2 a box.  Without an extent intersect_case.h judges the single calls, by a
- * Sturm chain; packets must say what single calls say, of the ray alone and among others, with every kernel.
- * The certified tier is judged alike.  With an extent, whose ends are rounded, all calls must agree; of a ray
- * that lies in the surface none may call it a miss.
+ * Sturm chain; packets must say what single calls say, to the bit, of the ray alone and among others, with
+ * every kernel, and must not contradict the scalar way. The certified tier is judged alike.  With an extent,
+ * whose ends are rounded, all calls must agree; of a ray that lies in the surface none may call it a miss.
  */
 #include "intersect_case.h"
 #include "fuzz.h"
@@ -72,21 +72,31 @@ static void ask_packets(packet *p, const algsurf_extent *extent) {
     }
 }
 
-/* Each lane against the single calls about its ray. */
+/* The single calls about lane i's ray. */
+static void ask_single(const packet *p, int i, const algsurf_extent *extent, int max_iterations,
+                       algsurf_hit *hit, algsurf_hit_state *occluded) {
+    const algsurf_intersect_options options = {.size = sizeof options, .max_iterations = max_iterations};
+    algsurf_ray ray = {.t_min = p->t_min[i], .t_max = p->t_max[i]};
+    for (int k = 0; k < 3; k++) ray.origin[k] = p->origin[k][i], ray.direction[k] = p->direction[k][i];
+    fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &options, hit) == ALGSURF_OK);
+    fuzz_check(algsurf_occluded(c.surface, extent, &ray, &options, occluded) == ALGSURF_OK);
+}
+
 static void check_lanes(const packet *p, const algsurf_extent *extent) {
-    algsurf_ray whole = c.ray;
     for (int i = 0; i < LANES; i++) {
         algsurf_hit hit;
         algsurf_hit_state occluded;
-        for (int k = 0; k < 3; k++)
-            whole.origin[k] = p->origin[k][i], whole.direction[k] = p->direction[k][i];
-        whole.t_min = p->t_min[i], whole.t_max = p->t_max[i];
-        fuzz_check(algsurf_intersect_first(c.surface, extent, &whole, NULL, &hit) == ALGSURF_OK);
-        fuzz_check(algsurf_occluded(c.surface, extent, &whole, NULL, &occluded) == ALGSURF_OK);
+        packet one = *p;
+        ask_single(p, i, extent, 0, &hit, &occluded);
+        one.state[i] = (unsigned char)hit.state, one.occluded[i] = (unsigned char)occluded;
+        one.t[i] = hit.t, one.t_lo[i] = hit.t_lo, one.t_hi[i] = hit.t_hi;
+        for (int k = 0; k < 3; k++) one.position[k][i] = hit.position[k], one.normal[k][i] = hit.normal[k];
+        check_bits(p, &one, (size_t)i);
+        ask_single(p, i, extent, 1000, &hit, &occluded); /* a limit, which the packet code does not know */
         if (p->state[i] != hit.state || p->occluded[i] != (int)occluded)
-            fprintf(stderr, "lane %d: first %d, occluded %d; single: %d, %d\n", i, p->state[i],
+            fprintf(stderr, "lane %d: first %d, occluded %d; scalar: %d, %d\n", i, p->state[i],
                     p->occluded[i], hit.state, (int)occluded);
-        if (hit.state == ALGSURF_UNCERTAIN) continue; /* of a long ray a packet may know more */
+        if (hit.state == ALGSURF_UNCERTAIN) continue; /* of a long ray the packet code may know more */
         fuzz_check(p->state[i] == hit.state && p->occluded[i] == (int)occluded);
         if (hit.state == ALGSURF_MISS) fuzz_check(p->t[i] == (double)INFINITY);
         if (hit.state == ALGSURF_MISS) continue;

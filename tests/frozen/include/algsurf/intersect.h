@@ -84,8 +84,9 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * within a few u S(X)/|p'(t)|, u = 2^-53, S(X) the size that rounding the inputs can give P at the hit.
  * Returns OK also for a miss and for uncertain: the state is in hit.
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction).
- * Cost: 0.3 to 3 microseconds for degrees 2 to 10; a doubtful ray some 30 times that; no allocation.
- * Since 1.0. */
+ * A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
+ * Cost: 0.2 to 1 microseconds for degrees 2 to 10; other methods, and rays far longer than the surface is
+ * large, twice that; a doubtful ray some 30 times that; no allocation.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
@@ -95,8 +96,10 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
  *   count           how many were written, uncertain ones included
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
- * first hit, for each; what is not in an entry is no hit.  Cost: about that of the first hit for each of
- * them.  Since 1.0. */
+ * first hit, for each; what is not in an entry is no hit.  The first entry and algsurf_intersect_first agree
+ * in what they prove, in t up to the last bits, but not in t_lo and t_hi; of a ray thousands of natural units
+ * long that call may decide what is uncertain here.  Cost: 0.3 to 3 microseconds for the first of them, for
+ * degrees 2 to 10, and about as much for each of the others.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  const algsurf_ray *ray,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
@@ -133,11 +136,7 @@ typedef struct algsurf_hit_packet {
  *   options  as there, and a kernel; methods other than the default, a limit of iterations, and degrees
  *            above 20 take the rays one by one; a tolerance is met, but saves nothing
  *   hits     arrays that overlap neither each other nor those of the rays
- * Guarantee: that of the single call.  In the standard tier the states are the same, but that a packet may
- * decide a ray, thousands of natural units long, of which the single call is uncertain; intervals enclose and
- * isolate, and t, position and normal are within the same bound; in the fast tier a state may differ within
- * rounding of a tangency.  The bits of an answer do not depend on the kernel, nor on the other rays of the
- * packet.
+ * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
  * options; E_ARGUMENT (null, or a size that is none).  In any case nothing is written.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
