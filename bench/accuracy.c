@@ -41,7 +41,7 @@ static void set_surface(const cli_option *option, const char *value, void *field
 static const cli_option options_table[] = {
     {"--surface", "NAME", "a surface of the catalogue (repeatable), default tangle, boy, barth, barth-decic",
      set_surface, 0, 0, 0},
-    {"--repeat", "N", "times taken of which the median is told, default 3", cli_set_int, FIELD(repeat), 1,
+    {"--repeat", "N", "times taken of which the median is reported, default 3", cli_set_int, FIELD(repeat), 1,
      MAX_REPEAT},
     {"--output", "FOLDER", "all numbers as CSV and charts as SVG go there; made if there is none",
      cli_set_text, FIELD(output), 0, 0},

@@ -59,7 +59,7 @@ static void set_choice(const cli_option *option, const char *value, void *field)
 
 static const cli_option options_table[] = {
     {"--size", "WxH", "of the pictures, at least 16x16, default 1024x768", set_size, 0, 0, 0},
-    {"--repeat", "N", "pictures of which the median is told, default 5", cli_set_int, FIELD(repeat), 1,
+    {"--repeat", "N", "pictures of which the median is reported, default 5", cli_set_int, FIELD(repeat), 1,
      MAX_REPEAT},
     {"--surface", "NAME", "a surface of the catalogue (repeatable), default all of them", set_surface, 0, 0,
      0},

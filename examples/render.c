@@ -190,6 +190,8 @@ int main(int argc, char **argv) {
     if (argc > 1 && strcmp(argv[1], "--join") == 0) return render_join(argc - 1, argv + 1);
     render_options options = render_parse_options(argc, argv);
     if (options.list) {
+        if (options.surface.name || options.surface.equation || options.surface.terms)
+            cli_fail(CLI_BAD_INPUT, "--list: takes no surface");
         list_surfaces();
         return 0;
     }

@@ -35,7 +35,7 @@ static const cli_program program = {
     .synopsis = "--output FILE [--hits FILE] SLICE.ppm ...",
     .about = "Joins slices that --rows drew, here or elsewhere, in any order: the files are those\n"
              "that a run without --rows writes.  Rows that are missing or there twice, damaged files\n"
-             "and slices of different pictures are told, and nothing is written.",
+             "and slices of different pictures are reported, and nothing is written.",
     .options = options_table,
     .examples = "render barth --rows 0:384 --output upper.ppm\n"
                 "render barth --rows 384:768 --output lower.ppm\n"

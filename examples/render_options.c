@@ -86,13 +86,13 @@ static void set_progress(const cli_option *option, const char *value, void *fiel
 #define FIELD(member) offsetof(render_options, member), 0, 0
 
 static const cli_option options_table[] = {
-    {"--list", NULL, "the named surfaces: name, degree, equation, or as NAME for a synonym", cli_set_flag,
-     FIELD(list)},
+    {"--list", NULL, "the named surfaces: name, degree, equation, or as NAME: another view of it",
+     cli_set_flag, FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
     VIEW_OPTIONS(render_options),
     {"--output", "FILE",
      "the picture, .png, .bmp or .ppm by its ending; - is standard output, as a\n"
-     "PPM, which a device or a pipe by name gets, too, whatever its ending;\n"
+     "PPM, as for the names of devices and pipes;\n"
      "default NAME.png, or surface.png when the surface has no name",
      cli_set_text, FIELD(output)},
     {"--quality", "preview|standard|full",

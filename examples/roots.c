@@ -38,8 +38,8 @@ static const cli_option options_table[] = {
     {"--real", "LO:HI", "only the real roots in LO..HI, ends included; -inf and inf are allowed",
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
-     "half width wanted of an enclosure with --real, default 0: all a double can\n"
-     "tell; without --real enclosures are always as narrow as they can be",
+     "half width wanted of an enclosure with --real, default 0: as narrow as the\n"
+     "rounding of the polynomial's values allows; without --real it always is",
      cli_set_tolerance, FIELD(tolerance)},
     {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};

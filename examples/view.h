@@ -22,13 +22,13 @@ void view_set_orthographic(const cli_option *option, const char *value, void *fi
 /* The rows of the option table for the member `view` of a structure. */
 #define VIEW_OPTIONS(type)                                                                                   \
     {"--size", "WxH", "size of the picture, default 1024x768", view_set_size, offsetof(type, view), 0, 0},   \
-    {"--eye", "X,Y,Z", "where the camera stands; default: as far as frames the extent", cli_set_vector,      \
+    {"--eye", "X,Y,Z", "where the camera stands; default: far enough to frame the extent", cli_set_vector,   \
      offsetof(type, view.eye), 0, 0},                                                                        \
     {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,        \
      offsetof(type, view.look_at), 0, 0},                                                                    \
     {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector,                            \
      offsetof(type, view.up), 0, 0},                                                                         \
-    {"--fov", "DEGREES", "vertical field of view, default 30; magnifies: the eye stays", view_set_fov,       \
+    {"--fov", "DEGREES", "vertical field of view, default 30; less magnifies, the eye stays", view_set_fov,   \
      offsetof(type, view.fov), 0, 0},                                                                        \
     {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",                  \
      view_set_orthographic, offsetof(type, view.orthographic), 0, 0},                                        \

@@ -66,8 +66,8 @@ static void point_at(const algsurf_i_frame *f, algsurf_dd offset, double x[3]) {
 
 /* Newton steps on P at the point itself, in natural units: they take out what the expansion over a long
  * chord lost.  One is the rule; more only where the first was large. */
-static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, double x[3],
-                   double gradient[3]) {
+static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, double x[3]) {
+    double gradient[3];
     double lo = ldexp(root->t_lo, f->exponent), hi = ldexp(root->t_hi, f->exponent);
     for (int i = 0; i < 4; i++) {
         double value = algsurf_i_surface_value(q->surface, x, gradient);
@@ -104,24 +104,54 @@ static void set_position(const query *q, const algsurf_i_frame *f, const double 
     }
 }
 
+/* The gradient at the point `back` before x on the ray, in natural units; 0 when it is mostly rounding. */
+static int gradient_before(const query *q, const algsurf_i_frame *f, const double x[3], double back,
+                           double gradient[3]) {
+    double before[3];
+    for (int i = 0; i < 3; i++) before[i] = x[i] - back * f->V[i];
+    return algsurf_i_surface_clear_gradient(q->surface, before, gradient);
+}
+
+/* The gradient at x; 0 when it is mostly rounding, or another than a few roundings of x away. */
+static int gradient_at(const query *q, const algsurf_i_frame *f, const double x[3], double gradient[3]) {
+    double near[3], size = 0, change = 0;
+    if (!gradient_before(q, f, x, 0, gradient)) return 0;
+    (void)gradient_before(q, f, x, 0x1p-44, near);
+    for (int i = 0; i < 3; i++) {
+        size = fmax(size, fabs(gradient[i]));
+        change = fmax(change, fabs(near[i] - gradient[i]));
+    }
+    return change <= 0x1p-8 * size;
+}
+
+/* The unit normal at x.  At a singular point, where there is no gradient, it is that of the nearest of some
+ * points before it on the ray: where two sheets meet, or one is there twice, the normal seen beside.  0: no
+ * point has any. */
+static void set_normal(const query *q, const algsurf_i_frame *f, const double x[3], double normal[3]) {
+    double gradient[3];
+    int found = gradient_at(q, f, x, gradient);
+    for (double back = 0x1p-36; !found && back <= 0x1p-8; back *= 16)
+        found = gradient_before(q, f, x, back, gradient);
+    if (!found || !algsurf_is_finite3(gradient) || !algsurf_unit(gradient, normal))
+        normal[0] = normal[1] = normal[2] = 0;
+}
+
 static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
-    double x[3], gradient[3];
+    double x[3];
     point_at(f, root->offset, x);
-    if (root->polish) polish(q, f, root, x, gradient);
+    if (root->polish) polish(q, f, root, x);
     double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
     if (!isfinite(t)) t = 0.5 * root->t_lo + 0.5 * root->t_hi; /* the frame has overflowed */
     t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
     set_position(q, f, x, t, hit->position);
     if (root->reason == ALGSURF_UNDECIDED_RANGE || !algsurf_is_finite3(hit->position))
         point_within_range(q, t, x, hit->position);
-    if (!root->polish) (void)algsurf_i_surface_value(q->surface, x, gradient);
+    set_normal(q, f, x, hit->normal);
     hit->state = root->state;
     hit->reason = root->reason;
     hit->t = t;
     hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_lo;
     hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_hi;
-    if (!algsurf_is_finite3(gradient) || !algsurf_unit(gradient, hit->normal))
-        hit->normal[0] = hit->normal[1] = hit->normal[2] = 0;
 }
 
 ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface,

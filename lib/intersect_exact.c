@@ -201,6 +201,7 @@ static void add_root(task *t, int state, algsurf_status reason, place from, uint
     algsurf_i_exact_root root = {state, reason, outward(t, lo, -1), outward(t, hi, 1),
                                  algsurf_dd_scale(algsurf_dd_add(lo, hi), 0.5)};
     if (isinf(lo.hi)) root.t = hi;
+    if (part == ALL_POINTS && !isinf(lo.hi)) root.t = lo; /* each of them is a root, this the first */
     if (isinf(hi.hi)) root.t = lo;
     if (isinf(root.t.hi)) root.t = algsurf_dd_from(copysign(DBL_MAX, root.t.hi));
     if (t->count <= t->f.n) {

@@ -113,6 +113,13 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
     return p.v;
 }
 
+int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]) {
+    (void)algsurf_i_surface_value(s, x, gradient);
+    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+    double bound = bound_factor(s) * fmax(m.x, fmax(m.y, m.z));
+    return fmax(fabs(gradient[0]), fmax(fabs(gradient[1]), fabs(gradient[2]))) > 0x1p8 * bound;
+}
+
 /* By the mean value theorem P moves by at most reach times its derivatives' magnitudes at |x| + reach. */
 int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]) {
     jet m = magnitudes(s, fabs(x[0]) + reach[0], fabs(x[1]) + reach[1], fabs(x[2]) + reach[2]);

@@ -65,6 +65,9 @@ int algsurf_i_surface_set_nodes(algsurf_surface *s);
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
+/* The same gradient; 0 where rounding leaves less than 8 bits of it: it is nothing to tell a direction from. */
+int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]);
+
 /* P's sign at all points within `reach` of x in each coordinate, natural units; 0 when it may change there. */
 int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]);
 

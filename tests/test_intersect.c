@@ -3,7 +3,8 @@
  *
  * Breaks caught, each tried: the exact test of an end left out, an extent ignored, a frame about a far
  * origin, a position in the surface's unit instead of the caller's, signs used inside their bound (a tangent
- * drawn), positions and gradients that overflowed, a direction that underflowed.
+ * drawn), positions and gradients that overflowed, a direction that underflowed, a normal made of rounding or
+ * of the wrong side of a singular point.
  */
 #include <float.h>
 
@@ -153,6 +154,45 @@ static void test_normals(void **state) {
 }
 
 /* With an extent: the hits of the clipped ray, and none outside. */
+/* Towards and past singular points, in doubt and taken for hits: the normal is that of P shortly before. */
+static void test_singular_normals(void **state) {
+    (void)state;
+    const struct {
+        const char *equation;
+        algsurf_ray ray;
+        double normal[3];
+    } rows[] = {
+        {"(x^2 + y^2 + z^2 - 1)^2", {{-2, 0.5, 0}, {1, 0, 0}, 0, INFINITY}, {-0.8660254037844386, 0.5, 0}},
+        {"(x^2 + y^2 + z^2 - 1)^2", {{-2e6, 0.6, 0}, {1, 0, 0}, 0, INFINITY}, {-0.8, 0.6, 0}},
+        {"(x^2 + y^2 + z^2 - 0x1p40)^2", {{-0x1p22, 0, 0}, {1, 0, 0}, 0, INFINITY}, {-1, 0, 0}},
+        {"x^2 - y^2 z", {{-2, 0, 0.5}, {1, 0, 0}, 0, INFINITY}, {-1, 0, 0}}, /* Whitney's handle */
+        {"x^2 + y^2 - z^2", {{-1, 0, 0}, {1, 0, 0}, 0, INFINITY}, {-1, 0, 0}},
+        {"x^2 + y^2 - z^2", {{0, 0, -3}, {0, 0, 2}, 0, INFINITY}, {0, 0, 1}},
+        {"(x + y) (x - y)",
+         {{-3, 0, 1}, {1, 0, 0}, 0, INFINITY},
+         {-1, 0, 0}}, /* two planes, where they meet */
+        {"x^2 + y^2 + z^2 - 1", {{-2, 1, 0}, {1, 0, 0}, 0, INFINITY}, {0, 1, 0}}, /* no singular point */
+        {"z^2", {{-2, 1, 0}, {1, 0, 0}, 0, 5}, {0, 0, 0}},                        /* no normal anywhere */
+    };
+    const algsurf_tier tiers[] = {ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        with(rows[i].equation);
+        for (int k = 0; k < 2; k++) {
+            const algsurf_intersect_options options = {
+                .size = sizeof options, .tier = tiers[k], .doubt = ALGSURF_DOUBT_HIT};
+            algsurf_hit hit;
+            assert_int_equal(algsurf_intersect_first(c.surface, NULL, &rows[i].ray, &options, &hit),
+                             ALGSURF_OK);
+            assert_int_equal(hit.state, ALGSURF_HIT);
+            for (int a = 0; a < 3; a++)
+                if (!(fabs(hit.normal[a] - rows[i].normal[a]) < 1e-5))
+                    fail_msg("%s, tier %d: normal (%g, %g, %g)", rows[i].equation, (int)tiers[k],
+                             hit.normal[0], hit.normal[1], hit.normal[2]);
+        }
+        done();
+    }
+}
+
 static void test_extents(void **state) {
     (void)state;
     const algsurf_extent extents[] = {
@@ -364,6 +404,7 @@ int main(void) {
         cmocka_unit_test(test_far_eye),
         cmocka_unit_test(test_scales),
         cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_singular_normals),
         cmocka_unit_test(test_extents),
         cmocka_unit_test(test_rays_within),
         cmocka_unit_test(test_in_a_plane),

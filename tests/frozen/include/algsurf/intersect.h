@@ -13,9 +13,10 @@ extern "C" {
 /* How much is known about an answer, and what it may cost. */
 typedef enum algsurf_tier {
     ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
-                                  again in double-double; what is still in doubt is told: uncertain.  Where
-                                  an extent cuts the ray, the ends of the piece inside are rounded, and
-                                  answers are about the rounded piece */
+                                  again in double-double; what is still in doubt is uncertain: tangencies,
+                                  roots at an end, numbers near the limits of double's range.  Where an extent
+                                  cuts the ray, the ends of the piece inside are rounded, and answers are
+                                  about the rounded piece */
     ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
                                   of a root at an end; uncertain only where numbers overflow */
     ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
@@ -31,7 +32,7 @@ typedef enum algsurf_tier {
 
 /* What becomes of an uncertain place. */
 typedef enum algsurf_doubt {
-    ALGSURF_DOUBT_REPORT = 0, /* it is told, as ALGSURF_UNCERTAIN */
+    ALGSURF_DOUBT_REPORT = 0, /* it is reported, as ALGSURF_UNCERTAIN */
     ALGSURF_DOUBT_HIT = 1,    /* it counts as a hit; its `reason` still tells why it was in doubt */
     ALGSURF_DOUBT_MISS = 2    /* it is passed over */
 } algsurf_doubt;
@@ -54,8 +55,9 @@ typedef struct algsurf_hit {
                               uncertain: no hit is before t_lo, it is open whether one is in
                               [t_lo, t_hi]; fast tier: both are t */
     double position[3];    /* origin + t direction; finite: at most the largest double in size */
-    double normal[3];      /* the gradient of P there, unit length; all 0 at a singular point, and
-                              where the gradient is beyond the range of double */
+    double normal[3];      /* the gradient of P there, unit length, approximate.  At a singular point that of
+                              a point shortly before it on the ray; all 0 where there is none either (a ray
+                              in the surface), and where it is beyond the range of double */
 } algsurf_hit;
 
 /* How rays are intersected. */
@@ -81,7 +83,7 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  *   extent   null: all of space
  *   options  null: standard tier, default method, full accuracy
  * Guarantee: see algsurf_tier.  |t - exact| in the standard tier with default method and tolerance is
- * within a few u S(X)/|p'(t)|, u = 2^-53, S(X) the size that rounding the inputs can give P at the hit.
+ * within a few u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit.
  * Returns OK also for a miss and for uncertain: the state is in hit.
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction).
  * A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
@@ -106,7 +108,7 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
                                                  int capacity, int *count);
 
 /* Is there any hit?  Cheaper than the first hit: nothing is refined, and an odd number of roots is
- * known from the ends alone.
+ * known from the ends alone: it may be a hit where the first hit is uncertain.
  *   state  ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNCERTAIN
  * Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,

@@ -70,7 +70,7 @@ typedef enum algsurf_status {
  * Cost: constant.  Since 1.0. */
 ALGSURF_API const char *algsurf_status_text(algsurf_status status);
 
-/* The name of a status as written in the source, "ALGSURF_OK", static, never null.  Since 1.0. */
+/* The name of a status as written in the source, ALGSURF_OK, static, never null.  Since 1.0. */
 ALGSURF_API const char *algsurf_status_name(algsurf_status status);
 
 /* The version of the library that runs (the macros give the one compiled against), as
