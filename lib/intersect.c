@@ -104,11 +104,12 @@ static void set_position(const query *q, const algsurf_i_frame *f, const double 
     }
 }
 
-/* The gradient at the point `back` before x on the ray, in natural units; 0 when it is mostly rounding. */
+/* The gradient at a point before x on the ray, `back` away in natural units or, far out, in those of |x|; 0
+ * when it is mostly rounding. */
 static int gradient_before(const query *q, const algsurf_i_frame *f, const double x[3], double back,
                            double gradient[3]) {
-    double before[3];
-    for (int i = 0; i < 3; i++) before[i] = x[i] - back * f->V[i];
+    double before[3], length = back * fmax(1, algsurf_max_abs(x));
+    for (int i = 0; i < 3; i++) before[i] = x[i] - length * f->V[i];
     return algsurf_i_surface_clear_gradient(q->surface, before, gradient);
 }
 
