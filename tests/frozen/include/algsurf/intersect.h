@@ -14,9 +14,9 @@ extern "C" {
 typedef enum algsurf_tier {
     ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
                                   again in double-double; what is still in doubt is uncertain: tangencies,
-                                  roots at an end, numbers near the limits of double's range.  Where an extent
-                                  cuts the ray, the ends of the piece inside are rounded, and answers are
-                                  about the rounded piece */
+                                  roots next to an end (one exactly there is a hit), numbers near the limits
+                                  of double's range.  Where an extent cuts the ray, the ends of the piece
+                                  inside are rounded, and answers are about the rounded piece */
     ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
                                   of a root at an end; uncertain only where numbers overflow */
     ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
