@@ -4,7 +4,10 @@
  * halves bisects, exactly.  A cell is found again from the whole interval, so that only one is kept.
  *
  * Bisection ends DEPTH deep.  Where [lo,hi] is long against the place left open then, that place becomes an
- * interval of its own, between doubles, and so does what lies on either side of it. */
+ * interval of its own, between doubles, and so does what lies on either side of it.
+ *
+ * A multiple root is decided only where it is an end of a cell.  Rays that were made to touch do so at numbers
+ * of few binary digits, mostly: where the simplest one in [lo,hi] is a root, it cuts the interval in two. */
 #include "intersect_exact.h"
 
 #include <float.h>
@@ -20,6 +23,7 @@ enum {
 };
 
 typedef struct task {
+    const algsurf_ray *ray;
     algsurf_i_ray_form f; /* right holds the cell at hand, left its left half */
     int open_lo;          /* a root at lo is not looked for */
     algsurf_i_want want;
@@ -273,18 +277,41 @@ static void search_cell(task *t, place at, place *later, int *waiting) {
     }
 }
 
+/* The multiple of the highest power of two between lo and hi; an end when there is none. */
+static double simplest_between(double lo, double hi) {
+    if (hi <= 0) return -simplest_between(-hi, -lo);
+    if (lo < 0) return 0;
+    for (int k = ilogb(hi); k >= ilogb(hi) - 53; k--) {
+        double c = ldexp(floor(ldexp(lo, -k)) + 1, k);
+        if (c < hi) return c;
+    }
+    return lo;
+}
+
+/* Is there a root at the simplest number inside?  Then that is the place to set apart. */
+static int set_simplest_apart(task *t) {
+    double lo = t->f.lo, hi = t->f.hi;
+    if (isinf(lo) || isinf(hi) || t->parts >= MOST_PARTS) return 0;
+    double c = simplest_between(lo, hi);
+    if (!(lo < c && c < hi) || algsurf_i_exact_sign(t->f.surface, t->ray, c) != 0) return 0;
+    t->parts += 3;
+    t->place_lo = t->place_hi = c;
+    return 1;
+}
+
 static void search(task *t) {
     place later[DEPTH + 1] = {{0, 0}};
     int waiting = 1;
     const uint32_t *end = entry(t, t->f.p, t->f.n);
     if (t->f.lo == t->f.hi) {
-        if (variations(t, t->f.p) < 0) add_root(t, ALGSURF_HIT, ALGSURF_OK, later[0], 0);
+        if (!t->open_lo && variations(t, t->f.p) < 0) add_root(t, ALGSURF_HIT, ALGSURF_OK, later[0], 0);
         return;
     }
     if (variations(t, t->f.p) < 0) {
         add_root(t, ALGSURF_UNCERTAIN, ALGSURF_UNDECIDED_ZERO, later[0], 1);
         return;
     }
+    if (variations(t, t->f.p) > 1 && set_simplest_apart(t)) return;
     while (waiting > 0 && !satisfied(t)) {
         place at = later[--waiting];
         find_cell(t, at);
@@ -295,31 +322,31 @@ static void search(task *t) {
 }
 
 /* [lo,hi], or (lo,hi]; what has been set apart, and what is beside it, each in its turn. */
-static int solve_parts(task *t, const algsurf_ray *ray, double lo, double hi, int open_lo) {
+static int solve_parts(task *t, double lo, double hi, int open_lo) {
     int before = t->count;
     t->f.lo = lo;
     t->f.hi = hi;
     t->open_lo = open_lo;
     forget_place(t);
-    if (!algsurf_i_ray_form_make(&t->f, ray)) return 0;
+    if (!algsurf_i_ray_form_make(&t->f, t->ray)) return 0;
     search(t);
     algsurf_i_ray_form_free(&t->f);
     if (!set_a_place_apart(t)) return 1;
     double from = t->place_lo, to = t->place_hi;
     t->count = before;
     forget_place(t);
-    if (lo < from && !solve_parts(t, ray, lo, from, open_lo)) return 0;
-    if (!satisfied(t) && !solve_parts(t, ray, from, to, lo < from || open_lo)) return 0;
-    return satisfied(t) || to >= hi || solve_parts(t, ray, to, hi, 1);
+    if (lo < from && !solve_parts(t, lo, from, open_lo)) return 0;
+    if (!satisfied(t) && !solve_parts(t, from, to, lo < from || open_lo)) return 0;
+    return satisfied(t) || to >= hi || solve_parts(t, to, hi, 1);
 }
 
 int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray,
                           const algsurf_extent *extent, double lo, double hi, algsurf_i_want want,
                           algsurf_i_exact_root *roots) {
-    task t = {.want = want, .roots = roots};
+    task t = {.ray = ray, .want = want, .roots = roots};
     memset(t.on_face, -1, sizeof t.on_face);
     t.f.surface = surface;
     t.f.extent = extent;
     t.f.depth = DEPTH;
-    return solve_parts(&t, ray, lo, hi, 0) ? t.count : -1;
+    return solve_parts(&t, lo, hi, 0) ? t.count : -1;
 }

@@ -52,7 +52,8 @@ static inline algsurf_dd algsurf_i_dd_from_int(int64_t i) {
         int any;         /* 1: a cell with an odd number of roots will do, it need not be one */             \
         const algsurf_i_piece *pieces;                                                                       \
         int count, index, active;                                                                            \
-        int64_t position, stride; /* next cell starts here, in 2^-62 of the piece; width to try */           \
+        int64_t position, stride;       /* next cell starts here, in 2^-62 of the piece; width to try */     \
+        int64_t unknown_lo, unknown_hi; /* the last undecided cells, in a row */                             \
         int hi_told;                                                                                         \
         int counted;            /* cells so far whose variations were counted */                             \
         double radius, largest; /* error bound and largest magnitude of b */                                 \

@@ -5,6 +5,7 @@
 
 #define NUMBER double
 #define UNIT ALGSURF_U
+#define CLUSTERS 0          /* they are left to double-double */
 #define FLOOR (WHOLE >> 44) /* near the width at which the signs in a cell are all rounding */
 #define WALK algsurf_i_walk_d
 #define WALK_BEGIN algsurf_i_walk_begin_d

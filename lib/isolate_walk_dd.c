@@ -5,6 +5,7 @@
 
 #define NUMBER algsurf_dd
 #define UNIT ALGSURF_DD_U
+#define CLUSTERS 1
 #define FLOOR (WHOLE >> 57) /* near the width at which the signs in a cell are all rounding */
 #define WALK algsurf_i_walk_dd
 #define WALK_BEGIN algsurf_i_walk_begin_dd

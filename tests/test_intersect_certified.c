@@ -6,8 +6,8 @@
  * Breaks caught, each tried: a half cell passed over, a half scaled wrongly, a power of w without its
  * binomials, the factor k! (n-k)! wrong, the root of a split point or of an end not looked at, ends not moved
  * outward, a carry lost, a hit behind an open place forgotten, a place not set apart, roots found before it
- * kept twice, a root between two parts found twice, the unit of an infinite end lost.  Not caught:
- * overlapping entries decided apart.
+ * kept twice, a root between two parts found twice, the unit of an infinite end lost, the simplest number in
+ * an interval not looked at, a root there found twice.  Not caught: overlapping entries decided apart.
  */
 #include "intersect_case.h"
 
@@ -241,11 +241,40 @@ static void bad_options(void **state) {
     algsurf_surface_free(c.surface);
 }
 
+/* Rays made to touch, at numbers of few digits: multiple roots that are decided, each once. */
+static void touching_rays(void **state) {
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+        int count;
+        double t[3];
+    } rows[] = {
+        {"x^2 + y^2 + z^2 - 1", {{-4, 1, 0}, {1, 0, 0}, 0, INFINITY}, 1, {4}},
+        {"x^2 + y^2 + z^2 - 1", {{-4, 1, 0}, {-1, 0, 0}, -INFINITY, 0}, 1, {-4}},
+        {"x^2 + y^2 + z^2 - 1", {{0, 0, -1}, {0.75, 0, 0}, -1, 1}, 1, {0}},
+        {"x^2 + y^2 + z^2 - 1", {{-3.8125, 0, 1}, {2, 0, 0}, 0, 9}, 1, {1.90625}},
+        {"(x - 1)^2 (x - 2)", {{0, 5, 0}, {1, 1, 0}, 0, INFINITY}, 2, {1, 2}},
+        {"(x - 1)^3 (x - 1.0009765625)^2 (x + 3)", {{0, 5, 0}, {1, 1, 0}, -7, 7}, 3, {-3, 1, 1.0009765625}},
+        {"(x^2 + y^2 - 2)^2 - z^2", {{-3, 1, 0}, {1, 0, 0}, 0, INFINITY}, 2, {2, 4}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        intersect_equation(&c, rows[i].equation);
+        c.ray = rows[i].ray;
+        intersect_judge(&c, &certified, &answer);
+        if (answer.count != rows[i].count) intersect_fail("number of hits", &c, &answer);
+        for (int k = 0; k < answer.count; k++)
+            if (answer.all[k].state != ALGSURF_HIT || answer.all[k].t != rows[i].t[k])
+                intersect_fail("not decided", &c, &answer);
+        algsurf_surface_free(c.surface);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hairs_apart),        cmocka_unit_test(exactly),
         cmocka_unit_test(roots_of_all_sizes), cmocka_unit_test(a_root_between_parts),
         cmocka_unit_test(random_rays),        cmocka_unit_test(what_becomes_of_doubt),
-        cmocka_unit_test(bad_options)};
+        cmocka_unit_test(touching_rays),      cmocka_unit_test(bad_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

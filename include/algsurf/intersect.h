@@ -20,14 +20,15 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
                                   of a root at an end; uncertain only where numbers overflow */
     ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
-                                  uncertain are only multiple roots (a ray that exactly touches), roots closer
-                                  than 2^-60 of what double-double leaves open, rays in the surface, and rays
-                                  whose numbers span thousands of digits.  An uncertain ray allocates memory,
-                                  and stays uncertain if there is none.  The extent counts as exact: a root
-                                  as close to its surface as the ends of a chord can be rounded is in it or
-                                  not (in the other tiers it may go either way).  One on a box's face is in
-                                  it, and so is one on a sphere where the ray's other point of the sphere is
-                                  on the surface, too; else one on a sphere stays uncertain */
+                                  uncertain are only multiple roots (a ray that exactly touches; one at a t of
+                                  few binary digits is decided), roots closer than 2^-60 of what double-double
+                                  leaves open, rays in the surface, and rays whose numbers span thousands of
+                                  digits.  An uncertain ray allocates memory, and stays uncertain if there is
+                                  none.  The extent counts as exact: a root as close to its surface as the
+                                  ends of a chord can be rounded is in it or not (in the other tiers it may go
+                                  either way).  One on a box's face is in it, and so is one on a sphere where
+                                  the ray's other point of the sphere is on the surface, too; else one on a
+                                  sphere stays uncertain */
 } algsurf_tier;
 
 /* What becomes of an uncertain place. */
@@ -88,7 +89,7 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction).
  * A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10; other methods, and rays far longer than the surface is
- * large, twice that; a doubtful ray some 30 times that; no allocation.  Since 1.0. */
+ * large, twice that; a doubtful ray 30 to 100 times that; no allocation.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
