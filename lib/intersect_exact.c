@@ -6,8 +6,8 @@
  * Bisection ends DEPTH deep.  Where [lo,hi] is long against the place left open then, that place becomes an
  * interval of its own, between doubles, and so does what lies on either side of it.
  *
- * A multiple root is decided only where it is an end of a cell.  Rays that were made to touch do so at numbers
- * of few binary digits, mostly: where the simplest one in [lo,hi] is a root, it cuts the interval in two. */
+ * A multiple root is decided only where it is an end of a cell.  Rays that were made to touch mostly do so at
+ * numbers of few binary digits: where the simplest one in [lo,hi] is a root, it cuts the interval in two. */
 #include "intersect_exact.h"
 
 #include <float.h>
