@@ -208,9 +208,9 @@ void report_advice(const record *records, int count) {
            "  - Fast proves nothing; wrong here: %zu answers, in all tolerances.  Worth it where no one\n"
            "    relies on an answer and the ratio above counts.\n",
            uncertain_of(records, count), rays_of(records, count), wrong_of(records, count, 0));
-    printf("  - Brent and bisection find the same roots, at the ratios above: partly the method's own (the seed\n"
-           "    comparison tells which part), mostly that only the default has packet code, which a single\n"
-           "    call uses, too.  Regula falsi is for comparison only: wrong %zu times, in all tolerances and\n"
-           "    tiers.\n",
+    printf("  - Brent and bisection find the same roots, at the ratios above: partly the method's own (the\n"
+           "    seed comparison tells which part), mostly that only the default has packet code, which a\n"
+           "    single call uses, too.  Regula falsi is for comparison only: wrong %zu times, in all\n"
+           "    tolerances and tiers.\n",
            wrong_of(records, count, 1));
 }
