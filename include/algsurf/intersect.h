@@ -101,8 +101,8 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
  * first hit, for each; what is not in an entry is no hit.  The first entry and algsurf_intersect_first agree
  * in what they prove, in t up to its rounding (see there), but not in t_lo and t_hi; of a ray thousands of
- * natural units long that call may decide what is uncertain here.  Cost: 0.3 to 3 microseconds for the first of them, for
- * degrees 2 to 10, and about as much for each of the others.  Since 1.0. */
+ * natural units long that call may decide what is uncertain here.  Cost: 0.3 to 3 microseconds for the first
+ * of them, for degrees 2 to 10, and about as much for each of the others.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  const algsurf_ray *ray,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
