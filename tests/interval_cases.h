@@ -8,7 +8,7 @@
 #include "exact.h"
 
 #include "algsurf/interval.h"
-#include "fpenv.h"
+#include "base/fpenv.h"
 
 /* A finite double: zeros, small integers, whole range, subnormals, both rims of the range, near 1, and the
  * limits of the error-free product. */

@@ -13,8 +13,8 @@
 #include <cmocka.h>
 #include <fenv.h>
 
-#include "eft.h"
-#include "fpenv.h"
+#include "base/eft.h"
+#include "base/fpenv.h"
 
 #define ROUNDS 20000
 #define SEED 20240607u

@@ -16,10 +16,10 @@
 
 #include <cmocka.h>
 
-#include "eft_expansion.h"
-#include "expand_impl.h"
-#include "poly_exact.h"
-#include "refine_dd.h"
+#include "base/expansion.h"
+#include "rays/expand_impl.h"
+#include "poly/exact.h"
+#include "roots/refine_dd.h"
 
 #define SEED 31u
 

@@ -11,7 +11,7 @@
  */
 #include "intersect_case.h"
 
-#include "intersect_exact.h"
+#include "rays/exact.h"
 
 #define SEED 53u
 

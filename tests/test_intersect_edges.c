@@ -14,7 +14,7 @@
 
 #include <float.h>
 
-#include "intersect_exact.h"
+#include "rays/exact.h"
 
 #define SEED 71u
 

@@ -11,8 +11,8 @@
  */
 #include "intersect_case.h"
 
-#include "intersect_exact.h"
-#include "intersect_form.h"
+#include "rays/exact.h"
+#include "rays/form.h"
 
 #define SEED 73u
 

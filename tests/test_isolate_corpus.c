@@ -9,7 +9,7 @@
 #include <time.h>
 
 #include "isolate_case.h"
-#include "isolate_impl.h"
+#include "roots/isolate_impl.h"
 
 static isolate_answer answer;
 

@@ -18,8 +18,8 @@
 
 #include "algsurf/shade.h"
 #include "exact.h"
-#include "kernels/kernel.h"
-#include "vec.h"
+#include "picture/kernel.h"
+#include "base/vec.h"
 
 enum { MOST = 200, SPARE = 8, LIGHTS = 4 };
 static const uint64_t seed = 20240612;
@@ -55,7 +55,8 @@ static void run(const algsurf_i_kernel *kernel, const algsurf_i_colour_job *job,
         points.normal[i] = b->at[4 + i] + first;
         points.direction[i] = b->at[7 + i] + first;
     }
-    kernel->colours(job, &points, count, with_visible ? b->visible + first * job->light_count : NULL, rgb);
+    algsurf_i_picture_kernel_for(kernel)->colours(
+        job, &points, count, with_visible ? b->visible + first * job->light_count : NULL, rgb);
 }
 
 static void get(const batch *b, int entry, int first, double v[3]) {

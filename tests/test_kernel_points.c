@@ -20,8 +20,8 @@
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
 #include "exact.h"
-#include "kernels/kernel.h"
-#include "vec.h"
+#include "picture/kernel.h"
+#include "base/vec.h"
 
 enum { WIDTH = 64, HEIGHT = 48, SPARE = 8, OUTPUTS = 10 };
 static const uint64_t seed = 20240611;
@@ -104,7 +104,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[4], out->at[5], out->at[6]},
                                {out->at[7], out->at[8], out->at[9]}};
     const algsurf_i_point_job job = {s->surface, &s->job};
-    kernel->points(&job, pixel, depth, count, &points);
+    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, &points);
 }
 
 static void get(const batch *b, int entry, int first, double v[3]) {

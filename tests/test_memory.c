@@ -25,7 +25,7 @@
 #include <cmocka.h>
 
 #include "algsurf/algsurf.h"
-#include "intersect_exact.h"
+#include "rays/exact.h"
 
 static atomic_long until_failure; /* allocations that still succeed; negative: all do */
 static atomic_int failed;         /* was one refused? */

@@ -22,7 +22,7 @@
 #include "algsurf/packet.h"
 #include "algsurf/poly.h"
 #include "environments.h"
-#include "kernels/kernel.h"
+#include "roots/kernel.h"
 
 #define SEED 71u
 enum { MOST = 131, TOP = 40 };
@@ -400,7 +400,7 @@ static void test_kernels_decide(void **unused) {
         put_random(n, &random);
         algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, basis, a.state, a.root};
-        kernel->solve_polys(&job, MOST);
+        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
         assert_true(doubtful <= MOST / 16);
     }

@@ -6,7 +6,7 @@
 #include <float.h>
 #include "algsurf/expand.h"
 #include "environments.h"
-#include "poly_exact.h"
+#include "poly/exact.h"
 
 static isolate_answer answer;
 static intersect_case c;

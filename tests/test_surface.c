@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "exact.h"
-#include "surface_impl.h"
+#include "surface/impl.h"
 
 enum { MOST_TERMS = 60 };
 static const uint64_t seed = 20240607;

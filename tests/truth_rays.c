@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "eft.h"
+#include "base/eft.h"
 #include "truth_corpus.h"
 
 enum {

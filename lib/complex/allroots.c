@@ -1,0 +1,327 @@
+/* allroots.c - all complex roots with proof: scaling, the order of the steps, the public calls.
+ *
+ * Propose in double, tighten with doubled residuals, prove by discs; what then is still crowded is
+ * iterated in double-double and proved again.  Roots of a real polynomial that look real are put on the
+ * axis, and of the others one of each pair is tightened and mirrored: it is the proof that decides
+ * whether that was right. */
+#include "algsurf/allroots.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "impl.h"
+#include "../base/fpenv.h"
+
+struct algsurf_root_solver {
+    int max_degree;
+    algsurf_i_roots p;
+    algsurf_enclosure *boxes;
+};
+
+/* Slices of a block of ALGSURF_ROOTS_DOUBLES * (m+1) doubles and ALGSURF_ROOTS_INTS * (m+1) ints. */
+static void lay_out(algsurf_i_roots *p, int m, double *d, int *k) {
+    double **part[] = {&p->cr, &p->ci, &p->size, &p->radius, &p->lr, &p->li,       &p->ls,
+                       &p->le, &p->x,  &p->y,    &p->xl,     &p->yl, &p->residual, &p->disc};
+    int **ints[] = {&p->exponent, &p->group, &p->done, &p->shift};
+    for (int i = 0; i < ALGSURF_ROOTS_DOUBLES; i++) *part[i] = d + i * (m + 1);
+    for (int i = 0; i < ALGSURF_ROOTS_INTS; i++) *ints[i] = k + i * (m + 1);
+}
+
+/* The caller's polynomial without exact zeros at either end. */
+typedef struct input {
+    const algsurf_complex *c;
+    const double *r;
+    int low, high;
+    int real_radii; /* they stand for real numbers where the coefficients are real */
+} input;
+
+static int vanishes(const algsurf_complex *c, const double *r, int k) {
+    return c[k].re == 0 && c[k].im == 0 && (!r || r[k] == 0);
+}
+
+static double magnitude(algsurf_complex z) { return fmax(fabs(z.re), fabs(z.im)); }
+
+static algsurf_status read_input(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                 input *in) {
+    if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
+    for (int k = 0; k <= degree; k++) {
+        if (!isfinite(c[k].re) || !isfinite(c[k].im) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
+        if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
+    }
+    *in = (input){c, r, 0, degree, real_radii};
+    while (in->high >= 0 && vanishes(c, r, in->high)) in->high--;
+    if (in->high < 0) return ALGSURF_E_ZERO;
+    while (vanishes(c, r, in->low)) in->low++;
+    return ALGSURF_OK;
+}
+
+/* The larger of coefficient low + k and its radius. */
+static double extent(const input *in, int k) {
+    return fmax(magnitude(in->c[in->low + k]), in->r ? in->r[in->low + k] : 0);
+}
+
+/* The unit of the variable: first and last coefficient balance.  Narrow, if no coefficient then falls
+ * 2^500 below the largest, whose exponent is returned. */
+static int choose_unit(algsurf_i_roots *p, const input *in, int *common) {
+    int n = p->n, least = 0x7fffffff;
+    double ends = ilogb(extent(in, 0)) - ilogb(extent(in, n)); /* neither is 0 */
+    int unit = n > 0 ? (int)lround(ends / n) : 0;
+    *common = -0x7fffffff;
+    for (int k = 0; k <= n; k++) {
+        double m = extent(in, k);
+        if (!(m > 0)) continue;
+        int e = ilogb(m) + k * unit;
+        *common = e > *common ? e : *common;
+        least = e < least ? e : least;
+    }
+    p->narrow = *common - least < 500;
+    return unit;
+}
+
+static int scale(algsurf_i_roots *p, const input *in) {
+    int common, n = p->n = in->high - in->low, unit = choose_unit(p, in, &common);
+    p->real = 1;
+    for (int k = 0; k <= n; k++) {
+        algsurf_complex c = in->c[in->low + k];
+        double r = in->r ? in->r[in->low + k] : 0, m = extent(in, k);
+        int whole = k * unit - common, own = p->narrow ? whole : m > 0 ? -ilogb(m) : 0;
+        p->shift[k] = whole - own;
+        p->cr[k] = ldexp(c.re, own);
+        p->ci[k] = ldexp(c.im, own);
+        p->size[k] = sqrt(p->cr[k] * p->cr[k] + p->ci[k] * p->ci[k]) * (1 + 4 * ALGSURF_U);
+        /* A part far below the other one may lose bits. */
+        p->radius[k] =
+            ldexp(r, own) + (ldexp(p->cr[k], -own) != c.re || ldexp(p->ci[k], -own) != c.im) * 0x1p-1070;
+        if (c.im != 0 || (r > 0 && !in->real_radii)) p->real = 0;
+    }
+    return unit;
+}
+
+/* Roots of a real polynomial: those close to the axis onto it, the others paired.  mate[i] >= 0: root i is
+ * to be the conjugate of that one.  Uses group as mate. */
+static void guess_symmetry(algsurf_i_roots *p) {
+    int *mate = p->group;
+    for (int i = 0; i < p->n; i++) {
+        mate[i] = -1;
+        if (p->real && fabs(p->y[i]) < 0x1p-26 * fabs(p->x[i])) p->y[i] = 0;
+    }
+    for (int i = 0; p->real && i < p->n; i++) {
+        if (!(p->y[i] < 0)) continue;
+        double best = 0x1p-20 * (fabs(p->x[i]) + fabs(p->y[i]));
+        for (int j = 0; j < p->n; j++) {
+            double d = fabs(p->x[i] - p->x[j]) + fabs(p->y[i] + p->y[j]);
+            if (p->y[j] > 0 && d < best) {
+                best = d;
+                mate[i] = j;
+            }
+        }
+    }
+}
+
+static void tighten_all(algsurf_i_roots *p) {
+    int *mate = p->group;
+    for (int i = 0; i < p->n; i++) {
+        p->xl[i] = p->yl[i] = 0;
+        p->residual[i] = mate[i] < 0 ? HUGE_VAL : 0;
+        p->exponent[i] = 0;
+    }
+    algsurf_i_roots_tighten(p);
+    for (int i = 0; i < p->n; i++) {
+        int j = mate[i];
+        if (j < 0) continue;
+        p->x[i] = p->x[j];
+        p->xl[i] = p->xl[j];
+        p->y[i] = -p->y[j];
+        p->yl[i] = -p->yl[j];
+        p->residual[i] = p->residual[j];
+        p->exponent[i] = p->exponent[j];
+    }
+}
+
+/* The larger part of an ulp of the smaller part of root i. */
+static double fine(const algsurf_i_roots *p, int i) {
+    double least = p->y[i] == 0 ? fabs(p->x[i]) : fmin(fabs(p->x[i]), fabs(p->y[i]));
+    return 0x1p-54 * least;
+}
+
+/* Isolated roots whose discs would make their boxes wider than an ulp get another step; returns how many. */
+static int tighten_wide(algsurf_i_roots *p) {
+    int again = 0;
+    for (int i = 0; i < p->n; i++) {
+        if (!p->done[i] || p->disc[i] <= 0.25 * fine(p, i)) continue;
+        again++;
+        p->residual[i] = HUGE_VAL;
+        p->xl[i] = p->yl[i] = 0;
+    }
+    if (again) algsurf_i_roots_tighten(p);
+    return again;
+}
+
+/* What still is wide then is ill conditioned: a step in double-double. */
+static int sharpen_wide(algsurf_i_roots *p) {
+    int again = 0;
+    for (int i = 0; i < p->n; i++) {
+        if (!p->done[i] || p->disc[i] <= fine(p, i)) continue;
+        again++;
+        algsurf_i_roots_sharpen(p, i);
+    }
+    return again;
+}
+
+static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int unit,
+                        algsurf_enclosure *boxes) {
+    algsurf_i_roots_start(p);
+    for (int i = 0; start && i < p->n; i++) { /* what is no number keeps its own start value */
+        if (!isfinite(start[i].re) || !isfinite(start[i].im)) continue;
+        p->x[i] = ldexp(start[i].re, -unit);
+        p->y[i] = ldexp(start[i].im, -unit);
+    }
+    algsurf_i_roots_propose(p);
+    guess_symmetry(p);
+    tighten_all(p);
+    int crowded = algsurf_i_roots_group(p);
+    if (tighten_wide(p)) crowded = algsurf_i_roots_group(p);
+    if (sharpen_wide(p)) crowded = algsurf_i_roots_group(p);
+    if (crowded) {
+        algsurf_i_roots_retry(p);
+        (void)algsurf_i_roots_group(p);
+    }
+    return algsurf_i_roots_boxes(p, boxes);
+}
+
+/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end. */
+static double unscale(double x, int unit, int side) {
+    double y = ldexp(x, unit);
+    if (isinf(y) && (y > 0) != (side > 0)) return y > 0 ? DBL_MAX : -DBL_MAX;
+    return isinf(y) || ldexp(y, -unit) == x ? y : nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
+}
+
+/* A root's value in its box: the high part for a simple root, the middle for a cluster. */
+static double value_in(algsurf_interval box, double high, int unit, int multiplicity) {
+    double x = multiplicity == 1 ? ldexp(high, unit) : 0.5 * box.lo + 0.5 * box.hi;
+    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX);
+}
+
+/* Boxes in the caller's unit, and the exact root 0; returns their number, -1 when there are none to give.
+ * Boxes that differ only beyond the range of double become one. */
+static int unscale_all(const algsurf_i_roots *p, const input *in, algsurf_enclosure *e, int count, int unit) {
+    for (int i = 0; i < count; i++) {
+        algsurf_cinterval *b = &e[i].box;
+        b->re = (algsurf_interval){unscale(b->re.lo, unit, -1), unscale(b->re.hi, unit, 1)};
+        b->im = (algsurf_interval){unscale(b->im.lo, unit, -1), unscale(b->im.hi, unit, 1)};
+        if (!(b->re.lo <= b->re.hi && b->im.lo <= b->im.hi)) return -1;
+    }
+    if (in->low > 0) e[count++] = (algsurf_enclosure){{{0, 0}, {0, 0}}, {0, 0}, in->low, 1};
+    count = algsurf_i_roots_join(e, count, p->real);
+    for (int i = 0; i < count; i++) {
+        e[i].value.re = value_in(e[i].box.re, e[i].value.re, unit, e[i].multiplicity);
+        e[i].value.im = value_in(e[i].box.im, e[i].value.im, unit, e[i].multiplicity);
+    }
+    return count;
+}
+
+static int compare(const void *left, const void *right) {
+    const algsurf_enclosure *a = left, *b = right;
+    if (a->value.re != b->value.re) return a->value.re < b->value.re ? -1 : 1;
+    return (a->value.im > b->value.im) - (a->value.im < b->value.im);
+}
+
+static ALGSURF_NOINLINE algsurf_status solve(algsurf_i_roots *p, const input *in,
+                                             const algsurf_complex *start, algsurf_enclosure *boxes,
+                                             algsurf_enclosure *roots, int *count) {
+    int unit = scale(p, in), n = 0;
+    if (!(p->size[p->n] * (1 - 8 * ALGSURF_U) > p->radius[p->n])) return ALGSURF_E_RANGE;
+    if (p->n > 0) n = solve_scaled(p, start, unit, boxes);
+    n = unscale_all(p, in, boxes, n, unit);
+    if (n < 0) return ALGSURF_E_RANGE;
+    qsort(boxes, (size_t)n, sizeof *boxes, compare);
+    for (int i = 0; i < n; i++) roots[i] = boxes[i];
+    *count = n;
+    return ALGSURF_OK;
+}
+
+static algsurf_status run(algsurf_i_roots *p, const algsurf_complex *c, const double *r, int degree,
+                          int real_radii, const algsurf_complex *start, algsurf_enclosure *boxes,
+                          algsurf_enclosure *roots, int *count) {
+    input in;
+    algsurf_status status = read_input(c, r, degree, real_radii, &in);
+    if (status != ALGSURF_OK) return status;
+    p->iterations = p->retries = 0;
+    return solve(p, &in, start, boxes, roots, count);
+}
+
+algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
+                                   int degree, const algsurf_complex *start, algsurf_enclosure *roots,
+                                   int *count) {
+    lay_out(&memory->p, ALGSURF_MAX_DEGREE, memory->doubles, memory->ints);
+    return run(&memory->p, c, r, degree, 1, start, memory->boxes, roots, count);
+}
+
+static algsurf_status run_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                   algsurf_enclosure *roots, int *count) {
+    algsurf_i_roots_memory memory;
+    algsurf_fpenv saved;
+    if (!roots || !count || degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
+    lay_out(&memory.p, ALGSURF_MAX_DEGREE, memory.doubles, memory.ints);
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = run(&memory.p, c, r, degree, real_radii, NULL, memory.boxes, roots, count);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree, algsurf_enclosure *roots,
+                             int *count) {
+    return run_on_stack(c, r, degree, 0, roots, count);
+}
+
+algsurf_status algsurf_roots_real(const double *c, const double *r, int degree, algsurf_enclosure *roots,
+                                  int *count) {
+    algsurf_complex z[ALGSURF_MAX_DEGREE + 1];
+    if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
+    for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};
+    return run_on_stack(z, r, degree, 1, roots, count);
+}
+
+algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **solver) {
+    if (!solver || max_degree < 1) return ALGSURF_E_ARGUMENT;
+    if (max_degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_DEGREE;
+    algsurf_root_solver *s = malloc(sizeof *s);
+    size_t m = (size_t)max_degree;
+    double *d = malloc(ALGSURF_ROOTS_DOUBLES * (m + 1) * sizeof *d);
+    int *k = malloc(ALGSURF_ROOTS_INTS * (m + 1) * sizeof *k);
+    algsurf_enclosure *boxes = malloc((m + 1) * sizeof *boxes);
+    if (!s || !d || !k || !boxes) {
+        free(s);
+        free(d);
+        free(k);
+        free(boxes);
+        return ALGSURF_E_NO_MEMORY;
+    }
+    s->max_degree = max_degree;
+    s->boxes = boxes;
+    lay_out(&s->p, max_degree, d, k);
+    *solver = s;
+    return ALGSURF_OK;
+}
+
+void algsurf_root_solver_free(algsurf_root_solver *solver) {
+    if (!solver) return;
+    free(solver->p.cr);
+    free(solver->p.exponent);
+    free(solver->boxes);
+    free(solver);
+}
+
+algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsurf_complex *c, const double *r,
+                                       int degree, const algsurf_complex *start, algsurf_enclosure *roots,
+                                       int *count, algsurf_root_stats *stats) {
+    if (!solver || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = run(&solver->p, c, r, degree, 0, start, solver->boxes, roots, count);
+    algsurf_fpenv_leave(&saved);
+    if (status >= ALGSURF_OK && stats) *stats = (algsurf_root_stats){solver->p.iterations, solver->p.retries};
+    return status;
+}

@@ -1,0 +1,83 @@
+/* select.c - three-valued choice of the least root in a sector.
+ *
+ * Both ranges of arguments, sigma .. sigma + delta and its conjugate, are one range of |arg|: a box is
+ * folded onto the upper half plane and its argument compared.  A candidate is chosen if it certainly
+ * counts and no other that may count can be smaller; conjugates, and boxes of equal magnitude after
+ * folding, do not compete. */
+#include "algsurf/select.h"
+
+#include "../poly/interval_public.h"
+
+static int valid(const algsurf_sector *s) {
+    return s && s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= 0x1.921fb54442d19p+1;
+}
+
+/* The box with the imaginary part's magnitude. */
+static algsurf_cinterval fold(algsurf_cinterval box) {
+    return (algsurf_cinterval){box.re, algsurf_interval_abs(box.im)};
+}
+
+static int in_sector(const algsurf_sector *s, const algsurf_enclosure *root) {
+    const algsurf_cinterval box = fold(root->box);
+    const double end = s->sigma + s->delta;
+    algsurf_interval arg;
+    if (box.im.hi == 0 && box.re.lo >= 0) return s->sigma == 0;
+    if (box.im.hi == 0 && box.re.hi < 0) return end >= 0x1.921fb54442d18p+1;
+    if (algsurf_cinterval_arg(box, &arg) != ALGSURF_OK) return 2;
+    if (arg.hi < s->sigma || arg.lo > end) return 0;
+    return arg.lo >= s->sigma && arg.hi <= end ? 1 : 2;
+}
+
+static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root, int *holds) {
+    if (!valid(sector) || !root || !holds) return ALGSURF_E_ARGUMENT;
+    *holds = in_sector(sector, root);
+    return ALGSURF_OK;
+}
+
+/* Magnitudes in [lo,hi]: 1 certainly, 0 certainly not, 2 undecided. */
+static int in_range(algsurf_interval magnitude, double lo, double hi) {
+    if (magnitude.hi < lo || magnitude.lo > hi) return 0;
+    return magnitude.lo >= lo && magnitude.hi <= hi ? 1 : 2;
+}
+
+typedef struct candidate {
+    int index, certain;
+    algsurf_interval magnitude;
+} candidate;
+
+static algsurf_status choose(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+                             double lo, double hi, algsurf_selected *selected, int *index) {
+    candidate best = {-1, 0, {0, 0}};
+    if (!valid(sector) || count < 0 || (count > 0 && !roots) || !selected || !index)
+        return ALGSURF_E_ARGUMENT;
+    if (!(lo >= 0 && lo <= hi)) return ALGSURF_E_ARGUMENT;
+    for (int i = 0; i < count; i++) {
+        algsurf_interval magnitude = algsurf_cinterval_abs(roots[i].box);
+        int counts = in_range(magnitude, lo, hi);
+        if (!counts || (best.index >= 0 && magnitude.lo > best.magnitude.hi)) continue;
+        int holds = in_sector(sector, roots + i);
+        if (!holds) continue;
+        candidate c = {i, counts == 1 && holds == 1, magnitude};
+        int twin = best.index >= 0 && magnitude.lo == best.magnitude.lo && magnitude.hi == best.magnitude.hi;
+        if (best.index < 0 || magnitude.hi < best.magnitude.lo)
+            best = c;
+        else if (!twin) { /* they overlap: which is the least stays open */
+            c.certain = 0;
+            best.certain = 0;
+            if (magnitude.lo < best.magnitude.lo) best = c;
+        }
+    }
+    if (best.index >= 0) *index = best.index;
+    *selected = best.index < 0 ? ALGSURF_SELECTED_NONE
+                : best.certain ? ALGSURF_SELECTED_ONE
+                               : ALGSURF_SELECTED_UNDECIDED;
+    return ALGSURF_OK;
+}
+
+ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
+                 (const algsurf_sector *sector, const algsurf_enclosure *root, int *holds),
+                 (sector, root, holds))
+ALGSURF_I_PUBLIC(algsurf_status, select, choose,
+                 (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
+                  double hi, algsurf_selected *selected, int *index),
+                 (roots, count, sector, lo, hi, selected, index))

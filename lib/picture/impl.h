@@ -1,0 +1,173 @@
+/* impl.h - the pieces of render: a picture, its rows, the crew of threads that draws them.
+ *
+ *     render.c           checks the arguments, owns the memory, reports
+ *     threads.c          hands rows to threads, calls progress, cancels
+ *     row.c              one row: samples -> hits -> colours -> bytes
+ *     antialias.c        which of its pixels get all samples, and what the others show
+ *     pixel_range.c      camera and extent in the units of packets
+ *     packets.c          the hits of a row by packets
+ *     complex.c          one sample in complex space, started from its neighbours' roots
+ *     shadow.c           which share of a light reaches a point
+ */
+#ifndef ALGSURF_RENDER_IMPL_H
+#define ALGSURF_RENDER_IMPL_H
+#include <stdatomic.h>
+#include <stdint.h>
+
+#include "kernel.h"
+#include "scene_impl.h"
+
+#define ALGSURF_MAX_THREADS 256
+
+/* The points of a row that are seen through one sample of its pixels, and the pixels' sums over samples. */
+typedef struct algsurf_i_line {
+    const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
+    int wanted_count;
+    int count;  /* points: hits and uncertain ones */
+    int *pixel; /* of each point, in no particular order */
+    algsurf_i_points points;
+    double *colour;    /* 3 for each point */
+    double *visible;   /* light_count for each point, in full quality */
+    double *depth;     /* of each pixel: where packets found it */
+    uint8_t *state;    /* of each pixel: an ALGSURF_LANE */
+    uint16_t *samples; /* of each pixel: how many of its samples show a point */
+    double *sum;       /* 3 for each such pixel: their clamped colours */
+    double *nearest;   /* and their smallest t */
+} algsurf_i_line;
+
+/* What packets need to know of a picture. */
+typedef struct algsurf_i_packets {
+    algsurf_i_frame_form frame;
+    int orthographic;
+    double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
+    double near;                        /* depth of the eye */
+    double extent_size[3], tolerance;   /* in the view's unit */
+} algsurf_i_packets;
+
+/* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1.
+ */
+typedef struct algsurf_i_samples {
+    double *place[3];
+    int first[ALGSURF_MAX_LIGHTS + 1];
+} algsurf_i_samples;
+
+/* The roots of the pixels drawn last, in complex space: degree-many for each pixel of a row, in the order
+ * algsurf_intersect_complex returns them.  Null in real space. */
+typedef struct algsurf_i_trail {
+    algsurf_complex *above, *row; /* of the samples drawn before these, and of those being drawn */
+    int has_above;                /* 0: above holds nothing yet */
+} algsurf_i_trail;
+
+/* What is counted and timed: the fields of algsurf_render_stats that add up. */
+typedef struct algsurf_i_tally {
+    uint64_t rays, hits, uncertain, shadow_rays, iterations, single_rays;
+    double expand_s, solve_s, point_s, shade_s, shadow_s;
+} algsurf_i_tally;
+
+/* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
+ * samples, there is none of it. */
+typedef struct algsurf_i_middles {
+    int end;                   /* the rows before this one have been drawn */
+    uint8_t *bytes[3];         /* 3 for each pixel */
+    double *colour[3], *t[3];  /* 3 and 1 for each pixel, as line.sum and hits */
+    algsurf_i_tally counts[3]; /* of the rays through them */
+    uint8_t *wanted;           /* of each pixel of the row in the making */
+} algsurf_i_middles;
+
+/* What one thread draws with, and where it is. */
+typedef struct algsurf_i_worker {
+    algsurf_i_line line;
+    algsurf_i_trail trail;
+    algsurf_i_middles middles;
+    int row, row_end; /* what is left of the rows it has taken */
+    algsurf_i_tally tally;
+} algsurf_i_worker;
+
+/* What all rows of a picture share; only stop ever changes. */
+typedef struct algsurf_i_picture {
+    const algsurf_scene *scene;
+    int width, height, row_begin, row_end;
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    int light_count;
+    int shadows; /* 1: light_samples is there, and shadows are drawn */
+    algsurf_i_samples light_samples;
+    double centre[3], radius; /* the ball about what is shown */
+    double reach;             /* how far it reaches from its centre along the view */
+    const algsurf_i_kernel *kernel;
+    const algsurf_i_picture_kernel *code; /* for that kernel */
+    algsurf_i_packets *packets; /* null: every ray by itself */
+    uint8_t *pixels;
+    size_t stride;
+    double *hits;    /* or null */
+    int selective;   /* 1: only some pixels get all samples */
+    atomic_int stop; /* 1: rows in the making are to be abandoned */
+} algsurf_i_picture;
+
+/* Draws one row, row_begin <= row < row_end, and adds to the tally.  OK, CANCELLED when stop was set (the
+ * row's bytes are untouched then), or what intersect returned. */
+algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                    algsurf_i_tally *tally);
+
+/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to the line's sums.  OK, CANCELLED
+ * or what intersect returned. */
+algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+/* The line's sums over so many samples of each pixel, as bytes and, unless hits is null, as hits. */
+void algsurf_i_store_line(const algsurf_i_picture *picture, const algsurf_i_line *line, int samples,
+                          uint8_t *bytes, double *hits);
+
+/* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
+ * sets line.wanted. */
+algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                       algsurf_i_tally *tally);
+
+/* Adds the middles of a row's wanted pixels to the line's sums: where n is odd, they are a sample. */
+void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker);
+
+/* The row's bytes and hits (or null) at the pixels that are not wanted. */
+void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker,
+                             uint8_t *bytes, double *hits);
+
+/* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
+int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
+
+/* The pixels of a row whose rays may meet the ball of radius 1 about the view's centre. */
+void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end);
+
+/* The points of a row seen through offset (sx,sy) in each pixel. */
+algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                        algsurf_i_line *line, algsurf_i_tally *tally);
+
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, and counts it. */
+void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
+                        algsurf_i_tally *tally);
+
+/* The hit of pixel x of a row in complex space, along its ray; the roots go to the trail. */
+algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
+                                        algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally);
+
+/* Leaves pixel x of a row out of the trail. */
+void algsurf_i_trail_skip(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail);
+
+/* Sets light_samples.first; then light_samples.place, for which there is room. */
+void algsurf_i_count_samples(algsurf_i_picture *picture);
+void algsurf_i_place_samples(algsurf_i_picture *picture);
+
+/* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
+ * point's colour whatever the share. */
+algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
+                                        uint64_t *shadow_rays);
+
+/* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
+ * for each.  threads_used receives how many could be had. */
+algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
+                                     int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
+                                     int *threads_used);
+
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more);
+
+/* Seconds since some moment in the past; never goes back. */
+double algsurf_i_render_clock(void);
+
+#endif

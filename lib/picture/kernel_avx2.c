@@ -1,0 +1,8 @@
+/* kernel_avx2.c - rows of pictures in packets of four, for AVX2. */
+#include "kernel.h"
+
+#include "../simd/avx2.h"
+#ifdef LANES
+#include "kernel_template.h"
+#endif
+#include "../simd/end.h"

@@ -1,0 +1,5 @@
+/* kernel_baseline.c - rows of pictures in packets of two, for every processor. */
+#include "kernel.h"
+
+#include "../simd/baseline.h"
+#include "kernel_template.h"

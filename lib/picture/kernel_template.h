@@ -1,0 +1,12 @@
+/* kernel_template.h - all the packet code of pictures, as one kernel. */
+#ifndef ALGSURF_KERNEL_TEMPLATE_H
+#define ALGSURF_KERNEL_TEMPLATE_H
+#include "colours_template.h"
+#include "kernel.h"
+#include "points_template.h"
+#include "row_template.h"
+
+const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {
+    .solve_row = solve_row, .points = find_points, .colours = find_colours};
+
+#endif

@@ -1,0 +1,183 @@
+/* packets.c - the hits of a row at once; what that leaves in doubt, as packets of rays. */
+#include <math.h>
+#include <string.h>
+
+#include "camera_impl.h"
+#include "impl.h"
+
+enum { GROUP = 32 }; /* doubtful pixels that are solved together */
+
+#define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
+
+/* The row's job, and the pixels whose rays may meet what is shown; 0 when there are none. */
+static int make_job(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                    algsurf_i_row_job *job, int *begin, int *end) {
+    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_view *view = &p->frame.view;
+    form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
+    *job = (algsurf_i_row_job){.view = view,
+                               .basis = p->frame.basis,
+                               .row = form,
+                               .offset = sx - 0.5 * picture->width,
+                               .pixel = p->pixel,
+                               .u0 = p->origin[0],
+                               .du = p->per_slope,
+                               .slope = view->alpha * form->v + view->beta[1],
+                               .extent = &picture->scene->extent,
+                               .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                               .near = p->near,
+                               .bounded = picture->scene->intersect.tier != ALGSURF_TIER_FAST,
+                               .tolerance = p->tolerance};
+    algsurf_i_packets_range(job, picture->width, begin, end);
+    return *begin < *end;
+}
+
+/* The error bounds hold for rays that stay within 4 of the view's centre in x and y. */
+static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
+    const algsurf_i_view *view = job->view;
+    double first = job->u0 + job->du * ((begin + job->offset) * job->pixel);
+    double last = job->u0 + job->du * ((end + job->offset) * job->pixel);
+    double u = fmax(fabs(first), fabs(last)), v = fabs(job->row->v);
+    return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
+}
+
+/* The wanted pixels, in runs: those with few others between are solved together. */
+static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int begin, int end,
+                         algsurf_i_line *line) {
+    for (int x = begin; x < end; x++) {
+        int last = x;
+        if (!line->wanted[x]) continue;
+        for (int next = x + 1; next < end && next <= last + CLOSE; next++)
+            if (line->wanted[next]) last = next;
+        picture->code->solve_row(job, x, last + 1, line->depth, line->state);
+        x = last;
+    }
+    for (int x = begin; x < end; x++)
+        if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
+}
+
+/* Pixels that the row left in doubt, and their rays as a packet. */
+typedef struct doubtful_pixels {
+    size_t count;
+    int pixel[GROUP];
+    double origin[3][GROUP], direction[3][GROUP], t_min[GROUP], t_max[GROUP];
+} doubtful_pixels;
+
+static void add_pixel(doubtful_pixels *d, int x, const algsurf_ray *ray) {
+    size_t i = d->count++;
+    d->pixel[i] = x;
+    d->t_min[i] = ray->t_min;
+    d->t_max[i] = ray->t_max;
+    for (int k = 0; k < 3; k++) {
+        d->origin[k][i] = ray->origin[k];
+        d->direction[k][i] = ray->direction[k];
+    }
+}
+
+/* The rays themselves, without the noise that a row allows for: most of them are decided side by side. */
+static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pixels *d, algsurf_i_line *line,
+                                  algsurf_i_tally *tally) {
+    unsigned char state[GROUP];
+    double t[GROUP], position[3][GROUP], normal[3][GROUP];
+    const algsurf_ray_packet rays = {
+        .size = sizeof rays,
+        .count = d->count,
+        .origin = {d->origin[0], d->origin[1], d->origin[2]},
+        .direction = {d->direction[0], d->direction[1], d->direction[2]},
+        .t_min = d->t_min,
+        .t_max = d->t_max,
+    };
+    const algsurf_hit_packet hits = {
+        .size = sizeof hits,
+        .state = state,
+        .t = t,
+        .position = {position[0], position[1], position[2]},
+        .normal = {normal[0], normal[1], normal[2]},
+    };
+    algsurf_status status =
+        algsurf_intersect_packet(scene->surface, &scene->extent, &rays, &scene->intersect, &hits);
+    if (status < 0) return status;
+    for (size_t i = 0; i < d->count; i++) {
+        algsurf_ray ray;
+        algsurf_hit hit = {.state = state[i], .t = t[i]};
+        for (int k = 0; k < 3; k++) {
+            ray.direction[k] = d->direction[k][i];
+            hit.position[k] = position[k][i];
+            hit.normal[k] = normal[k][i];
+        }
+        algsurf_i_line_add(line, d->pixel[i], &ray, &hit, tally);
+    }
+    tally->single_rays += d->count;
+    return ALGSURF_OK;
+}
+
+static algsurf_status solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                     int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+    const algsurf_scene *scene = picture->scene;
+    doubtful_pixels d = {.count = 0};
+    algsurf_status status = ALGSURF_OK;
+    for (int x = begin; x < end && status == ALGSURF_OK; x++) {
+        algsurf_ray ray;
+        if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
+            algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
+            add_pixel(&d, x, &ray);
+        }
+        if (d.count < GROUP && (x + 1 < end || d.count == 0)) continue;
+        if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
+        status = solve_group(scene, &d, line, tally);
+        d.count = 0;
+    }
+    return status;
+}
+
+/* Hits move to the front of depth, their pixels to the line; returns whether there are doubtful ones. */
+static int gather(algsurf_i_line *line, int begin, int end) {
+    int doubtful = 0;
+    for (int x = begin; x < end; x++) {
+        uint64_t eight; /* most of a picture is empty */
+        if (end - x >= 8 && (memcpy(&eight, line->state + x, 8), eight == 0)) {
+            x += 7;
+            continue;
+        }
+        line->depth[line->count] = line->depth[x];
+        line->pixel[line->count] = x;
+        line->count += line->state[x] == ALGSURF_LANE_HIT;
+        doubtful |= line->state[x] == ALGSURF_LANE_DOUBTFUL;
+    }
+    return doubtful;
+}
+
+algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                        algsurf_i_line *line, algsurf_i_tally *tally) {
+    const algsurf_i_packets *p = picture->packets;
+    algsurf_i_row_form form;
+    algsurf_i_row_job job;
+    int begin, end, doubtful = 1;
+    double begun = algsurf_i_render_clock();
+    tally->rays += (uint64_t)line->wanted_count;
+    if (!make_job(picture, row + sy, sx, &form, &job, &begin, &end)) return ALGSURF_OK;
+    if (within_bounds(&job, begin, end)) {
+        algsurf_i_row_expand(&p->frame, form.v, &form);
+        double expanded = algsurf_i_render_clock();
+        tally->expand_s += expanded - begun;
+        begun = expanded;
+        if (line->wanted)
+            solve_wanted(picture, &job, begin, end, line);
+        else
+            picture->code->solve_row(&job, begin, end, line->depth, line->state);
+        doubtful = gather(line, begin, end);
+        tally->hits += (uint64_t)line->count;
+    } else {
+        for (int x = begin; x < end; x++)
+            line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
+    }
+    int hits = line->count;
+    algsurf_status status =
+        doubtful ? solve_doubtful(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
+    double solved = algsurf_i_render_clock();
+    tally->solve_s += solved - begun;
+    const algsurf_i_point_job points = {.surface = picture->scene->surface, .row = &job};
+    picture->code->points(&points, line->pixel, line->depth, hits, &line->points);
+    tally->point_s += algsurf_i_render_clock() - solved;
+    return status;
+}

@@ -1,0 +1,134 @@
+/* pixel_range.c - a scene's camera and extent as a view (expand_view.h), so that whole rows can be solved in
+ * packets.
+ *
+ * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
+ * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
+ *
+ * Noise: a pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Its direction, of length L
+ * before it is made a unit, is off by at most u (2 |p| + 2 |q| + 2 L), L <= 1 + |p| + |q|; that moves the ray
+ * at the far end of the extent by D + 1 times as much.  Here D p meets six roundings (the pixel's place, two
+ * factors, their product, D, and the sum), alpha and beta two each.  A parallel ray's direction is exact, its
+ * origin is rounded, and so is the pixel's place in a picture that may be much larger than the extent.  All
+ * else is what is left when the eye is put together again from its rounded coordinates, measured. */
+#include <stdlib.h>
+
+#include "../rays/expand_impl.h"
+#include "impl.h"
+#include "../base/vec.h"
+
+/* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */
+static int natural(const algsurf_surface *s, const double from[3], double to[3]) {
+    for (int i = 0; i < 3; i++) {
+        to[i] = ldexp(from[i], -s->unit);
+        if (ldexp(to[i], s->unit) != from[i]) return 0;
+    }
+    return 1;
+}
+
+/* Coordinates of `point` in the view's axes; returns a bound on each component of what they miss. */
+static double in_axes(const algsurf_i_view *view, const algsurf_dd point[3], double place[3]) {
+    double missed = 0;
+    for (int k = 0; k < 3; k++) place[k] = 0;
+    for (int round = 0; round < 3; round++) {
+        algsurf_dd rest[3];
+        for (int i = 0; i < 3; i++) {
+            rest[i] = point[i];
+            for (int k = 0; k < 3; k++)
+                rest[i] = algsurf_dd_sub(rest[i], algsurf_two_prod(place[k], view->axis[k][i]));
+        }
+        double left[3] = {rest[0].hi, rest[1].hi, rest[2].hi};
+        missed = 2 * algsurf_length(left);
+        for (int k = 0; k < 3 && round < 2; k++) place[k] += algsurf_dot(left, view->axis[k]);
+    }
+    return missed;
+}
+
+/* Are the camera's axes orthonormal to a few roundings? */
+static int orthonormal(const algsurf_camera *camera) {
+    const double *axis[3] = {camera->right, camera->up, camera->forward};
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-48)) return 0;
+        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-48)) return 0;
+    }
+    return 1;
+}
+
+static double noise_of(const algsurf_i_packets *p, const double eye[3], const double place[3],
+                       double slopes) {
+    double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
+    if (!p->orthographic)
+        return ALGSURF_U *
+               ((4 + 4 * slopes) * (distance + 1) + 6 * slopes * distance + 8 * offset * (1 + 1 / distance));
+    return ALGSURF_U * (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + p->per_slope * slopes + 2));
+}
+
+static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
+    const algsurf_camera *camera = &picture->scene->camera;
+    algsurf_i_view *view = &p->frame.view;
+    algsurf_dd away[3];
+    double place[3], pixel = camera->half_height / (0.5 * picture->height);
+    for (int i = 0; i < 3; i++) away[i] = algsurf_two_sum(eye[i], -view->centre[i]);
+    double missed = in_axes(view, away, place) / view->size;
+    for (int k = 0; k < 3; k++) place[k] /= view->size;
+    p->near = place[2];
+    for (int k = 0; k < 2; k++) {
+        p->origin[k] = place[k];
+        p->per_slope = p->orthographic ? ldexp(1, -picture->scene->surface->unit) / view->size : -place[2];
+        view->beta[k] = p->orthographic ? 0 : place[k] / place[2];
+    }
+    view->alpha = p->orthographic ? 0 : -1 / place[2];
+    p->pixel = pixel;
+    view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
+}
+
+/* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
+ * and v? */
+static int suits_packets(const algsurf_scene *scene) {
+    return !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
+           scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
+           scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0 &&
+           orthonormal(&scene->camera);
+}
+
+int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {
+    const algsurf_scene *scene = picture->scene;
+    const algsurf_camera *camera = &scene->camera;
+    algsurf_i_view *view = &p->frame.view;
+    double eye[3];
+    if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
+        !natural(scene->surface, scene->extent.centre, view->centre))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        view->axis[0][i] = camera->right[i];
+        view->axis[1][i] = camera->up[i];
+        view->axis[2][i] = camera->forward[i];
+    }
+    view->size = ldexp(picture->radius * (1 + 0x1p-20), -scene->surface->unit);
+    p->orthographic = camera->orthographic;
+    place_eye(p, picture, eye);
+    for (int i = 0; i < 3; i++)
+        p->extent_size[i] = ldexp(scene->extent.size[i], -scene->surface->unit) / view->size;
+    /* a depth of 1 is at most this much of t */
+    p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
+    return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
+           view->noise * scene->surface->degree < 0x1p-22;
+}
+
+/* The pixels of a row whose rays may meet the ball about the view: where sin^2 of the angle between ray and
+ * ball, a quadratic polynomial of the pixel's place, is not surely negative. */
+void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end) {
+    const algsurf_i_view *view = job->view;
+    double v = job->row->v, b = job->slope, u0 = job->u0, u1 = job->du;
+    double a0 = view->alpha * u0 + view->beta[0], a1 = view->alpha * u1, w0 = u0 * b - v * a0,
+           w1 = u1 * b - v * a1;
+    double c0 = 1 + b * b - v * v + a0 * a0 - u0 * u0 - w0 * w0, c1 = a0 * a1 - u0 * u1 - w0 * w1;
+    double c2 = a1 * a1 - u1 * u1 - w1 * w1, disc = c1 * c1 - c2 * c0;
+    *begin = 0;
+    *end = width;
+    if (!(c2 < 0) || !isfinite(disc)) return; /* the eye is inside the ball; or too small a ball to tell */
+    double middle = c1 / -c2 / job->pixel - job->offset, half = sqrt(fmax(disc, 0)) / -c2 / job->pixel;
+    double first = floor(middle - half) - 1, last = ceil(middle + half) + 2;
+    if (disc < -1e-9 * c1 * c1) first = last = 0;
+    *begin = (int)fmin(fmax(first, 0), width);
+    *end = (int)fmin(fmax(last, *begin), width);
+}

@@ -1,0 +1,118 @@
+/* points_template.h - from the depths of hits to points of the surface: Newton steps along the ray on P
+ * itself, seldom more than one, position, normal.
+ */
+#ifndef ALGSURF_POINTS_TEMPLATE_H
+#define ALGSURF_POINTS_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "../surface/jets_template.h"
+#include "kernel.h"
+
+#define FARTHEST_STEP                                                                                        \
+    0x1p-16               /* of a Newton step, in the view's unit: a longer one is not to the same root      \
+                           */
+#define LAST_STEP 0x1p-26 /* longer ones leave too much: another follows */
+#define MOST_ROUNDS 4     /* of steps; one is usual */
+
+/* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
+ * slope = alpha u + beta. */
+typedef struct row_rays {
+    double foot[3], across[3], straight[3];
+    double offset, pixel, u0, du, alpha, beta, size, near, unit;
+} row_rays;
+
+static row_rays rays_of_row(const algsurf_i_point_job *job) {
+    const algsurf_i_row_job *row = job->row;
+    const algsurf_i_view *view = row->view;
+    row_rays s = {.offset = row->offset,
+                  .pixel = row->pixel,
+                  .u0 = row->u0,
+                  .du = row->du,
+                  .alpha = view->alpha,
+                  .beta = view->beta[0],
+                  .size = view->size,
+                  .near = view->size * row->near,
+                  .unit = ldexp(1, job->surface->unit)};
+    for (int i = 0; i < 3; i++) {
+        s.foot[i] = view->centre[i] + view->size * (row->row->v * view->axis[1][i]);
+        s.across[i] = view->axis[0][i];
+        s.straight[i] = view->axis[2][i] + row->slope * view->axis[1][i];
+    }
+    return s;
+}
+
+/* A packet of rays: X = foot + z along, |along| about 1. */
+typedef struct packet_rays {
+    lanes foot[3], along[3], z;
+} packet_rays;
+
+INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
+    packet_rays r = {.z = s->size * depth};
+    lanes u = s->u0 + s->du * ((pixel + s->offset) * s->pixel), slope = s->alpha * u + s->beta;
+    for (int i = 0; i < 3; i++) {
+        r.foot[i] = s->foot[i] + s->size * u * s->across[i];
+        r.along[i] = s->straight[i] + slope * s->across[i];
+    }
+    return r;
+}
+
+/* Newton's steps from where P and its gradient were taken; 0 where that is no step to the same root. */
+INLINE lanes step_to(const row_rays *s, const packet_rays *r, const jets *p, int w) {
+    lanes gradient[3] = {p->x[w], p->y[w], p->z[w]}, step = -p->v[w] / dot(gradient, r->along);
+    return choose(at_most(absolute(step), all_lanes(FARTHEST_STEP * s->size)), step, all_lanes(0));
+}
+
+/* Sets the entries from `first` on: the points at z, the unit normals. */
+INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
+                          const algsurf_i_points *points, int first, int count) {
+    lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
+    make_unit(normal);
+    store_some(points->t + first, (z - s->near) * length * s->unit, count);
+    for (int i = 0; i < 3; i++) {
+        store_some(points->position[i] + first, (r->foot[i] + z * r->along[i]) * s->unit, count);
+        store_some(points->normal[i] + first, normal[i], count);
+        store_some(points->direction[i] + first, r->along[i] * inverse, count);
+    }
+}
+
+/* Entries from `first` on: so many packets, the last one of `count` entries. */
+INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, const int *pixel,
+                         const double *depth, const algsurf_i_points *points, int first, int packets,
+                         int count) {
+    packet_rays r[PAIR];
+    lanes at[PAIR][3], step[PAIR];
+    jets p;
+    for (int w = 0; w < packets; w++) {
+        int from = first + w * LANES;
+        r[w] = rays_of_packet(s, load_some_integers(pixel + from, count), load_some(depth + from, count));
+    }
+    for (int round = 1;; round++) {
+        mask far = no_lane();
+        for (int w = 0; w < packets; w++)
+            for (int i = 0; i < 3; i++) at[w][i] = r[w].foot[i] + r[w].z * r[w].along[i];
+        p = surface_jets(surface, at, packets);
+        for (int w = 0; w < packets; w++) {
+            step[w] = step_to(s, &r[w], &p, w);
+            far |= less(all_lanes(LAST_STEP * s->size), absolute(step[w]));
+        }
+        if (round == MOST_ROUNDS || !any(far)) break;
+        for (int w = 0; w < packets; w++)
+            r[w].z =
+                choose(less(all_lanes(LAST_STEP * s->size), absolute(step[w])), r[w].z + step[w], r[w].z);
+    }
+    for (int w = 0; w < packets; w++) {
+        lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
+        finish_packet(s, &r[w], r[w].z + step[w], normal, points, first + w * LANES, count);
+    }
+}
+
+static void find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_points *points) {
+    const row_rays s = rays_of_row(job);
+    int first = 0;
+    for (; first + PAIR * LANES <= count; first += PAIR * LANES)
+        find_packets(job->surface, &s, pixel, depth, points, first, PAIR, LANES);
+    for (; first < count; first += LANES)
+        find_packets(job->surface, &s, pixel, depth, points, first, 1, count - first);
+}
+
+#endif

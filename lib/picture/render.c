@@ -1,0 +1,268 @@
+/* render.c - a picture: arguments, memory, totals. */
+#define _POSIX_C_SOURCE 200809L /* sysconf */
+#include "impl.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "camera_impl.h"
+#include "../base/fpenv.h"
+#include "../base/options.h"
+#include "../base/vec.h"
+
+#define MAX_SIDE 65535
+
+static algsurf_status read_options(const algsurf_render_options *given, algsurf_render_options *o) {
+    if (!given || !algsurf_options_read(o, sizeof *o, given)) return ALGSURF_E_ARGUMENT;
+    if (o->row_begin == 0 && o->row_end == 0) o->row_end = o->height;
+    int good = o->width >= 1 && o->width <= MAX_SIDE && o->height >= 1 && o->height <= MAX_SIDE &&
+               o->row_begin >= 0 && o->row_begin < o->row_end && o->row_end <= o->height && o->threads >= 0 &&
+               o->threads <= ALGSURF_MAX_THREADS;
+    return good ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
+/* How many threads to draw with: never more than rows. */
+static int thread_count(const algsurf_render_options *options) {
+    long threads = options->threads > 0 ? options->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    int rows = options->row_end - options->row_begin;
+    if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
+    if (threads > rows) threads = rows;
+    return threads < 1 ? 1 : (int)threads;
+}
+
+/* The rays through the picture's corners are finite, hence all rays between them. */
+static int rays_are_finite(const algsurf_camera *camera, int width, int height) {
+    for (int corner = 0; corner < 4; corner++) {
+        algsurf_ray ray;
+        algsurf_i_camera_ray(camera, width, height, corner & 1 ? width : 0, corner & 2 ? height : 0, &ray);
+        if (!algsurf_is_finite3(ray.origin) || !algsurf_is_finite3(ray.direction)) return 0;
+    }
+    return 1;
+}
+
+static int lights_are_finite(const algsurf_light *lights, int count) {
+    for (int l = 0; l < count; l++)
+        if (!algsurf_is_finite3(lights[l].position)) return 0;
+    return 1;
+}
+
+/* Half the length of what is shown, seen along the view. */
+static double reach_of(const algsurf_scene *scene, double radius) {
+    double sum = 0;
+    if (scene->extent.kind != ALGSURF_EXTENT_BOX) return radius;
+    for (int i = 0; i < 3; i++) sum += scene->extent.size[i] * fabs(scene->camera.forward[i]);
+    return sum;
+}
+
+static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
+                                               const algsurf_render_options *options,
+                                               algsurf_i_picture *picture) {
+    picture->scene = scene;
+    picture->width = options->width;
+    picture->height = options->height;
+    picture->row_begin = options->row_begin;
+    picture->row_end = options->row_end;
+    picture->selective = scene->antialias > 1 && scene->antialias_threshold > 0;
+    atomic_init(&picture->stop, 0);
+    picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
+    picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
+    algsurf_i_count_samples(picture);
+    algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
+    picture->reach = reach_of(scene, picture->radius);
+    picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
+    picture->code = algsurf_i_picture_kernel_for(picture->kernel);
+    if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
+    if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
+        !lights_are_finite(picture->lights, picture->light_count))
+        return ALGSURF_E_NOT_FINITE;
+    return ALGSURF_OK;
+}
+
+/* The caller's struct may be shorter or longer than ours; what is unknown here becomes 0. */
+static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *total, double seconds,
+                        int threads, const char *kernel) {
+    size_t size = stats->size;
+    algsurf_render_stats ours = {.size = size,
+                                 .rays = total->rays,
+                                 .hits = total->hits,
+                                 .uncertain = total->uncertain,
+                                 .shadow_rays = total->shadow_rays,
+                                 .solve_s = total->solve_s,
+                                 .shade_s = total->shade_s,
+                                 .total_s = seconds,
+                                 .threads = threads,
+                                 .iterations = total->iterations,
+                                 .single_rays = total->single_rays,
+                                 .expand_s = total->expand_s,
+                                 .point_s = total->point_s,
+                                 .shadow_s = total->shadow_s,
+                                 .kernel = kernel};
+    memset(stats, 0, size);
+    memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
+}
+
+/* All the memory of a picture, in six blocks. */
+typedef struct work_memory {
+    algsurf_i_worker *workers;
+    double *doubles;        /* lines and middles of all workers, the lights' samples, the frame */
+    int *ints;              /* a row for each worker */
+    uint16_t *counts;       /* likewise */
+    uint8_t *bytes;         /* likewise, and what their middles need */
+    algsurf_complex *roots; /* two rows for each worker in complex space, else null */
+} work_memory;
+
+#define LINE_DOUBLES 18   /* for each pixel, besides a share of each light */
+#define MIDDLE_DOUBLES 12 /* for each pixel of a selective picture */
+#define MIDDLE_BYTES 10   /* likewise */
+#define APART 24          /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
+
+static double *take(double **from, size_t count) {
+    double *taken = *from;
+    *from += count;
+    return taken;
+}
+
+static uint8_t *take_bytes(uint8_t **from, size_t count) {
+    uint8_t *taken = *from;
+    *from += count;
+    return taken;
+}
+
+static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
+    width += APART;
+    line->points.t = take(doubles, width);
+    for (int k = 0; k < 3; k++) {
+        line->points.position[k] = take(doubles, width);
+        line->points.normal[k] = take(doubles, width);
+        line->points.direction[k] = take(doubles, width);
+    }
+    line->colour = take(doubles, 3 * width);
+    line->depth = take(doubles, width);
+    line->sum = take(doubles, 3 * width);
+    line->nearest = take(doubles, width);
+    line->visible = take(doubles, lights * width);
+}
+
+static void lay_out_middles(algsurf_i_middles *middles, size_t width, double **doubles, uint8_t **bytes) {
+    for (int slot = 0; slot < 3; slot++) {
+        middles->colour[slot] = take(doubles, 3 * width);
+        middles->t[slot] = take(doubles, width);
+        middles->bytes[slot] = take_bytes(bytes, 3 * width);
+    }
+    middles->wanted = take_bytes(bytes, width);
+}
+
+static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
+    frame->q = take(doubles, side * side * side);
+    frame->basis = take(doubles, side * side);
+    frame->sizes = take(doubles, side * side);
+    frame->along = take(doubles, side * side);
+}
+
+/* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
+static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
+    int degree = algsurf_surface_degree(picture->scene->surface);
+    size_t width = (size_t)picture->width, row = width * (size_t)degree, count = (size_t)threads;
+    size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
+    size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
+    size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
+    size_t middle = picture->selective ? 1 : 0;
+    int rooted = picture->scene->complex && row > 0;
+    memory->workers = calloc(count, sizeof *memory->workers);
+    memory->doubles = calloc(count * (width + APART) * (LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES) +
+                                 frame + 3 * samples,
+                             sizeof *memory->doubles);
+    memory->ints = calloc(count * width, sizeof *memory->ints);
+    memory->counts = calloc(count * width, sizeof *memory->counts);
+    memory->bytes = calloc(count * width, 1 + middle * MIDDLE_BYTES);
+    memory->roots = rooted ? calloc(count, 2 * row * sizeof *memory->roots) : NULL;
+    if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes ||
+        (rooted && !memory->roots))
+        return 0;
+    double *doubles = memory->doubles;
+    uint8_t *bytes = memory->bytes;
+    for (size_t i = 0; i < count; i++) {
+        algsurf_i_worker *worker = &memory->workers[i];
+        worker->line.pixel = memory->ints + i * width;
+        worker->line.samples = memory->counts + i * width;
+        worker->line.state = take_bytes(&bytes, width);
+        lay_out_line(&worker->line, width, lights, &doubles);
+        if (picture->selective) lay_out_middles(&worker->middles, width, &doubles, &bytes);
+        if (!rooted) continue;
+        worker->trail.row = memory->roots + 2 * i * row;
+        worker->trail.above = worker->trail.row + row;
+    }
+    for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
+    if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
+    return 1;
+}
+
+static void release(work_memory *memory) {
+    free(memory->workers);
+    free(memory->doubles);
+    free(memory->ints);
+    free(memory->counts);
+    free(memory->bytes);
+    free(memory->roots);
+}
+
+/* Brings P to the picture's view; a frame that leaves the range of double is done without packets. */
+static algsurf_status make_frame(algsurf_i_picture *picture) {
+    if (!picture->packets) return ALGSURF_OK;
+    const algsurf_surface *surface = picture->scene->surface;
+    void *memory = malloc(algsurf_i_frame_memory(surface->degree));
+    if (!memory) return ALGSURF_E_NO_MEMORY;
+    if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
+    free(memory);
+    return ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
+                                            algsurf_i_tally *total, int *threads_used) {
+    work_memory memory;
+    int threads = thread_count(options);
+    double begun = algsurf_i_render_clock();
+    algsurf_status status = ALGSURF_E_NO_MEMORY;
+    if (hire(picture, threads, &memory)) {
+        if (picture->shadows) algsurf_i_place_samples(picture);
+        status = make_frame(picture);
+    }
+    double expanded = algsurf_i_render_clock();
+    if (status == ALGSURF_OK)
+        status = algsurf_i_render_crew(picture, options, threads, memory.workers, total, threads_used);
+    total->expand_s += expanded - begun;
+    release(&memory);
+    return status;
+}
+
+/* In the standard environment. */
+static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
+                                              const algsurf_render_options *options, uint8_t *pixels,
+                                              size_t stride, double *hits, algsurf_render_stats *stats) {
+    double begin = algsurf_i_render_clock();
+    algsurf_i_packets packets;
+    algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits, .packets = &packets};
+    algsurf_render_options o;
+    algsurf_i_tally total = {0};
+    int threads = 0;
+
+    if (!scene || !pixels || (stats && stats->size < sizeof stats->size)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = read_options(options, &o);
+    if (status != ALGSURF_OK) return status;
+    if (stride < 3 * (size_t)o.width) return ALGSURF_E_ARGUMENT;
+    status = prepare(scene, &o, &picture);
+    if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
+    if (status >= 0 && stats)
+        write_stats(stats, &total, algsurf_i_render_clock() - begin, threads, picture.kernel->name);
+    return status;
+}
+
+algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
+                              uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = render(scene, options, pixels, stride, hits, stats);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}

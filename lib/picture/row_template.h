@@ -1,0 +1,271 @@
+/* row_template.h - the pixels of a row: the chord inside the extent, coefficients by Horner's rule in u, and
+ * the first root (roots/packet_template.h).
+ *
+ * Pixels come in segments.  Their chords have a range of depth in common, and Bernstein coefficients over it
+ * are made once a segment, as polynomials in u: they have fewer variations of sign than those over all
+ * depths, so that most rays that miss show it at once.
+ *
+ * Two errors belong to a chord's ends.  Rounding, and the distance of the pixel's ray from the line
+ * computed with: together e = 2^-44 + 4 noise in the view's unit for a line across the extent's surface;
+ * where it meets the surface at a slant, e is divided by the sine.  It goes to packet.blur; lines that all
+ * but touch the extent are doubtful. */
+#ifndef ALGSURF_ROW_TEMPLATE_H
+#define ALGSURF_ROW_TEMPLATE_H
+#include "../roots/packet_template.h"
+#include "../simd/lanes.h"
+#include "kernel.h"
+
+#define ON_EDGE 0x1p-26  /* of the squared sine, or of the distance to a face: narrower is doubtful */
+#define PARALLEL 0x1p-20 /* a direction along a face */
+#define ENOUGH 0x1p-30   /* error of a root before the last Newton step, on P itself */
+
+/* Lines of sight: across u, v at depth 0, with slopes a, b. */
+typedef struct sight {
+    lanes u, a;
+    double v, b;
+} sight;
+
+/* Depths where the chord begins and ends, and their error. */
+typedef struct chord {
+    lanes near, far, blur;
+    mask doubtful;
+} chord;
+
+INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, double e) {
+    chord c;
+    double r = job->extent_size[0];
+    lanes size = s->a * s->a + (1 + s->b * s->b), along = s->u * s->a + s->v * s->b;
+    lanes across = s->u * s->b - s->v * s->a;
+    lanes inside = r * r * size - (s->u * s->u + (s->v * s->v + across * across));
+    lanes edge = (ON_EDGE + 4 * e) * size, half = root(larger(inside, edge));
+    lanes inverse = 1 / (size * half), over_size = inverse * half;
+    c.near = (-along - half) * over_size;
+    c.far = (half - along) * over_size;
+    c.blur = e * (size * size) * inverse;
+    c.doubtful = at_most(absolute(inside), edge);
+    c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: e moves it by 3 e size at most */
+    return c;
+}
+
+INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e) {
+    const double(*axis)[3] = job->view->axis;
+    chord c = {all_lanes(-1), all_lanes(1), all_lanes(e), less(s->u, s->u)};
+    for (int k = 0; k < 3; k++) {
+        lanes at = s->u * axis[0][k] + s->v * axis[1][k], h = all_lanes(job->extent_size[k]);
+        lanes d = s->a * axis[0][k] + (s->b * axis[1][k] + axis[2][k]);
+        mask along = at_most(absolute(d), all_lanes(PARALLEL));
+        lanes safe = choose(along, all_lanes(1), d), one = (-h - at) / safe, two = (h - at) / safe;
+        lanes room = h - absolute(at); /* a line along the faces moves by PARALLEL + e, e < 2 PARALLEL */
+        c.near = choose(along, c.near, larger(c.near, smaller(one, two)));
+        c.far = choose(along, c.far, smaller(c.far, larger(one, two)));
+        c.far = choose(along & less(room, all_lanes(-4 * PARALLEL)), c.near - 1, c.far);
+        c.doubtful |= along & at_most(absolute(room), all_lanes(4 * PARALLEL));
+        c.blur = choose(along, c.blur, larger(c.blur, e / absolute(safe)));
+    }
+    c.doubtful |= at_most(absolute(c.far - c.near), all_lanes(ON_EDGE));
+    return c;
+}
+
+/* The part of each line of sight that is shown, in front of the eye, and the lanes where there is one. */
+INLINE chord clip(const algsurf_i_row_job *job, const sight *s, mask *open) {
+    double e = 0x1p-44 + 4 * job->view->noise;
+    chord c =
+        job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
+    c.near = larger(c.near, all_lanes(job->near));
+    lanes unsure = 8 * c.blur + 0x1p-38;
+    c.doubtful |= at_most(absolute(c.far - c.near), unsure);
+    c.doubtful &= less(c.near - unsure, c.far);
+    *open = less(c.near, c.far) & ~c.doubtful;
+    return c;
+}
+
+#define BLOCK 8    /* pixels that share a guess, whatever the number of lanes */
+#define SEGMENT 64 /* pixels that share a range of depth */
+
+/* A range of depth, z = lo + length tau, and the Bernstein coefficients b_j = sum_m b[j ALGSURF_ROW_STRIDE +
+ * m] u^m. */
+typedef struct segment {
+    double lo, length;
+    sight sights[SEGMENT / LANES];
+    chord chords[SEGMENT / LANES];
+    mask open[SEGMENT / LANES];
+    double b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
+} segment;
+
+/* Taylor shift to the middle, scaling, change of basis; for LANES powers of u at a time. */
+INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
+    double half = 0.5 * s->length, middle = s->lo + half;
+    for (int m = 0; m <= n; m += LANES) {
+        lanes c[ALGSURF_MAX_VIEW_DEGREE + 1], power = all_lanes(1);
+        for (int k = 0; k <= n; k++) c[k] = load(job->row->c + k * job->row->stride + m);
+        for (int i = 0; i < n; i++)
+            for (int k = n - 1; k >= i; k--) c[k] += middle * c[k + 1];
+        for (int k = 1; k <= n; k++) {
+            power *= half;
+            c[k] *= power;
+        }
+        for (int j = 0; j <= n; j++) {
+            lanes b = c[0];
+            for (int k = 1; k <= n; k++) b += job->basis[j * (n + 1) + k] * c[k];
+            store(s->b + j * ALGSURF_ROW_STRIDE + m, b);
+        }
+    }
+}
+
+/* Lines of sight, chords and their range; returns 0 when there are no chords. */
+INLINE int begin_segment(const algsurf_i_row_job *job, int begin, int end, segment *s) {
+    lanes lo = all_lanes(1), hi = all_lanes(-1);
+    for (int i = 0; i < SEGMENT / LANES; i++) {
+        lanes pixel = smaller(begin + i * LANES + numbered(), all_lanes(end - 1));
+        sight *at = s->sights + i;
+        at->v = job->row->v;
+        at->b = job->slope;
+        at->u = job->u0 + job->du * ((pixel + job->offset) * job->pixel);
+        at->a = job->view->alpha * at->u + job->view->beta[0];
+        s->chords[i] = clip(job, at, s->open + i);
+        lanes blur = 2 * s->chords[i].blur;
+        lo = choose(s->open[i], smaller(lo, s->chords[i].near - blur), lo);
+        hi = choose(s->open[i], larger(hi, s->chords[i].far + blur), hi);
+    }
+    double least = 1, most = -1;
+    for (int l = 0; l < LANES; l++) {
+        least = lo[l] < least ? lo[l] : least;
+        most = hi[l] > most ? hi[l] : most;
+    }
+    s->lo = least < -1 ? -1 : least;
+    s->length = (most > 1 ? 1 : most) - s->lo;
+    return least < most;
+}
+
+INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u, packet *k, int n) {
+    for (int j = 0; j <= n; j++) {
+        const double *c = s->b + j * ALGSURF_ROW_STRIDE;
+        lanes sum = all_lanes(c[n]);
+        for (int m = n - 1; m >= 0; m--) sum = sum * u + c[m];
+        k->b[j] = sum;
+    }
+    lanes x = absolute(u) + absolute(job->view->alpha * u) + (fabs(job->view->beta[0]) + job->view->noise);
+    lanes radius = all_lanes(0);
+    for (int i = n; job->bounded && i >= 0; i--) radius = radius * x + job->row->radius[i];
+    k->radius = radius;
+}
+
+/* What of the segment's range is the chord. */
+INLINE void search_chord(const segment *s, const chord *c, packet *k) {
+    double scale = 1 / s->length;
+    lanes blur = c->blur * scale + 0x1p-50;
+    k->start = larger(floor40((c->near - s->lo) * scale - blur), all_lanes(0));
+    k->stop = smaller(-floor40(-(c->far - s->lo) * scale - blur), all_lanes(1));
+    k->blur = 2 * blur + 0x1p-39;
+}
+
+/* What the pixels before tell: the depths of the last three of a block, if all were hit, and the depths at
+ * which the last one was cut to show that it has none. */
+typedef struct trail {
+    double last, step, bend;
+    int known;
+    cuts empty;
+} trail;
+
+INLINE void set_trail(trail *t, const double *depth, const uint8_t *state, int end) {
+    const double *d = depth + end - 3;
+    const uint8_t *s = state + end - 3;
+    t->known = (s[0] & s[1] & s[2]) == ALGSURF_LANE_HIT;
+    if (!t->known) return;
+    t->last = d[2];
+    t->step = d[2] - d[1];
+    t->bend = d[2] - 2 * d[1] + d[0];
+}
+
+/* A parabola through them, for the pixels that come next, wrong by its next difference: taken to be some
+ * bends at most. */
+INLINE guess guess_from(const trail *t, const segment *s, int ahead) {
+    guess g;
+    lanes far = ahead + 1 + numbered();
+    double scale = 1 / s->length;
+    g.near = (t->last + far * t->step + 0.5 * far * (far + 1) * t->bend - s->lo) * scale;
+    g.reach = all_lanes((0x1p-6 + 32 * fabs(t->bend)) * scale);
+    g.known = less(all_lanes(0), all_lanes(t->known));
+    return g;
+}
+
+/* The places of cuts between depth and the range of a segment. */
+INLINE void cuts_in_segment(const segment *s, const cuts *depths, cuts *c) {
+    c->count = 0;
+    for (int i = 0; i < depths->count && i < MOST_CUTS; i++) {
+        lanes at = floor40(all_lanes((depths->at[i] - s->lo) / s->length));
+        if (at[0] > CLOSE_TO_END && at[0] < 1 - CLOSE_TO_END) c->at[c->count++] = at[0];
+    }
+}
+
+/* The pixels from x on, packet i of the segment; the cuts of its last pixel go to cut. */
+INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const trail *t, int x,
+                         int end, double *depth, uint8_t *state, cuts *cut, int n) {
+    double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
+    lanes z = all_lanes(0);
+    packet k;
+    descartes whole;
+    k.open = s->open[i];
+    k.doubtful = s->chords[i].doubtful;
+    k.hit = k.open & ~k.open;
+    cut->count = 0;
+    if (any(k.open)) {
+        coefficients(job, s, s->sights[i].u, &k, n);
+        whole = variations(k.b, n);
+        k.open &= ~(whole.none & less(k.radius, whole.least));
+    }
+    int last_open = bits(k.open) >> (LANES - 1) & 1;
+    if (any(k.open)) {
+        guess g = guess_from(t, s, i * LANES % BLOCK);
+        search_chord(s, s->chords + i, &k);
+        begin(&k, n, job->bounded);
+        if (t->known) {
+            follow(&k, n, &g);
+        } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {
+            cuts_in_segment(s, &t->empty, cut);
+            skirt(&k, n, cut);
+        }
+        if (any(k.open)) isolate(&k, n, &whole, job->bounded, cut);
+        if (any(k.hit)) {
+            refine(&k, n, &g, tolerance, &z);
+            z = s->lo + s->length * z;
+        }
+        for (int j = 0; j < cut->count && j < MOST_CUTS; j++) cut->at[j] = s->lo + s->length * cut->at[j];
+    }
+    if (!last_open) cut->count = 0;
+    unsigned hits = bits(k.hit), doubts = bits(k.doubtful);
+    for (int l = 0; l < LANES && x + l < end; l++) {
+        state[x + l] =
+            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+    }
+    for (int l = 0; hits && l < LANES && x + l < end; l++) depth[x + l] = z[l];
+}
+
+INLINE void solve_row_n(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state,
+                        int n) {
+    if (n < 1) __builtin_unreachable();
+    trail t = {0};
+    for (int x = begin; x < end; x += SEGMENT) {
+        segment s;
+        cuts cut = {0};
+        int stop = x + SEGMENT < end ? x + SEGMENT : end;
+        if (begin_segment(job, x, end, &s)) {
+            expand_segment(job, &s, n);
+        } else {
+            s.length = 1;
+        }
+        for (int i = 0; x + i * LANES < stop; i++) {
+            int at = x + i * LANES;
+            solve_packet(job, &s, i, &t, at, stop, depth, state, &cut, n);
+            if ((i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* behind a short block is none */
+            set_trail(&t, depth, state, at + LANES);
+            t.empty = cut;
+        }
+    }
+}
+
+static void solve_row(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state) {
+    FOR_DEGREE(job->row->degree, solve_row_n(job, begin, end, depth, state, N))
+}
+
+#endif

@@ -1,0 +1,191 @@
+/* scene.c - a scene: its defaults, its setters, its lights. */
+#include "scene_impl.h"
+
+#include <stdlib.h>
+
+#include "camera_impl.h"
+#include "../base/fpenv.h"
+#include "../rays/intersect_impl.h"
+#include "../base/options.h"
+#include "../rays/ray_impl.h"
+#include "shade_impl.h"
+#include "../base/vec.h"
+
+static const algsurf_material default_material = {
+    .outside = {1.0, 0.72, 0.42},
+    .inside = {0.45, 0.65, 0.95},
+    .ambient = 0.2,
+    .diffuse = 0.75,
+    .specular = 0.25,
+    .shininess = 30,
+};
+
+/* The default lights, in camera axes (right, up, towards the viewer) about the centre of what is shown,
+ * in multiples of its radius: a key light above left, a weaker one above right, both on the viewer's
+ * side, and both a square of 5x5 samples. */
+static const struct {
+    double place[3], brightness;
+} default_lights[2] = {{{-4.0, 5.0, 6.5}, 0.8}, {{5.0, 2.5, 5.5}, 0.45}};
+#define DEFAULT_LIGHT_EDGE 1.2
+#define DEFAULT_LIGHT_SAMPLES 5
+
+algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene) {
+    static const double eye[3] = {4, 3, 2.5}, look_at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    if (!surface || !scene) return ALGSURF_E_ARGUMENT;
+    algsurf_scene *made = calloc(1, sizeof *made);
+    if (!made) return ALGSURF_E_NO_MEMORY;
+    made->surface = surface;
+    made->extent.kind = ALGSURF_EXTENT_ALL;
+    (void)algsurf_camera_pinhole(&made->camera, eye, look_at, up, 30);
+    made->material = default_material;
+    made->light_count = -1;
+    for (int i = 0; i < 3; i++) made->background[i] = 1;
+    made->quality = ALGSURF_QUALITY_STANDARD;
+    made->antialias = 1;
+    made->intersect.size = sizeof made->intersect;
+    made->coherence = ALGSURF_COHERENCE_NEIGHBOURS;
+    *scene = made;
+    return ALGSURF_OK;
+}
+
+void algsurf_scene_free(algsurf_scene *scene) { free(scene); }
+
+algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
+    static const algsurf_extent all_of_space = {.kind = ALGSURF_EXTENT_ALL};
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = algsurf_i_extent_check(extent);
+    algsurf_fpenv_leave(&saved);
+    if (status == ALGSURF_OK) scene->extent = extent ? *extent : all_of_space;
+    return status;
+}
+
+algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = algsurf_i_camera_check(camera);
+    algsurf_fpenv_leave(&saved);
+    if (status == ALGSURF_OK) scene->camera = *camera;
+    return status;
+}
+
+algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = algsurf_i_material_check(material);
+    algsurf_fpenv_leave(&saved);
+    if (status == ALGSURF_OK) scene->material = *material;
+    return status;
+}
+
+algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
+    if (!scene || count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights))
+        return ALGSURF_E_ARGUMENT;
+    for (int l = 0; l < count; l++) {
+        algsurf_status status = algsurf_i_light_check(&lights[l]);
+        if (status != ALGSURF_OK) return status;
+    }
+    for (int l = 0; l < count; l++) scene->lights[l] = lights[l];
+    scene->light_count = count;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_colour_check(colour);
+    if (status != ALGSURF_OK) return status;
+    for (int i = 0; i < 3; i++) scene->background[i] = colour[i];
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality) {
+    if (!scene || (quality != ALGSURF_QUALITY_PREVIEW && quality != ALGSURF_QUALITY_STANDARD &&
+                   quality != ALGSURF_QUALITY_FULL))
+        return ALGSURF_E_ARGUMENT;
+    scene->quality = quality;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
+    if (!scene || n < 1 || n > 16) return ALGSURF_E_ARGUMENT;
+    scene->antialias = n;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold) {
+    if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
+    scene->antialias_threshold = threshold;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
+    algsurf_intersect_options o;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_intersect_read_options(options, &o);
+    if (status != ALGSURF_OK) return status;
+    scene->intersect = o;
+    return ALGSURF_OK;
+}
+
+/* The checks are those of the function that will get it, made on a ray without points. */
+algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene, const algsurf_complex_space *space) {
+    const algsurf_ray nothing = {{0, 0, 0}, {1, 0, 0}, 1, 0};
+    algsurf_hit miss;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    if (space) {
+        algsurf_status status =
+            algsurf_intersect_complex(scene->surface, NULL, &nothing, space, NULL, NULL, &miss, NULL);
+        if (status != ALGSURF_OK) return status;
+        (void)algsurf_options_read(&scene->space, sizeof scene->space, space);
+    }
+    scene->complex = space != NULL;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence) {
+    if (!scene || (coherence != ALGSURF_COHERENCE_NONE && coherence != ALGSURF_COHERENCE_NEIGHBOURS))
+        return ALGSURF_E_ARGUMENT;
+    scene->coherence = coherence;
+    return ALGSURF_OK;
+}
+
+void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *radius) {
+    const algsurf_extent *extent = &scene->extent;
+    const algsurf_camera *camera = &scene->camera;
+    for (int i = 0; i < 3; i++) centre[i] = extent->kind == ALGSURF_EXTENT_ALL ? 0 : extent->centre[i];
+    if (extent->kind == ALGSURF_EXTENT_SPHERE)
+        *radius = extent->size[0];
+    else if (extent->kind == ALGSURF_EXTENT_BOX)
+        *radius = algsurf_length(extent->size);
+    else if (camera->orthographic)
+        *radius = camera->half_height;
+    else
+        *radius = algsurf_length(camera->eye) * camera->half_height;
+    if (!(*radius > 0) || !isfinite(*radius)) *radius = 1; /* an eye at the origin */
+}
+
+static void default_light(const algsurf_scene *scene, int which, const double centre[3], double radius,
+                          algsurf_light *light) {
+    const algsurf_camera *camera = &scene->camera;
+    const double *place = default_lights[which].place;
+    for (int i = 0; i < 3; i++) {
+        light->position[i] = centre[i] + radius * (place[0] * camera->right[i] + place[1] * camera->up[i] -
+                                                   place[2] * camera->forward[i]);
+        light->colour[i] = default_lights[which].brightness;
+        light->edge_u[i] = DEFAULT_LIGHT_EDGE * radius * camera->right[i];
+        light->edge_v[i] = DEFAULT_LIGHT_EDGE * radius * camera->up[i];
+    }
+    light->samples_u = light->samples_v = DEFAULT_LIGHT_SAMPLES;
+}
+
+int algsurf_i_scene_lights(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS]) {
+    double centre[3], radius;
+    for (int l = 0; l < scene->light_count; l++) lights[l] = scene->lights[l];
+    if (scene->light_count >= 0) return scene->light_count;
+    algsurf_i_scene_ball(scene, centre, &radius);
+    for (int l = 0; l < 2; l++) default_light(scene, l, centre, radius, &lights[l]);
+    return 2;
+}

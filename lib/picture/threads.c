@@ -1,0 +1,185 @@
+/* threads.c - the threads that draw a picture.
+ *
+ * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row has use for
+ * its neighbours, in batches.  In complex space the first row of a batch has none above, so that what a row
+ * starts from does not depend on the threads.  The calling thread works like the others and is the only one
+ * that calls progress: after each of its rows, and ten times a second while it waits for the others' last
+ * ones.  Who draws a row changes nothing in it.
+ */
+#define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
+#include "impl.h"
+
+#include <pthread.h>
+#include <time.h>
+
+#include "../base/fpenv.h"
+
+#define WAIT_NS 100000000L /* between two calls of progress while waiting */
+#define BATCH 8            /* rows: one in eight has none above; few enough to keep many threads busy */
+#define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
+
+typedef struct crew {
+    algsurf_i_picture *picture;
+    const algsurf_render_options *options;
+    atomic_int next_row, rows_done;
+    pthread_mutex_t lock; /* guards what is below */
+    pthread_cond_t left;  /* a helper has finished */
+    int helpers_at_work;
+    algsurf_status status; /* OK, or why no more rows are handed out */
+} crew;
+
+typedef struct helper {
+    crew *team;
+    algsurf_i_worker *worker;
+    pthread_t thread;
+} helper;
+
+static void stop_crew(crew *team, algsurf_status why) {
+    pthread_mutex_lock(&team->lock);
+    if (team->status == ALGSURF_OK) team->status = why;
+    pthread_mutex_unlock(&team->lock);
+    atomic_store_explicit(&team->picture->stop, 1, memory_order_relaxed);
+}
+
+static int stopped(const crew *team) {
+    return atomic_load_explicit(&team->picture->stop, memory_order_relaxed);
+}
+
+void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
+    total->rays += more->rays;
+    total->hits += more->hits;
+    total->uncertain += more->uncertain;
+    total->shadow_rays += more->shadow_rays;
+    total->iterations += more->iterations;
+    total->single_rays += more->single_rays;
+    total->expand_s += more->expand_s;
+    total->solve_s += more->solve_s;
+    total->point_s += more->point_s;
+    total->shadow_s += more->shadow_s;
+    total->shade_s += more->shade_s;
+}
+
+static int batch_of(const algsurf_i_picture *picture) {
+    const algsurf_scene *scene = picture->scene;
+    if (picture->selective) return SELECTIVE_BATCH;
+    return scene->complex && scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
+}
+
+/* Gives the worker rows when it has none left; returns 0 when there are none to give. */
+static int take_rows(crew *team, algsurf_i_worker *worker) {
+    const algsurf_i_picture *picture = team->picture;
+    if (stopped(team)) return 0;
+    if (worker->row < worker->row_end) return 1;
+    int batch = batch_of(picture);
+    int first = atomic_fetch_add_explicit(&team->next_row, batch, memory_order_relaxed);
+    if (first >= picture->row_end) return 0;
+    worker->row = first;
+    worker->row_end = batch < picture->row_end - first ? first + batch : picture->row_end;
+    worker->trail.has_above = 0;
+    return 1;
+}
+
+/* Draws the worker's next row; returns 0 when there was none left to take. */
+static int draw_next(crew *team, algsurf_i_worker *worker) {
+    algsurf_i_tally tally = {0};
+    algsurf_fpenv saved;
+    if (!take_rows(team, worker)) return 0;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = algsurf_i_render_row(team->picture, worker->row++, worker, &tally);
+    algsurf_fpenv_leave(&saved);
+    algsurf_i_tally_add(&worker->tally, &tally);
+    if (status == ALGSURF_OK)
+        atomic_fetch_add_explicit(&team->rows_done, 1, memory_order_relaxed);
+    else
+        stop_crew(team, status);
+    return 1;
+}
+
+static void *help(void *data) {
+    const helper *me = data;
+    crew *team = me->team;
+    while (draw_next(team, me->worker)) {
+    }
+    pthread_mutex_lock(&team->lock);
+    team->helpers_at_work--;
+    pthread_cond_signal(&team->left);
+    pthread_mutex_unlock(&team->lock);
+    return NULL;
+}
+
+static void report(crew *team) {
+    const algsurf_render_options *o = team->options;
+    if (!o->progress || stopped(team)) return;
+    int done = atomic_load_explicit(&team->rows_done, memory_order_relaxed);
+    int total = team->picture->row_end - team->picture->row_begin;
+    if (o->progress(done, total, o->progress_data) != 0) stop_crew(team, ALGSURF_CANCELLED);
+}
+
+/* Waits until a helper leaves, or for WAIT_NS; returns how many are still at work. */
+static int wait_for_helpers(crew *team) {
+    struct timespec until = {0, 0};
+    (void)clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_nsec += WAIT_NS;
+    if (until.tv_nsec >= 1000000000L) {
+        until.tv_nsec -= 1000000000L;
+        until.tv_sec++;
+    }
+    pthread_mutex_lock(&team->lock);
+    if (team->helpers_at_work > 0) (void)pthread_cond_timedwait(&team->left, &team->lock, &until);
+    int at_work = team->helpers_at_work;
+    pthread_mutex_unlock(&team->lock);
+    return at_work;
+}
+
+static int init_sync(crew *team) {
+    pthread_condattr_t monotonic;
+    if (pthread_condattr_init(&monotonic) != 0) return 0;
+    int ready = pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC) == 0 &&
+                pthread_cond_init(&team->left, &monotonic) == 0;
+    (void)pthread_condattr_destroy(&monotonic);
+    if (!ready) return 0;
+    if (pthread_mutex_init(&team->lock, NULL) == 0) return 1;
+    (void)pthread_cond_destroy(&team->left);
+    return 0;
+}
+
+/* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many. */
+static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_worker *workers) {
+    int started = 0;
+    for (; started < wanted; started++) {
+        helper *next = &helpers[started];
+        next->team = team;
+        next->worker = &workers[started];
+        pthread_mutex_lock(&team->lock);
+        team->helpers_at_work++;
+        pthread_mutex_unlock(&team->lock);
+        if (pthread_create(&next->thread, NULL, help, next) != 0) break;
+    }
+    if (started < wanted) {
+        pthread_mutex_lock(&team->lock);
+        team->helpers_at_work--;
+        pthread_mutex_unlock(&team->lock);
+    }
+    return started;
+}
+
+algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
+                                     int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
+                                     int *threads_used) {
+    crew team = {.picture = picture, .options = options};
+    atomic_init(&team.next_row, picture->row_begin);
+    atomic_init(&team.rows_done, 0);
+    helper helpers[ALGSURF_MAX_THREADS];
+    if (!init_sync(&team)) return ALGSURF_E_THREAD;
+    int started = start_helpers(&team, helpers, threads - 1, workers + 1);
+    while (draw_next(&team, workers)) report(&team);
+    if (started > 0)
+        while (wait_for_helpers(&team) > 0) report(&team);
+    for (int i = 0; i < started; i++) (void)pthread_join(helpers[i].thread, NULL);
+    if (started > 0) report(&team);
+    (void)pthread_mutex_destroy(&team.lock);
+    (void)pthread_cond_destroy(&team.left);
+    for (int i = 0; i <= started; i++) algsurf_i_tally_add(total, &workers[i].tally);
+    *threads_used = started + 1;
+    return team.status;
+}

@@ -1,0 +1,249 @@
+/* complex.c - the first hit in complex space: all roots, proved, and the least in the sector.
+ *
+ * The ray polynomial is expanded about the frame's centre with its radii, like in real space; the
+ * imaginary parts, given for powers of the caller's t, are brought to the frame's variable v by
+ * Horner's rule over polynomials.  The enclosures of the roots v are shifted back, t = centre + step v
+ * (outward), before magnitude and argument are looked at: both refer to the eye.
+ *
+ * The normal.  Let the direction vary by dV at a fixed origin.  With g the complex gradient at the root and
+ * p' = dp/dt, the root moves by dt = -t (g.dV)/p', its magnitude by -|t| w.dV, w = Re(g/p'), and the
+ * point shown by dX = |t| (dV - (w.dV) V).  So the normal is w + (1 - w.V)/(V.V) V; for a real root
+ * w.V = 1, and it is the gradient's direction. */
+#include <math.h>
+
+#include "../complex/impl.h"
+#include "../base/fpenv.h"
+#include "intersect_impl.h"
+#include "../base/options.h"
+#include "ray_impl.h"
+#include "../base/vec.h"
+
+typedef struct complex_query {
+    const algsurf_surface *surface;
+    const algsurf_complex_space *space;
+    algsurf_ray ray; /* clipped */
+    algsurf_i_frame frame;
+    algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
+    double r[ALGSURF_MAX_DEGREE + 1];
+} complex_query;
+
+/* Adds the imaginary part: sum_k imaginary_k t^k, t = (centre + step v) 2^-exponent, in the surface's scale.
+ */
+static void add_imaginary(complex_query *q) {
+    const algsurf_i_frame *f = &q->frame;
+    int n = q->surface->degree, top = n;
+    double value[ALGSURF_MAX_DEGREE + 1] = {0}, size[ALGSURF_MAX_DEGREE + 1] = {0};
+    while (top >= 0 && q->space->imaginary[top] == 0) top--;
+    for (int k = top; k >= 0; k--) {
+        for (int i = top - k; i > 0; i--) {
+            value[i] = f->centre * value[i] + f->step * value[i - 1];
+            size[i] = fabs(f->centre) * size[i] + f->step * size[i - 1];
+        }
+        double a = ldexp(q->space->imaginary[k], q->surface->scale - k * f->exponent);
+        value[0] = f->centre * value[0] + a;
+        size[0] = fabs(f->centre) * size[0] + fabs(a);
+    }
+    for (int i = 0; i <= top; i++) {
+        q->c[i].im = value[i];
+        q->r[i] += (4 * top + 4) * ALGSURF_U * size[i]; /* three roundings a step */
+    }
+}
+
+/* Returns 0 when the expansion left the range of double. */
+static int expand(complex_query *q) {
+    double real[ALGSURF_MAX_DEGREE + 1], X[3] = {q->frame.X[0].hi, q->frame.X[1].hi, q->frame.X[2].hi};
+    int n = q->surface->degree;
+    algsurf_i_expand_d(q->surface, X, q->frame.D, real, q->r);
+    for (int i = 0; i <= n; i++) q->c[i] = (algsurf_complex){real[i], 0};
+    add_imaginary(q);
+    for (int i = 0; i <= n; i++)
+        if (!isfinite(q->c[i].re) || !isfinite(q->c[i].im) || !isfinite(q->r[i])) return 0;
+    return 1;
+}
+
+/* centre + step v, rounded to the given side. */
+static double shift(const algsurf_i_frame *f, double v, int side) {
+    algsurf_dd s = algsurf_two_sum(f->centre, f->step * v);
+    return side * s.lo > 0 ? nextafter(s.hi, side < 0 ? -HUGE_VAL : HUGE_VAL) : s.hi;
+}
+
+/* The enclosure of a root v as one of the natural parameter s. */
+static algsurf_enclosure shifted(const algsurf_i_frame *f, const algsurf_enclosure *root) {
+    algsurf_enclosure e = *root;
+    e.box.re = (algsurf_interval){shift(f, root->box.re.lo, -1), shift(f, root->box.re.hi, 1)};
+    e.box.im = (algsurf_interval){f->step * root->box.im.lo, f->step * root->box.im.hi};
+    e.value = (algsurf_complex){f->centre + f->step * root->value.re, f->step * root->value.im};
+    return e;
+}
+
+/* p'(v) / step: dp/ds at the root. */
+static algsurf_complex slope(const complex_query *q, algsurf_complex v) {
+    algsurf_complex d = {0, 0};
+    for (int k = q->surface->degree; k > 0; k--)
+        d = (algsurf_complex){d.re * v.re - d.im * v.im + k * q->c[k].re,
+                              d.re * v.im + d.im * v.re + k * q->c[k].im};
+    return (algsurf_complex){d.re / q->frame.step, d.im / q->frame.step};
+}
+
+static void set_normal(const complex_query *q, algsurf_complex v, double normal[3]) {
+    const algsurf_i_frame *f = &q->frame;
+    algsurf_i_complex x[3], g[3];
+    algsurf_complex p = slope(q, v);
+    double d2 = p.re * p.re + p.im * p.im, w[3];
+    for (int i = 0; i < 3; i++) x[i] = (algsurf_i_complex){f->X[i].hi + f->D[i] * v.re, f->D[i] * v.im};
+    algsurf_i_surface_gradient_complex(q->surface, x, g);
+    for (int i = 0; i < 3; i++) w[i] = (g[i].re * p.re + g[i].im * p.im) / d2;
+    double along = (1 - algsurf_dot(w, f->V)) / algsurf_dot(f->V, f->V);
+    /* p' > 0 where P grows along the ray: the sign of the gradient, for telling the sides apart */
+    for (int i = 0; i < 3; i++)
+        w[i] = copysign(1, p.re) * (w[i] + (v.im == 0 && p.im == 0 ? 0 : along * f->V[i]));
+    if (!algsurf_is_finite3(w) || !algsurf_unit(w, normal)) normal[0] = normal[1] = normal[2] = 0;
+}
+
+/* |z|, by operations that all systems round alike. */
+static double magnitude_of(algsurf_complex z) {
+    double largest = fmax(fabs(z.re), fabs(z.im));
+    if (z.re == 0 || z.im == 0) return largest;
+    int e = ilogb(largest);
+    double re = ldexp(z.re, -e), im = ldexp(z.im, -e);
+    return ldexp(sqrt(re * re + im * im), e);
+}
+
+static double clamped(double x, double lo, double hi) { return fmin(fmax(x, lo), hi); }
+
+static void set_hit(const complex_query *q, const algsurf_enclosure *local, const algsurf_enclosure *s,
+                    algsurf_hit *hit, algsurf_complex *root) {
+    const algsurf_i_frame *f = &q->frame;
+    algsurf_interval magnitude = algsurf_cinterval_abs(s->box);
+    double size = magnitude_of(s->value), t = ldexp(size, -f->exponent);
+    /* |s| - centre, without the rounding of the sum where the root is real and in front */
+    double offset = s->value.im == 0 && s->value.re >= 0 ? f->step * local->value.re : size - f->centre;
+    hit->t = clamped(t, q->ray.t_min, q->ray.t_max);
+    hit->t_lo = clamped(ldexp(magnitude.lo, -f->exponent), q->ray.t_min, hit->t);
+    hit->t_hi = clamped(ldexp(magnitude.hi, -f->exponent), hit->t, q->ray.t_max);
+    for (int i = 0; i < 3; i++)
+        hit->position[i] =
+            ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
+    if (local->multiplicity == 1) set_normal(q, local->value, hit->normal); /* a cluster has none */
+    if (root) *root = (algsurf_complex){ldexp(s->value.re, -f->exponent), ldexp(s->value.im, -f->exponent)};
+}
+
+static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
+    *hit = (algsurf_hit){ALGSURF_MISS, ALGSURF_OK, HUGE_VAL, HUGE_VAL, HUGE_VAL, {0, 0, 0}, {0, 0, 0}};
+    if (root) *root = (algsurf_complex){NAN, NAN};
+}
+
+/* Start values in v from those in t. */
+static const algsurf_complex *start_in_v(const complex_query *q, const algsurf_complex *start,
+                                         algsurf_complex *v) {
+    const algsurf_i_frame *f = &q->frame;
+    if (!start) return NULL;
+    for (int i = 0; i < q->surface->degree; i++)
+        v[i] = (algsurf_complex){(ldexp(start[i].re, f->exponent) - f->centre) / f->step,
+                                 ldexp(start[i].im, f->exponent) / f->step};
+    return v;
+}
+
+static void give_roots(const complex_query *q, const algsurf_enclosure *s, int count,
+                       algsurf_complex *roots) {
+    for (int i = 0; roots && i < q->surface->degree; i++)
+        roots[i] = i < count ? (algsurf_complex){ldexp(s[i].value.re, -q->frame.exponent),
+                                                 ldexp(s[i].value.im, -q->frame.exponent)}
+                             : (algsurf_complex){NAN, NAN};
+}
+
+/* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
+static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
+    set_miss(hit, NULL);
+    hit->state = ALGSURF_UNCERTAIN;
+    hit->reason = reason;
+    hit->t = hit->t_lo = q->ray.t_min;
+    hit->t_hi = q->ray.t_max;
+    for (int i = 0; i < 3; i++) hit->position[i] = q->ray.origin[i] + hit->t * q->ray.direction[i];
+}
+
+static void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
+                  algsurf_complex *root, int *iterations) {
+    algsurf_i_roots_memory memory;
+    algsurf_enclosure local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
+    algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
+    algsurf_selected selected;
+    int count = 0, index = 0, n = q->surface->degree;
+    algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
+    set_miss(hit, root);
+    give_roots(q, s, 0, roots);
+    *iterations = 0;
+    algsurf_status status =
+        expand(q) ? algsurf_i_roots_run(&memory, q->c, q->r, n, start_in_v(q, start, v), local, &count)
+                  : ALGSURF_E_RANGE;
+    if (status != ALGSURF_OK) {
+        set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
+        return;
+    }
+    *iterations = memory.p.iterations;
+    for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
+    give_roots(q, s, count, roots);
+    (void)algsurf_select(s, count, &q->space->sector, ldexp(q->ray.t_min, q->frame.exponent),
+                         ldexp(q->ray.t_max, q->frame.exponent), &selected, &index);
+    if (selected == ALGSURF_SELECTED_NONE) return;
+    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
+    hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;
+    if (hit->state == ALGSURF_UNCERTAIN && local[index].multiplicity > 1)
+        hit->reason = ALGSURF_UNDECIDED_MULTIPLE;
+    set_hit(q, local + index, s + index, hit, root);
+}
+
+static algsurf_status check(const algsurf_complex_space *space, int n) {
+    for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) {
+        if (!isfinite(space->imaginary[k])) return ALGSURF_E_NOT_FINITE;
+        if (k > n && space->imaginary[k] != 0) return ALGSURF_E_ARGUMENT;
+    }
+    int holds;
+    const algsurf_enclosure probe = {{{1, 1}, {0, 0}}, {1, 0}, 1, 1};
+    return algsurf_sector_holds(&space->sector, &probe, &holds);
+}
+
+static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
+                                                 const algsurf_ray *ray, const algsurf_complex_space *space,
+                                                 const algsurf_complex *start, algsurf_complex *roots,
+                                                 algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+    algsurf_status status = algsurf_i_ray_check(ray);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = check(space, surface->degree);
+    if (status != ALGSURF_OK) return status;
+    complex_query q;
+    algsurf_ray front = *ray;
+    q.surface = surface;
+    q.space = space;
+    front.t_min = fmax(front.t_min, 0);
+    *iterations = 0;
+    if (algsurf_i_extent_clip(extent, &front, &q.ray)) {
+        solve(&q, start, roots, hit, root, iterations);
+    } else {
+        set_miss(hit, root);
+        give_roots(&q, NULL, 0, roots);
+    }
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray *ray, const algsurf_complex_space *space,
+                                           const algsurf_complex *start, algsurf_complex *roots,
+                                           algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+    algsurf_complex_space known;
+    if (!surface || !space || !hit || !algsurf_options_read(&known, sizeof known, space))
+        return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = intersect(surface, extent, ray, &known, start, roots, hit, root, iterations);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
+                                         const algsurf_ray *ray, const algsurf_complex_space *space,
+                                         const algsurf_complex *start, algsurf_complex *roots,
+                                         algsurf_hit *hit, algsurf_complex *root) {
+    int iterations;
+    return algsurf_i_intersect_complex(surface, extent, ray, space, start, roots, hit, root, &iterations);
+}

@@ -1,0 +1,50 @@
+/* expand_impl.h - a ray in the surface's natural units, and the expansion along it, for expand and
+ * intersect.
+ *
+ * The ray's parameter is re-centred and scaled, t = (centre + step v) 2^-exponent, so that the roots of
+ * interest have |v| of about 1 or less wherever the origin is: no digit is lost to a far camera.
+ * All scalings are powers of two, hence exact; the point X at v = 0 is kept in double-double.
+ */
+#ifndef ALGSURF_EXPAND_IMPL_H
+#define ALGSURF_EXPAND_IMPL_H
+#include "algsurf/ray.h"
+#include "../base/eft.h"
+#include "../base/expansion.h"
+#include "../surface/impl.h"
+
+typedef struct algsurf_i_frame {
+    int exponent; /* natural parameter s = t 2^exponent; direction V has largest component in [1/2,1) */
+    double centre, step; /* s = centre + step v, step a power of two */
+    algsurf_dd X[3];     /* the point at v = 0, relative error 2^-104 */
+    double V[3];         /* direction by s */
+    double D[3];         /* direction by v: step V */
+    algsurf_dd lo, hi;   /* the ray's t_min, t_max in v, exact up to 2^-105; hi part +-inf if infinite */
+    int one_piece;       /* 1: [lo,hi] lies in [-1,1] */
+    int lost;            /* 1: V is not the exact direction, and s so large that this shows in X and D */
+} algsurf_i_frame;
+
+/* x 2^e; what underflows becomes the least number of its sign, so that it is seen where underflow is
+ * accounted for (the error is at most 2^-1074 either way). */
+double algsurf_i_scaled(double x, int e);
+
+/* A frame for the ray, t_min <= t_max.  About the middle of the chord if that is short against the
+ * surface (or `chord` is set; t_min, t_max are then finite), otherwise about the ray's point nearest to
+ * the origin of space, with the unit in which the surface's terms balance. */
+void algsurf_i_frame_of(const algsurf_surface *s, const algsurf_ray *ray, int chord, algsurf_i_frame *frame);
+
+/* q(v) = 2^scale P(X + v D) = sum q_k v^k, X and D in natural units.  Radii: |q_k - exact| <= r_k for the
+ * exact line, when each X_i is the exact coordinate up to a relative error of u (double) or 2^-102
+ * (double-double) and D is exact.  Overflow shows as q or r that is not finite. */
+void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const double D[3], double *q,
+                        double *r); /* r may be null: then no magnitudes are computed */
+void algsurf_i_expand_dd(const algsurf_surface *s, const algsurf_dd X[3], const double D[3], algsurf_dd *q,
+                         double *r);
+
+/* The exact sign of P at origin + t direction: -1, 0, +1, or ALGSURF_SIGN_UNKNOWN when an intermediate
+ * product leaves the range of double, or the surface's coefficients are not exact.  Cost: some hundred times an evaluation in double. */
+int algsurf_i_exact_sign(const algsurf_surface *s, const algsurf_ray *ray, double t);
+
+/* Is the coefficient of t^degree, the form of highest degree at the direction, exactly zero? */
+int algsurf_i_top_vanishes(const algsurf_surface *s, const algsurf_ray *ray);
+
+#endif

@@ -1,0 +1,39 @@
+/* kernel.h - first hits of many rays at once, by every kernel. */
+#ifndef ALGSURF_RAYS_KERNEL_H
+#define ALGSURF_RAYS_KERNEL_H
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../simd/kernel.h"
+#include "algsurf/ray.h"
+#include "algsurf/surface.h"
+
+/* Rays in any order, in the caller's units, all numbers finite but t_min and t_max; directions are not 0.
+ * The surface has nodes and a unit within 2^+-900; in that unit the extent's sizes are within 2^+-100, its
+ * centre is below 2^100. */
+typedef struct algsurf_i_rays_job {
+    const algsurf_surface *surface;
+    const algsurf_extent *extent; /* null: all of space */
+    const double *origin[3], *direction[3];
+    const double *t_min, *t_max; /* null: 0, infinity */
+    const unsigned char *active; /* null: all */
+    int any;                     /* 1: whether there is a root, not where: only states are written */
+    int bounded;                 /* 0: signs as computed, and t_lo = t_hi = t (the fast tier) */
+} algsurf_i_rays_job;
+
+/* What is found of each ray, as in algsurf_hit; any array may be null, but state. */
+typedef struct algsurf_i_rays_hits {
+    uint8_t *state;
+    double *t, *t_lo, *t_hi, *position[3], *normal[3];
+} algsurf_i_rays_hits;
+
+/* Answers the active rays among the first `count`.  Of a doubtful ray only the state means something. */
+typedef void algsurf_i_rays_kernel(const algsurf_i_rays_job *job, size_t count,
+                                   const algsurf_i_rays_hits *hits);
+
+algsurf_i_rays_kernel algsurf_i_rays_avx512, algsurf_i_rays_avx2, algsurf_i_rays_baseline;
+
+/* The code for a kernel. */
+algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel);
+
+#endif

@@ -1,0 +1,275 @@
+/* packet.c - first hits and occlusion, of one ray or of many: checked, solved by the packet code,
+ * and what stays in doubt one by one.
+ *
+ * The packet code (packet_template.h) reads the caller's arrays and writes the answers it is sure of; of the
+ * others it writes ALGSURF_LANE_DOUBTFUL as state.  Those rays then take the scalar way (intersect.c), and so
+ * do all rays of calls the packet code is not made for.  A single ray is a packet of one: no answer depends
+ * on what else is in a packet, so a ray has the same bits alone as in company, and even with all lanes but
+ * one idle it is done in half the time of the scalar way. */
+#include <math.h>
+
+#include "../base/fpenv.h"
+#include "intersect_impl.h"
+#include "kernel.h"
+#include "../base/options.h"
+#include "ray_impl.h"
+
+typedef struct query {
+    const algsurf_surface *surface;
+    const algsurf_extent *extent;
+    algsurf_ray_packet rays;
+    algsurf_intersect_options options;
+    algsurf_i_rays_kernel *solve; /* null: every ray by itself */
+} query;
+
+const char *algsurf_kernel_name(int index) {
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_at(index);
+    return kernel ? kernel->name : NULL;
+}
+
+static algsurf_ray ray_of(const algsurf_ray_packet *rays, size_t i) {
+    algsurf_ray ray;
+    for (int k = 0; k < 3; k++) {
+        ray.origin[k] = rays->origin[k][i];
+        ray.direction[k] = rays->direction[k][i];
+    }
+    ray.t_min = rays->t_min ? rays->t_min[i] : 0;
+    ray.t_max = rays->t_max ? rays->t_max[i] : INFINITY;
+    return ray;
+}
+
+/* Are rays begin .. end-1 certainly good ones?  Without branches, for all of them at once. */
+static int all_good(const algsurf_ray_packet *rays, size_t begin, size_t end) {
+    int good = 1;
+    for (size_t i = begin; i < end; i++) {
+        double size = 0, zero = 0;
+        for (int k = 0; k < 3; k++) {
+            zero += 0 * rays->origin[k][i] + 0 * rays->direction[k][i]; /* NaN unless both are finite */
+            size += fabs(rays->direction[k][i]);
+        }
+        good &= (zero == 0) & (size > 0);
+        if (rays->t_min) good &= rays->t_min[i] == rays->t_min[i];
+        if (rays->t_max) good &= rays->t_max[i] == rays->t_max[i];
+    }
+    return good;
+}
+
+static algsurf_status check_rays(const algsurf_ray_packet *rays) {
+    if (rays->count == 0) return ALGSURF_OK;
+    for (int k = 0; k < 3; k++)
+        if (!rays->origin[k] || !rays->direction[k]) return ALGSURF_E_ARGUMENT;
+    if (!rays->active && all_good(rays, 0, rays->count)) return ALGSURF_OK;
+    for (size_t i = 0; i < rays->count; i++) {
+        if (rays->active && !rays->active[i]) continue;
+        algsurf_ray ray = ray_of(rays, i);
+        algsurf_status status = algsurf_i_ray_check(&ray);
+        if (status != ALGSURF_OK) return status;
+    }
+    return ALGSURF_OK;
+}
+
+/* Can the packet code square what is shown, in the surface's unit? */
+static int moderate(const algsurf_surface *s, const algsurf_extent *extent) {
+    if (s->unit < -900 || s->unit > 900) return 0;
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
+    for (int i = 0; i < 3; i++) {
+        double size = ldexp(extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0], -s->unit);
+        if (!(size > 0x1p-100 && size < 0x1p100 && fabs(ldexp(extent->centre[i], -s->unit)) < 0x1p100))
+            return 0;
+    }
+    return 1;
+}
+
+static algsurf_status prepare(query *q, const algsurf_surface *surface, const algsurf_extent *extent,
+                              const algsurf_ray_packet *rays, const algsurf_intersect_options *options) {
+    if (!surface || !rays || !algsurf_options_read(&q->rays, sizeof q->rays, rays)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check_rays(&q->rays);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
+    if (status != ALGSURF_OK) return status;
+    q->surface = surface;
+    q->extent = extent;
+    int fits = surface->nodes && q->options.method == ALGSURF_METHOD_DEFAULT &&
+               q->options.max_iterations == 0 && moderate(surface, extent);
+    q->solve = fits ? algsurf_i_rays_kernel_for(algsurf_i_kernel_find(q->options.kernel)) : NULL;
+    return ALGSURF_OK;
+}
+
+/* The states of active rays; of certain hits everything. */
+static void solve_together(const query *q, int any, const algsurf_i_rays_hits *hits) {
+    const algsurf_ray_packet *rays = &q->rays;
+    if (!q->solve) {
+        for (size_t i = 0; i < rays->count; i++)
+            if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_DOUBTFUL;
+        return;
+    }
+    const algsurf_i_rays_job job = {
+        .surface = q->surface,
+        .extent = q->extent,
+        .origin = {rays->origin[0], rays->origin[1], rays->origin[2]},
+        .direction = {rays->direction[0], rays->direction[1], rays->direction[2]},
+        .t_min = rays->t_min,
+        .t_max = rays->t_max,
+        .active = rays->active,
+        .any = any,
+        .bounded = q->options.tier != ALGSURF_TIER_FAST,
+    };
+    q->solve(&job, rays->count, hits);
+}
+
+static int left_alone(const query *q, const unsigned char *state, size_t i) {
+    return (!q->rays.active || q->rays.active[i]) && state[i] == ALGSURF_LANE_DOUBTFUL;
+}
+
+static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_hit *hit) {
+    hits->state[i] = (unsigned char)hit->state;
+    if (hits->t) hits->t[i] = hit->t;
+    if (hits->t_lo) hits->t_lo[i] = hit->t_lo;
+    if (hits->t_hi) hits->t_hi[i] = hit->t_hi;
+    for (int k = 0; k < 3; k++) {
+        if (hits->position[k]) hits->position[k][i] = hit->position[k];
+        if (hits->normal[k]) hits->normal[k][i] = hit->normal[k];
+    }
+}
+
+static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                             const algsurf_ray_packet *rays,
+                                             const algsurf_intersect_options *options,
+                                             const algsurf_hit_packet *to) {
+    query q;
+    algsurf_hit_packet known;
+    if (!to || !algsurf_options_read(&known, sizeof known, to)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = prepare(&q, surface, extent, rays, options);
+    if (status != ALGSURF_OK) return status;
+    if (!known.state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    const algsurf_i_rays_hits hits = {
+        .state = known.state,
+        .t = known.t,
+        .t_lo = known.t_lo,
+        .t_hi = known.t_hi,
+        .position = {known.position[0], known.position[1], known.position[2]},
+        .normal = {known.normal[0], known.normal[1], known.normal[2]},
+    };
+    solve_together(&q, 0, &hits);
+    for (size_t i = 0; i < q.rays.count; i++) {
+        if (!left_alone(&q, hits.state, i)) continue;
+        algsurf_ray ray = ray_of(&q.rays, i);
+        algsurf_hit hit;
+        (void)algsurf_i_intersect_first(surface, extent, &ray, &q.options, &hit); /* all checked before */
+        store_hit(&hits, i, &hit);
+    }
+    return ALGSURF_OK;
+}
+
+static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
+    const double *o = ray->origin, *d = ray->direction;
+    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
+                                .count = 1,
+                                .origin = {o, o + 1, o + 2},
+                                .direction = {d, d + 1, d + 2},
+                                .t_min = &ray->t_min,
+                                .t_max = &ray->t_max};
+}
+
+static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surface,
+                                                    const algsurf_extent *extent, const algsurf_ray *ray,
+                                                    const algsurf_intersect_options *options,
+                                                    algsurf_hit *hit) {
+    query q;
+    algsurf_hit found;
+    unsigned char state;
+    const algsurf_ray_packet rays = packet_of(ray);
+    algsurf_status status = prepare(&q, surface, extent, &rays, options);
+    if (status != ALGSURF_OK) return status;
+    const algsurf_i_rays_hits hits = {
+        .state = &state,
+        .t = &found.t,
+        .t_lo = &found.t_lo,
+        .t_hi = &found.t_hi,
+        .position = {found.position, found.position + 1, found.position + 2},
+        .normal = {found.normal, found.normal + 1, found.normal + 2},
+    };
+    solve_together(&q, 0, &hits);
+    if (state == ALGSURF_LANE_DOUBTFUL)
+        return algsurf_i_intersect_first(surface, extent, ray, &q.options, hit);
+    found.state = state;
+    found.reason = ALGSURF_OK;
+    *hit = found;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                       const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                       algsurf_hit *hit) {
+    if (!ray || !hit) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = first_of_one(surface, extent, ray, options, hit);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                                        const algsurf_ray_packet *rays,
+                                        const algsurf_intersect_options *options,
+                                        const algsurf_hit_packet *hits) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = first(surface, extent, rays, options, hits);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray_packet *rays,
+                                           const algsurf_intersect_options *options, unsigned char *state) {
+    query q;
+    algsurf_status status = prepare(&q, surface, extent, rays, options);
+    if (status != ALGSURF_OK) return status;
+    if (!state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    solve_together(&q, 1, &(algsurf_i_rays_hits){.state = state});
+    for (size_t i = 0; i < q.rays.count; i++) {
+        if (!left_alone(&q, state, i)) continue;
+        algsurf_ray ray = ray_of(&q.rays, i);
+        algsurf_hit_state one;
+        (void)algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
+        state[i] = (unsigned char)one;
+    }
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                                       const algsurf_ray_packet *rays,
+                                       const algsurf_intersect_options *options, unsigned char *state) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = any(surface, extent, rays, options, state);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface,
+                                                  const algsurf_extent *extent, const algsurf_ray *ray,
+                                                  const algsurf_intersect_options *options,
+                                                  algsurf_hit_state *state) {
+    query q;
+    unsigned char found;
+    const algsurf_ray_packet rays = packet_of(ray);
+    algsurf_status status = prepare(&q, surface, extent, &rays, options);
+    if (status != ALGSURF_OK) return status;
+    solve_together(&q, 1, &(algsurf_i_rays_hits){.state = &found});
+    if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(surface, extent, ray, &q.options, state);
+    *state = (algsurf_hit_state)found;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                                const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                algsurf_hit_state *state) {
+    if (!ray || !state) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = any_of_one(surface, extent, ray, options, state);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}

@@ -1,0 +1,188 @@
+/* ray.c - the chord that a ray and an extent have in common.
+ *
+ * Sphere.  Let q = origin - centre and t_c = -(q.d)/(d.d), a double near the parameter of the ray's
+ * point nearest to the centre.  With X = q + t_c d the ray is X + s d, t = t_c + s, and
+ *     |X + s d|^2 = r^2   <=>   s = (-X.d +- sqrt(D)) / d.d,   D = d.d r^2 - |X x d|^2
+ * (Lagrange's identity in place of (X.d)^2 - d.d (|X|^2 - r^2), which would cancel more often).  X is
+ * a sum of two error-free terms, so that X.d is a few rounding errors, however far the origin.  D
+ * cancels near a tangency; where it loses three bits or more it is computed again in double-double
+ * from X as a double-double, which has a relative error of 2^-103: sqrt(D) is then off by less than
+ * 2^-50 |X| |d|, and |X| is about r: a few units in the last place of the distance, at the worst.
+ *
+ * Box: slabs (Kay, Kajiya 1986); (+-h - q)/d with the numerator in double-double, so that an
+ * origin near a face costs no digits.
+ *
+ * Scaling.  d and the lengths are brought to about 1 by powers of two of their own; lengths are halved
+ * first, so that origin - centre cannot overflow.
+ */
+#include "ray_impl.h"
+
+#include <float.h>
+#include <stddef.h>
+
+#include "../base/eft.h"
+#include "../base/fpenv.h"
+#include "../base/vec.h"
+
+algsurf_status algsurf_i_ray_check(const algsurf_ray *ray) {
+    if (!ray || isnan(ray->t_min) || isnan(ray->t_max)) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(ray->origin) || !algsurf_is_finite3(ray->direction)) return ALGSURF_E_NOT_FINITE;
+    return algsurf_max_abs(ray->direction) > 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
+algsurf_status algsurf_i_extent_check(const algsurf_extent *extent) {
+    int sizes;
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return ALGSURF_OK;
+    if (extent->kind == ALGSURF_EXTENT_SPHERE)
+        sizes = 1;
+    else if (extent->kind == ALGSURF_EXTENT_BOX)
+        sizes = 3;
+    else
+        return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(extent->centre)) return ALGSURF_E_NOT_FINITE;
+    for (int i = 0; i < sizes; i++) {
+        if (!isfinite(extent->size[i])) return ALGSURF_E_NOT_FINITE;
+        if (!(extent->size[i] > 0)) return ALGSURF_E_ARGUMENT;
+    }
+    return ALGSURF_OK;
+}
+
+/* a b - c d, with the rounding errors of a and c taken along, to about 2^-104 of the larger product. */
+static algsurf_dd product_difference(algsurf_dd a, double b, algsurf_dd c, double d) {
+    algsurf_dd p = algsurf_two_prod(a.hi, b), q = algsurf_two_prod(c.hi, d), s = algsurf_two_sum(p.hi, -q.hi);
+    return algsurf_fast_two_sum(s.hi, s.lo + ((p.lo - q.lo) + (a.lo * b - c.lo * d)));
+}
+
+/* d.d r^2 - |x cross d|^2 in double-double. */
+static double exact_discriminant(const algsurf_dd x[3], const double d[3], double r) {
+    algsurf_dd sum = algsurf_dd_from(0), r2 = algsurf_two_prod(r, r);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        algsurf_dd c = product_difference(x[j], d[k], x[k], d[j]);
+        sum = algsurf_dd_add(sum, algsurf_dd_mul(algsurf_two_prod(d[i], d[i]), r2));
+        sum = algsurf_dd_sub(sum, algsurf_dd_mul(c, c));
+    }
+    return sum.hi;
+}
+
+/* The line through q along d and the sphere |X| = r about the origin, all of size about 1. */
+static int line_sphere(const algsurf_dd q[3], const double d[3], double r, double t[2]) {
+    double dd = algsurf_dot(d, d), t_c = -(q[0].hi * d[0] + q[1].hi * d[1] + q[2].hi * d[2]) / dd;
+    algsurf_dd x[3];
+    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(q[i], algsurf_two_prod(t_c, d[i]));
+    double c[3] = {x[1].hi * d[2] - x[2].hi * d[1], x[2].hi * d[0] - x[0].hi * d[2],
+                   x[0].hi * d[1] - x[1].hi * d[0]};
+    double reach = dd * r * r, miss = algsurf_dot(c, c), discriminant = reach - miss;
+    if (fabs(discriminant) < 0.125 * (reach + miss)) discriminant = exact_discriminant(x, d, r);
+    if (discriminant < 0) return 0;
+    double b = -(x[0].hi * d[0] + x[1].hi * d[1] + x[2].hi * d[2]), root = sqrt(discriminant);
+    t[0] = t_c + (b - root) / dd;
+    t[1] = t_c + (b + root) / dd;
+    return 1;
+}
+
+static int clip_sphere(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
+    algsurf_dd q[3];
+    double d[3], length = 0.5 * extent->size[0];
+    for (int i = 0; i < 3; i++) {
+        q[i] = algsurf_two_sum(0.5 * ray->origin[i], -0.5 * extent->centre[i]);
+        length = fmax(length, fabs(q[i].hi));
+    }
+    int ed = algsurf_scale_exponent(algsurf_max_abs(ray->direction)), eq = algsurf_scale_exponent(length);
+    double scale_d = ldexp(1.0, -ed), scale_q = ldexp(1.0, -eq);
+    for (int i = 0; i < 3; i++) {
+        d[i] = scale_d * ray->direction[i];
+        q[i] = algsurf_dd_scale(q[i], scale_q);
+    }
+    if (!line_sphere(q, d, scale_q * extent->size[0] * 0.5, ends)) return 0;
+    for (int i = 0; i < 2; i++) ends[i] = ldexp(ends[i], eq - ed + 1);
+    return 1;
+}
+
+static int clip_box(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
+    ends[0] = -INFINITY;
+    ends[1] = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        double d = ray->direction[i], h = 0.25 * extent->size[i];
+        algsurf_dd q = algsurf_two_sum(0.25 * ray->origin[i], -0.25 * extent->centre[i]);
+        algsurf_dd below = algsurf_dd_neg(algsurf_dd_add_d(q, h)),
+                   above = algsurf_dd_sub(algsurf_dd_from(h), q);
+        if (d == 0) { /* parallel to the faces: inside the slab for ever, or never */
+            if (algsurf_dd_sign(below) > 0 || algsurf_dd_sign(above) < 0) return 0;
+            continue;
+        }
+        double near = (d > 0 ? below : above).hi / d, far = (d > 0 ? above : below).hi / d;
+        ends[0] = fmax(ends[0], 4.0 * near);
+        ends[1] = fmin(ends[1], 4.0 * far);
+    }
+    return 1;
+}
+
+int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord) {
+    double ends[2] = {-INFINITY, INFINITY};
+    if (extent && extent->kind == ALGSURF_EXTENT_SPHERE && !clip_sphere(extent, ray, ends)) return 0;
+    if (extent && extent->kind == ALGSURF_EXTENT_BOX && !clip_box(extent, ray, ends)) return 0;
+    double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
+    double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
+    /* An infinite end on the wrong side: no point of the chord has a parameter that is a double. */
+    if (!(t_min <= t_max) || t_min == INFINITY || t_max == -INFINITY) return 0;
+    *chord = *ray;
+    chord->t_min = t_min;
+    chord->t_max = t_max;
+    return 1;
+}
+
+/* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
+ * entered earlier by d / |direction| or more, the sphere's radius and the box's half sizes alike; the clip is
+ * off by less than 2^-47 of the distance from the origin to its far side, for a box along each axis by
+ * itself, and t by 2^-1074 where it underflows.  d is 2^-43 of that, and more than what underflows. */
+static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int axis) {
+    double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? axis : 0];
+    double far = 0.25 * fabs(ray->origin[axis]) + 0.25 * fabs(extent->centre[axis]) + 0.25 * size;
+    return fmin(0x1p-41 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]), 0.25 * DBL_MAX);
+}
+
+int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                             algsurf_i_edges *edges) {
+    *edges = (algsurf_i_edges){NULL, -HUGE_VAL, HUGE_VAL};
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
+    algsurf_extent outer = *extent, inner = *extent;
+    algsurf_ray sure;
+    int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
+    double d[3];
+    for (int i = 0; i < 3; i++) d[i] = margin(extent, ray, i);
+    if (!box) d[0] = fmax(d[0], fmax(d[1], d[2]));
+    for (int i = 0; i < (box ? 3 : 1); i++) {
+        outer.size[i] = fmin(extent->size[i] + d[i], DBL_MAX);
+        inner.size[i] = extent->size[i] - d[i];
+        solid &= inner.size[i] > 0;
+    }
+    if (!algsurf_i_extent_clip(&outer, ray, chord)) return 0;
+    edges->extent = extent;
+    if (solid && algsurf_i_extent_clip(&inner, ray, &sure)) {
+        edges->inner_lo = sure.t_min;
+        edges->inner_hi = sure.t_max;
+    } else {
+        edges->inner_lo = HUGE_VAL;
+        edges->inner_hi = -HUGE_VAL;
+    }
+    return 1;
+}
+
+static ALGSURF_NOINLINE algsurf_status checked_clip(const algsurf_extent *extent, const algsurf_ray *ray,
+                                                    algsurf_ray *chord, int *meets) {
+    if (!chord || !meets) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_ray_check(ray);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) *meets = algsurf_i_extent_clip(extent, ray, chord);
+    return status;
+}
+
+algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                                   int *meets) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = checked_clip(extent, ray, chord, meets);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}

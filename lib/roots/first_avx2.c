@@ -1,0 +1,8 @@
+/* first_avx2.c - first roots of polynomials in packets of four, for AVX2. */
+#include "kernel.h"
+
+#include "../simd/avx2.h"
+#ifdef LANES
+#include "first_template.h"
+#endif
+#include "../simd/end.h"

@@ -1,0 +1,8 @@
+/* first_avx512.c - first roots of polynomials in packets of eight, for AVX-512. */
+#include "kernel.h"
+
+#include "../simd/avx512.h"
+#ifdef LANES
+#include "first_template.h"
+#endif
+#include "../simd/end.h"

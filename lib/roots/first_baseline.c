@@ -1,0 +1,5 @@
+/* first_baseline.c - first roots of polynomials in packets of two, for every processor. */
+#include "kernel.h"
+
+#include "../simd/baseline.h"
+#include "first_template.h"

@@ -1,0 +1,571 @@
+/* first_template.h - the first roots of LANES polynomials given in the power basis.
+ *
+ * They are counted by Descartes' rule.  Those with more than one variation of sign are split, all of them
+ * once; what is still open is packed together and split again, so that no lane waits for another.  Brackets
+ * are refined by Halley's method (Traub, Iterative Methods for the Solution of Equations, 1964) on the power
+ * basis about the middle, from where the control polygon crosses zero.
+ *
+ * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, v in
+ * [-1,1]: a Taylor shift by Horner's rule.  A constant matrix makes Bernstein coefficients of d; its columns
+ * are even or odd in j, so half of it does.
+ *
+ * Error of the Bernstein coefficients.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that
+ * is added to a coefficient are at most S together, for |m| + h = M.  The shift rounds 2n times at most, the
+ * powers of h and their product n + 1 times, the matrix has relative error u, and n/2 + 3 roundings follow:
+ * together (3.5n + 5) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
+ * bound (6n + 10) u S takes in the higher orders and the rounding of S.
+ *
+ * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
+ * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
+#ifndef ALGSURF_FIRST_TEMPLATE_H
+#define ALGSURF_FIRST_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "kernel.h"
+#include "packet_template.h"
+
+#define LARGE_END 0x1p20
+#define LARGE_SIZE 0x1p300
+#define LARGEST 0x1p900  /* what can be scaled */
+#define SHORTEST 0x1p-30 /* of h in units of M */
+#define POLYS 128        /* solved together */
+#define SHORT_ROOT_STEP                                                                                      \
+    0x1p-10 /* longer ones do not tell what the next will be; the interval has length 2                      \
+             */
+#define LEAST_ROOT_STEP 0x1p-52
+#define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
+#define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
+#define FLAT 0x1p-12            /* sqrt(D): as BLURRED */
+#define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
+
+/* LANES polynomials about the middles of their intervals. */
+typedef struct centred {
+    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1];
+    lanes lo, hi, middle, half; /* of the interval, in the caller's unit */
+    lanes radius;               /* bound on the error of the Bernstein coefficients */
+    mask sound;
+} centred;
+
+/* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
+INLINE lanes power_of_two(lanes a) { return (lanes)(0x7fe0000000000000u - ((words)a & 0x7ff0000000000000u)); }
+
+INLINE mask moderate(lanes a, double large) {
+    return less(all_lanes(1 / large), a) & less(a, all_lanes(large));
+}
+
+/* sum |c_k| x^k. */
+INLINE lanes magnitude(const lanes *c, int n, lanes x) {
+    lanes sum = absolute(c[n]);
+    for (int k = n - 1; k >= 0; k--) sum = sum * x + absolute(c[k]);
+    return sum;
+}
+
+/* Brings M and S of the `extreme` lanes to about 1.  What overflows shows in S. */
+INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *most, lanes *size) {
+    lanes one = all_lanes(1), power = one;
+    p->sound = ~extreme | (moderate(*most, LARGEST) & moderate(*size, LARGEST));
+    lanes shrink = choose(extreme & p->sound, power_of_two(*most), one), unit = 1 / shrink;
+    lanes scale = choose(extreme & p->sound, power_of_two(*size), one);
+    for (int k = 0; k <= n; k++) {
+        p->d[k] = p->d[k] * larger(scale, one) * power * smaller(scale, one);
+        if (k < n) power *= unit;
+    }
+    *m *= shrink;
+    *h *= shrink;
+    *most *= shrink;
+    *size = magnitude(p->d, n, *most);
+    p->radius *= scale;
+    p->sound &= moderate(power, LARGEST) & (~extreme | moderate(*size, 8));
+}
+
+/* Polynomials at .. at+count-1. */
+INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
+    lanes *d = p->d, power = all_lanes(1);
+    p->lo = load_some(job->lo + at, count);
+    p->hi = load_some(job->hi + at, count);
+    for (int k = 0; k <= n; k++) d[k] = load_some(job->c[k] + at, count);
+    lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
+    lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
+    p->radius = all_lanes(0);
+    for (int k = n; job->r && k >= 0; k--) p->radius = p->radius * most + load_some(job->r[k] + at, count);
+    mask extreme = ~(moderate(most, LARGE_END) & moderate(size, LARGE_SIZE));
+    p->sound = ~no_lane();
+    if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
+    p->sound &= less(SHORTEST * most, h);
+    p->radius = p->radius * (1 + 0x1p-40) + (6 * n + 10) * 0x1p-53 * size;
+    UNROLLED for (int i = 0; i < n; i++) for (int k = n - 1; k >= i; k--) d[k] += m * d[k + 1];
+    for (int k = 1; k <= n; k++) {
+        power *= h;
+        d[k] *= power;
+    }
+}
+
+/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
+INLINE void centred_to_bernstein(const double *basis, const lanes *d, lanes *b, int n) {
+    UNROLLED for (int j = 0; 2 * j <= n; j++) {
+        lanes even = d[0], odd = basis[j * (n + 1) + 1] * d[1];
+        for (int k = 2; k <= n; k += 2) even += basis[j * (n + 1) + k] * d[k];
+        for (int k = 3; k <= n; k += 2) odd += basis[j * (n + 1) + k] * d[k];
+        b[j] = even + odd;
+        b[n - j] = even - odd;
+    }
+}
+
+/* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
+INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
+    static const uint8_t spread[16][4] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
+                                          {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0},
+                                          {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
+                                          {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+    uint8_t all[8] = {0};
+    for (int l = 0; l < LANES; l += 4) {
+        uint32_t hit, doubt;
+        __builtin_memcpy(&hit, spread[bits(hits) >> l & 15], 4);
+        __builtin_memcpy(&doubt, spread[bits(doubts) >> l & 15], 4);
+        hit = ALGSURF_LANE_HIT * hit + ALGSURF_LANE_DOUBTFUL * doubt;
+        __builtin_memcpy(all + l, &hit, 4);
+    }
+    if (count >= LANES) {
+        __builtin_memcpy(state, all, LANES);
+    } else {
+        for (int l = 0; l < count; l++) state[l] = all[l];
+    }
+}
+
+/* Rows of numbers, with room for what store_chosen writes behind them. */
+#define ROW (POLYS + 8)
+
+/* Cells to be split: as in roots/packet_template.h parts [p,q] of [0,1], at multiples of 2^-40, with
+ * Bernstein coefficients w.  There is no root left of p, none right of `limit`, and surely w[0] > 0. */
+typedef struct cells {
+    int count;
+    double id[ROW], p[ROW], q[ROW], limit[ROW], error[ROW], cut_error[ROW];
+    double w[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW];
+} cells;
+
+typedef struct cell {
+    lanes id, p, q, limit;
+    lanes error, cut_error; /* of w; what a cut adds */
+    lanes w[ALGSURF_MAX_POLYS_DEGREE + 1];
+} cell;
+
+/* Parts [begin,end] of [-1,1] with one root. */
+typedef struct brackets {
+    int count;
+    double id[ROW], begin[ROW], end[ROW], near[ROW];
+} brackets;
+
+#define NOWHERE 4.0
+#define IN_DOUBT 2.0
+
+/* Polynomials, number `id` in column id of the rows, and what was found. */
+typedef struct poly_block {
+    double d[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW], radius[ROW];
+    double v[ROW]; /* the root in [-1,1], NOWHERE or IN_DOUBT */
+    cells open;
+    brackets hits;
+} poly_block;
+
+INLINE void to_index(lanes id, int *index) {
+    for (int l = 0; l < LANES; l++) index[l] = (int)id[l];
+}
+
+/* Entries id[0 .. LANES-1] of p. */
+INLINE lanes gather(const double *p, const int *id) {
+    lanes a = {0};
+    for (int l = 0; l < LANES; l++) a[l] = p[id[l]];
+    return a;
+}
+
+INLINE unsigned first_lanes(int count) { return count >= LANES ? (1u << LANES) - 1 : (1u << count) - 1; }
+
+/* Descartes' count of coefficients known to `error`: no variation, or one, whatever the signs that are not
+ * known. */
+typedef struct signs {
+    mask none, one;
+} signs;
+
+/* For w[0] > error. */
+INLINE signs count_signs(const lanes *w, int n, lanes error) {
+    words low = {0}, mixed = low; /* a coefficient so far may be negative; one after it may be positive */
+    for (int j = 1; j <= n; j++) {
+        mixed |= low & ~(words)(w[j] + error);
+        low |= (words)(w[j] - error);
+    }
+    return (signs){~negative(low), ~negative(mixed) & negative((words)(w[n] + error))};
+}
+
+INLINE void add_cells(cells *to, const cell *s, unsigned chosen, int n) {
+    int i = to->count;
+    store_chosen(to->id + i, s->id, chosen);
+    store_chosen(to->p + i, s->p, chosen);
+    store_chosen(to->q + i, s->q, chosen);
+    store_chosen(to->limit + i, s->limit, chosen);
+    store_chosen(to->error + i, s->error, chosen);
+    store_chosen(to->cut_error + i, s->cut_error, chosen);
+    for (int j = 0; j <= n; j++) store_chosen(to->w + j * ROW + i, s->w[j], chosen);
+    to->count += __builtin_popcount(chosen);
+}
+
+/* Where the control polygon of one variation crosses zero. */
+INLINE lanes crossing(const lanes *w, int n) {
+    lanes before = w[0], after = w[1], place = all_lanes(0);
+    for (int j = 1; j < n; j++) {
+        mask further = less(all_lanes(0), w[j]);
+        before = choose(further, w[j], before);
+        after = choose(further, w[j + 1], after);
+        place = choose(further, all_lanes(j), place);
+    }
+    return (place + before / (before - after)) * (1.0 / n);
+}
+
+INLINE void add_brackets(brackets *to, const cell *s, unsigned chosen, int n) {
+    int i = to->count;
+    store_chosen(to->id + i, s->id, chosen);
+    store_chosen(to->begin + i, 2 * s->p - 1, chosen);
+    store_chosen(to->end + i, 2 * s->q - 1, chosen);
+    store_chosen(to->near + i, 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
+    to->count += __builtin_popcount(chosen);
+}
+
+INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which) {
+    for (int l = 0; which >> l; l++)
+        if (which >> l & 1) block->v[(int)id[l]] = IN_DOUBT;
+}
+
+/* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
+ * Their signs become those that make the first coefficient positive. */
+INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int room, int n) {
+    centred p;
+    cell s;
+    centre(job, at, room, &p, n);
+    centred_to_bernstein(job->basis, p.d, s.w, n);
+    words sign = (words)s.w[0] & (words)all_lanes(-0.0);
+    lanes largest = all_lanes(0);
+    for (int k = 0; k <= n; k++) {
+        store(block->d + k * ROW + i, (lanes)((words)p.d[k] ^ sign));
+        s.w[k] = (lanes)((words)s.w[k] ^ sign);
+        largest = larger(largest, absolute(s.w[k]));
+    }
+    store(block->radius + i, p.radius);
+    s.error = p.radius;
+    s.cut_error = (8 * n * 0x1p-53) * (largest + p.radius);
+    s.id = numbered() + i;
+    s.p = all_lanes(0);
+    s.q = s.limit = all_lanes(1);
+    mask ends = p.sound & less(p.radius, smaller(s.w[0], absolute(s.w[n])));
+    signs whole = count_signs(s.w, n, p.radius);
+    store(block->v + i, choose(ends, all_lanes(NOWHERE), all_lanes(IN_DOUBT)));
+    unsigned some = bits(ends & ~whole.none) & first_lanes(room), one = bits(whole.one) & some;
+    if (one) add_brackets(&block->hits, &s, one, n);
+    add_cells(&block->open, &s, some & ~one, n);
+}
+
+/* Where to split a cell, as a ratio: as split_point. */
+INLINE lanes dip(const lanes *w, int n, int round) {
+    lanes zero = all_lanes(0), a = zero, b = zero, c = all_lanes(1), place = all_lanes(0.5 * n);
+    if (round % 4 == 3) return all_lanes(0.5);
+    for (int j = n - 1; j >= 1; j--) {
+        mask here = less(w[j], smaller(w[j + 1], zero));
+        a = choose(here, w[j - 1], a);
+        b = choose(here, w[j], b);
+        c = choose(here, w[j + 1], c);
+        place = choose(here, all_lanes(j), place);
+    }
+    return (place + 0.5 * (a - c) / (a - 2 * b + c)) * (1.0 / n);
+}
+
+/* The cells of `which` lanes become what is left to search of the whole interval. */
+INLINE void restart(const algsurf_i_polys_job *job, const poly_block *block, cell *s, mask which, int n) {
+    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], w[ALGSURF_MAX_POLYS_DEGREE + 1],
+        left[ALGSURF_MAX_POLYS_DEGREE + 1];
+    lanes one = all_lanes(1);
+    int id[LANES];
+    to_index(s->id, id);
+    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, id);
+    centred_to_bernstein(job->basis, d, w, n);
+    split(w, left, n, s->q, one - s->q);
+    mask cut = less(s->limit, all_lanes(1 - CLOSE_TO_END));
+    for (int j = 0; j <= n; j++) s->w[j] = choose(which, w[j], s->w[j]);
+    lanes end = choose(cut, s->limit, 0.5 * s->q + 0.5);
+    split(w, left, n, end - s->q, one - end);
+    for (int j = 0; j <= n; j++) s->w[j] = choose(which & cut, left[j], s->w[j]);
+    s->error = choose(which, gather(block->radius, id) + 2 * s->cut_error, s->error);
+    s->p = choose(which, s->q, s->p);
+    s->q = choose(which, choose(cut, end, one), s->q);
+}
+
+/* Splits each cell and keeps the first part that may hold a root. */
+INLINE void divide_cells(const algsurf_i_polys_job *job, poly_block *block, int n, int round) {
+    cells *all = &block->open;
+    int waiting = all->count;
+    all->count = 0;
+    for (int i = 0; i < waiting; i += LANES) {
+        cell s;
+        lanes left[ALGSURF_MAX_POLYS_DEGREE + 1];
+        unsigned room = first_lanes(waiting - i);
+        s.id = load(all->id + i);
+        s.p = load(all->p + i);
+        s.q = load(all->q + i);
+        s.limit = load(all->limit + i);
+        s.cut_error = load(all->cut_error + i);
+        s.error = load(all->error + i) + s.cut_error;
+        for (int j = 0; j <= n; j++) s.w[j] = load(all->w + j * ROW + i);
+        lanes length = s.q - s.p, at = floor40(s.p + dip(s.w, n, round) * length);
+        mask unsure = at_most(length, all_lanes(NARROWEST));
+        split(s.w, left, n, at - s.p, s.q - at);
+        words low_left = {0}, low_right = {0};
+        for (int j = 1; j <= n; j++) {
+            low_left |= (words)(left[j] - s.error);
+            low_right |= (words)(s.w[j] - s.error);
+        }
+        mask go_right = ~negative(low_left), crosses = less(left[n], -s.error);
+        unsure |= ~(crosses | at_most(s.error, left[n]));
+        mask last = crosses | (~negative(low_right) & at_most(s.limit, s.q));
+        s.limit = choose(last & ~go_right, at, s.limit);
+        for (int j = 0; j <= n; j++) s.w[j] = choose(go_right, s.w[j], left[j]);
+        s.p = choose(go_right, at, s.p);
+        s.q = choose(go_right, s.q, at);
+        signs c = count_signs(s.w, n, s.error);
+        mask again = c.none & less(s.q, s.limit);
+        unsure |= again & less(all_lanes(1 - CLOSE_TO_END), s.q);
+        if (bits(again) & room) {
+            restart(job, block, &s, again, n);
+            c = count_signs(s.w, n, s.error);
+        }
+        unsigned doubts = bits(unsure) & room, hits = bits(c.one) & room & ~doubts;
+        if (doubts) leave_in_doubt(block, s.id, doubts);
+        if (hits) add_brackets(&block->hits, &s, hits, n);
+        add_cells(all, &s, room & ~bits(c.none) & ~hits & ~doubts, n);
+    }
+}
+
+/* A polynomial between its bracket and its root. */
+typedef struct approach {
+    lanes x, begin, end, last, slope;
+    mask moving, stuck;
+} approach;
+
+/* Halley's step, kept to the bracket and to at least half of Newton's; moving lanes are those that need
+ * another one.  The errors shrink with the third power, by a factor that the last two steps tell, or by the
+ * square of bend / slope if that is more: so is known how long it would be.  After many, values below `noise`
+ * end it. */
+INLINE void halley(approach *a, const lanes *d, int n, lanes noise, double tolerance, int many) {
+    lanes f = d[n], slope = all_lanes(0), bend = slope;
+    for (int i = n - 1; i >= 0; i--) {
+        bend = bend * a->x + slope;
+        slope = slope * a->x + f;
+        f = f * a->x + d[i];
+    }
+    mask before = ~negative((words)f); /* the root is further right */
+    a->begin = choose(before, a->x, a->begin);
+    a->end = choose(before, a->end, a->x);
+    lanes newton = slope * slope, below = newton - f * bend, next = a->x - f * slope / below;
+    mask sound = at_most(absolute(below), 2 * newton); /* not so where p' is 0 */
+    sound &= at_most(a->begin, next) & at_most(next, a->end);
+    next = choose(sound, next, 0.5 * (a->begin + a->end));
+    lanes step = absolute(next - a->x), cube = step * step * step, last = a->last;
+    a->x = choose(a->moving, next, a->x);
+    a->last = step;
+    mask close = sound & at_most(step, all_lanes(SHORT_ROOT_STEP)) & at_most(4 * step, last) &
+                 at_most(cube * step, tolerance * last * last * last) &
+                 at_most(4 * cube * bend * bend, tolerance * newton);
+    a->slope = choose(a->moving, slope, a->slope);
+    a->moving &= ~close;
+    if (many) {
+        a->stuck |= a->moving & at_most(absolute(f), noise);
+        a->moving &= ~a->stuck;
+    }
+}
+
+/* What of the sizes that S adds up is left at a distance of x halves from the middle. */
+INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half,
+                      double x) {
+    double near = 0, far = 0, m = fabs(middle);
+    for (int k = n; k >= 0; k--) {
+        double c = fabs(job->c[k][at]);
+        near = near * (m + half * fabs(x)) + c;
+        far = far * (m + half) + c;
+    }
+    return near / far;
+}
+
+/* Roots in brackets i, i+1 .., two packets side by side, for each waits for its own divisions. */
+INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    const brackets *b = &block->hits;
+    approach a[PAIR];
+    lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1], noise[PAIR];
+    int id[PAIR][LANES];
+    double wanted = job->tolerance > 0 ? 2 * job->tolerance : USUAL_ROOT_STEP,
+           tolerance = wanted > LEAST_ROOT_STEP ? wanted : LEAST_ROOT_STEP;
+    int packets = b->count - i > LANES ? 2 : 1;
+    mask moving = no_lane();
+    for (int w = 0; w < packets; w++) {
+        int first = i + w * LANES;
+        to_index(load(b->id + first), id[w]);
+        for (int l = b->count - first; l < LANES; l++) id[w][l] = id[w][0];
+        for (int k = 0; k <= n; k++) d[w][k] = gather(block->d + k * ROW, id[w]);
+        a[w].begin = load(b->begin + first);
+        a[w].end = load(b->end + first);
+        a[w].x = load(b->near + first);
+        a[w].last = all_lanes(0);
+        a[w].moving = less(numbered(), all_lanes(b->count - first));
+        a[w].slope = a[w].last;
+        a[w].stuck = no_lane();
+        noise[w] = gather(block->radius, id[w]) * (1.0 / (6 * n + 10));
+    }
+    for (int round = 0; round < MOST_TURNS; round++) {
+        moving = no_lane();
+        for (int w = 0; w < packets; w++) {
+            halley(a + w, d[w], n, noise[w], tolerance, round >= MANY_ROUNDS);
+            moving |= a[w].moving;
+        }
+        if (!any(moving)) break;
+    }
+    for (int w = 0; w < packets; w++) {
+        mask blurred = less(BLURRED * absolute(a[w].slope), noise[w]);
+        unsigned doubts = bits(a[w].moving | (a[w].stuck & blurred)), flat = bits(blurred);
+        for (int l = 0; l < LANES && i + w * LANES + l < b->count; l++) {
+            double x = a[w].x[l];
+            if (flat >> l & 1) {
+                size_t to = at + (size_t)id[w][l];
+                double middle = 0.5 * job->lo[to] + 0.5 * job->hi[to],
+                       half = 0.5 * job->hi[to] - 0.5 * job->lo[to];
+                double blur = noise[w][l] * part_at(job, to, n, middle, half, x);
+                doubts |= (unsigned)!(blur <= BLURRED * fabs(a[w].slope[l])) << l;
+            }
+            block->v[id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
+        }
+    }
+}
+
+/* The answers of polynomials i .. of the block. */
+INLINE void finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room) {
+    lanes v = load(block->v + i);
+    mask hit = less(v, all_lanes(IN_DOUBT)), doubtful = at_most(v, all_lanes(IN_DOUBT)) & ~hit;
+    store_states(job->state + at, hit, doubtful, room);
+    if (!job->root) return;
+    lanes lo = load_some(job->lo + at, room), hi = load_some(job->hi + at, room);
+    lanes t = 0.5 * lo + 0.5 * hi + v * (0.5 * hi - 0.5 * lo);
+    store_some(job->root + at, choose(hit, smaller(larger(t, lo), hi), all_lanes(HUGE_VAL)), room);
+}
+
+INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
+
+INLINE void solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    int round = 0;
+    block->open.count = block->hits.count = 0;
+    for (int i = 0; i < count; i += LANES)
+        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+    for (; block->open.count > 0 && round < MOST_TURNS; round++) divide_cells(job, block, n, round);
+    for (int i = 0; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
+    for (int i = 0; i < block->hits.count && !job->root; i++) block->v[(int)block->hits.id[i]] = 0;
+    for (int i = 0; i < block->hits.count && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
+    for (int i = 0; i < count; i += LANES)
+        finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES));
+}
+
+/* The closed form for degrees 1 and 2.  Let s be the sign at the left end.  Where signs at the ends differ,
+ * or both are s, the middle coefficient's is not, and the discriminant D is positive, then the first root is
+ * the one where the slope d_1 + 2 d_2 v = -s sqrt(D).  Errors R of b are errors of at most R of d_0, d_1 and
+ * 2 R of d_2; they change D by less than 16 R (|d_0| + |d_1| + |d_2| + R), which exceeds its roundings too.
+ * The root is off by about u (|d_0| + |d_1| + |d_2|) / sqrt(D), so hits with a small D are doubtful. */
+INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtful) {
+    lanes a = n == 2 ? p->d[2] : all_lanes(0), b = p->d[1], c = p->d[0], radius = p->radius;
+    lanes left = c - b + a, middle = c - a, right = c + b + a;
+    words sign = (words)left & (words)all_lanes(-0.0);
+    lanes size = absolute(a) + absolute(b) + absolute(c), D = b * b - 4 * a * c;
+    mask crosses = negative((words)left ^ (words)right), dips = negative((words)left ^ (words)middle);
+    mask sure = less(radius, smaller(absolute(left), absolute(right)));
+    mask around = ~crosses & (dips | ~less(radius, absolute(middle)));
+    sure &=
+        ~around | (dips & less(radius, absolute(middle)) & less(16 * radius * (size + radius), absolute(D)));
+    sure &= p->sound;
+    lanes slope = root(larger(D, all_lanes(0)));
+    *hit = sure & (crosses | (around & less(all_lanes(0), D)));
+    *doubtful = ~sure | (*hit & less(slope, FLAT * size));
+    *hit &= ~*doubtful;
+    mask same = ~negative((words)b ^ sign);
+    lanes sum = b + (lanes)((words)slope | ((words)b & (words)all_lanes(-0.0)));
+    return choose(same, -sum, -2 * c) / choose(same, 2 * a, sum);
+}
+
+INLINE void solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
+    centred p;
+    mask hit, doubtful;
+    centre(job, at, count, &p, n);
+    lanes v = first_root_closed(&p, n, &hit, &doubtful);
+    store_states(job->state + at, hit, doubtful, count);
+    if (!job->root) return;
+    lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
+    store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
+}
+
+INLINE void solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    if (n <= 2) {
+        for (size_t at = 0; at < count; at += LANES)
+            solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
+        return;
+    }
+    poly_block block;
+    for (int i = 0; i < ROW; i++)
+        block.open.id[i] = block.hits.id[i] = 0; /* lanes behind the last name one too */
+    for (size_t at = 0; at < count; at += POLYS)
+        solve_block(job, &block, at, count - at < POLYS ? (int)(count - at) : POLYS, n);
+}
+
+static void solve_polys(const algsurf_i_polys_job *job, size_t count) {
+    switch (INSTRUMENTED ? 0 : job->degree) {
+    case 1:
+        solve_polys_n(job, count, 1);
+        break;
+    case 2:
+        solve_polys_n(job, count, 2);
+        break;
+    case 3:
+        solve_polys_n(job, count, 3);
+        break;
+    case 4:
+        solve_polys_n(job, count, 4);
+        break;
+    case 5:
+        solve_polys_n(job, count, 5);
+        break;
+    case 6:
+        solve_polys_n(job, count, 6);
+        break;
+    case 8:
+        solve_polys_n(job, count, 8);
+        break;
+    case 10:
+        solve_polys_n(job, count, 10);
+        break;
+    default:
+        solve_polys_n(job, count, job->degree);
+    }
+}
+
+/* Whether `count` numbers, or their multiples by 0, are all finite. */
+INLINE mask all_finite(mask good, const double *a, size_t count) {
+    words zero = {0}; /* but for signs */
+    for (size_t at = 0; at < count; at += LANES)
+        zero |= (words)(0 * load_some(a + at, count - at < LANES ? (int)(count - at) : LANES));
+    return good & at_most(absolute((lanes)zero), all_lanes(0));
+}
+
+static int good_polys(const algsurf_i_polys_job *job, size_t count) {
+    mask good = all_finite(all_finite(~no_lane(), job->lo, count), job->hi, count);
+    for (int k = 0; k <= job->degree; k++) good = all_finite(good, job->c[k], count);
+    for (int k = 0; job->r && k <= job->degree; k++) good = all_finite(good, job->r[k], count);
+    for (size_t at = 0; at < count; at += LANES) {
+        int left = count - at < LANES ? (int)(count - at) : LANES;
+        good &= less(load_some(job->lo + at, left), load_some(job->hi + at, left));
+        for (int k = 0; job->r && k <= job->degree; k++)
+            good &= at_most(all_lanes(0), load_some(job->r[k] + at, left));
+    }
+    return bits(good) == (1u << LANES) - 1;
+}
+
+const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {.solve = solve_polys, .good = good_polys};
+
+#endif

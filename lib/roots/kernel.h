@@ -1,0 +1,37 @@
+/* kernel.h - first roots of many polynomials at once, by every kernel. */
+#ifndef ALGSURF_ROOTS_KERNEL_H
+#define ALGSURF_ROOTS_KERNEL_H
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../simd/kernel.h"
+
+/* The bounds of first_template.h hold up to this degree. */
+#define ALGSURF_MAX_POLYS_DEGREE 20
+
+/* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_poly_packet, and their answers. */
+typedef struct algsurf_i_polys_job {
+    const double *const *c, *const *r;
+    const double *lo, *hi;
+    int degree;
+    double tolerance; /* relative to the interval */
+    const double
+        *basis; /* Bernstein coefficient j of v^k over [-1,1] at j (degree+1) + k; for degrees above 2 */
+    uint8_t *state;
+    double *root; /* +inf where there is none; may be null */
+} algsurf_i_polys_job;
+
+typedef struct algsurf_i_roots_kernel {
+    /* state and root of the first `count` polynomials; of a doubtful one only the state means something. */
+    void (*solve)(const algsurf_i_polys_job *job, size_t count);
+    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; basis, state, root are not read.
+     */
+    int (*good)(const algsurf_i_polys_job *job, size_t count);
+} algsurf_i_roots_kernel;
+
+extern const algsurf_i_roots_kernel algsurf_i_roots_avx512, algsurf_i_roots_avx2, algsurf_i_roots_baseline;
+
+/* The code for a kernel. */
+const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel);
+
+#endif

@@ -1,0 +1,216 @@
+/* refine.c - the bracket shared by all methods, and the two ways in: a function, a polynomial. */
+#include "algsurf/refine.h"
+
+#include "../base/fpenv.h"
+#include "../base/options.h"
+#include "refine_impl.h"
+
+/* ---- the bracket ---- */
+
+static double evaluate(algsurf_i_search *s, double x) {
+    double y = s->f(x, s->data);
+    s->evaluations++;
+    s->nan |= isnan(y) != 0;
+    return y;
+}
+
+/* Brent's second rule: b is the better end. */
+static void order(algsurf_i_search *s) {
+    if (!(fabs(s->fc) < fabs(s->fb))) return;
+    s->a = s->b, s->fa = s->fb;
+    s->b = s->c, s->fb = s->fc;
+    s->c = s->a, s->fc = s->fa;
+}
+
+/* Brent's first rule: c stays on the other side of the root. */
+int algsurf_i_search_step(algsurf_i_search *s, double x) {
+    double y = evaluate(s, x);
+    s->iterations++;
+    s->x = x, s->fx = y;
+    s->a = s->b, s->fa = s->fb;
+    s->b = x, s->fb = y;
+    int crossed = (y > 0 && s->fc > 0) || (y < 0 && s->fc < 0);
+    if (crossed) s->c = s->a, s->fc = s->fa;
+    order(s);
+    return crossed;
+}
+
+static int converged(const algsurf_i_search *s) {
+    return s->fb == 0 || s->settled || fabs(s->c - s->b) <= 2.0 * algsurf_i_search_tolerance(s);
+}
+
+int algsurf_i_search_running(const algsurf_i_search *s) {
+    return !s->nan && !converged(s) && s->iterations < s->max_iterations;
+}
+
+/* Values at both ends; the newest point is hi.  Do the signs differ, or is one of them zero? */
+static int search_start(algsurf_i_search *s, double lo, double hi) {
+    s->a = s->c = lo, s->b = s->x = hi;
+    s->fa = s->fc = evaluate(s, lo);
+    s->fb = s->fx = evaluate(s, hi);
+    int opposite = (s->fc <= 0 && s->fb >= 0) || (s->fc >= 0 && s->fb <= 0);
+    order(s);
+    return opposite;
+}
+
+static algsurf_status search_finish(const algsurf_i_search *s, algsurf_root *result) {
+    if (s->nan) return ALGSURF_E_NOT_FINITE;
+    *result = (algsurf_root){.root = s->b,
+                             .lo = fmin(s->b, s->c),
+                             .hi = fmax(s->b, s->c),
+                             .value = s->fb,
+                             .evaluations = s->evaluations,
+                             .iterations = s->iterations,
+                             .converged = converged(s)};
+    return result->converged ? ALGSURF_OK : ALGSURF_NOT_CONVERGED;
+}
+
+/* ---- what both entries share ---- */
+
+static algsurf_status prepare(algsurf_i_search *s, double lo, double hi,
+                              const algsurf_refine_options *options, algsurf_method *method) {
+    algsurf_refine_options known = {.size = sizeof known};
+    if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
+    int number = (int)known.method;
+    if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
+    if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
+    if (!(known.tolerance >= 0) || isinf(known.tolerance)) return ALGSURF_E_ARGUMENT;
+    if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
+    if (lo > hi) return ALGSURF_E_ARGUMENT;
+    s->tolerance = fmin(known.tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
+    s->max_iterations = known.max_iterations ? known.max_iterations : 1000;
+    *method = known.method;
+    return ALGSURF_OK;
+}
+
+static void run(algsurf_i_search *s, algsurf_method method) {
+    switch (method) {
+    case ALGSURF_METHOD_BISECTION:
+        algsurf_i_refine_bisection(s);
+        break;
+    case ALGSURF_METHOD_REGULA_FALSI:
+        algsurf_i_refine_regula_falsi(s);
+        break;
+    default:
+        algsurf_i_refine_brent(s);
+    }
+}
+
+/* ---- a function ---- */
+
+/* No change of the floating-point environment here: f is the caller's, and the bracket, whose ends only
+ * have to be points where f was evaluated, is right in any rounding mode. */
+algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
+                                       const algsurf_refine_options *options, algsurf_root *result) {
+    if (!f || !result) return ALGSURF_E_ARGUMENT;
+    algsurf_i_search s = {.f = f, .data = data};
+    algsurf_method method;
+    algsurf_status status = prepare(&s, lo, hi, options, &method);
+    if (status != ALGSURF_OK) return status;
+    int bracketed = search_start(&s, lo, hi);
+    if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
+    run(&s, method);
+    return search_finish(&s, result);
+}
+
+/* ---- a polynomial ---- */
+
+typedef struct {
+    const double *c;
+    int degree;
+    double derivative; /* at the last point, from value_and_slope */
+    int exponent;      /* c is the caller's polynomial times 2^exponent */
+    algsurf_function inner;
+    algsurf_refine_observer observe; /* null: nobody looks */
+    void *observer_data;
+} polynomial;
+
+/* Horner's rule.  Coefficients are below 2^500 (balance), so a sum that overflows does so for |t| > 2 and
+ * outweighs all that is still to come: the sign of an infinite value is right. */
+static double value(double t, void *data) {
+    const polynomial *p = data;
+    double y = p->c[p->degree];
+    for (int i = p->degree - 1; i >= 0; i--) y = y * t + p->c[i];
+    return y;
+}
+
+static double value_and_slope(double t, void *data) {
+    polynomial *p = data;
+    double y = p->c[p->degree], slope = 0.0;
+    for (int i = p->degree - 1; i >= 0; i--) {
+        slope = slope * t + y;
+        y = y * t + p->c[i];
+    }
+    p->derivative = slope;
+    return y;
+}
+
+/* The inner function, watched. */
+static double told(double t, void *data) {
+    const polynomial *p = data;
+    double y = p->inner(t, data);
+    p->observe(t, ldexp(y, -p->exponent), p->observer_data);
+    return y;
+}
+
+/* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor
+ * overflow without need. */
+static void balance(polynomial *p, double largest, double *room) {
+    int exponent = 0;
+    (void)frexp(largest, &exponent);
+    if (largest == 0 || (exponent > -500 && exponent < 500)) return;
+    for (int i = 0; i <= p->degree; i++) room[i] = ldexp(p->c[i], -exponent);
+    p->c = room;
+    p->exponent = -exponent;
+}
+
+static algsurf_status ALGSURF_NOINLINE refine_poly(polynomial p, double lo, double hi,
+                                                   const algsurf_refine_options *options,
+                                                   algsurf_root *result) {
+    algsurf_i_search s = {.data = &p};
+    algsurf_method method;
+    algsurf_status status = prepare(&s, lo, hi, options, &method);
+    if (status != ALGSURF_OK) return status;
+    double largest = 0.0, room[ALGSURF_MAX_POLY_DEGREE + 1];
+    for (int i = 0; i <= p.degree; i++) {
+        if (!isfinite(p.c[i])) return ALGSURF_E_NOT_FINITE;
+        largest = fabs(p.c[i]) > largest ? fabs(p.c[i]) : largest;
+    }
+    balance(&p, largest, room);
+    p.inner = method == ALGSURF_METHOD_DEFAULT ? value_and_slope : value;
+    s.f = p.observe ? told : p.inner;
+    int bracketed = search_start(&s, lo, hi);
+    if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
+    if (method == ALGSURF_METHOD_DEFAULT)
+        algsurf_i_refine_newton(&s, &p.derivative);
+    else
+        run(&s, method);
+    status = search_finish(&s, result);
+    if (status >= 0) result->value = ldexp(result->value, -p.exponent);
+    return status;
+}
+
+static algsurf_status run_guarded(const double *c, int degree, double lo, double hi,
+                                  const algsurf_refine_options *options, algsurf_refine_observer observe,
+                                  void *data, algsurf_root *result) {
+    if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    polynomial p = {.c = c, .degree = degree, .observe = observe, .observer_data = data};
+    algsurf_status status = refine_poly(p, lo, hi, options, result);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
+                                   const algsurf_refine_options *options, algsurf_root *result) {
+    return run_guarded(c, degree, lo, hi, options, NULL, NULL, result);
+}
+
+algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
+                                            const algsurf_refine_options *options,
+                                            algsurf_refine_observer observe, void *data,
+                                            algsurf_root *result) {
+    if (!observe) return ALGSURF_E_ARGUMENT;
+    return run_guarded(c, degree, lo, hi, options, observe, data, result);
+}

@@ -1,0 +1,11 @@
+/* avx2.h - packets of four for AVX2, to be included before a template; nothing on other processors.
+ * The includer ends with end.h. */
+#if defined(__x86_64__)
+#define LANES 4
+#define KERNEL(name) name##_avx2
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC target("avx2")
+#endif
+#endif

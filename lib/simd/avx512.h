@@ -1,0 +1,11 @@
+/* avx512.h - packets of eight for AVX-512, to be included before a template; nothing on other processors.
+ * The includer ends with end.h. */
+#if defined(__x86_64__)
+#define LANES 8
+#define KERNEL(name) name##_avx512
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
+#else
+#pragma GCC target("avx512f,avx512dq,avx512vl")
+#endif
+#endif

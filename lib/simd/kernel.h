@@ -1,0 +1,39 @@
+/* kernel.h - the instruction sets that the packet code is compiled for, and which of them this machine has.
+ *
+ * A kernel is one of them.  The packet code itself is one text for each room, X_template.h, instantiated by
+ * X_avx512.c, X_avx2.c and X_baseline.c; each room keeps a table of what they offer, in the order of
+ * algsurf_i_kernel.index.
+ *
+ * All kernels give the same bits: each lane is rounded as a double alone would be, and no result depends on
+ * how many lanes there are.  None of them decides a sign inside its error bound; a lane that would have to
+ * reports doubt.  To be called in the standard floating-point environment. */
+#ifndef ALGSURF_KERNEL_H
+#define ALGSURF_KERNEL_H
+
+/* Answers of a lane. */
+enum { ALGSURF_LANE_MISS = 0, ALGSURF_LANE_HIT = 1, ALGSURF_LANE_DOUBTFUL = 2 };
+
+/* The initializer of a table by index: what is named for each kernel, without those that the processor's
+ * family does not have. */
+enum { ALGSURF_AVX512, ALGSURF_AVX2, ALGSURF_BASELINE, ALGSURF_KERNELS };
+#if defined(__x86_64__)
+#define ALGSURF_KERNEL_TABLE(name)                                                                           \
+    { name##_avx512, name##_avx2, name##_baseline }
+#else
+#define ALGSURF_KERNEL_TABLE(name)                                                                           \
+    { 0, 0, name##_baseline }
+#endif
+
+typedef struct algsurf_i_kernel {
+    const char *name;
+    int index; /* in tables */
+} algsurf_i_kernel;
+
+/* The kernels this processor and operating system can run, the fastest first; null beyond the last. */
+const algsurf_i_kernel *algsurf_i_kernel_at(int index);
+
+/* The kernel of that name, or the fastest one for null, if this processor and operating system can run it;
+ * null otherwise. */
+const algsurf_i_kernel *algsurf_i_kernel_find(const char *name);
+
+#endif

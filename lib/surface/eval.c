@@ -1,0 +1,269 @@
+/* eval.c - a surface and its gradient at a point, with error bounds.
+ *
+ * Horner's scheme, x inside y inside z, on the natural coefficients; derivatives by differentiating
+ * the scheme (forward mode), so one pass over the coefficients gives all four numbers.  Next to it
+ * runs the same scheme on magnitudes, M = sum (|c| + eta) |x|^i |y|^j |z|^k over all places (i,j,k)
+ * of the dense rows, and its derivatives.
+ *
+ * Bound (Higham, Accuracy and Stability of Numerical Algorithms, 2002, 5.1, for nested schemes): a
+ * term c x^i y^j z^k passes through at most 2i+1 roundings in its row, 2j+1 in its level, 2k+1 in
+ * the last sum, and its coordinates may carry i+j+k more: 3n+3 factors (1+d), |d| <= u.  M comes out
+ * too small by at most 2n+3 such factors.  Hence |error| <= (3n+3) u (1 + (5n+6) u) M, and
+ *     bound = (4n+8) u M
+ * leaves n+5 units u M to spare.  A term of a derivative is a sum over paths of the same length,
+ * each counted once in the derivative of M: the same constant serves.
+ * Underflow: a product may be off by 2^-1075, a coefficient of an `inexact` surface by 2^-1074, each
+ * then multiplied by the coordinates that belong to its place.  eta = 2^-960 at every place where
+ * that can happen covers it, times u, a hundred billion times over, and keeps M from underflow.
+ *
+ * Points the natural unit drives out of range, and values so small that eta would show, go through
+ * the terms one by one, each a mantissa and an integer exponent, which cannot overflow.
+ */
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "../base/eft.h"
+#include "../base/fpenv.h"
+#include "impl.h"
+
+#define ETA 0x1p-960
+
+static double bound_factor(const algsurf_surface *s) { return (4 * s->degree + 8) * ALGSURF_U + s->error; }
+
+/* A value and its three derivatives. */
+typedef struct jet {
+    double v, x, y, z;
+} jet;
+
+static double value_only(const algsurf_surface *s, double x, double y, double z) {
+    double v = 0.0;
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_row *row = s->rows + s->levels[k].first;
+        double level = 0.0;
+        for (int j = s->levels[k].count - 1; j >= 0; j--) {
+            const double *c = s->coef + row[j].first;
+            double r = 0.0;
+            for (int i = row[j].length - 1; i >= 0; i--) r = r * x + c[i];
+            level = level * y + r;
+        }
+        v = v * z + level;
+    }
+    return v;
+}
+
+static jet value_and_gradient(const algsurf_surface *s, double x, double y, double z) {
+    jet p = {0.0, 0.0, 0.0, 0.0};
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_row *row = s->rows + s->levels[k].first;
+        double level = 0.0, level_x = 0.0, level_y = 0.0;
+        for (int j = s->levels[k].count - 1; j >= 0; j--) {
+            const double *c = s->coef + row[j].first;
+            double r = 0.0, r_x = 0.0;
+            for (int i = row[j].length - 1; i >= 0; i--) {
+                r_x = r_x * x + r;
+                r = r * x + c[i];
+            }
+            level_x = level_x * y + r_x;
+            level_y = level_y * y + level;
+            level = level * y + r;
+        }
+        p.x = p.x * z + level_x;
+        p.y = p.y * z + level_y;
+        p.z = p.z * z + p.v;
+        p.v = p.v * z + level;
+    }
+    return p;
+}
+
+/* A Horner step on magnitudes; a product with 0 is exact and needs no eta. */
+static double step(double m, double t, double next) { return m > 0 ? m * t + (next + ETA) : next; }
+
+/* The same on magnitudes; x, y, z >= 0. */
+static jet magnitudes(const algsurf_surface *s, double x, double y, double z) {
+    jet p = {0.0, 0.0, 0.0, 0.0};
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_row *row = s->rows + s->levels[k].first;
+        double level = 0.0, level_x = 0.0, level_y = 0.0;
+        for (int j = s->levels[k].count - 1; j >= 0; j--) {
+            const double *c = s->coef + row[j].first;
+            double r = 0.0, r_x = 0.0;
+            for (int i = row[j].length - 1; i >= 0; i--) {
+                r_x = r_x * x + r; /* r holds an eta for this place, unless the product is exact */
+                r = r * x + (fabs(c[i]) + ETA);
+            }
+            level_x = step(level_x, y, r_x);
+            level_y = step(level_y, y, level);
+            level = step(level, y, r);
+        }
+        p.x = step(p.x, z, level_x);
+        p.y = step(p.y, z, level_y);
+        p.z = step(p.z, z, p.v);
+        p.v = step(p.v, z, level);
+    }
+    return p;
+}
+
+double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]) {
+    if (!gradient) return value_only(s, x[0], x[1], x[2]);
+    jet p = value_and_gradient(s, x[0], x[1], x[2]);
+    gradient[0] = p.x;
+    gradient[1] = p.y;
+    gradient[2] = p.z;
+    return p.v;
+}
+
+int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]) {
+    (void)algsurf_i_surface_value(s, x, gradient);
+    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+    double bound = bound_factor(s) * fmax(m.x, fmax(m.y, m.z));
+    return fmax(fabs(gradient[0]), fmax(fabs(gradient[1]), fabs(gradient[2]))) > 0x1p8 * bound;
+}
+
+/* By the mean value theorem P moves by at most reach times its derivatives' magnitudes at |x| + reach. */
+int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]) {
+    jet m = magnitudes(s, fabs(x[0]) + reach[0], fabs(x[1]) + reach[1], fabs(x[2]) + reach[2]);
+    double moved = m.x * reach[0] + m.y * reach[1] + m.z * reach[2], value = value_only(s, x[0], x[1], x[2]);
+    double bound = bound_factor(s) * m.v + (1 + 0x1p-20) * moved;
+    return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+/* A number with an error bound. */
+typedef struct bounded {
+    double value, bound;
+} bounded;
+
+/* mantissa 2^exponent of one term, or of its derivative by coordinate `by` (-1: the term itself), at
+ * the point m 2^e.  Mantissas are in [2^-65, 64] or 0: at most 64 factors in [1/2, 1). */
+static double wide_term(const algsurf_term *t, const double m[3], const int e[3], int by, int *exponent) {
+    int power[3] = {t->i, t->j, t->k};
+    double product = frexp(t->a, exponent);
+    if (by >= 0) product *= power[by]--;
+    for (int axis = 0; axis < 3; axis++) {
+        for (int p = 0; p < power[axis]; p++) product *= m[axis];
+        *exponent += power[axis] * e[axis];
+    }
+    return product;
+}
+
+/* P, or a derivative of it, in the caller's units, without intermediate overflow.
+ * Bound: each term carries at most n+1 roundings, the sum of N terms N more; a term that underflows
+ * in the sum is off by 2^-1075, against 2^-66 or more of the largest; the last scaling by 2^-1075.
+ * The factor N+n+8 covers these and the rounding of the magnitudes. */
+static bounded wide_sum(const algsurf_surface *s, const double point[3], int by) {
+    double m[3];
+    int e[3], top = INT_MIN;
+    for (int axis = 0; axis < 3; axis++) m[axis] = frexp(point[axis], &e[axis]);
+    for (size_t t = 0; t < s->term_count; t++) {
+        int exponent;
+        if (wide_term(&s->terms[t], m, e, by, &exponent) != 0 && exponent > top) top = exponent;
+    }
+    if (top == INT_MIN) return (bounded){0.0, 0.0};
+    double sum = 0.0, magnitude = 0.0;
+    for (size_t t = 0; t < s->term_count; t++) {
+        int exponent;
+        double product = wide_term(&s->terms[t], m, e, by, &exponent);
+        if (product == 0) continue;
+        product = ldexp(product, exponent - top);
+        sum += product;
+        magnitude += fabs(product);
+    }
+    double factor = (double)(s->term_count + (size_t)s->degree + 8) * ALGSURF_U + s->error;
+    double bound = factor * magnitude;
+    return (bounded){ldexp(sum, top), ldexp(bound, top) + 0x1p-1073};
+}
+
+/* The point in natural units, exactly; 0 if it leaves the normal range. */
+static int to_natural(const algsurf_surface *s, const double point[3], double x[3]) {
+    for (int axis = 0; axis < 3; axis++) {
+        x[axis] = ldexp(point[axis], -s->unit);
+        if (point[axis] != 0 && !(fabs(x[axis]) >= 0x1p-1022 && fabs(x[axis]) < HUGE_VAL)) return 0;
+    }
+    return 1;
+}
+
+/* Magnitudes from which nothing overflowed and beside which eta is nothing: no place multiplies it by
+ * more than the degree's power of the largest coordinate. */
+static int in_range(const algsurf_surface *s, const double x[3], double magnitude) {
+    int e;
+    (void)frexp(fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))), &e);
+    return magnitude >= ldexp(ETA, 80 + (e > 0 ? e * s->degree : 0)) && magnitude < HUGE_VAL;
+}
+
+static bounded to_caller(double value, double bound, int exponent) {
+    return (bounded){ldexp(value, exponent), ldexp(bound, exponent) + 0x1p-1073};
+}
+
+static int is_finite(bounded b) { return isfinite(b.value) && isfinite(b.bound); }
+
+static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double point[3]) {
+    double x[3];
+    if (to_natural(s, point, x)) {
+        jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+        if (in_range(s, x, m.v)) {
+            return to_caller(value_only(s, x[0], x[1], x[2]), bound_factor(s) * m.v, -s->scale);
+        }
+    }
+    return wide_sum(s, point, -1);
+}
+
+/* of[0] the value, of[1..3] the gradient. */
+static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double point[3], bounded of[4]) {
+    double x[3];
+    if (to_natural(s, point, x)) {
+        jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+        if (in_range(s, x, m.v) && in_range(s, x, m.x + m.y + m.z)) {
+            jet p = value_and_gradient(s, x[0], x[1], x[2]);
+            double factor = bound_factor(s);
+            of[0] = to_caller(p.v, factor * m.v, -s->scale);
+            of[1] = to_caller(p.x, factor * m.x, -s->scale - s->unit);
+            of[2] = to_caller(p.y, factor * m.y, -s->scale - s->unit);
+            of[3] = to_caller(p.z, factor * m.z, -s->scale - s->unit);
+            return;
+        }
+    }
+    for (int by = -1; by < 3; by++) of[by + 1] = wide_sum(s, point, by);
+}
+
+static algsurf_status check_point(const algsurf_surface *surface, const double *point) {
+    if (!surface || !point) return ALGSURF_E_ARGUMENT;
+    int finite = isfinite(point[0]) && isfinite(point[1]) && isfinite(point[2]);
+    return finite ? ALGSURF_OK : ALGSURF_E_NOT_FINITE;
+}
+
+algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3], double *value,
+                                     double *bound) {
+    if (!value) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check_point(surface, point);
+    if (status != ALGSURF_OK) return status;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    bounded p = value_at(surface, point);
+    algsurf_fpenv_leave(&saved);
+    if (!is_finite(p)) return ALGSURF_E_RANGE;
+    *value = p.value;
+    if (bound) *bound = p.bound;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3], double *value,
+                                        double gradient[3], double *value_bound, double gradient_bound[3]) {
+    if (!value || !gradient) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check_point(surface, point);
+    if (status != ALGSURF_OK) return status;
+    bounded of[4];
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    gradient_at(surface, point, of);
+    algsurf_fpenv_leave(&saved);
+    for (int i = 0; i < 4; i++) {
+        if (!is_finite(of[i])) return ALGSURF_E_RANGE;
+    }
+    *value = of[0].value;
+    if (value_bound) *value_bound = of[0].bound;
+    for (int axis = 0; axis < 3; axis++) {
+        gradient[axis] = of[axis + 1].value;
+        if (gradient_bound) gradient_bound[axis] = of[axis + 1].bound;
+    }
+    return ALGSURF_OK;
+}

@@ -1,0 +1,64 @@
+/* nodes.c - the places at which packets of rays evaluate P, and the way from the values there to
+ * Bernstein coefficients.
+ *
+ * A polynomial of degree n on [-1,1] is known by its values at n+1 nodes: p = sum p(v_i) L_i, with Lagrange's
+ * polynomials L_i(v) = prod (v - v_m) / prod (v_i - v_m), m != i.  With x = (1+v)/2 each factor is
+ * x - a = (1-a) x - a (1-x), and the product over m of these, expanded by powers of x and 1-x, has the
+ * coefficients C(n,j) b_j.  They alternate in sign, and so do the two terms each step adds up: nothing
+ * cancels, and entries come out with a relative error below (3n+4) u: 2 roundings a factor above, 1 below.
+ *
+ * The nodes are the extrema of Chebyshev's polynomial, at which the sums of |entries| in a row are the least
+ * that values bounded by 1 allow: C(2n,2j)/C(n,j), 46 for degree 6, 733 for 10, 46704 for 16.  Rounded to
+ * multiples of 2^-20 they make every difference above exact.
+ *
+ * A polynomial of degree n also is one of degree n+1.  The packet code is faster for the degrees it was
+ * compiled for one by one, so that 5, 7 and 9 are treated as 6, 8 and 10. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "impl.h"
+
+static void set_nodes(double *node, int n) {
+    for (int i = 0; 2 * i <= n; i++) {
+        double v = ldexp(round(ldexp(cos(3.14159265358979323846 * i / n), 20)), -20);
+        node[i] = 2 * i == n ? 0 : -v;
+        node[n - i] = -node[i];
+    }
+}
+
+/* Column i: the Bernstein coefficients of L_i. */
+static void set_column(const double *node, double *matrix, int n, int i) {
+    double c[ALGSURF_MAX_PACKET_DEGREE + 1] = {1}, below = 1, binomial = 1;
+    for (int m = 0, degree = 0; m <= n; m++) {
+        if (m == i) continue;
+        double a = 0.5 * (1 + node[m]);
+        c[++degree] = 0;
+        for (int j = degree; j > 0; j--) c[j] = (1 - a) * c[j - 1] - a * c[j];
+        c[0] *= -a;
+        below *= 0.5 * (node[i] - node[m]);
+    }
+    for (int j = 0; j <= n; j++) {
+        matrix[j * (n + 1) + i] = c[j] / (binomial * below);
+        binomial = binomial * (n - j) / (j + 1);
+    }
+}
+
+int algsurf_i_surface_set_nodes(algsurf_surface *s) {
+    if (s->degree < 1 || s->degree > ALGSURF_MAX_PACKET_DEGREE) return 1;
+    int n = s->degree == 1 || (s->degree > 3 && s->degree < 10) ? s->degree + s->degree % 2 : s->degree;
+    size_t side = (size_t)n + 1;
+    s->nodes = malloc(side * (side + 1) * sizeof *s->nodes);
+    if (!s->nodes) return 0;
+    s->to_bernstein = s->nodes + side;
+    s->node_degree = n;
+    set_nodes(s->nodes, n);
+    for (int i = 0; i <= n; i++) set_column(s->nodes, s->to_bernstein, n, i);
+    for (int j = 0; j <= n; j++) {
+        double sum = 0;
+        for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[j * (n + 1) + i]);
+        s->amplification = fmax(s->amplification, sum);
+    }
+    /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
+    s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
+    return 1;
+}
