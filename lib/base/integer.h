@@ -1,0 +1,66 @@
+/* base/integer.h - signed integers of many 64-bit limbs.
+ *
+ * An integer is an array of w >= 1 limbs, least significant first, in two's complement: results are right
+ * modulo 2^(64 w), so that intermediate signs need no attention, and the caller chooses w large enough for
+ * the final ones.  A magnitude is an array of n >= 0 limbs without a sign, its last limb not 0. */
+#ifndef ALGSURF_INTEGER_H
+#define ALGSURF_INTEGER_H
+#include <stdint.h>
+
+typedef uint64_t algsurf_limb;
+
+/* Limbs that hold every integer |a| < 2^bits, with its sign. */
+static inline int algsurf_z_width(int bits) { return bits / 64 + 1; }
+
+void algsurf_z_zero(algsurf_limb *a, int w);
+/* r = a, extended by its sign or cut; may overlap. */
+void algsurf_z_copy(algsurf_limb *r, int w, const algsurf_limb *a, int wa);
+void algsurf_z_set(algsurf_limb *r, int w, int64_t a);
+int algsurf_z_sign(const algsurf_limb *a, int w);     /* -1, 0, 1 */
+int algsurf_z_negative(const algsurf_limb *a, int w); /* 0, 1 */
+/* Bits of |a|, or of -1 - a when a is negative: a fits algsurf_z_width(bits) limbs.  0 for 0 and -1. */
+int algsurf_z_bits(const algsurf_limb *a, int w);
+/* The exponent of the largest power of two that divides a; ALGSURF_Z_NO_BIT for 0. */
+int algsurf_z_trailing(const algsurf_limb *a, int w);
+#define ALGSURF_Z_NO_BIT (1 << 30)
+
+void algsurf_z_add(algsurf_limb *r, const algsurf_limb *a, int w); /* r += a */
+void algsurf_z_sub(algsurf_limb *r, const algsurf_limb *a, int w); /* r -= a */
+void algsurf_z_negate(algsurf_limb *a, int w);
+void algsurf_z_shift_up(algsurf_limb *a, int w, int bits);   /* a 2^bits, bits >= 0, any number */
+void algsurf_z_shift_down(algsurf_limb *a, int w, int bits); /* floor(a / 2^bits) */
+
+/* r += (or -=) a f 2^(64 at), at >= 0. */
+void algsurf_z_add_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa, algsurf_limb f, int at);
+void algsurf_z_sub_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa, algsurf_limb f, int at);
+
+/* A number as sign and magnitude, to multiply by. */
+typedef struct algsurf_z_factor {
+    int negative, length, bits; /* length 0: zero; the magnitude is below 2^bits and at least 2^(bits-1) */
+    const algsurf_limb *limb;
+} algsurf_z_factor;
+/* The magnitude of a into room for w limbs, and the factor that refers to it. */
+algsurf_z_factor algsurf_z_factor_of(const algsurf_limb *a, int w, algsurf_limb *room);
+/* r += a f, or r -= a f if `negate`; r and a do not overlap. */
+void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, const algsurf_z_factor *f,
+                         int negate);
+
+/* |x| = m 2^e with m odd, for a finite x; m = 0 and e = 0 for 0. */
+algsurf_limb algsurf_z_odd_part(double x, int *e);
+/* r += x 2^shift, which is an integer. */
+void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift);
+/* a = d 2^e up to a relative error of 2^-52, 1/2 <= |d| <= 1; d = 0 and e = 0 for 0. */
+double algsurf_z_to_double(const algsurf_limb *a, int w, int *e);
+/* The largest double <= a 2^e, and the least >= it; beyond the largest double +-DBL_MAX or +-infinity,
+ * whichever keeps the order. */
+double algsurf_z_round_down(const algsurf_limb *a, int w, int e);
+double algsurf_z_round_up(const algsurf_limb *a, int w, int e);
+
+/* Magnitudes. */
+int algsurf_z_length(const algsurf_limb *a, int n); /* without leading zeros */
+int algsurf_z_compare_magnitudes(const algsurf_limb *a, int na, const algsurf_limb *b, int nb);
+/* Knuth's algorithm D.  u has nu + 1 limbs, the last one 0, and becomes the remainder (nv limbs, zeros above);
+ * q receives nu - nv + 1 limbs; nu >= nv >= 1, v[nv-1] not 0; room: nv + 1 limbs of work space. */
+void algsurf_z_divide(algsurf_limb *q, algsurf_limb *u, int nu, const algsurf_limb *v, int nv,
+                      algsurf_limb *room);
+#endif
