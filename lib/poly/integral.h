@@ -8,8 +8,8 @@
 #include "../base/memory.h"
 
 typedef struct algsurf_zpoly {
-    int degree; /* -1: the zero polynomial */
-    int width;  /* of each coefficient, in limbs */
+    int degree;      /* -1: the zero polynomial */
+    int width;       /* of each coefficient, in limbs */
     algsurf_limb *c; /* degree + 1 coefficients, lowest first */
 } algsurf_zpoly;
 
@@ -31,7 +31,7 @@ int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsu
                           int *sign, double *value, int *exponent);
 
 /* Bernstein coefficients of p over [at, at + 2^length_bits], times lcm C(n,k) and without a common power of
- * two: b gets degree and room of its own. */
+ * two: b gets degree and room of its own.  length_bits may be negative. */
 int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t at, int length_bits,
                             algsurf_zpoly *b);
 
@@ -43,11 +43,12 @@ int algsurf_zpoly_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_z
 
 /* poly/common.c: greatest common divisors. */
 
-/* An upper bound on the degree of gcd(a, b) (b null: a'), 0 proves that it is constant: the least degree modulo
- * at most `tries` primes of 62 bits.  Both degrees at least 1. */
+/* An upper bound on the degree of gcd(a, b) (b null: a'), 0 proves that it is constant: the least degree
+ * modulo at most `tries` primes of 62 bits.  Both degrees at least 1. */
 int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int tries,
                              int *degree);
-/* g = gcd(a, b) (b null: a'), primitive with positive leading coefficient, proved by division; cofactor = a / g. */
+/* g = gcd(a, b) (b null: a'), primitive with positive leading coefficient, proved by division; cofactor = a /
+ * g. */
 int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
                       algsurf_zpoly *cofactor);
 #endif
