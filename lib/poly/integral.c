@@ -31,9 +31,10 @@ int algsurf_zpoly_new(algsurf_memory *m, int degree, int width, algsurf_zpoly *p
 }
 
 int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, algsurf_zpoly *p) {
-    if (!new_unset(m, a->degree, width, p)) return 0;
-    for (int k = 0; k <= a->degree; k++)
-        algsurf_z_copy(algsurf_zpoly_at(p, k), width, algsurf_zpoly_at(a, k), a->width);
+    algsurf_zpoly from = *a; /* p may be a */
+    if (!new_unset(m, from.degree, width, p)) return 0;
+    for (int k = 0; k <= from.degree; k++)
+        algsurf_z_copy(algsurf_zpoly_at(p, k), width, algsurf_zpoly_at(&from, k), from.width);
     return 1;
 }
 
@@ -59,22 +60,33 @@ int algsurf_zpoly_trailing(const algsurf_zpoly *p) {
     return ALGSURF_Z_NO_BIT;
 }
 
-void algsurf_zpoly_compact(algsurf_zpoly *p) {
-    while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
-    int zeros = p->degree < 0 ? 0 : algsurf_zpoly_trailing(p), from = p->width;
-    int w = p->degree < 0 ? 1 : algsurf_z_width(algsurf_zpoly_bits(p) - zeros);
-    if (zeros)
-        for (int k = 0; k <= p->degree; k++) algsurf_z_shift_down(algsurf_zpoly_at(p, k), from, zeros);
-    p->width = w;
+/* Without limbs too many. */
+static void tighten_width(algsurf_zpoly *p) {
+    int w = algsurf_z_width(algsurf_zpoly_bits(p)), from = p->width;
+    p->width = smaller(w, from);
     for (int k = 1; k <= p->degree && w < from; k++)
         memmove(algsurf_zpoly_at(p, k), p->c + (size_t)k * (size_t)from, (size_t)w * sizeof *p->c);
 }
 
+/* Also without a common power of two. */
+static void tighten(algsurf_zpoly *p) {
+    int zeros = algsurf_zpoly_trailing(p);
+    if (zeros && zeros != ALGSURF_Z_NO_BIT)
+        for (int k = 0; k <= p->degree; k++) algsurf_z_shift_down(algsurf_zpoly_at(p, k), p->width, zeros);
+    tighten_width(p);
+}
+
+void algsurf_zpoly_compact(algsurf_zpoly *p) {
+    while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
+    tighten(p);
+}
+
 int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d) {
+    algsurf_zpoly from = *p;
     int n = p->degree, w = algsurf_z_width(algsurf_zpoly_bits(p) + bits_of_int(larger(n, 0)));
     if (!new_unset(m, larger(n - 1, -1), w, d)) return 0;
     for (int k = 1; k <= n; k++) {
-        algsurf_z_copy(algsurf_zpoly_at(d, k - 1), w, algsurf_zpoly_at(p, k), p->width);
+        algsurf_z_copy(algsurf_zpoly_at(d, k - 1), w, algsurf_zpoly_at(&from, k), from.width);
         algsurf_z_multiply(algsurf_zpoly_at(d, k - 1), w, (algsurf_limb)k);
     }
     return 1;
@@ -260,14 +272,14 @@ int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t a
     int reach =
         q > 63 ? larger(8 * q, eighths(size, 0)) + 8 : eighths(size, q > 0 ? (algsurf_limb)1 << q : 1);
     int bits = value_bits(p, reach) + 2 * (n + 1) + (q < 0 ? -q * n : 0);
-    if (!algsurf_zpoly_copy(m, p, algsurf_z_width(bits), b)) return 0;
-    int used = smaller(b->width, algsurf_z_width(value_bits(p, eighths(size, 1))));
+    int w = algsurf_z_width(bits), used = smaller(w, algsurf_z_width(value_bits(p, eighths(size, 1))));
+    if (!algsurf_zpoly_copy(m, p, w, b)) return 0;
     taylor_shift(b, used, at);
     if (!scale_terms(m, b, used, q)) return 0;
     for (int i = 0; i < n; i++)
         for (int j = n; j > i; j--)
             algsurf_z_add(algsurf_zpoly_at(b, j), algsurf_zpoly_at(b, j - 1), b->width);
-    algsurf_zpoly_compact(b);
+    tighten(b); /* and keep leading zeros: roots at the right end */
     return 1;
 }
 
@@ -318,6 +330,18 @@ static void what_remains(algsurf_limb *r, int w, const algsurf_zpoly *a, const a
         algsurf_z_add_times(r, w, algsurf_zpoly_at(q, j), q->width, b + k + d - j, 1);
 }
 
+/* Do b's ends divide those of a?  Mostly this finds out that b does not. */
+static int ends_divide(const algsurf_zpoly *a, const algsurf_zpoly *b, const algsurf_z_factor *factor,
+                       divider *space, algsurf_limb *r) {
+    int n = a->degree, d = b->degree;
+    if (factor[d].length == 0) return 0;
+    algsurf_z_copy(r, space->w, algsurf_zpoly_at(a, n), a->width);
+    if (!exact_quotient(space, r, space->w, factor + d)) return 0;
+    if (factor[0].length == 0) return algsurf_z_sign(a->c, a->width) == 0;
+    algsurf_z_copy(r, space->w, a->c, a->width);
+    return exact_quotient(space, r, space->w, factor);
+}
+
 /* Long division from the leading coefficient down; the first remainder that is not 0 ends it.  As |q_k| stays
  * below 2^qbits nothing overflows w limbs, and a remainder 0 throughout is the proof. */
 static int long_division(const algsurf_zpoly *a, const algsurf_z_factor *b, int d, int qbits, divider *space,
@@ -335,25 +359,39 @@ static int long_division(const algsurf_zpoly *a, const algsurf_z_factor *b, int 
     return 1;
 }
 
+/* Work space for dividing by b, and the division; 0: no memory. */
+static int try_division(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int w, int qbits,
+                        int *divides, const algsurf_zpoly *q) {
+    divider space;
+    const algsurf_z_factor *factor = factors_of(m, b);
+    algsurf_limb *r = take(m, w);
+    if (!divider_new(m, w, &space) || !factor || !r) return 0;
+    *divides =
+        ends_divide(a, b, factor, &space, r) && long_division(a, factor, b->degree, qbits, &space, r, q);
+    return 1;
+}
+
 /* Mignotte: |q_k| <= C(e,k) M(q), e = deg q, and Mahler's measure has M(q) M(b) = M(a) <= |a|_2, M(b) >= 1;
- * hence |q_k| < 2^(e + bits(a)) sqrt(n + 1). */
+ * hence |q_k| < 2^(e + bits(a)) sqrt(n + 1).  What remains of a coefficient of a is a sum of at most n + 2
+ * terms. */
 int algsurf_zpoly_divide(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int *divides,
                          algsurf_zpoly *q) {
-    int n = a->degree, d = b->degree, e = n - d;
-    *divides = n < 0 && d >= 0;
-    if (n < 0 || d < 0 || e < 0) return algsurf_zpoly_new(m, -1, 1, q);
-    int abits = algsurf_zpoly_bits(a) + 1, terms = bits_of_int(n + 1);
-    int qbits = e + abits + (terms + 1) / 2;
-    int w = algsurf_z_width(larger(abits, qbits + algsurf_zpoly_bits(b) + 1 + terms) + 1);
+    int e = a->degree - b->degree;
+    *divides = a->degree < 0 && b->degree >= 0;
+    if (a->degree < 0 || b->degree < 0 || e < 0) return algsurf_zpoly_new(m, -1, 1, q);
+    int abits = algsurf_zpoly_bits(a), terms = bits_of_int(a->degree + 1),
+        qbits = e + abits + (terms + 1) / 2;
+    int w = algsurf_z_width(larger(abits, qbits + algsurf_zpoly_bits(b) + terms) + 1);
+    algsurf_zpoly quotient;
     algsurf_memory_mark start = algsurf_memory_here(m);
-    if (!algsurf_zpoly_new(m, e, algsurf_z_width(qbits), q)) return 0;
+    if (!new_unset(m, e, algsurf_z_width(qbits), &quotient)) return 0;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    divider space;
-    algsurf_z_factor *factor = factors_of(m, b);
-    algsurf_limb *r = take(m, w);
-    int done = divider_new(m, w, &space) && factor && r && factor[d].length > 0;
-    if (done) *divides = long_division(a, factor, d, qbits, &space, r, q);
+    int done = try_division(m, a, b, w, qbits, divides, &quotient);
     algsurf_memory_release(m, done && *divides ? mark : start);
+    if (done && *divides) {
+        tighten_width(&quotient);
+        *q = quotient;
+    }
     return done;
 }
 
@@ -384,17 +422,17 @@ int algsurf_zpoly_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_z
     divider d;
     algsurf_limb *x = take(m, w + 1), *y = take(m, w + 1);
     int done = divider_new(m, w, &d) && x && y;
-    for (int k = p->degree; k >= 0 && done && !(n == 1 && x[0] == 1); k--) {
-        algsurf_z_factor c = algsurf_z_factor_of(algsurf_zpoly_at(p, k), w, y);
+    for (int k = primitive->degree; k >= 0 && done && !(n == 1 && x[0] == 1); k--) {
+        algsurf_z_factor c = algsurf_z_factor_of(algsurf_zpoly_at(primitive, k), w, y);
         algsurf_limb *g = gcd(x, n, y, c.length, &d, &n);
         if (g != x) y = x, x = g;
     }
     if (done && n && !(n == 1 && x[0] == 1)) {
         algsurf_z_factor content = {0, n, 0, x};
-        for (int k = 0; k <= p->degree; k++)
+        for (int k = 0; k <= primitive->degree; k++)
             (void)exact_quotient(&d, algsurf_zpoly_at(primitive, k), w, &content);
     }
     algsurf_memory_release(m, mark);
-    if (done) algsurf_zpoly_compact(primitive);
+    if (done) tighten_width(primitive);
     return done;
 }

@@ -1,7 +1,8 @@
 /* poly/integral.h - polynomials with integer coefficients, for exact decisions.
  *
  * All coefficients have the same width.  Functions that need room take it from the memory given, leave there
- * only what they return, and return 0 (nothing usable) when there is none. */
+ * only what they return, and return 0 (nothing usable) when there is none.  A result's struct may be that of
+ * an input. */
 #ifndef ALGSURF_INTEGRAL_H
 #define ALGSURF_INTEGRAL_H
 #include "../base/integer.h"
@@ -51,4 +52,9 @@ int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const al
  * g. */
 int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
                       algsurf_zpoly *cofactor);
+/* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and
+ * g_(i+1) = gcd(g_i, g_i'), s[i] is g_i / g_(i+1) up to a constant.  *count of them, the highest
+ * multiplicity, 0 for a constant p; s[0] has all roots once.  count 1: p is squarefree, s[0] is p itself.
+ * Equal members of the chain share their coefficients.  `s` has room for p->degree + 1 entries. */
+int algsurf_zpoly_multiplicities(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *s, int *count);
 #endif
