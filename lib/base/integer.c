@@ -25,13 +25,6 @@ void algsurf_z_set(algsurf_limb *r, int w, int64_t a) {
     algsurf_z_copy(r, w, &limb, 1);
 }
 
-int algsurf_z_bits(const algsurf_limb *a, int w) {
-    algsurf_limb sign = sign_limb(a, w);
-    for (int i = w - 1; i >= 0; i--)
-        if (a[i] != sign) return LIMB_BITS * i + algsurf_limb_bits(a[i] ^ sign);
-    return 0;
-}
-
 int algsurf_z_trailing(const algsurf_limb *a, int w) {
     for (int i = 0; i < w; i++)
         if (a[i]) return LIMB_BITS * i + algsurf_limb_trailing(a[i]);

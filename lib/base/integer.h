@@ -28,7 +28,12 @@ static inline int algsurf_z_sign(const algsurf_limb *a, int w) {
     return 0;
 }
 /* Bits of |a|, or of -1 - a when a is negative: a fits algsurf_z_width(bits) limbs.  0 for 0 and -1. */
-int algsurf_z_bits(const algsurf_limb *a, int w);
+static inline int algsurf_z_bits(const algsurf_limb *a, int w) {
+    algsurf_limb sign = 0 - (a[w - 1] >> 63);
+    for (int i = w - 1; i >= 0; i--)
+        if (a[i] != sign) return 64 * i + algsurf_limb_bits(a[i] ^ sign);
+    return 0;
+}
 /* The exponent of the largest power of two that divides a; ALGSURF_Z_NO_BIT for 0. */
 int algsurf_z_trailing(const algsurf_limb *a, int w);
 #define ALGSURF_Z_NO_BIT (1 << 30)
@@ -61,18 +66,54 @@ void algsurf_z_negate(algsurf_limb *a, int w);
 void algsurf_z_shift_up(algsurf_limb *a, int w, int bits);   /* a 2^bits, bits >= 0, any number */
 void algsurf_z_shift_down(algsurf_limb *a, int w, int bits); /* floor(a / 2^bits) */
 
+/* p = a f + carry for four limbs; the fifth is returned.  The four products do not wait for each other, and
+ * one chain of carries joins them. */
+static inline algsurf_limb algsurf_z_four_products(algsurf_limb p[4], const algsurf_limb *a, algsurf_limb f,
+                                                   algsurf_limb carry) {
+    algsurf_limb h0, h1, h2, h3;
+    unsigned char c = 0;
+    p[0] = algsurf_limb_product(a[0], f, 0, 0, &h0);
+    p[1] = algsurf_limb_product(a[1], f, 0, 0, &h1);
+    p[2] = algsurf_limb_product(a[2], f, 0, 0, &h2);
+    p[3] = algsurf_limb_product(a[3], f, 0, 0, &h3);
+    p[0] = algsurf_limb_add(p[0], carry, &c);
+    p[1] = algsurf_limb_add(p[1], h0, &c);
+    p[2] = algsurf_limb_add(p[2], h1, &c);
+    p[3] = algsurf_limb_add(p[3], h2, &c);
+    return h3 + c;
+}
 /* r += (or -=) a f for n limbs, without a sign; the limb that is carried (or borrowed) is returned. */
 static inline algsurf_limb algsurf_z_add_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
-    algsurf_limb carry = 0;
-    for (int i = 0; i < n; i++) r[i] = algsurf_limb_product(a[i], f, r[i], carry, &carry);
+    algsurf_limb carry = 0, p[4];
+    int i = 0;
+    for (; i + 4 <= n; i += 4) {
+        unsigned char c = 0;
+        carry = algsurf_z_four_products(p, a + i, f, carry);
+        r[i] = algsurf_limb_add(r[i], p[0], &c);
+        r[i + 1] = algsurf_limb_add(r[i + 1], p[1], &c);
+        r[i + 2] = algsurf_limb_add(r[i + 2], p[2], &c);
+        r[i + 3] = algsurf_limb_add(r[i + 3], p[3], &c);
+        carry += c;
+    }
+    for (; i < n; i++) r[i] = algsurf_limb_product(a[i], f, r[i], carry, &carry);
     return carry;
 }
 static inline algsurf_limb algsurf_z_sub_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
-    algsurf_limb carry = 0;
-    for (int i = 0; i < n; i++) {
-        algsurf_limb p = algsurf_limb_product(a[i], f, 0, carry, &carry), old = r[i];
-        r[i] = old - p;
-        carry += old < p; /* a f + carry < 2^128 - 2^64: no overflow */
+    algsurf_limb carry = 0, p[4];
+    int i = 0;
+    for (; i + 4 <= n; i += 4) {
+        unsigned char c = 0;
+        carry = algsurf_z_four_products(p, a + i, f, carry);
+        r[i] = algsurf_limb_sub(r[i], p[0], &c);
+        r[i + 1] = algsurf_limb_sub(r[i + 1], p[1], &c);
+        r[i + 2] = algsurf_limb_sub(r[i + 2], p[2], &c);
+        r[i + 3] = algsurf_limb_sub(r[i + 3], p[3], &c);
+        carry += c;
+    }
+    for (; i < n; i++) {
+        algsurf_limb product = algsurf_limb_product(a[i], f, 0, carry, &carry), old = r[i];
+        r[i] = old - product;
+        carry += old < product; /* a f + carry < 2^128 - 2^64: no overflow */
     }
     return carry;
 }
@@ -104,10 +145,13 @@ static inline void algsurf_z_sub_product(algsurf_limb *r, int w, const algsurf_l
     algsurf_limb carry = algsurf_z_sub_row(r + at, a, n, f);
     algsurf_z_add_limbs(r + at + n, w - at - n, algsurf_z_negative(a, wa) ? f : 0, carry);
 }
-/* a *= f, in place. */
-static inline void algsurf_z_multiply(algsurf_limb *a, int w, algsurf_limb f) {
+/* a *= f for n limbs, without a sign (modulo 2^(64 n) with one); the limb that is carried is returned. */
+static inline algsurf_limb algsurf_z_multiply(algsurf_limb *a, int n, algsurf_limb f) {
     algsurf_limb carry = 0;
-    for (int i = 0; i < w; i++) a[i] = algsurf_limb_product(a[i], f, carry, 0, &carry);
+    int i = 0;
+    for (; i + 4 <= n; i += 4) carry = algsurf_z_four_products(a + i, a + i, f, carry);
+    for (; i < n; i++) a[i] = algsurf_limb_product(a[i], f, carry, 0, &carry);
+    return carry;
 }
 
 /* A number as sign and magnitude, to multiply by. */

@@ -224,7 +224,8 @@ static int eighths(algsurf_limb a, algsurf_limb b) {
     return algsurf_limb_bits(power - 1) + 8 * drop;
 }
 
-/* |p(x)| and the sums of its terms are below 2^bits for |x| <= M. */
+/* Bounds: sum |c_k| M^k < 2^bits.  With M = |m| + 1 it bounds each |a_k|, a sum of c_j C(j,k) m^(j-k); with
+ * M = |m| + 2^q each |b_j|, since C(j,k) <= C(n,k). */
 static int value_bits(const algsurf_zpoly *p, int eighths_of_M) {
     int bits = 0;
     for (int k = 0; k <= p->degree; k++)
@@ -232,21 +233,92 @@ static int value_bits(const algsurf_zpoly *p, int eighths_of_M) {
     return bits + bits_of_int(p->degree + 1);
 }
 
+/* p(x + at) in w limbs. */
 static void taylor_shift(const algsurf_zpoly *b, int w, int64_t at) {
     algsurf_limb size = at < 0 ? 0 - (algsurf_limb)at : (algsurf_limb)at;
     for (int i = 0; i < b->degree && at; i++)
         for (int k = b->degree - 1; k >= i; k--) {
-            if (at < 0)
-                algsurf_z_sub_product(algsurf_zpoly_at(b, k), w, algsurf_zpoly_at(b, k + 1), w, size, 0);
+            algsurf_limb *r = algsurf_zpoly_at(b, k), *a = algsurf_zpoly_at(b, k + 1);
+            if (at == 1)
+                algsurf_z_add(r, a, w);
+            else if (at == -1)
+                algsurf_z_sub(r, a, w);
+            else if (at > 0)
+                (void)algsurf_z_add_row(r, a, w, size);
             else
-                algsurf_z_add_product(algsurf_zpoly_at(b, k), w, algsurf_zpoly_at(b, k + 1), w, size, 0);
+                (void)algsurf_z_sub_row(r, a, w, size);
         }
 }
 
+/* lcm C(n,k), k = 0 .. n, as far as it is below 2^53. */
+#define MOST_SHORT 41
+static const algsurf_limb lcm_of_binomials[MOST_SHORT + 1] = {1,
+                                                              1,
+                                                              2,
+                                                              3,
+                                                              12,
+                                                              10,
+                                                              60,
+                                                              105,
+                                                              280,
+                                                              252,
+                                                              2520,
+                                                              2310,
+                                                              27720,
+                                                              25740,
+                                                              24024,
+                                                              45045,
+                                                              720720,
+                                                              680680,
+                                                              12252240,
+                                                              11639628,
+                                                              11085360,
+                                                              10581480,
+                                                              232792560,
+                                                              223092870,
+                                                              1070845776,
+                                                              1029659400,
+                                                              2974571600,
+                                                              2868336900,
+                                                              80313433200,
+                                                              77636318760,
+                                                              2329089562800,
+                                                              4512611027925,
+                                                              4375865239200,
+                                                              4247163320400,
+                                                              4125815796960,
+                                                              4011209802600,
+                                                              144403552893600,
+                                                              140603459396400,
+                                                              136998242488800,
+                                                              133573286426580,
+                                                              5342931457063200,
+                                                              5215718803323600};
+
+/* bits(lcm C(n,k)): lcm(1..n) < 3^n (Hanson 1972), log2(3) < 8/5. */
+static int lcm_bits(int n) {
+    return n <= MOST_SHORT ? algsurf_limb_bits(lcm_of_binomials[n]) : 8 * (n + 1) / 5 + 1;
+}
+
 /* Coefficient k times 2^(k q) (or 2^((k-n) q) for q < 0) and lcm C(n,k) / C(n,k); `used` limbs are valid
- * before. */
-static int scale_terms(algsurf_memory *m, const algsurf_zpoly *b, int used, int q) {
-    int n = b->degree, w = b->width, wf = algsurf_z_width(2 * n + 12); /* lcm(1..n+1) < 4^(n+1) */
+ * before. Here for factors of one limb; the binomials and quotients are exact in double, which divides
+ * faster. */
+static void scale_short(const algsurf_zpoly *b, int used, int q) {
+    int n = b->degree;
+    double lcm = (double)lcm_of_binomials[n], binomial = 1;
+    for (int k = 0; k <= n; k++) {
+        algsurf_limb *a = algsurf_zpoly_at(b, k), f = (algsurf_limb)(lcm / binomial);
+        int shift = q >= 0 ? k * q : (k - n) * q, rest = shift % LIMB_BITS;
+        algsurf_z_copy(a, b->width, a, used);
+        int joined = algsurf_limb_bits(f) + rest <= LIMB_BITS;
+        (void)algsurf_z_multiply(a, b->width, joined ? f << rest : f);
+        algsurf_z_shift_up(a, b->width, joined ? shift - rest : shift);
+        binomial = binomial * (n - k) / (k + 1);
+    }
+}
+
+static int scale_long(algsurf_memory *m, const algsurf_zpoly *b, int used, int q) {
+    int n = b->degree, w = b->width, wf = algsurf_z_width(lcm_bits(n) + bits_of_int(n + 1));
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_limb *factor = take(m, (n / 2 + 1) * wf), *copy = take(m, w);
     if (factor && copy) {
@@ -270,15 +342,17 @@ int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t a
     if (n < 0) return algsurf_zpoly_new(m, -1, 1, b);
     algsurf_limb size = at < 0 ? 0 - (algsurf_limb)at : (algsurf_limb)at;
     int reach =
-        q > 63 ? larger(8 * q, eighths(size, 0)) + 8 : eighths(size, q > 0 ? (algsurf_limb)1 << q : 1);
-    int bits = value_bits(p, reach) + 2 * (n + 1) + (q < 0 ? -q * n : 0);
-    int w = algsurf_z_width(bits), used = smaller(w, algsurf_z_width(value_bits(p, eighths(size, 1))));
+        q > 63 ? larger(8 * q, eighths(size, 1)) + 8 : eighths(size, q > 0 ? (algsurf_limb)1 << q : 1);
+    int w = algsurf_z_width(value_bits(p, reach) + lcm_bits(n) + (q < 0 ? -q * n : 0));
+    int used = smaller(w, algsurf_z_width(value_bits(p, eighths(size, 1))));
     if (!algsurf_zpoly_copy(m, p, w, b)) return 0;
     taylor_shift(b, used, at);
-    if (!scale_terms(m, b, used, q)) return 0;
+    if (n <= MOST_SHORT)
+        scale_short(b, used, q);
+    else if (!scale_long(m, b, used, q))
+        return 0;
     for (int i = 0; i < n; i++)
-        for (int j = n; j > i; j--)
-            algsurf_z_add(algsurf_zpoly_at(b, j), algsurf_zpoly_at(b, j - 1), b->width);
+        for (int j = n; j > i; j--) algsurf_z_add(algsurf_zpoly_at(b, j), algsurf_zpoly_at(b, j - 1), w);
     tighten(b); /* and keep leading zeros: roots at the right end */
     return 1;
 }
