@@ -1,0 +1,60 @@
+/* poly/integral.h - polynomials with integer coefficients, for exact decisions.
+ *
+ * All coefficients have the same width.  Functions that need room take it from the memory given, leave there
+ * only what they return, and return 0 (nothing usable) when there is none.  A result's struct may be that of
+ * an input. */
+#ifndef ALGSURF_INTEGRAL_H
+#define ALGSURF_INTEGRAL_H
+#include "../base/integer.h"
+#include "../base/memory.h"
+
+typedef struct algsurf_zpoly {
+    int degree;      /* -1: the zero polynomial */
+    int width;       /* of each coefficient, in limbs */
+    algsurf_limb *c; /* degree + 1 coefficients, lowest first */
+} algsurf_zpoly;
+
+static inline algsurf_limb *algsurf_zpoly_at(const algsurf_zpoly *p, int k) {
+    return p->c + (size_t)k * (size_t)p->width;
+}
+
+int algsurf_zpoly_new(algsurf_memory *m, int degree, int width, algsurf_zpoly *p); /* all zero */
+int algsurf_zpoly_copy(algsurf_memory *m, const algsurf_zpoly *a, int width, algsurf_zpoly *p);
+int algsurf_zpoly_bits(const algsurf_zpoly *p);     /* the largest algsurf_z_bits of a coefficient */
+int algsurf_zpoly_trailing(const algsurf_zpoly *p); /* the largest power of two that divides all of them */
+/* Cuts leading zero coefficients, a common power of two, limbs too many; in place. */
+void algsurf_zpoly_compact(algsurf_zpoly *p);
+int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d);
+
+/* The sign of p at N 2^-r (r of any sign; N has w limbs), -1, 0, 1, in *sign.  value, exponent: null, or p
+ * there as value 2^exponent, 1/2 <= |value| <= 1, up to a relative error of 2^-52 (0, 0 for a root). */
+int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r,
+                          int *sign, double *value, int *exponent);
+
+/* Bernstein coefficients of p over [at, at + 2^length_bits], times lcm C(n,k) and without a common power of
+ * two: b gets degree and room of its own.  length_bits may be negative. */
+int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t at, int length_bits,
+                            algsurf_zpoly *b);
+
+/* q = a / b if b divides a in Z[x] (*divides = 1); else *divides = 0.  b is primitive. */
+int algsurf_zpoly_divide(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int *divides,
+                         algsurf_zpoly *q);
+/* The greatest divisor of all coefficients taken out, in place of none: p = content * primitive. */
+int algsurf_zpoly_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *primitive);
+
+/* poly/common.c: greatest common divisors. */
+
+/* An upper bound on the degree of gcd(a, b) (b null: a'), 0 proves that it is constant: the least degree
+ * modulo at most `tries` primes of 62 bits.  Both degrees at least 1. */
+int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int tries,
+                             int *degree);
+/* g = gcd(a, b) (b null: a'), primitive with positive leading coefficient, proved by division; cofactor = a /
+ * g. */
+int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
+                      algsurf_zpoly *cofactor);
+/* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and
+ * g_(i+1) = gcd(g_i, g_i'), s[i] is g_i / g_(i+1) up to a constant.  *count of them, the highest
+ * multiplicity, 0 for a constant p; s[0] has all roots once.  count 1: p is squarefree, s[0] is p itself.
+ * Equal members of the chain share their coefficients.  `s` has room for p->degree + 1 entries. */
+int algsurf_zpoly_multiplicities(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *s, int *count);
+#endif

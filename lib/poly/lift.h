@@ -1,0 +1,31 @@
+/* poly/lift.h - rational numbers with one denominator, from their images modulo primes. */
+#ifndef ALGSURF_LIFT_H
+#define ALGSURF_LIFT_H
+#include "integral.h"
+#include "residue.h"
+
+typedef struct algsurf_image algsurf_image;
+
+typedef struct algsurf_lift {
+    algsurf_memory *memory;
+    algsurf_memory_mark start;
+    algsurf_image *last; /* the images so far, newest first; null: none */
+    int count, primes;   /* numbers; images */
+} algsurf_lift;
+
+/* Nothing yet about `count` >= 1 numbers.  Images are kept in m, above everything taken so far. */
+void algsurf_lift_begin(algsurf_lift *lift, algsurf_memory *m, int count);
+
+/* Forgets all images. */
+void algsurf_lift_forget(algsurf_lift *lift);
+
+/* The product of the primes so far, modulo another one, in Montgomery's form; not 0. */
+algsurf_limb algsurf_lift_modulus(const algsurf_lift *lift, const algsurf_prime *m);
+
+/* Another image: x[k] is the k-th number modulo m, in ordinary form; inverse: of algsurf_lift_modulus. */
+int algsurf_lift_add(algsurf_lift *lift, const algsurf_limb *x, algsurf_limb inverse, const algsurf_prime *m);
+
+/* A guess, if the images suffice for one: integers c_k = D x_k with the least D > 0, in `c` with count - 1 as
+ * degree.  It is right once the numbers are small enough for the images, and proves nothing. */
+int algsurf_lift_guess(algsurf_lift *lift, int *found, algsurf_zpoly *c);
+#endif

@@ -1,0 +1,116 @@
+/* rays/faces.c - the faces of a ball or a box along a ray, without rounding.
+ *
+ * All doubles that are added are brought to their lowest common bit 2^-shift; then everything is integers:
+ * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 or h -+ l_i. */
+#include "faces.h"
+
+/* Doubles that are added up: bits from the lowest of all to the highest, 0 if there are none but zeros. */
+typedef struct range {
+    int low, top, empty;
+} range;
+
+static void include(range *all, double x, int e) {
+    int low, top;
+    if (x == 0) return;
+    algsurf_limb odd = algsurf_z_odd_part(x, &low);
+    low += e, top = low + algsurf_z_bits((algsurf_limb[2]){odd, 0}, 2);
+    if (all->empty || low < all->low) all->low = low;
+    if (all->empty || top > all->top) all->top = top;
+    all->empty = 0;
+}
+
+/* Coordinate i of origin - centre and of the direction. */
+static void include_coordinate(range *all, const algsurf_extent *x, const double origin[3],
+                               const double direction[3], int e, int i) {
+    include(all, origin[i], 0), include(all, x->centre[i], 0), include(all, direction[i], e);
+}
+
+/* What a compacted polynomial does not need is given back, if `before`, the mark before its room, lies in the
+ * same block as the memory's end. */
+static void settle(algsurf_memory *m, algsurf_memory_mark before, algsurf_zpoly *p) {
+    algsurf_zpoly_compact(p);
+    if (m->last != before.last) return;
+    algsurf_memory_release(m, before);
+    (void)algsurf_memory_take(m, (size_t)(p->degree + 1) * (size_t)p->width);
+}
+
+/* h - l (side 0) or h + l (side 1), l coordinate i. */
+static int box_face(algsurf_memory *m, const algsurf_extent *x, const double origin[3],
+                    const double direction[3], int e, int i, int side, algsurf_zpoly *face) {
+    range all = {0, 0, 1};
+    algsurf_memory_mark before = algsurf_memory_here(m);
+    include_coordinate(&all, x, origin, direction, e, i), include(&all, x->size[i], 0);
+    int width = algsurf_z_width(all.top - all.low + 2), shift = -all.low; /* three summands */
+    if (!algsurf_zpoly_new(m, 1, width, face)) return 0;
+    double sign = side ? 1 : -1;
+    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, x->size[i], shift);
+    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, sign * origin[i], shift);
+    algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, -sign * x->centre[i], shift);
+    algsurf_z_add_double(algsurf_zpoly_at(face, 1), width, sign * direction[i], shift + e);
+    settle(m, before, face);
+    return 1;
+}
+
+static int box(algsurf_memory *m, const algsurf_extent *x, const double origin[3], const double direction[3],
+               int e, algsurf_zpoly face[ALGSURF_MOST_FACES]) {
+    for (int f = 0; f < 6; f++)
+        if (!box_face(m, x, origin, direction, e, f / 2, f % 2, &face[f])) return 0;
+    return 1;
+}
+
+/* face -= or += (a + b u)^2, the magnitudes of a and b in room for 2 w limbs. */
+static void add_square(algsurf_zpoly *face, const algsurf_limb *a, const algsurf_limb *b, int w, int negate,
+                       algsurf_limb *room) {
+    algsurf_z_factor fa = algsurf_z_factor_of(a, w, room), fb = algsurf_z_factor_of(b, w, room + w);
+    int width = face->width;
+    algsurf_z_add_times(algsurf_zpoly_at(face, 0), width, a, w, &fa, negate);
+    algsurf_z_add_times(algsurf_zpoly_at(face, 1), width, a, w, &fb, negate);
+    algsurf_z_add_times(algsurf_zpoly_at(face, 1), width, b, w, &fa, negate);
+    algsurf_z_add_times(algsurf_zpoly_at(face, 2), width, b, w, &fb, negate);
+}
+
+static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[3], const double direction[3],
+                int e, algsurf_zpoly *face) {
+    range all = {0, 0, 1};
+    algsurf_memory_mark before = algsurf_memory_here(m);
+    for (int i = 0; i < 3; i++) include_coordinate(&all, x, origin, direction, e, i);
+    include(&all, x->size[0], 0);
+    /* |l's coefficients| < 2^bits; four squares with 2 a b: below 2^(2 bits + 3) */
+    int bits = all.top - all.low + 1, w = algsurf_z_width(bits), shift = -all.low;
+    if (!algsurf_zpoly_new(m, 2, algsurf_z_width(2 * bits + 3), face)) return 0;
+    algsurf_memory_mark work = algsurf_memory_here(m);
+    algsurf_limb *a = algsurf_memory_take(m, 4 * (size_t)w);
+    if (!a) {
+        algsurf_memory_release(m, before);
+        return 0;
+    }
+    algsurf_limb *b = a + w;
+    for (int i = 0; i <= 3; i++) { /* the last: R */
+        algsurf_z_zero(a, 2 * w);
+        algsurf_z_add_double(a, w, i < 3 ? origin[i] : x->size[0], shift);
+        if (i < 3) {
+            algsurf_z_add_double(a, w, -x->centre[i], shift);
+            algsurf_z_add_double(b, w, direction[i], shift + e);
+        }
+        add_square(face, a, b, w, i < 3, a + 2 * w);
+    }
+    algsurf_memory_release(m, work);
+    settle(m, before, face);
+    return 1;
+}
+
+int algsurf_i_faces(algsurf_memory *m, const algsurf_extent *extent, const double origin[3],
+                    const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES], int *count) {
+    *count = 0;
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
+    algsurf_memory_mark before = algsurf_memory_here(m);
+    int is_ball = extent->kind == ALGSURF_EXTENT_SPHERE;
+    int done =
+        is_ball ? ball(m, extent, origin, direction, e, face) : box(m, extent, origin, direction, e, face);
+    if (!done) {
+        algsurf_memory_release(m, before);
+        return 0;
+    }
+    *count = is_ball ? 1 : ALGSURF_MOST_FACES;
+    return 1;
+}
