@@ -5,6 +5,7 @@
  *     render_row.c       one row: samples -> hits -> colours -> bytes
  *     render_antialias.c which of its pixels get all samples, and what the others show
  *     render_view.c      camera and extent in the units of packets
+ *     render_range.c     the pixels of a row that may meet the extent
  *     render_packets.c   the hits of a row by packets
  *     render_complex.c   one sample in complex space, started from its neighbours' roots
  *     render_shadow.c    which share of a light reaches a point
@@ -131,7 +132,7 @@ void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const al
 /* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
 
-/* The pixels of a row whose rays may meet the ball of radius 1 about the view's centre. */
+/* The pixels of a row whose rays may meet what is shown: begin <= x < end; all others surely miss it. */
 void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end);
 
 /* The points of a row seen through offset (sx,sy) in each pixel. */

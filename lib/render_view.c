@@ -122,22 +122,3 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
            view->noise * scene->surface->degree < 0x1p-22;
 }
-
-/* The pixels of a row whose rays may meet the ball about the view: where sin^2 of the angle between ray and
- * ball, a quadratic polynomial of the pixel's place, is not surely negative. */
-void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end) {
-    const algsurf_i_view *view = job->view;
-    double v = job->row->v, b = job->slope, u0 = job->u0, u1 = job->du;
-    double a0 = view->alpha * u0 + view->beta[0], a1 = view->alpha * u1, w0 = u0 * b - v * a0,
-           w1 = u1 * b - v * a1;
-    double c0 = 1 + b * b - v * v + a0 * a0 - u0 * u0 - w0 * w0, c1 = a0 * a1 - u0 * u1 - w0 * w1;
-    double c2 = a1 * a1 - u1 * u1 - w1 * w1, disc = c1 * c1 - c2 * c0;
-    *begin = 0;
-    *end = width;
-    if (!(c2 < 0) || !isfinite(disc)) return; /* the eye is inside the ball; or too small a ball to tell */
-    double middle = c1 / -c2 / job->pixel - job->offset, half = sqrt(fmax(disc, 0)) / -c2 / job->pixel;
-    double first = floor(middle - half) - 1, last = ceil(middle + half) + 2;
-    if (disc < -1e-9 * c1 * c1) first = last = 0;
-    *begin = (int)fmin(fmax(first, 0), width);
-    *end = (int)fmin(fmax(last, *begin), width);
-}
