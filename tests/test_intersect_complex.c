@@ -3,7 +3,7 @@
  * The sphere with an imaginary part m in p_0 has roots in closed form, t = -b +- sqrt(b^2 - c - i m).
  * Catches: magnitude or argument taken from the re-centred parameter instead of from the eye, a wrong
  * power of the scale in the imaginary part, a normal that is not that of the surface shown, answers
- * that depend on start values. */
+ * that depend on start values, what underflow takes from an imaginary part or an end of the ray forgotten. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -234,6 +234,121 @@ static void test_uncertain(void **state) {
     }
 }
 
+/* p(t) = a (x + d t) + i (m + k t) up to t_max: a plane seen along its normal, from -x before it. */
+typedef struct plane {
+    double a, x, d, t_max, m, k;
+} plane;
+
+/* The state of the root in the sector {0, delta}; checks that its magnitude is enclosed. */
+static algsurf_hit_state state_of(const plane *p, double delta, const mpq_t size) {
+    const algsurf_term terms[] = {{1, 0, 0, p->a}};
+    const algsurf_ray ray = {{p->x, 0, 0}, {p->d, 0, 0}, 0, p->t_max};
+    algsurf_complex_space space = space_of(0, delta);
+    algsurf_surface *s = NULL;
+    space.imaginary[0] = p->m, space.imaginary[1] = p->k;
+    assert_int_equal(algsurf_surface_from_terms(terms, 1, &s), ALGSURF_OK);
+    algsurf_hit hit = hit_of(s, &ray, &space);
+    algsurf_surface_free(s);
+    if (hit.state != ALGSURF_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
+        exact_print("|t|", size);
+        fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: |t| not in [%a, %a]", p->a, p->x, p->d, p->t_max,
+                 p->m, p->k, hit.t_lo, hit.t_hi);
+    }
+    return (algsurf_hit_state)hit.state;
+}
+
+/* Imaginary parts down to the smallest double: their roots are not real, however near.  From x = 0, where
+ * t = -i m/(a d), and from before the plane, also with the middle of the ray on it. */
+static void test_small_imaginary(void **state) {
+    (void)state;
+    static const double from[][3] = {
+        {0, 1, INFINITY}, {0, 0x1p50, INFINITY}, {-3, 1, INFINITY}, {-0x3p-10, 1, 0x6p-10}};
+    static const double factors[] = {1, 1.25, 1.75}, parts[] = {1, -1, 3, -7};
+    int seen[4][3] = {{0}}, all[3] = {0}; /* in a sector without the root; in one with it */
+    mpq_t size, a;
+    mpq_inits(size, a, NULL);
+    for (int e = -1074; e <= -900; e += e < -1050 ? 1 : 10)
+        for (int i = 0; i < 4 * 3 * 4 * 10; i++) {
+            const double *place = from[i / 120];
+            double part = ldexp(parts[i % 4], e), factor = ldexp(factors[i / 4 % 3], i / 12 % 10 - 3);
+            int on = place[0] == 0;
+            exact_set(size, on ? fabs(part) : -place[0]), exact_set(a, factor * place[1]);
+            if (on) mpq_div(size, size, a); /* else but for a factor of 1 - 1e-541 or nearer to 1 */
+            for (int k = 0; k < (on ? 1 : 2); k++) {
+                const plane p = {factor, place[0], place[1], place[2], k ? 0 : part, k ? part : 0};
+                algsurf_hit_state without = state_of(&p, on ? 1e-10 : 0, size), with = state_of(&p, pi, size);
+                if (without == ALGSURF_HIT || with == ALGSURF_MISS)
+                    fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: %d without the root, %d with it", p.a,
+                             p.x, p.d, p.t_max, p.m, p.k, (int)without, (int)with);
+                seen[i / 120][without]++, all[with]++;
+            }
+        }
+    mpq_clears(size, a, NULL);
+    assert_true(seen[0][ALGSURF_MISS] > 4000 && seen[1][ALGSURF_MISS] > 4000);
+    assert_true(seen[2][ALGSURF_MISS] > 8000 && seen[3][ALGSURF_MISS] > 7000);
+    assert_true(all[ALGSURF_HIT] > 25000);
+}
+
+/* The root 0 is before t_min, even where t_min is 0 in the surface's unit. */
+static void test_small_t_min(void **state) {
+    (void)state;
+    algsurf_surface *s = surface_of("x^2 + 1024 x");
+    const algsurf_complex_space space = space_of(0, 1);
+    algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
+    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_HIT);
+    ray.t_min = 0x1p-1074;
+    assert_true(hit_of(s, &ray, &space).state != ALGSURF_HIT);
+    ray.t_min = 0x1p-1000;
+    assert_int_equal(hit_of(s, &ray, &space).state, ALGSURF_MISS);
+    algsurf_surface_free(s);
+}
+
+/* Roots of nearly the same magnitude, x^2 + 2^-k x - 1 from 0, seen in all directions. */
+static void test_rivals(void **state) {
+    (void)state;
+    int decided = 0;
+    for (int k = 1; k <= 200; k++) {
+        const algsurf_term terms[] = {{2, 0, 0, 1}, {1, 0, 0, ldexp(1, -k)}, {0, 0, 0, -1}};
+        const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
+        const algsurf_complex_space space = space_of(0, pi);
+        algsurf_surface *s = NULL;
+        algsurf_complex root;
+        algsurf_hit hit;
+        assert_int_equal(algsurf_surface_from_terms(terms, 3, &s), ALGSURF_OK);
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
+                         ALGSURF_OK);
+        algsurf_surface_free(s);
+        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        decided++;
+        if (hit.state != ALGSURF_HIT || root.re < 0) fail_msg("k = %d: %d, root %a", k, hit.state, root.re);
+    }
+    assert_true(decided > 40);
+}
+
+/* Of the roots 3 + i and 3 - i, moved by an imaginary part m t, the first becomes the smaller; without one
+ * they are conjugates, and the hit is decided. */
+static void test_conjugates(void **state) {
+    (void)state;
+    const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
+    algsurf_surface *s = surface_of("x^2 - 6 x + 10");
+    algsurf_complex_space space = space_of(0, 0.5);
+    algsurf_complex root;
+    algsurf_hit hit = hit_of(s, &ray, &space);
+    assert_int_equal(hit.state, ALGSURF_HIT);
+    int decided = 0;
+    for (int k = 4; k <= 1074; k++) {
+        space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
+                         ALGSURF_OK);
+        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        decided++;
+        if (hit.state != ALGSURF_HIT || (root.im > 0) != (k % 2))
+            fail_msg("k = %d: state %d, root %a + i %a", k, hit.state, root.re, root.im);
+    }
+    assert_true(decided > 30);
+    algsurf_surface_free(s);
+}
+
 static void test_bad_arguments(void **state) {
     (void)state;
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
@@ -282,7 +397,9 @@ int main(void) {
         cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
         cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
         cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_uncertain),
-        cmocka_unit_test(test_bad_arguments),
+        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_small_imaginary),
+        cmocka_unit_test(test_small_t_min),   cmocka_unit_test(test_rivals),
+        cmocka_unit_test(test_conjugates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

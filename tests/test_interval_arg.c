@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "exact_arg.h"
 #include "interval_cases.h"
 
 #include <cmocka.h>
@@ -17,47 +18,7 @@
 #define PI_LO 0x1.921fb54442d18p+1
 #define PI_HI 0x1.921fb54442d19p+1
 
-/* ---- the oracle ---- */
-
-/* y = atan(t), 0 <= t <= 1: three halvings atan t = 2 atan(t / (1 + sqrt(1 + t^2))), then the series. */
-static void arctangent(mpf_t y, const mpf_t t) {
-    mpf_t x, z, term;
-    mpf_inits(x, z, term, NULL);
-    mpf_set(x, t);
-    for (int i = 0; i < 3; i++) {
-        mpf_mul(z, x, x), mpf_add_ui(z, z, 1), mpf_sqrt(z, z), mpf_add_ui(z, z, 1);
-        mpf_div(x, x, z);
-    }
-    mpf_mul(z, x, x), mpf_neg(z, z), mpf_set_ui(y, 0);
-    for (unsigned k = 1; k < 140; k += 2) { /* (1/8)^140 < 2^-384 */
-        mpf_div_ui(term, x, k), mpf_add(y, y, term);
-        mpf_mul(x, x, z);
-    }
-    mpf_mul_2exp(y, y, 3);
-    mpf_clears(x, z, term, NULL);
-}
-
-/* pi = 4 atan 1 */
-static void add_pi(mpf_t y, int times) {
-    mpf_t one, pi;
-    mpf_inits(one, pi, NULL);
-    mpf_set_ui(one, 1), arctangent(pi, one), mpf_mul_2exp(pi, pi, 2);
-    while (times-- > 0) mpf_add(y, y, pi);
-    mpf_clears(one, pi, NULL);
-}
-
-/* The argument in (-pi,pi], in (0,2 pi) if around. */
-static void argument(mpf_t y, double re, double im, int around) {
-    mpf_t n, d, half;
-    mpf_inits(n, d, half, NULL);
-    int steep = fabs(im) > fabs(re);
-    mpf_set_d(n, fabs(steep ? re : im)), mpf_set_d(d, fabs(steep ? im : re)), mpf_div(n, n, d);
-    arctangent(y, n);
-    if (steep) mpf_set_ui(half, 0), add_pi(half, 1), mpf_div_2exp(half, half, 1), mpf_sub(y, half, y);
-    if (re < 0) mpf_neg(y, y), add_pi(y, 1);
-    if (im < 0) mpf_neg(y, y), add_pi(y, around ? 2 : 0);
-    mpf_clears(n, d, half, NULL);
-}
+/* ---- the oracle: exact_arg.h ---- */
 
 static int encloses(algsurf_interval r, const mpf_t y) {
     return mpf_cmp_d(y, r.lo) >= 0 && mpf_cmp_d(y, r.hi) <= 0;
@@ -105,7 +66,7 @@ static void test_points(void **state) {
             double t = re;
             re = im, im = t;
         }
-        argument(y, re, im, 0);
+        exact_argument(y, re, im, 0);
         algsurf_interval r = arg_of(re, re, im, im);
         int n = units(r);
         if (!encloses(r, y) || n > 2)
@@ -158,7 +119,7 @@ static void test_hard_points(void **state) {
         if (!(t > 0 && t < 0.78)) continue;
         hard_point(t, &n, &d);
         algsurf_interval r = arg_of(d, d, n, n);
-        argument(y, d, n, 0);
+        exact_argument(y, d, n, 0);
         if (!encloses(r, y) || units(r) > 2) fail_msg("seed %u round %d: arg(%a + i %a)", SEED, i, d, n);
     }
     mpf_clear(y);
@@ -234,7 +195,7 @@ static void test_rectangles(void **state) {
         }
         int around = x.hi < 0 && z.lo < 0 && z.hi >= 0;
         double re = case_inside(&seed, x), im = case_inside(&seed, z), lo = INFINITY, hi = -INFINITY;
-        argument(y, re, im, around);
+        exact_argument(y, re, im, around);
         int holds = encloses(r, y) && -PI_HI <= r.lo && r.lo <= PI_HI && r.lo <= r.hi;
         for (int k = 0; k < 4 && !wild; k++) {
             double u = k & 1 ? x.hi : x.lo, v = k & 2 ? z.hi : z.lo;

@@ -119,7 +119,7 @@ static double off(const double got[3], const double expected[3]) {
     return largest;
 }
 
-/* The rows of kernel.h and expand_view.h written down for one pixel, against what a kernel gave; 0 where
+/* The rows of picture/kernel.h and surface/view.h written down for one pixel, against what a kernel gave; 0 where
  * rounding decides whether the step is taken. */
 static int check_entry(const stage *s, int pixel, double depth, const batch *out, int entry) {
     const algsurf_i_view *view = &s->view;

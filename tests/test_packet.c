@@ -3,7 +3,8 @@
  *
  * Breaks caught, each tried: the error radius left out, of whole polynomials or of cells, what lies behind an
  * empty cell forgotten, a doubtful lane told as one without a root, a scaled lane's radius not scaled, an
- * answer written before all polynomials were checked, a kernel that doubts everything.  Not caught: a cut's
+ * answer written before all polynomials were checked, a kernel that doubts everything, a root refined in the
+ * unit of its bracket, where values underflow.  Not caught: a cut's
  * error left out, Halley's step taken where it is no better than none.
  */
 #include <math.h>
@@ -365,6 +366,44 @@ static void test_counts(void **unused) {
     }
 }
 
+/* t^n + 2 t^(n-1) - sign: one root about -2, off by 2^-(n-1) or somewhat more. */
+enum { HIGH = 511 };
+
+static void check_wide(int n, double sign, double from, double to, int *bracketed) {
+    static double one[HIGH + 1];
+    static const double *rows[HIGH + 1];
+    for (int k = 0; k <= n; k++) one[k] = k == n ? 1 : k == n - 1 ? 2 : k == 0 ? -sign : 0, rows[k] = one + k;
+    const algsurf_poly_packet p = {sizeof p, 1, n, rows, NULL, &from, &to};
+    algsurf_bracket b;
+    unsigned char state;
+    double root = 0;
+    int found = 0;
+    assert_int_equal(algsurf_first_roots(&p, NULL, &state, &root), ALGSURF_OK);
+    assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
+    assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, &b, &found), ALGSURF_OK);
+    *bracketed += b.kind == ALGSURF_ROOT_BRACKET && b.lo < 8 * b.hi;
+    /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
+    double room = 0x1p-52 * fabs(root) + (n <= 20 ? 1e-12 * (to - from) : 0);
+    double left = fmax(root - room, b.lo), right = fmin(root + room, b.hi);
+    int inside = b.lo <= root && root <= b.hi && (n <= 20 || fabs(root + 2) <= ldexp(2, 2 - n) + 0x1p-50);
+    if (!inside || exact_poly_sign(one, n, left) * exact_poly_sign(one, n, right) > 0)
+        fail_msg("t^%d + 2 t^%d - %g on [%a, %a]: root %a, in units of the interval %g off", n, n - 1, sign,
+                 from, to, root, (root + 2) / (to - from));
+}
+
+/* The unit of the interval is not that of the root: in it the values of p about the root would underflow. */
+static void test_wide_intervals(void **unused) {
+    (void)unused;
+    static const int high[] = {4, 9, 19, 20, 21, 24, 29, 40, 63, 130, 255, 511};
+    int wide = 0;
+    for (size_t i = 0; i < sizeof high / sizeof *high; i++)
+        for (int e = 2; e <= 1000; e = e < 100 ? e + 14 : e + 100)
+            for (int f = -100; f <= 1000; f += 300)
+                for (int sign = -1; sign <= 1; sign += 2)
+                    check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f), &wide);
+    assert_true(wide > 100);
+}
+
 static void test_tolerance(void **unused) {
     (void)unused;
     uint64_t random = SEED + 7;
@@ -493,7 +532,7 @@ int main(void) {
         cmocka_unit_test(test_counts),         cmocka_unit_test(test_tolerance),
         cmocka_unit_test(test_kernels_decide), cmocka_unit_test(test_errors),
         cmocka_unit_test(test_environment),    cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_touching),
+        cmocka_unit_test(test_touching),       cmocka_unit_test(test_wide_intervals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,8 @@
 /* test_select.c - the least root in a sector, three-valued.
  *
  * Catches: the conjugate range forgotten, an undecided box counted as inside, a smaller undecided root
- * overlooked, conjugates taken for rivals, magnitudes outside [lo,hi] accepted. */
+ * overlooked, conjugates taken for rivals, roots of equal enclosures taken for conjugates, magnitudes outside
+ * [lo,hi] accepted, the end of a sector rounded. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,6 +12,9 @@
 #include <math.h>
 
 #include "algsurf/select.h"
+#include "exact_arg.h"
+
+#define SEED 23u
 
 static const double pi = 3.141592653589793;
 
@@ -51,12 +55,84 @@ static void test_membership(void **state) {
     check_holds(0, 1, box(-1, 1, -1, 1), 2);
 }
 
+/* Where arg is in a sector: 1, or 0. */
+static int truth_of(const algsurf_sector *sector, const mpf_t arg) {
+    mpf_t end, delta;
+    mpf_inits(end, delta, NULL);
+    mpf_set_d(end, sector->sigma), mpf_set_d(delta, sector->delta), mpf_add(end, end, delta);
+    int in = mpf_cmp_d(arg, sector->sigma) >= 0 && mpf_cmp(arg, end) <= 0;
+    mpf_clears(end, delta, NULL);
+    return in;
+}
+
+static int held(const algsurf_sector *sector, double re, double im) {
+    const algsurf_enclosure root = box(re, re, im, im);
+    int holds = 17;
+    assert_int_equal(algsurf_sector_holds(sector, &root, &holds), ALGSURF_OK);
+    return holds;
+}
+
+/* A sector for a point of argument arg > 0: arg is an end of it, up to some units in the last place. */
+static algsurf_sector sector_at(uint64_t *seed, double arg, int at_begin) {
+    double from = arg * fabs(exact_random_unit(seed)), shift = 0x1p-52 * (exact_random_int(seed, 9) - 4);
+    if (at_begin) return (algsurf_sector){arg * (1 + shift), 0.25 * (pi - arg)};
+    return (algsurf_sector){from, (arg - from) * (1 + 0.5 * shift)};
+}
+
+/* Points of an argument next to an end of the sector, on which side only exact sums tell. */
+static void test_ends(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    int seen[3] = {0, 0, 0}, rounded_in = 0, rounded_out = 0;
+    mpf_set_default_prec(384);
+    mpf_t arg;
+    mpf_init(arg);
+    for (int i = 0; i < 20000; i++) {
+        double re = exact_random_wide(&seed, -2, 2), im = fabs(exact_random_wide(&seed, -2, 2));
+        if (i % 4 == 3) im = ldexp(im, -exact_random_int(&seed, 70));
+        exact_argument(arg, re, im, 0);
+        algsurf_sector sector = sector_at(&seed, mpf_get_d(arg), i % 8 == 7);
+        double end = sector.sigma + sector.delta;
+        if (end >= pi) continue; /* stands for pi: test_pi */
+        int in = truth_of(&sector, arg), holds = held(&sector, re, im);
+        if (holds != held(&sector, re, -im) || (holds == 1 && !in) || (holds == 0 && in))
+            fail_msg("seed %u round %d: %a + i %a in {%a, %a}: %d, not %d", SEED, i, re, im, sector.sigma,
+                     sector.delta, holds, in);
+        seen[holds]++;
+        rounded_in += !in && mpf_cmp_d(arg, sector.sigma) >= 0 && mpf_cmp_d(arg, end) <= 0;
+        rounded_out += in && mpf_cmp_d(arg, end) > 0;
+    }
+    assert_true(seen[0] > 1000 && seen[1] > 1000 && seen[2] > 1000 && seen[2] < 12000);
+    assert_true(rounded_in > 300 && rounded_out > 300);
+    const algsurf_sector known = {0x1.8a77d5895888cp-1, 0x1.2550104c9e5b3p-3}; /* 3.4e-18 beyond the end */
+    assert_true(held(&known, 0x1.471c3e531ba1fp+0, 0x1.a7fb6d6c38f88p+0) != 1);
+    mpf_clear(arg);
+}
+
+/* A sum that rounds to pi's double stands for pi. */
+static void test_pi(void **state) {
+    (void)state;
+    static const algsurf_sector ends_at_pi[] = {{0, 0x1.921fb54442d18p+1},
+                                                {0, 0x1.921fb54442d19p+1},
+                                                {0x1.921fb54442d17p+0, 0x1.921fb54442d18p+0},
+                                                {0x1.921fb54442d18p+1, 0}};
+    static const algsurf_sector below = {0, 0x1.921fb54442d17p+1};
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(held(ends_at_pi + i, -1, 0), 1);
+        if (i < 3) assert_int_equal(held(ends_at_pi + i, -1, 0x1p-1074), 1);
+        if (i < 3) assert_int_equal(held(ends_at_pi + i, -1, -0x1p-60), 1);
+    }
+    assert_int_equal(held(&below, -1, 0), 0);
+    assert_int_equal(held(&below, -1, 0x1p-60), 0);
+    assert_int_equal(held(&below, -1, -0x1p-40), 1);
+}
+
 static void check_select(const algsurf_enclosure *roots, int count, double lo, double hi,
                          algsurf_selected expected, int which) {
     const algsurf_sector sector = {0, 0.5};
     algsurf_selected selected = ALGSURF_SELECTED_UNDECIDED;
     int index = 99;
-    assert_int_equal(algsurf_select(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
+    assert_int_equal(algsurf_select_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
     assert_int_equal(selected, expected);
     assert_int_equal(index, expected == ALGSURF_SELECTED_NONE ? 99 : which);
 }
@@ -87,6 +163,97 @@ static void test_undecided(void **state) {
     check_select(at_end, 1, 1.05, 2, ALGSURF_SELECTED_UNDECIDED, 0);
 }
 
+typedef algsurf_status selector(const algsurf_enclosure *, int, const algsurf_sector *, double, double,
+                                algsurf_selected *, int *);
+
+static algsurf_selected selected_by(selector *by, const algsurf_enclosure *roots, int count, double delta,
+                                    int *index) {
+    const algsurf_sector sector = {0, delta};
+    algsurf_selected selected = ALGSURF_SELECTED_NONE;
+    assert_int_equal(by(roots, count, &sector, 0, HUGE_VAL, &selected, index), ALGSURF_OK);
+    return selected;
+}
+
+static selector *const selectors[2] = {algsurf_select, algsurf_select_real};
+
+/* Of the roots of t^2 + 2^-k t - 1 the positive one is the smaller, by 2^-k. */
+static void test_real_rivals(void **state) {
+    (void)state;
+    int decided = 0;
+    for (int k = 1; k <= 1074; k++) {
+        const double c[3] = {-1, ldexp(1, -k), 1};
+        algsurf_enclosure roots[2];
+        int count, index = 99;
+        assert_int_equal(algsurf_roots_real(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_int_equal(count, 2);
+        for (int i = 0; i < 2; i++) {
+            algsurf_selected selected = selected_by(selectors[i], roots, 2, pi, &index);
+            assert_true(selected != ALGSURF_SELECTED_NONE);
+            if (selected != ALGSURF_SELECTED_ONE) continue;
+            decided++;
+            if (roots[index].value.re < 0)
+                fail_msg("k = %d: the larger root, in [%a,%a]", k, roots[index].box.re.lo,
+                         roots[index].box.re.hi);
+        }
+    }
+    assert_true(decided > 2 * 40);
+}
+
+/* (t - 1 - i) (t - (1 - i) (1 + 2^-k)): of complex coefficients, all exact; 1 + i is the smaller root. */
+static void test_near_conjugates(void **state) {
+    (void)state;
+    int decided = 0;
+    for (int k = 1; k <= 51; k++) {
+        double e = ldexp(1, -k);
+        const algsurf_complex c[3] = {{2 + 2 * e, 0}, {-(2 + e), e}, {1, 0}};
+        algsurf_enclosure roots[2];
+        int count, index = 99;
+        assert_int_equal(algsurf_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_int_equal(count, 2);
+        algsurf_selected selected = selected_by(algsurf_select, roots, 2, pi, &index);
+        assert_true(selected != ALGSURF_SELECTED_NONE);
+        if (selected != ALGSURF_SELECTED_ONE) continue;
+        decided++;
+        if (roots[index].value.im < 0) fail_msg("k = %d: the larger root", k);
+    }
+    assert_true(decided > 40);
+}
+
+/* Boxes that look alike are no proof: only those of a real polynomial, off the axis, mirror a root. */
+static void test_alike(void **state) {
+    (void)state;
+    const algsurf_enclosure upper = box(1, 1.1, 1, 1.1), lower = box(1, 1.1, -1.1, -1),
+                            other = box(1, 1.1, -1.2, -1);
+    const algsurf_enclosure right = box(1, 1.1, 0, 0), left = box(-1.1, -1, 0, 0), axis = box(1, 1.1, -1, 1);
+    const struct {
+        algsurf_enclosure roots[2];
+        algsurf_selected any, real;
+    } cases[] = {
+        {{upper, lower}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_ONE},
+        {{lower, upper}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_ONE},
+        {{upper, other}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_UNDECIDED},
+        {{upper, upper}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_UNDECIDED},
+        {{right, left}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_UNDECIDED},
+        {{right, right}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_UNDECIDED},
+        {{axis, axis}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_UNDECIDED},
+        {{box(3, 3, 4, 4), box(-4, -4, 3, 3)},
+         ALGSURF_SELECTED_ONE,
+         ALGSURF_SELECTED_ONE}, /* none is smaller */
+        {{upper, box(-3, -2, 0, 0)}, ALGSURF_SELECTED_ONE, ALGSURF_SELECTED_ONE},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int index = 99;
+        assert_int_equal(selected_by(algsurf_select, cases[i].roots, 2, pi, &index), cases[i].any);
+        assert_int_equal(index, 0);
+        assert_int_equal(selected_by(algsurf_select_real, cases[i].roots, 2, pi, &index), cases[i].real);
+        assert_int_equal(index, 0);
+    }
+    /* a third root as large as a pair's may be */
+    const algsurf_enclosure three[] = {upper, lower, box(-1.1, -1, 1, 1.1)};
+    int index = 99;
+    assert_int_equal(selected_by(algsurf_select_real, three, 3, pi, &index), ALGSURF_SELECTED_UNDECIDED);
+}
+
 static void test_bad_arguments(void **state) {
     (void)state;
     const algsurf_sector good = {0, 1}, bad[] = {{-1, 1}, {0, -1}, {3, 1}, {NAN, 1}, {0, NAN}};
@@ -100,13 +267,16 @@ static void test_bad_arguments(void **state) {
     assert_int_equal(algsurf_sector_holds(NULL, &root, &holds), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_sector_holds(&good, NULL, &holds), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_sector_holds(&good, &root, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(NULL, 1, &good, 0, 1, &selected, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, -1, &good, 0, 1, &selected, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, 1, &good, 2, 1, &selected, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, 1, &good, -1, 1, &selected, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, 1, &good, NAN, 1, &selected, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, 1, &good, 0, 1, NULL, &index), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_select(&root, 1, &good, 0, 1, &selected, NULL), ALGSURF_E_ARGUMENT);
+    for (int i = 0; i < 2; i++) {
+        selector *by = selectors[i];
+        assert_int_equal(by(NULL, 1, &good, 0, 1, &selected, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, -1, &good, 0, 1, &selected, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, 1, &good, 2, 1, &selected, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, 1, &good, -1, 1, &selected, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, 1, &good, NAN, 1, &selected, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, 1, &good, 0, 1, NULL, &index), ALGSURF_E_ARGUMENT);
+        assert_int_equal(by(&root, 1, &good, 0, 1, &selected, NULL), ALGSURF_E_ARGUMENT);
+    }
     assert_int_equal(holds, 7);
     assert_int_equal(index, 7);
     assert_int_equal(selected, ALGSURF_SELECTED_ONE);
@@ -115,8 +285,13 @@ static void test_bad_arguments(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_membership),
+        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_pi),
         cmocka_unit_test(test_least),
         cmocka_unit_test(test_undecided),
+        cmocka_unit_test(test_real_rivals),
+        cmocka_unit_test(test_near_conjugates),
+        cmocka_unit_test(test_alike),
         cmocka_unit_test(test_bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

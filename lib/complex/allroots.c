@@ -252,10 +252,10 @@ static algsurf_status run(algsurf_i_roots *p, const algsurf_complex *c, const do
 }
 
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
-                                   int degree, const algsurf_complex *start, algsurf_enclosure *roots,
-                                   int *count) {
+                                   int degree, int real_radii, const algsurf_complex *start,
+                                   algsurf_enclosure *roots, int *count) {
     lay_out(&memory->p, ALGSURF_MAX_DEGREE, memory->doubles, memory->ints);
-    return run(&memory->p, c, r, degree, 1, start, memory->boxes, roots, count);
+    return run(&memory->p, c, r, degree, real_radii, start, memory->boxes, roots, count);
 }
 
 static algsurf_status run_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,

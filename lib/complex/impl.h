@@ -46,10 +46,10 @@ typedef struct algsurf_i_roots_memory {
 } algsurf_i_roots_memory;
 
 /* algsurf_root_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment;
- * memory->p.iterations tells what it took.  Here radii of real coefficients mean real numbers. */
+ * memory->p.iterations tells what it took.  real_radii: those of real coefficients mean real numbers. */
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
-                                   int degree, const algsurf_complex *start, algsurf_enclosure *roots,
-                                   int *count);
+                                   int degree, int real_radii, const algsurf_complex *start,
+                                   algsurf_enclosure *roots, int *count);
 
 /* Coefficients in units of 2^unit of the variable, divided by 2^exponent. */
 typedef struct algsurf_i_local {

@@ -2,14 +2,29 @@
  *
  * Both ranges of arguments, sigma .. sigma + delta and its conjugate, are one range of |arg|: a box is
  * folded onto the upper half plane and its argument compared.  A candidate is chosen if it certainly
- * counts and no other that may count can be smaller; conjugates, and boxes of equal magnitude after
- * folding, do not compete. */
+ * counts and no other that may count can be smaller.
+ *
+ * Conjugates.  The roots of a real polynomial, each with its multiplicity, are symmetric about the real axis.
+ * If one box is the mirror image of another and both hold no roots but their own, the roots of either are
+ * the conjugates of the other's.  (Boxes that were moved and rounded since, all in the same way, may have
+ * come to overlap.  Roots whose boxes now mirror each other by chance then have conjugates in the same two
+ * boxes: a third and a fourth candidate with the same magnitudes, which compete.)  A box that meets the axis
+ * is nobody's mirror image but its own. */
 #include "algsurf/select.h"
 
 #include "../poly/interval_public.h"
+#include "../poly/interval_round.h"
+
+#define PI_BELOW 0x1.921fb54442d18p+1 /* the doubles around pi; the lower one is nearest */
+#define PI_ABOVE 0x1.921fb54442d19p+1
 
 static int valid(const algsurf_sector *s) {
-    return s && s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= 0x1.921fb54442d19p+1;
+    return s && s->sigma >= 0 && s->delta >= 0 && s->sigma + s->delta <= PI_ABOVE;
+}
+
+/* The largest double in the sector: a double is beyond sigma + delta if and only if it is above this one. */
+static double end_of(const algsurf_sector *s) {
+    return s->sigma + s->delta >= PI_BELOW ? HUGE_VAL : algsurf_i_add_down(s->sigma, s->delta);
 }
 
 /* The box with the imaginary part's magnitude. */
@@ -19,10 +34,10 @@ static algsurf_cinterval fold(algsurf_cinterval box) {
 
 static int in_sector(const algsurf_sector *s, const algsurf_enclosure *root) {
     const algsurf_cinterval box = fold(root->box);
-    const double end = s->sigma + s->delta;
+    const double end = end_of(s);
     algsurf_interval arg;
     if (box.im.hi == 0 && box.re.lo >= 0) return s->sigma == 0;
-    if (box.im.hi == 0 && box.re.hi < 0) return end >= 0x1.921fb54442d18p+1;
+    if (box.im.hi == 0 && box.re.hi < 0) return end == HUGE_VAL;
     if (algsurf_cinterval_arg(box, &arg) != ALGSURF_OK) return 2;
     if (arg.hi < s->sigma || arg.lo > end) return 0;
     return arg.lo >= s->sigma && arg.hi <= end ? 1 : 2;
@@ -45,8 +60,16 @@ typedef struct candidate {
     algsurf_interval magnitude;
 } candidate;
 
-static algsurf_status choose(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
-                             double lo, double hi, algsurf_selected *selected, int *index) {
+/* Mirror images of each other, off the axis. */
+static int mirrored(const algsurf_cinterval *a, const algsurf_cinterval *b) {
+    return (a->im.lo > 0 || a->im.hi < 0) && a->re.lo == b->re.lo && a->re.hi == b->re.hi &&
+           a->im.lo == -b->im.hi && a->im.hi == -b->im.lo;
+}
+
+/* `real`: the roots are those of a real polynomial. */
+static algsurf_status choose(const algsurf_enclosure *roots, int count, int real,
+                             const algsurf_sector *sector, double lo, double hi, algsurf_selected *selected,
+                             int *index) {
     candidate best = {-1, 0, {0, 0}};
     if (!valid(sector) || count < 0 || (count > 0 && !roots) || !selected || !index)
         return ALGSURF_E_ARGUMENT;
@@ -54,12 +77,12 @@ static algsurf_status choose(const algsurf_enclosure *roots, int count, const al
     for (int i = 0; i < count; i++) {
         algsurf_interval magnitude = algsurf_cinterval_abs(roots[i].box);
         int counts = in_range(magnitude, lo, hi);
-        if (!counts || (best.index >= 0 && magnitude.lo > best.magnitude.hi)) continue;
+        if (!counts || (best.index >= 0 && magnitude.lo >= best.magnitude.hi)) continue;
         int holds = in_sector(sector, roots + i);
         if (!holds) continue;
         candidate c = {i, counts == 1 && holds == 1, magnitude};
-        int twin = best.index >= 0 && magnitude.lo == best.magnitude.lo && magnitude.hi == best.magnitude.hi;
-        if (best.index < 0 || magnitude.hi < best.magnitude.lo)
+        int twin = real && best.index >= 0 && mirrored(&roots[i].box, &roots[best.index].box);
+        if (best.index < 0 || magnitude.hi <= best.magnitude.lo)
             best = c;
         else if (!twin) { /* they overlap: which is the least stays open */
             c.certain = 0;
@@ -74,10 +97,24 @@ static algsurf_status choose(const algsurf_enclosure *roots, int count, const al
     return ALGSURF_OK;
 }
 
+static algsurf_status choose_any(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+                                 double lo, double hi, algsurf_selected *selected, int *index) {
+    return choose(roots, count, 0, sector, lo, hi, selected, index);
+}
+
+static algsurf_status choose_real(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+                                  double lo, double hi, algsurf_selected *selected, int *index) {
+    return choose(roots, count, 1, sector, lo, hi, selected, index);
+}
+
 ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
                  (const algsurf_sector *sector, const algsurf_enclosure *root, int *holds),
                  (sector, root, holds))
-ALGSURF_I_PUBLIC(algsurf_status, select, choose,
+ALGSURF_I_PUBLIC(algsurf_status, select, choose_any,
+                 (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
+                  double hi, algsurf_selected *selected, int *index),
+                 (roots, count, sector, lo, hi, selected, index))
+ALGSURF_I_PUBLIC(algsurf_status, select_real, choose_real,
                  (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
                   double hi, algsurf_selected *selected, int *index),
                  (roots, count, sector, lo, hi, selected, index))

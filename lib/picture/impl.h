@@ -4,7 +4,8 @@
  *     threads.c          hands rows to threads, calls progress, cancels
  *     row.c              one row: samples -> hits -> colours -> bytes
  *     antialias.c        which of its pixels get all samples, and what the others show
- *     pixel_range.c      camera and extent in the units of packets
+ *     view.c             camera and extent in the units of packets
+ *     pixel_range.c      the pixels of a row that may meet the extent
  *     packets.c          the hits of a row by packets
  *     complex.c          one sample in complex space, started from its neighbours' roots
  *     shadow.c           which share of a light reaches a point
@@ -132,7 +133,7 @@ void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const al
 /* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
 
-/* The pixels of a row whose rays may meet the ball of radius 1 about the view's centre. */
+/* The pixels of a row whose rays may meet what is shown: begin <= x < end; all others surely miss it. */
 void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end);
 
 /* The points of a row seen through offset (sx,sy) in each pixel. */

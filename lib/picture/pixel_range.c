@@ -1,134 +1,97 @@
-/* pixel_range.c - a scene's camera and extent as a view (expand_view.h), so that whole rows can be solved in
- * packets.
+/* pixel_range.c - the pixels of a row whose rays may meet the ball about what is shown.
  *
- * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
- * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
+ * The rays of a row lie in the plane y = v + b z.  With m^2 = 1 + b^2 it cuts the ball of radius 1 about the
+ * view's centre in a disc: h = |v| / m away from the ball's centre, the disc's centre at x = 0 and
+ * z_c = -v b / m^2, its radius rho, rho^2 = 1 - h^2.  The line x = u + a z of that plane passes the disc's
+ * centre at the signed distance
+ *     d = (u + a z_c) / sqrt(1 + a^2 / m^2),
+ * positive on the right, where pixels have larger numbers.
  *
- * Noise: a pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Its direction, of length L
- * before it is made a unit, is off by at most u (2 |p| + 2 |q| + 2 L), L <= 1 + |p| + |q|; that moves the ray
- * at the far end of the extent by D + 1 times as much.  Here D p meets six roundings (the pixel's place, two
- * factors, their product, D, and the sum), alpha and beta two each.  A parallel ray's direction is exact, its
- * origin is rounded, and so is the pixel's place in a picture that may be much larger than the extent.  All
- * else is what is left when the eye is put together again from its rounded coordinates, measured. */
-#include <stdlib.h>
-
-#include "../rays/expand_impl.h"
+ * Proof of a miss.  If d > rho, the disc lies on the left of the line.  A pinhole's rays leave from one
+ * point, parallel rays never cross: so each ray of a pixel further right lies on the right of this line,
+ * from the eye onwards, and misses too.  The same holds with left for right.  One line proves the misses of
+ * all pixels on one side of it, wherever the eye is: before, in, beside or behind the ball.  The ends of the
+ * range are guessed from a quadratic equation.  Nothing is assumed of the guess: the ends move outward until
+ * their lines prove them, and without a proof the range goes to the end of the row.
+ *
+ * Roundings.  N = view->noise is at least 4u and below 2^-22.  Ideal rays start at the exact eye and have the
+ * exact slopes of their pixels: they are the pencil of the proof.
+ * - The numbers computed for u, a, v, b are within N of the ideal ray's (view.c).  Therefore u + a z_c
+ *   is off by N + N |z_c|, and by N (|b| + |v|) / m times |a| / m through z_c; the root by 2 N of itself;
+ *   h by 2 N.  Here |v| / m and |z_c| are at most 1 + 2^-15: otherwise no ray meets the ball, see below.
+ * - Computing z_c and a z_c takes five roundings, 5u |a z_c|, at most 5u |b| times the root, and 4u |b| < N.
+ *   All else takes fewer than eight, at most 2 N d.  With d = rho <= 1 + 2^-15 the sum of all this is below
+ *   (2 + 2 + 2 + 5/4 + 2) N < 10 N in d, and 3 N in h.
+ * - Where d > rho with rho^2 = 1 + MARGIN - h^2 as computed, the square of the ideal line's distance from the
+ *   ball's centre is at least 1 + MARGIN - 2 (10 N rho + 3 N h) > 1 + MARGIN - 27 N > 1 + MARGIN - 2^-17.
+ *   So the line misses the ball of radius 1, and so do the ideal rays beyond it.  It passes on the side that
+ *   d says, as rho is never taken below 2^-10, which is more than 10 N.
+ * - A point of a pixel's own ray is within N of the ideal one's in each of x, y, z, and what is shown is in
+ *   a ball of radius (1 + 2^-45) / (1 + 2^-20) < 1 - sqrt(3) N: its size is rounded, and the axes are
+ *   orthonormal to 2^-48.  Hence the pixel's own ray misses what is shown.
+ * - Where h^2 > 1 + MARGIN, or the eye's depth is above 1 + MARGIN, no ray of the row meets the ball.
+ * - NaN and infinity prove nothing.
+ * MARGIN is eight times what is needed, and widens a range of 1000 pixels by 1/30 of one. */
 #include "impl.h"
-#include "../base/vec.h"
 
-/* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */
-static int natural(const algsurf_surface *s, const double from[3], double to[3]) {
-    for (int i = 0; i < 3; i++) {
-        to[i] = ldexp(from[i], -s->unit);
-        if (ldexp(to[i], s->unit) != from[i]) return 0;
-    }
-    return 1;
+#include <math.h>
+
+#define MARGIN 0x1p-14
+#define LEAST_SQUARE 0x1p-20 /* of the disc's radius */
+#define SPARE 2              /* pixels added to each end of the guess: its first line is to prove it */
+
+/* The disc in which the row's plane cuts the ball. */
+typedef struct row_disc {
+    double z, square; /* of its centre; of its radius */
+    double m2;        /* 1 + b^2 */
+} row_disc;
+
+/* Returns 0 when no ray of the row meets the ball. */
+static int set_disc(const algsurf_i_row_job *job, row_disc *disc) {
+    double v = job->row->v, b = job->slope;
+    disc->m2 = 1 + b * b;
+    disc->z = -(v * b) / disc->m2;
+    double square = 1 + MARGIN - v * v / disc->m2;
+    disc->square = fmax(square, LEAST_SQUARE);
+    return !(square < 0 || job->near > 1 + MARGIN);
 }
 
-/* Coordinates of `point` in the view's axes; returns a bound on each component of what they miss. */
-static double in_axes(const algsurf_i_view *view, const algsurf_dd point[3], double place[3]) {
-    double missed = 0;
-    for (int k = 0; k < 3; k++) place[k] = 0;
-    for (int round = 0; round < 3; round++) {
-        algsurf_dd rest[3];
-        for (int i = 0; i < 3; i++) {
-            rest[i] = point[i];
-            for (int k = 0; k < 3; k++)
-                rest[i] = algsurf_dd_sub(rest[i], algsurf_two_prod(place[k], view->axis[k][i]));
-        }
-        double left[3] = {rest[0].hi, rest[1].hi, rest[2].hi};
-        missed = 2 * algsurf_length(left);
-        for (int k = 0; k < 3 && round < 2; k++) place[k] += algsurf_dot(left, view->axis[k]);
-    }
-    return missed;
+/* Does the line of pixel x pass the disc on that side, -1: left, 1: right?  Then so do all beyond it. */
+static int passes(const algsurf_i_row_job *job, const row_disc *disc, int x, int side) {
+    double u = job->u0 + job->du * ((x + job->offset) * job->pixel);
+    double a = job->view->alpha * u + job->view->beta[0], d = side * (u + a * disc->z);
+    return d > 0 && d * d > disc->square * (1 + a * a / disc->m2);
 }
 
-/* Are the camera's axes orthonormal to a few roundings? */
-static int orthonormal(const algsurf_camera *camera) {
-    const double *axis[3] = {camera->right, camera->up, camera->forward};
-    for (int i = 0; i < 3; i++) {
-        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-48)) return 0;
-        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-48)) return 0;
-    }
-    return 1;
+/* Where lines touch the disc: (d0 + d1 x)^2 = rho^2 + (r0 + r1 x)^2.  The discriminant is written as a sum,
+ * so that it does not cancel while there are two ends. */
+static void guess_ends(const algsurf_i_row_job *job, const row_disc *disc, double ends[2]) {
+    double alpha = job->view->alpha, rise = sqrt(disc->square / disc->m2);
+    double u0 = job->u0 + job->du * (job->offset * job->pixel), u1 = job->du * job->pixel;
+    double a0 = alpha * u0 + job->view->beta[0], a1 = alpha * u1;
+    double d0 = u0 + a0 * disc->z, d1 = u1 + a1 * disc->z, r0 = rise * a0, r1 = rise * a1;
+    double lead = (d1 - r1) * (d1 + r1), cross = r0 * d1 - r1 * d0;
+    double middle = (r0 * r1 - d0 * d1) / lead, half = sqrt(cross * cross + disc->square * lead) / lead;
+    ends[0] = lead > 0 ? floor(middle - half) : -INFINITY;
+    ends[1] = lead > 0 ? ceil(middle + half) : INFINITY;
 }
 
-static double noise_of(const algsurf_i_packets *p, const double eye[3], const double place[3],
-                       double slopes) {
-    double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
-    if (!p->orthographic)
-        return ALGSURF_U *
-               ((4 + 4 * slopes) * (distance + 1) + 6 * slopes * distance + 8 * offset * (1 + 1 / distance));
-    return ALGSURF_U * (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + p->per_slope * slopes + 2));
+/* From pixel `guess` on, whatever number that is: a pixel that passes on that side; -1 or width if none was
+ * found.  The steps double: a wrong guess costs few lines. */
+static int proved_end(const algsurf_i_row_job *job, const row_disc *disc, double guess, int side, int width) {
+    int x = (int)fmin(fmax(guess, side < 0 ? -1 : 0), side < 0 ? width - 1 : width);
+    for (int step = side; x >= 0 && x < width; x += step, step *= 2)
+        if (passes(job, disc, x, side)) return x;
+    return side < 0 ? -1 : width;
 }
 
-static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
-    const algsurf_camera *camera = &picture->scene->camera;
-    algsurf_i_view *view = &p->frame.view;
-    algsurf_dd away[3];
-    double place[3], pixel = camera->half_height / (0.5 * picture->height);
-    for (int i = 0; i < 3; i++) away[i] = algsurf_two_sum(eye[i], -view->centre[i]);
-    double missed = in_axes(view, away, place) / view->size;
-    for (int k = 0; k < 3; k++) place[k] /= view->size;
-    p->near = place[2];
-    for (int k = 0; k < 2; k++) {
-        p->origin[k] = place[k];
-        p->per_slope = p->orthographic ? ldexp(1, -picture->scene->surface->unit) / view->size : -place[2];
-        view->beta[k] = p->orthographic ? 0 : place[k] / place[2];
-    }
-    view->alpha = p->orthographic ? 0 : -1 / place[2];
-    p->pixel = pixel;
-    view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
-}
-
-/* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
- * and v? */
-static int suits_packets(const algsurf_scene *scene) {
-    return !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
-           scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
-           scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0 &&
-           orthonormal(&scene->camera);
-}
-
-int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {
-    const algsurf_scene *scene = picture->scene;
-    const algsurf_camera *camera = &scene->camera;
-    algsurf_i_view *view = &p->frame.view;
-    double eye[3];
-    if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
-        !natural(scene->surface, scene->extent.centre, view->centre))
-        return 0;
-    for (int i = 0; i < 3; i++) {
-        view->axis[0][i] = camera->right[i];
-        view->axis[1][i] = camera->up[i];
-        view->axis[2][i] = camera->forward[i];
-    }
-    view->size = ldexp(picture->radius * (1 + 0x1p-20), -scene->surface->unit);
-    p->orthographic = camera->orthographic;
-    place_eye(p, picture, eye);
-    for (int i = 0; i < 3; i++)
-        p->extent_size[i] = ldexp(scene->extent.size[i], -scene->surface->unit) / view->size;
-    /* a depth of 1 is at most this much of t */
-    p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
-    return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
-           view->noise * scene->surface->degree < 0x1p-22;
-}
-
-/* The pixels of a row whose rays may meet the ball about the view: where sin^2 of the angle between ray and
- * ball, a quadratic polynomial of the pixel's place, is not surely negative. */
 void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end) {
-    const algsurf_i_view *view = job->view;
-    double v = job->row->v, b = job->slope, u0 = job->u0, u1 = job->du;
-    double a0 = view->alpha * u0 + view->beta[0], a1 = view->alpha * u1, w0 = u0 * b - v * a0,
-           w1 = u1 * b - v * a1;
-    double c0 = 1 + b * b - v * v + a0 * a0 - u0 * u0 - w0 * w0, c1 = a0 * a1 - u0 * u1 - w0 * w1;
-    double c2 = a1 * a1 - u1 * u1 - w1 * w1, disc = c1 * c1 - c2 * c0;
-    *begin = 0;
-    *end = width;
-    if (!(c2 < 0) || !isfinite(disc)) return; /* the eye is inside the ball; or too small a ball to tell */
-    double middle = c1 / -c2 / job->pixel - job->offset, half = sqrt(fmax(disc, 0)) / -c2 / job->pixel;
-    double first = floor(middle - half) - 1, last = ceil(middle + half) + 2;
-    if (disc < -1e-9 * c1 * c1) first = last = 0;
-    *begin = (int)fmin(fmax(first, 0), width);
-    *end = (int)fmin(fmax(last, *begin), width);
+    row_disc disc;
+    double ends[2];
+    *begin = *end = 0;
+    if (!set_disc(job, &disc)) return;
+    guess_ends(job, &disc, ends);
+    *begin = proved_end(job, &disc, ends[0] - SPARE, -1, width) + 1;
+    *end = proved_end(job, &disc, ends[1] + SPARE, 1, width);
+    if (*end < *begin) *end = *begin;
 }

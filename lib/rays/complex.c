@@ -2,8 +2,10 @@
  *
  * The ray polynomial is expanded about the frame's centre with its radii, like in real space; the
  * imaginary parts, given for powers of the caller's t, are brought to the frame's variable v by
- * Horner's rule over polynomials.  The enclosures of the roots v are shifted back, t = centre + step v
- * (outward), before magnitude and argument are looked at: both refer to the eye.
+ * Horner's rule over polynomials.  The enclosures of the roots v are shifted back, s = centre + step v
+ * (outward), before magnitude and argument are looked at: both refer to the eye.  Without imaginary parts
+ * the polynomial is real, radii included; with them no root is proved real by symmetry, nor two conjugates,
+ * however small they are.
  *
  * The normal.  Let the direction vary by dV at a fixed origin.  With g the complex gradient at the root and
  * p' = dp/dt, the root moves by dt = -t (g.dV)/p', its magnitude by -|t| w.dV, w = Re(g/p'), and the
@@ -15,6 +17,7 @@
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
 #include "../base/options.h"
+#include "../poly/interval_impl.h"
 #include "ray_impl.h"
 #include "../base/vec.h"
 
@@ -25,27 +28,45 @@ typedef struct complex_query {
     algsurf_i_frame frame;
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
     double r[ALGSURF_MAX_DEGREE + 1];
+    int real; /* no imaginary part is given */
 } complex_query;
 
+/* Underflow takes at most 2^-1075 from a number: a quarter of u times this. */
+#define UNDERFLOW_SIZE 0x1p-1020
+
+/* The size of a product a b >= 0, by which its rounding error is bounded. */
+static double product_size(double a, double b) {
+    double size = a * b;
+    return size < 0x1p-960 && a != 0 && b != 0 ? size + UNDERFLOW_SIZE : size;
+}
+
+/* The same of y, which is x 2^e after rounding. */
+static double scaled_size(double x, int e, double y) {
+    return ldexp(y, -e) == x ? fabs(y) : fabs(y) + UNDERFLOW_SIZE;
+}
+
 /* Adds the imaginary part: sum_k imaginary_k t^k, t = (centre + step v) 2^-exponent, in the surface's scale.
- */
+ * The error of a step of Horner's rule: u of the size for its products, u for its sum, u/4 for underflow, and
+ * a little as the size is rounded itself.  So 4u a step, and 4u for the last coefficient. */
 static void add_imaginary(complex_query *q) {
     const algsurf_i_frame *f = &q->frame;
     int n = q->surface->degree, top = n;
-    double value[ALGSURF_MAX_DEGREE + 1] = {0}, size[ALGSURF_MAX_DEGREE + 1] = {0};
+    double value[ALGSURF_MAX_DEGREE + 1] = {0}, size[ALGSURF_MAX_DEGREE + 1] = {0}, far = fabs(f->centre);
     while (top >= 0 && q->space->imaginary[top] == 0) top--;
+    q->real = top < 0;
     for (int k = top; k >= 0; k--) {
+        int e = q->surface->scale - k * f->exponent;
+        double a = ldexp(q->space->imaginary[k], e);
         for (int i = top - k; i > 0; i--) {
             value[i] = f->centre * value[i] + f->step * value[i - 1];
-            size[i] = fabs(f->centre) * size[i] + f->step * size[i - 1];
+            size[i] = product_size(far, size[i]) + product_size(f->step, size[i - 1]);
         }
-        double a = ldexp(q->space->imaginary[k], q->surface->scale - k * f->exponent);
         value[0] = f->centre * value[0] + a;
-        size[0] = fabs(f->centre) * size[0] + fabs(a);
+        size[0] = product_size(far, size[0]) + scaled_size(q->space->imaginary[k], e, a);
     }
     for (int i = 0; i <= top; i++) {
         q->c[i].im = value[i];
-        q->r[i] += (4 * top + 4) * ALGSURF_U * size[i]; /* three roundings a step */
+        q->r[i] += (4 * top + 4) * ALGSURF_U * size[i];
     }
 }
 
@@ -61,17 +82,12 @@ static int expand(complex_query *q) {
     return 1;
 }
 
-/* centre + step v, rounded to the given side. */
-static double shift(const algsurf_i_frame *f, double v, int side) {
-    algsurf_dd s = algsurf_two_sum(f->centre, f->step * v);
-    return side * s.lo > 0 ? nextafter(s.hi, side < 0 ? -HUGE_VAL : HUGE_VAL) : s.hi;
-}
-
 /* The enclosure of a root v as one of the natural parameter s. */
 static algsurf_enclosure shifted(const algsurf_i_frame *f, const algsurf_enclosure *root) {
+    const algsurf_interval step = {f->step, f->step}, centre = {f->centre, f->centre};
     algsurf_enclosure e = *root;
-    e.box.re = (algsurf_interval){shift(f, root->box.re.lo, -1), shift(f, root->box.re.hi, 1)};
-    e.box.im = (algsurf_interval){f->step * root->box.im.lo, f->step * root->box.im.hi};
+    e.box.re = algsurf_i_interval_add(centre, algsurf_i_interval_mul(step, root->box.re));
+    e.box.im = algsurf_i_interval_mul(step, root->box.im);
     e.value = (algsurf_complex){f->centre + f->step * root->value.re, f->step * root->value.im};
     return e;
 }
@@ -114,13 +130,13 @@ static double clamped(double x, double lo, double hi) { return fmin(fmax(x, lo),
 static void set_hit(const complex_query *q, const algsurf_enclosure *local, const algsurf_enclosure *s,
                     algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_i_frame *f = &q->frame;
-    algsurf_interval magnitude = algsurf_cinterval_abs(s->box);
+    algsurf_interval ends = algsurf_i_interval_scale(algsurf_i_cinterval_abs(s->box), -f->exponent);
     double size = magnitude_of(s->value), t = ldexp(size, -f->exponent);
     /* |s| - centre, without the rounding of the sum where the root is real and in front */
     double offset = s->value.im == 0 && s->value.re >= 0 ? f->step * local->value.re : size - f->centre;
     hit->t = clamped(t, q->ray.t_min, q->ray.t_max);
-    hit->t_lo = clamped(ldexp(magnitude.lo, -f->exponent), q->ray.t_min, hit->t);
-    hit->t_hi = clamped(ldexp(magnitude.hi, -f->exponent), hit->t, q->ray.t_max);
+    hit->t_lo = clamped(ends.lo, q->ray.t_min, hit->t);
+    hit->t_hi = clamped(ends.hi, hit->t, q->ray.t_max);
     for (int i = 0; i < 3; i++)
         hit->position[i] =
             ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
@@ -162,20 +178,34 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
     for (int i = 0; i < 3; i++) hit->position[i] = q->ray.origin[i] + hit->t * q->ray.direction[i];
 }
 
+/* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is
+ * one that holds them, and the root has to be in one that they hold to be certain. */
+static algsurf_selected choose(const complex_query *q, const algsurf_enclosure *s, int count, int *index) {
+    const algsurf_interval t = {q->ray.t_min, q->ray.t_max};
+    const int e = q->frame.exponent;
+    algsurf_interval outer = algsurf_i_interval_scale(t, e);
+    algsurf_interval inner = {algsurf_i_scale_up(t.lo, e), algsurf_i_scale_down(t.hi, e)};
+    algsurf_selected selected = ALGSURF_SELECTED_NONE;
+    (void)(q->real ? algsurf_select_real : algsurf_select)(s, count, &q->space->sector, outer.lo, outer.hi,
+                                                           &selected, index);
+    if (selected != ALGSURF_SELECTED_ONE) return selected;
+    int inside = algsurf_i_interval_inside(algsurf_i_cinterval_abs(s[*index].box), inner);
+    return inside ? ALGSURF_SELECTED_ONE : ALGSURF_SELECTED_UNDECIDED;
+}
+
 static void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
                   algsurf_complex *root, int *iterations) {
     algsurf_i_roots_memory memory;
     algsurf_enclosure local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
-    algsurf_selected selected;
     int count = 0, index = 0, n = q->surface->degree;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
     set_miss(hit, root);
     give_roots(q, s, 0, roots);
     *iterations = 0;
-    algsurf_status status =
-        expand(q) ? algsurf_i_roots_run(&memory, q->c, q->r, n, start_in_v(q, start, v), local, &count)
-                  : ALGSURF_E_RANGE;
+    algsurf_status status = expand(q) ? algsurf_i_roots_run(&memory, q->c, q->r, n, q->real,
+                                                            start_in_v(q, start, v), local, &count)
+                                      : ALGSURF_E_RANGE;
     if (status != ALGSURF_OK) {
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
         return;
@@ -183,8 +213,7 @@ static void solve(complex_query *q, const algsurf_complex *start, algsurf_comple
     *iterations = memory.p.iterations;
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
     give_roots(q, s, count, roots);
-    (void)algsurf_select(s, count, &q->space->sector, ldexp(q->ray.t_min, q->frame.exponent),
-                         ldexp(q->ray.t_max, q->frame.exponent), &selected, &index);
+    algsurf_selected selected = choose(q, s, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
     hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
     hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;

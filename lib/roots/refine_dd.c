@@ -40,3 +40,8 @@ algsurf_dd algsurf_i_refine_dd(const algsurf_dd *c, int n, algsurf_dd a, algsurf
     }
     return v;
 }
+
+int algsurf_i_sign_dd(const algsurf_dd *c, int n, algsurf_dd v) {
+    double derivative;
+    return algsurf_dd_sign(evaluate(c, n, v, &derivative));
+}

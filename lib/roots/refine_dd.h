@@ -7,4 +7,7 @@
  * approximate, to what evaluation in double-double can tell.  Bounded work: at most 400 evaluations. */
 algsurf_dd algsurf_i_refine_dd(const algsurf_dd *c, int n, algsurf_dd lo, algsurf_dd hi, int sign);
 
+/* The sign of sum c_k v^k as evaluated in double-double. */
+int algsurf_i_sign_dd(const algsurf_dd *c, int n, algsurf_dd v);
+
 #endif

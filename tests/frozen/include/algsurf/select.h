@@ -13,7 +13,9 @@
 extern "C" {
 #endif
 
-/* Arguments in radians: 0 <= sigma, 0 <= delta, sigma + delta <= pi (rounded up: 4 is refused). */
+/* Arguments in radians, sigma .. sigma + delta, ends included: 0 <= sigma, 0 <= delta, sigma + delta <= pi.
+ * The sum is that of real numbers, not a rounded one.  Only pi, which is no double, is taken as it is meant:
+ * a sum that rounds to 0x1.921fb54442d18p+1 or to the next double stands for pi, a larger one is refused. */
 typedef struct algsurf_sector {
     double sigma, delta; /* where the range begins, and how wide it is */
 } algsurf_sector;
@@ -21,7 +23,7 @@ typedef struct algsurf_sector {
 /* What is known of the root that is seen. */
 typedef enum algsurf_selected {
     ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
-    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and is the least, or as small as its conjugate */
+    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and no other one that may be is smaller */
     ALGSURF_SELECTED_UNDECIDED = 2 /* index is the least root that may be in the sector */
 } algsurf_selected;
 
@@ -36,10 +38,19 @@ ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector, co
  *   lo, hi        magnitudes that count; 0 <= lo <= hi, hi may be infinite
  *   selected      an algsurf_selected
  *   index         which; untouched if NONE
+ * Nothing is assumed of the polynomial: two boxes whose magnitudes overlap leave open which root is smaller,
+ * also where the boxes are mirror images of each other.
  * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument is in doubt.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select(const algsurf_enclosure *roots, int count,
                                           const algsurf_sector *sector, double lo, double hi,
                                           algsurf_selected *selected, int *index);
+
+/* The same for the roots of one polynomial with real coefficients, all of them, as algsurf_roots_real gives
+ * them (or algsurf_roots without radii): there a box off the real axis and its mirror image hold conjugates,
+ * which are equally large.  Errors, cost: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_select_real(const algsurf_enclosure *roots, int count,
+                                               const algsurf_sector *sector, double lo, double hi,
+                                               algsurf_selected *selected, int *index);
 
 #ifdef __cplusplus
 }

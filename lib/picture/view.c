@@ -1,0 +1,124 @@
+/* view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved in
+ * packets.
+ *
+ * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
+ * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
+ *
+ * Noise.  A pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Noise bounds how far that
+ * ray is, in each of x, y, z, from the one that is computed with, and how far u, v and the slopes of the
+ * latter are from exact ones.  Let s be the largest |p| + |q| of the picture and o = |e_x| + |e_y|.
+ * - The rounded ray: x + sx rounds to 2 u s, as x may be twice as large as the distance from the picture's
+ *   centre; two more roundings give p.  The direction, of length L before it is made a unit, is off by
+ *   u (2 |p| + 2 |q| + 2 L) more, L <= 1 + |p| + |q|.  That is u (2 + 8 s) in all, and at the far end of the
+ *   extent D + 1 times as much.
+ * - Computing with it: D p takes seven roundings (the pixel's place two, two factors, D two, the sum), which
+ *   with those of e_x come to 7 u s D + 3 u o.  The slope alpha u + beta inherits that, divided by D; alpha
+ *   takes three roundings, beta five, the slope itself two: u (5 s + 11 o / D).  Together, at the far end,
+ *   u (7 s (D + 1) + 5 s) + u o (3 + 14 / D).
+ * - A parallel ray's direction is exact.  Its origin is off by u (|eye| + 7 s), its u by u (6 s + 3 o); s and
+ *   the eye in the view's unit.
+ * noise_of rounds these up.  All else is what is left when the eye is put together again from its rounded
+ * coordinates, measured. */
+#include <stdlib.h>
+
+#include "../rays/expand_impl.h"
+#include "impl.h"
+#include "../base/vec.h"
+
+/* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */
+static int natural(const algsurf_surface *s, const double from[3], double to[3]) {
+    for (int i = 0; i < 3; i++) {
+        to[i] = ldexp(from[i], -s->unit);
+        if (ldexp(to[i], s->unit) != from[i]) return 0;
+    }
+    return 1;
+}
+
+/* Coordinates of `point` in the view's axes; returns a bound on each component of what they miss. */
+static double in_axes(const algsurf_i_view *view, const algsurf_dd point[3], double place[3]) {
+    double missed = 0;
+    for (int k = 0; k < 3; k++) place[k] = 0;
+    for (int round = 0; round < 3; round++) {
+        algsurf_dd rest[3];
+        for (int i = 0; i < 3; i++) {
+            rest[i] = point[i];
+            for (int k = 0; k < 3; k++)
+                rest[i] = algsurf_dd_sub(rest[i], algsurf_two_prod(place[k], view->axis[k][i]));
+        }
+        double left[3] = {rest[0].hi, rest[1].hi, rest[2].hi};
+        missed = 2 * algsurf_length(left);
+        for (int k = 0; k < 3 && round < 2; k++) place[k] += algsurf_dot(left, view->axis[k]);
+    }
+    return missed;
+}
+
+/* Are the camera's axes orthonormal to a few roundings? */
+static int orthonormal(const algsurf_camera *camera) {
+    const double *axis[3] = {camera->right, camera->up, camera->forward};
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-48)) return 0;
+        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-48)) return 0;
+    }
+    return 1;
+}
+
+static double noise_of(const algsurf_i_packets *p, const double eye[3], const double place[3],
+                       double slopes) {
+    double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
+    if (!p->orthographic)
+        return ALGSURF_U * ((4 + 20 * slopes) * (distance + 1) + offset * (8 + 16 / distance));
+    return ALGSURF_U *
+           (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2 * p->per_slope * slopes + 2));
+}
+
+static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
+    const algsurf_camera *camera = &picture->scene->camera;
+    algsurf_i_view *view = &p->frame.view;
+    algsurf_dd away[3];
+    double place[3], pixel = camera->half_height / (0.5 * picture->height);
+    for (int i = 0; i < 3; i++) away[i] = algsurf_two_sum(eye[i], -view->centre[i]);
+    double missed = in_axes(view, away, place) / view->size;
+    for (int k = 0; k < 3; k++) place[k] /= view->size;
+    p->near = place[2];
+    for (int k = 0; k < 2; k++) {
+        p->origin[k] = place[k];
+        p->per_slope = p->orthographic ? ldexp(1, -picture->scene->surface->unit) / view->size : -place[2];
+        view->beta[k] = p->orthographic ? 0 : place[k] / place[2];
+    }
+    view->alpha = p->orthographic ? 0 : -1 / place[2];
+    p->pixel = pixel;
+    view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
+}
+
+/* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
+ * and v? */
+static int suits_packets(const algsurf_scene *scene) {
+    return !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
+           scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
+           scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0 &&
+           orthonormal(&scene->camera);
+}
+
+int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {
+    const algsurf_scene *scene = picture->scene;
+    const algsurf_camera *camera = &scene->camera;
+    algsurf_i_view *view = &p->frame.view;
+    double eye[3];
+    if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
+        !natural(scene->surface, scene->extent.centre, view->centre))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        view->axis[0][i] = camera->right[i];
+        view->axis[1][i] = camera->up[i];
+        view->axis[2][i] = camera->forward[i];
+    }
+    view->size = ldexp(picture->radius * (1 + 0x1p-20), -scene->surface->unit);
+    p->orthographic = camera->orthographic;
+    place_eye(p, picture, eye);
+    for (int i = 0; i < 3; i++)
+        p->extent_size[i] = ldexp(scene->extent.size[i], -scene->surface->unit) / view->size;
+    /* a depth of 1 is at most this much of t */
+    p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
+    return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
+           view->noise * scene->surface->degree < 0x1p-22;
+}
