@@ -52,6 +52,8 @@ int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const al
  * g. */
 int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
                       algsurf_zpoly *cofactor);
+/* poly/multiplicity.c. */
+
 /* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and
  * g_(i+1) = gcd(g_i, g_i'), s[i] is g_i / g_(i+1) up to a constant.  *count of them, the highest
  * multiplicity, 0 for a constant p; s[0] has all roots once.  count 1: p is squarefree, s[0] is p itself.
