@@ -34,6 +34,12 @@ static inline int algsurf_z_bits(const algsurf_limb *a, int w) {
         if (a[i] != sign) return 64 * i + algsurf_limb_bits(a[i] ^ sign);
     return 0;
 }
+/* floor(a / 2^from) modulo 2^64, from >= 0. */
+static inline algsurf_limb algsurf_z_window(const algsurf_limb *a, int w, int from) {
+    int i = from / 64, rest = from % 64;
+    algsurf_limb sign = 0 - (a[w - 1] >> 63), low = i < w ? a[i] : sign, high = i + 1 < w ? a[i + 1] : sign;
+    return rest ? low >> rest | high << (64 - rest) : low;
+}
 /* The exponent of the largest power of two that divides a; ALGSURF_Z_NO_BIT for 0. */
 int algsurf_z_trailing(const algsurf_limb *a, int w);
 #define ALGSURF_Z_NO_BIT (1 << 30)

@@ -7,6 +7,7 @@
  * a begins as short as c_n and gains r bits a step. */
 #include "integral.h"
 
+#include <limits.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -92,6 +93,92 @@ int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_
     return 1;
 }
 
+/* ---- values with three limbs ----
+ *
+ * x = +-y 2^X, y = m / 2^64 in [1/2, 1).  With |c_k| 2^(X k) <= 2^e for all k and n + 1 < 2^B, the integers
+ * D_k = floor(c_k 2^(X k) 2^(190 - e - B)) have sum |D_k| < 2^190.  Horner's h = floor(h y) +- D_k is off by
+ * less than 1 for each of the two floors, times y < 1 in the next step: after all of them by less than 2
+ * (n+1) < 2^(B+1). */
+
+#define SHORT_LIMBS 3
+#define SHORT_BITS 190
+
+typedef struct short_point {
+    algsurf_limb m; /* y 2^64 */
+    int X, negative;
+} short_point;
+
+/* 0: N is 0 or has more than 63 significant bits. */
+static int short_point_of(const algsurf_limb *N, int w, int r, short_point *x) {
+    int zeros = algsurf_z_trailing(N, w);
+    x->negative = algsurf_z_negative(N, w);
+    if (zeros == ALGSURF_Z_NO_BIT || algsurf_z_bits(N, w) - zeros > 63) return 0;
+    algsurf_limb odd = algsurf_z_window(N, w, zeros);
+    if (x->negative) odd = 0 - odd;
+    int bits = algsurf_limb_bits(odd);
+    x->m = odd << (LIMB_BITS - bits);
+    x->X = bits + zeros - r;
+    return 1;
+}
+
+/* e: |c_k| 2^(X k) <= 2^e. */
+static int largest_term(const algsurf_zpoly *p, int X) {
+    int e = INT_MIN;
+    for (int k = 0; k <= p->degree; k++) {
+        const algsurf_limb *c = algsurf_zpoly_at(p, k);
+        int bits = algsurf_z_bits(c, p->width);
+        if (bits || c[0]) e = larger(e, bits + X * k);
+    }
+    return e;
+}
+
+/* D = floor(c / 2^from), from of any sign, modulo 2^192. */
+static void short_window(algsurf_limb D[SHORT_LIMBS], const algsurf_limb *c, int w, int from) {
+    int i = from >= 0 ? from / LIMB_BITS : -((LIMB_BITS - 1 - from) / LIMB_BITS), rest = from - LIMB_BITS * i;
+    algsurf_limb v[SHORT_LIMBS + 1], sign = 0 - (c[w - 1] >> 63);
+    if (i >= 0 && i + SHORT_LIMBS < w)
+        memcpy(v, c + i, sizeof v);
+    else
+        for (int j = 0; j <= SHORT_LIMBS; j++) v[j] = i + j < 0 ? 0 : i + j < w ? c[i + j] : sign;
+    for (int j = 0; j < SHORT_LIMBS; j++) D[j] = v[j] >> rest | v[j + 1] << 1 << (LIMB_BITS - 1 - rest);
+}
+
+/* h = floor(h m / 2^64) */
+static void short_multiply(algsurf_limb h[SHORT_LIMBS], algsurf_limb m) {
+    algsurf_limb c0, c1, c2, minus = algsurf_z_negative(h, SHORT_LIMBS) ? m : 0;
+    (void)algsurf_limb_product(h[0], m, 0, 0, &c0);
+    h[0] = algsurf_limb_product(h[1], m, c0, 0, &c1);
+    h[1] = algsurf_limb_product(h[2], m, c1, 0, &c2);
+    h[2] = c2 - minus;
+}
+
+/* 1: sign (and value) found.  The sign needs |h| > 2^(B+1); the value 2^(B+55): then the error is 2^-54 of
+ * it, which leaves room for its rounding to double, 2^-53 + 2^-62. */
+static int short_value(const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, int *sign, double *value,
+                       int *exponent) {
+    short_point x;
+    int n = p->degree;
+    if (n < 0 || !short_point_of(N, w, r, &x)) return 0;
+    int largest = largest_term(p, x.X), B = bits_of_int(n + 1), up = largest + B - SHORT_BITS;
+    if (largest == INT_MIN) return 0;
+    algsurf_limb h[SHORT_LIMBS] = {0}, D[SHORT_LIMBS];
+    for (int k = n; k >= 0; k--) {
+        short_multiply(h, x.m);
+        short_window(D, algsurf_zpoly_at(p, k), p->width, up - x.X * k);
+        if (x.negative && k % 2)
+            algsurf_z_sub(h, D, SHORT_LIMBS);
+        else
+            algsurf_z_add(h, D, SHORT_LIMBS);
+    }
+    if (algsurf_z_bits(h, SHORT_LIMBS) < B + (value ? 56 : 2)) return 0;
+    *sign = algsurf_z_sign(h, SHORT_LIMBS);
+    if (value) {
+        *value = algsurf_z_to_double(h, SHORT_LIMBS, exponent);
+        *exponent += up;
+    }
+    return 1;
+}
+
 /* ---- values ---- */
 
 /* Horner's sum: an integer of w limbs, and room for it to grow and to be multiplied. */
@@ -150,6 +237,7 @@ static void horner(const algsurf_zpoly *p, const algsurf_z_factor *x, int r, sum
 
 int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r,
                           int *sign, double *value, int *exponent) {
+    if (short_value(p, N, w, r, sign, value, exponent)) return 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_z_factor x;
     int n = larger(p->degree, 0), done = point(m, N, w, &r, &x);
@@ -233,11 +321,12 @@ static int value_bits(const algsurf_zpoly *p, int eighths_of_M) {
     return bits + bits_of_int(p->degree + 1);
 }
 
-/* p(x + at) in w limbs. */
+/* p(x + at) in w limbs.  In this order (the transpose of the sums of algsurf_zpoly_bernstein) a pass reads
+ * what the passes before wrote, and its steps do not wait for each other. */
 static void taylor_shift(const algsurf_zpoly *b, int w, int64_t at) {
     algsurf_limb size = at < 0 ? 0 - (algsurf_limb)at : (algsurf_limb)at;
-    for (int i = 0; i < b->degree && at; i++)
-        for (int k = b->degree - 1; k >= i; k--) {
+    for (int i = b->degree - 1; i >= 0 && at; i--)
+        for (int k = i; k < b->degree; k++) {
             algsurf_limb *r = algsurf_zpoly_at(b, k), *a = algsurf_zpoly_at(b, k + 1);
             if (at == 1)
                 algsurf_z_add(r, a, w);
