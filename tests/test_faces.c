@@ -147,6 +147,23 @@ static void test_random(void **state) {
     for (int k = 0; k < 4; k++) assert_in_range(of_degree[k], 20, 9000);
 }
 
+/* The largest coefficients that numbers of some length can make, at the ends of limbs. */
+static void test_longest(void **state) {
+    (void)state;
+    const double ones = 0x1.fffffffffffffp0;
+    int of_degree[4] = {0};
+    for (int kind = 1; kind <= 2; kind++)
+        for (int bits = 54; bits < 200; bits++) {
+            algsurf_extent x = {(algsurf_extent_kind)kind, {-ones, -ones, -ones}, {ones, ones, ones}};
+            double o[3] = {ones, ones, ones}, d[3] = {ones, -ones, -ones};
+            if (kind == ALGSURF_EXTENT_SPHERE)
+                x.size[0] = ldexp(1, 1 - bits);
+            else
+                d[0] = d[1] = d[2] = ldexp(-1, 1 - bits);
+            check(&x, o, d, 0, of_degree);
+        }
+}
+
 static void test_none(void **state) {
     (void)state;
     algsurf_memory m;
@@ -184,7 +201,7 @@ static void test_memory(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_none),
-                                       cmocka_unit_test(test_memory)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_longest),
+                                       cmocka_unit_test(test_none), cmocka_unit_test(test_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
