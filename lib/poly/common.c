@@ -39,8 +39,9 @@ static int images_begin(images *i, algsurf_memory *m, const algsurf_zpoly *a, co
     int db = b ? b->degree : a->degree - 1;
     *i = (images){.a = a, .b = b, .db = db};
     i->x = algsurf_memory_take(m, (size_t)(a->degree + db + 2));
+    if (!i->x) return 0;
     i->y = i->x + a->degree + 1;
-    return i->x != NULL;
+    return 1;
 }
 
 /* The next prime that divides neither leading coefficient. */
@@ -106,9 +107,10 @@ static int search_begin(search *s, algsurf_memory *m, const algsurf_zpoly *a, co
     if (!images_begin(&s->images, m, a, b)) return 0;
     int n = a->degree + s->b.degree + 2;
     s->x = algsurf_memory_take(m, 2 * (size_t)n);
+    if (!s->x) return 0;
     s->y = s->x + a->degree + 1;
     s->numbers = s->x + n;
-    return s->x != NULL;
+    return 1;
 }
 
 /* Modulo the next prime: the degree of the gcd, which is at *gcd. */
