@@ -95,7 +95,8 @@ typedef struct search {
     algsurf_limb *x, *y;   /* copies of the residues, for Euclid's algorithm */
     algsurf_limb *numbers; /* what is to be lifted, modulo the present prime */
     algsurf_lift lift;
-    int degree, cofactors, next; /* cofactors: u and v are lifted, not g; next: images to the next guess */
+    int degree, cofactors; /* cofactors: u and v are lifted, not g */
+    int next, likely;      /* images to the next guess, and to one that should do */
 } search;
 
 static int search_begin(search *s, algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b) {
@@ -245,16 +246,26 @@ static int restart(search *s, int degree, algsurf_parts *p, int *proved) {
     s->degree = degree;
     s->cofactors = !s->images.b && degree > n - degree;
     s->next = 1;
+    s->likely = 2 * algsurf_zpoly_bits(s->images.a) / 62 * (s->cofactors ? n - degree : degree) / n + 1;
     if (!try_divisor(s, p, proved)) return 0;
     if (!*proved) algsurf_lift_begin(&s->lift, s->m, s->cofactors ? 2 * (n - degree) + 1 : degree + 1);
     return 1;
+}
+
+/* Images to the next guess.  Simple numbers need few; a factor whose share of the bits is that of its degree
+ * needs twice as many bits, for numerators and denominators: s->likely images. */
+static int next_guess(const search *s) {
+    int k = s->lift.primes;
+    if (k < 3) return k + 1;
+    if (2 * k < s->likely) return (s->likely + 1) / 2;
+    return k < s->likely ? s->likely : k + 1 + k / 8;
 }
 
 static int guess(search *s, algsurf_parts *p, int *proved) {
     algsurf_memory_mark mark = algsurf_memory_here(s->m);
     algsurf_zpoly c;
     int found;
-    s->next = s->lift.primes + 1 + s->lift.primes / 4;
+    s->next = next_guess(s);
     if (!algsurf_lift_guess(&s->lift, &found, &c)) return 0;
     if (!found) return 1;
     narrow(&c);
