@@ -61,25 +61,36 @@ int algsurf_zpoly_trailing(const algsurf_zpoly *p) {
     return ALGSURF_Z_NO_BIT;
 }
 
-/* Without limbs too many. */
-static void tighten_width(algsurf_zpoly *p) {
-    int w = algsurf_z_width(algsurf_zpoly_bits(p)), from = p->width;
-    p->width = smaller(w, from);
-    for (int k = 1; k <= p->degree && w < from; k++)
-        memmove(algsurf_zpoly_at(p, k), p->c + (size_t)k * (size_t)from, (size_t)w * sizeof *p->c);
+/* r = floor(a / 2^bits) in w limbs, w + bits / 64 <= wa; r does not begin after a. */
+static void move_down(algsurf_limb *r, int w, const algsurf_limb *a, int wa, int bits) {
+    int limbs = bits / LIMB_BITS, rest = bits % LIMB_BITS;
+    algsurf_limb beyond = limbs + w < wa ? a[limbs + w] : 0 - (a[wa - 1] >> 63);
+    a += limbs;
+    if (rest == 0) {
+        memmove(r, a, (size_t)w * sizeof *a);
+        return;
+    }
+    for (int i = 0; i < w - 1; i++) r[i] = a[i] >> rest | a[i + 1] << (LIMB_BITS - rest);
+    r[w - 1] = a[w - 1] >> rest | beyond << (LIMB_BITS - rest);
 }
 
-/* Also without a common power of two. */
-static void tighten(algsurf_zpoly *p) {
+/* Without `zeros` trailing bits, and without limbs too many. */
+static void tighten(algsurf_zpoly *p, int zeros) {
+    int bits = algsurf_zpoly_bits(p) - zeros, from = p->width, w = smaller(algsurf_z_width(bits), from);
+    if (w == from && zeros == 0) return;
+    for (int k = 0; k <= p->degree; k++)
+        move_down(p->c + (size_t)k * (size_t)w, w, algsurf_zpoly_at(p, k), from, zeros);
+    p->width = w;
+}
+
+static int common_zeros(const algsurf_zpoly *p) {
     int zeros = algsurf_zpoly_trailing(p);
-    if (zeros && zeros != ALGSURF_Z_NO_BIT)
-        for (int k = 0; k <= p->degree; k++) algsurf_z_shift_down(algsurf_zpoly_at(p, k), p->width, zeros);
-    tighten_width(p);
+    return zeros == ALGSURF_Z_NO_BIT ? 0 : zeros;
 }
 
 void algsurf_zpoly_compact(algsurf_zpoly *p) {
     while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
-    tighten(p);
+    tighten(p, common_zeros(p));
 }
 
 int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d) {
@@ -442,7 +453,7 @@ int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t a
         return 0;
     for (int i = 0; i < n; i++)
         for (int j = n; j > i; j--) algsurf_z_add(algsurf_zpoly_at(b, j), algsurf_zpoly_at(b, j - 1), w);
-    tighten(b); /* and keep leading zeros: roots at the right end */
+    tighten(b, common_zeros(b)); /* and keep leading zeros: roots at the right end */
     return 1;
 }
 
@@ -552,7 +563,7 @@ int algsurf_zpoly_divide(algsurf_memory *m, const algsurf_zpoly *a, const algsur
     int done = try_division(m, a, b, w, qbits, divides, &quotient);
     algsurf_memory_release(m, done && *divides ? mark : start);
     if (done && *divides) {
-        tighten_width(&quotient);
+        tighten(&quotient, 0);
         *q = quotient;
     }
     return done;
@@ -596,6 +607,6 @@ int algsurf_zpoly_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_z
             (void)exact_quotient(&d, algsurf_zpoly_at(primitive, k), w, &content);
     }
     algsurf_memory_release(m, mark);
-    if (done) tighten_width(primitive);
+    if (done) tighten(primitive, 0);
     return done;
 }
