@@ -24,6 +24,9 @@ int algsurf_zpoly_bits(const algsurf_zpoly *p);     /* the largest algsurf_z_bit
 int algsurf_zpoly_trailing(const algsurf_zpoly *p); /* the largest power of two that divides all of them */
 /* Cuts leading zero coefficients, a common power of two, limbs too many; in place. */
 void algsurf_zpoly_compact(algsurf_zpoly *p);
+/* p / 2^zeros, which must divide p (ALGSURF_Z_NO_BIT: p = 0), with limbs too many cut off; the degree stays.
+ */
+void algsurf_zpoly_cut(algsurf_zpoly *p, int zeros);
 int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d);
 
 /* The sign of p at N 2^-r (r of any sign; N has w limbs), -1, 0, 1, in *sign.  value, exponent: null, or p
