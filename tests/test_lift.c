@@ -94,7 +94,7 @@ static void test_fractions(void **state) {
     for (int i = 0; i < 1500; i++) {
         static const int most[] = {3, 20, 61, 63, 64, 130, 400, 1500};
         set_numbers(&t, most[i % 8], i % 3 ? most[i % 8] : 1 + exact_random_int(&t.seed, 40));
-        int enough = (int)(2 * largest(&t) + 14) / 61 + 1, found = 0;
+        int enough = (int)(largest(&t) + 6 + 30) / 31, found = 0; /* 31 bits of a prime each, less 6 */
         begin(&t);
         for (int k = 1; k <= enough; k++) {
             algsurf_zpoly c;
@@ -120,7 +120,38 @@ static void test_fractions(void **state) {
     mpz_clears(t.p, t.x, NULL);
 }
 
+/* One image is of other numbers: with two images more than necessary its prime would join all numerators and
+ * the denominator. */
+static void test_wrong_image(void **state) {
+    (void)state;
+    static bench t = {.seed = SEED + 1};
+    int tried = 0;
+    for (int k = 0; k <= MOST; k++) mpz_init(t.number[k]);
+    mpz_inits(t.p, t.x, NULL);
+    for (int i = 0; i < 300; i++) {
+        int found;
+        set_numbers(&t, 100, 100);
+        if (t.count < 2 || mpz_sgn(t.number[0]) == 0) continue;
+        begin(&t);
+        mpz_add_ui(t.number[0], t.number[0], 1);
+        add_image(&t);
+        mpz_sub_ui(t.number[0], t.number[0], 1);
+        for (int k = 0; k < 7; k++) {
+            algsurf_zpoly c;
+            add_image(&t);
+            algsurf_memory_mark here = algsurf_memory_here(&t.m);
+            assert_true(algsurf_lift_guess(&t.lift, &found, &c));
+            if (found && k > 2) fail_msg("seed %u round %d: a guess from a wrong image", SEED + 1, i);
+            algsurf_memory_release(&t.m, here);
+        }
+        tried++;
+    }
+    assert_true(tried > 100);
+    for (int k = 0; k <= MOST; k++) mpz_clear(t.number[k]);
+    mpz_clears(t.p, t.x, NULL);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fractions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fractions), cmocka_unit_test(test_wrong_image)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
