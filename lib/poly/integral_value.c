@@ -38,7 +38,7 @@ static int short_point_of(const algsurf_limb *N, int w, int r, short_point *x) {
     return 1;
 }
 
-/* e: |c_k| 2^(X k) <= 2^e. */
+/* e: |c_k| 2^(X k) <= 2^e for all k; INT_MIN if all are 0. */
 static int largest_term(const algsurf_zpoly *p, int X) {
     int e = INT_MIN;
     for (int k = 0; k <= p->degree; k++) {
@@ -74,10 +74,10 @@ static void short_multiply(algsurf_limb h[SHORT_LIMBS], algsurf_limb m) {
 static int short_value(const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, int *sign, double *value,
                        int *exponent) {
     short_point x;
-    int n = p->degree;
-    if (n < 0 || !short_point_of(N, w, r, &x)) return 0;
-    int largest = largest_term(p, x.X), B = bits_of_int(n + 1), up = largest + B - SHORT_BITS;
+    int n = p->degree, largest = INT_MIN, B = bits_of_int(n + 1);
+    if (n >= 0 && short_point_of(N, w, r, &x)) largest = largest_term(p, x.X);
     if (largest == INT_MIN) return 0;
+    int up = largest + B - SHORT_BITS;
     algsurf_limb h[SHORT_LIMBS] = {0}, D[SHORT_LIMBS];
     for (int k = n; k >= 0; k--) {
         short_multiply(h, x.m);
