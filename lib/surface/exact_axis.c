@@ -34,20 +34,26 @@ static algsurf_i_exact_factor factor_of(double x, int unit) {
 static int is_zero(const algsurf_i_exact_factor *f) { return f->low == 0 && f->high == 0; }
 static int is_limb(const algsurf_i_exact_factor *f) { return f->high == 0 && f->at == 0; }
 
-void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e) {
+void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit) {
     algsurf_i_exact_span o = algsurf_i_exact_span_of(origin), d = algsurf_i_exact_span_of(direction);
-    d.low += e, d.top += e;
+    d.top += e;
     if (origin == 0) o = d;
     if (direction == 0) d = o;
-    x->unit = o.low < d.low ? o.low : d.low;
-    x->bits = (o.top > d.top ? o.top : d.top) - x->unit + 1;
-    x->f[0] = factor_of(origin, x->unit);
-    x->f[1] = factor_of(direction, x->unit - e);
+    x->unit = unit;
+    x->bits = (o.top > d.top ? o.top : d.top) - unit + 1;
+    x->f[0] = factor_of(origin, unit);
+    x->f[1] = factor_of(direction, unit - e);
     x->one_limb = is_limb(&x->f[0]) && is_limb(&x->f[1]);
     if (!x->one_limb) return;
     algsurf_limb sum = x->f[0].low + x->f[1].low;
     x->one_limb = sum >= x->f[0].low;
     if (x->one_limb) x->bits = algsurf_limb_bits(sum);
+}
+
+void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e) {
+    int o = algsurf_i_exact_span_of(origin).low, d = algsurf_i_exact_span_of(direction).low + e;
+    int unit = direction == 0 || (origin != 0 && o < d) ? o : d;
+    algsurf_i_exact_axis_in_unit(x, origin, direction, e, unit);
 }
 
 static algsurf_limb *at(const algsurf_i_exact_sum *p, int k) { return p->c + (size_t)k * p->stride; }
@@ -65,12 +71,13 @@ static void widen(algsurf_i_exact_sum *p, int width) {
     p->width = width;
 }
 
-/* Makes room for `count` more summands below 2^bits. */
-static void expect(algsurf_i_exact_sum *p, int bits, int count) {
+void algsurf_i_exact_sum_expect(algsurf_i_exact_sum *p, int degree, int bits, int count) {
+    if (p->degree < 0) p->bits = 0, p->count = 0, p->width = 0;
     if (p->bits < bits) p->bits = bits;
     p->count += count;
     int width = algsurf_i_exact_sum_width(p->bits, p->count);
     if (width > p->width) widen(p, width);
+    while (p->degree < degree) p->degree++, algsurf_z_zero(at(p, p->degree), p->width);
 }
 
 /* r += a, extended by its sign. */
@@ -86,13 +93,7 @@ void algsurf_i_exact_sum_add_double(algsurf_i_exact_sum *p, double x, int shift)
     algsurf_limb odd = algsurf_i_exact_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
     e += shift;
     int bits = e + algsurf_limb_bits(odd), first = e / 64, rest = e % 64;
-    if (p->degree < 0) {
-        p->degree = 0, p->bits = bits, p->count = 1;
-        p->width = algsurf_i_exact_sum_width(bits, 1);
-        algsurf_z_zero(p->c, p->width);
-    } else {
-        expect(p, bits, 1);
-    }
+    algsurf_i_exact_sum_expect(p, 0, bits, 1);
     if (odd == 0) return;
     algsurf_limb part[2] = {odd << rest, rest ? odd >> (64 - rest) : 0};
     unsigned char carry = sign != 0; /* -x = ~x + 1 */
@@ -109,7 +110,7 @@ void algsurf_i_exact_sum_add(algsurf_i_exact_sum *p, algsurf_i_exact_sum *q) {
         *p = *q, *q = other;
     }
     if (q->degree < 0) return;
-    expect(p, q->bits, q->count);
+    algsurf_i_exact_sum_expect(p, 0, q->bits, q->count);
     for (int k = 0; k <= q->degree; k++) add_integer(at(p, k), p->width, at(q, k), q->width);
 }
 
@@ -154,9 +155,11 @@ INLINE void two_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_
     }
 STEP(1)
 STEP(2)
-STEP(3) STEP(4) STEP(5) STEP(6) STEP(7)
-    STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
-                                 const algsurf_i_exact_factor f[2], int w, int grows) {
+STEP(3)
+STEP(4)
+STEP(5)
+STEP(6) STEP(7) STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
+                                             const algsurf_i_exact_factor f[2], int w, int grows) {
     two_terms(c, stride, degree, f, w, grows);
 }
 static step *const steps[] = {step_any, step_1, step_2, step_3, step_4, step_5, step_6, step_7, step_8};
