@@ -95,8 +95,8 @@ static size_t chain_words(const algsurf_zpoly *p, int d) {
     return (size_t)algsurf_smaller(t * (d + 1), n + t) * (size_t)algsurf_zpoly_factor_width(p, d);
 }
 
-/* *distinct: an upper bound on the number of different roots, of which there must be as many: 0 roots fewer
- * or more room is needed. */
+/* *distinct: a lower bound on the number of different roots, from an upper bound on the gcd's degree; room is
+ * taken for that many.  If there are more, the number is corrected, and *count stays 0. */
 static int try_chain(algsurf_memory *m, const algsurf_zpoly *p, int *distinct, algsurf_zpoly *s, int *count) {
     algsurf_place result;
     algsurf_parts q;
@@ -106,7 +106,7 @@ static int try_chain(algsurf_memory *m, const algsurf_zpoly *p, int *distinct, a
         chain c = {m, q.u, q.v, 1, p->degree};
         done = make_chain(&c, &result, s, count);
     } else if (done)
-        *distinct = q.u.degree; /* the primes of the bound were useless; *count is 0 */
+        *distinct = q.u.degree; /* the bound came from useless primes */
     return algsurf_place_end(&result, m, done);
 }
 
