@@ -152,27 +152,33 @@ static void horner(const algsurf_zpoly *p, const algsurf_z_factor *x, int r, sum
     }
 }
 
+/* All of it; |sum| < 2^(bits of p + n (bits of N or r, and 1 for the sum)). */
+static int exact_value(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, sum *s,
+                       int *scale) {
+    algsurf_z_factor x;
+    if (!point(m, N, w, &r, &x)) return 0;
+    int n = larger(p->degree, 0);
+    int width = algsurf_z_width(algsurf_zpoly_bits(p) + n * (larger(x.bits, r) + 1)) + 1;
+    *s = (sum){take(m, width), take(m, width), 1};
+    if (!s->a || !s->other) return 0;
+    if (p->degree < 0)
+        s->a[0] = 0;
+    else
+        horner(p, &x, r, s);
+    *scale = r * n;
+    return 1;
+}
+
 int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r,
                           int *sign, double *value, int *exponent) {
     if (short_value(p, N, w, r, sign, value, exponent)) return 1;
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    algsurf_z_factor x;
-    int n = larger(p->degree, 0), done = point(m, N, w, &r, &x);
-    if (done) { /* |sum| < 2^bits: each of the n steps adds a bit at most */
-        int width = algsurf_z_width(algsurf_zpoly_bits(p) + n * (larger(x.bits, r) + 1)) + 1;
-        sum s = {take(m, width), take(m, width), 1};
-        done = s.a && s.other;
-        if (done) {
-            if (p->degree < 0)
-                s.a[0] = 0;
-            else
-                horner(p, &x, r, &s);
-            *sign = algsurf_z_sign(s.a, s.w);
-            if (value) {
-                *value = algsurf_z_to_double(s.a, s.w, exponent);
-                if (*sign) *exponent -= r * n;
-            }
-        }
+    sum s;
+    int scale, done = exact_value(m, p, N, w, r, &s, &scale);
+    if (done) *sign = algsurf_z_sign(s.a, s.w);
+    if (done && value) {
+        *value = algsurf_z_to_double(s.a, s.w, exponent);
+        if (*sign) *exponent -= scale;
     }
     algsurf_memory_release(m, mark);
     return done;
