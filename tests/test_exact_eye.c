@@ -1,8 +1,9 @@
 /* test_exact_eye.c - the form shared by the rays of one eye: bit by bit that of each ray alone, which
  * test_exact_form.c judges by rational arithmetic.
  *
- * Breaks caught, each tried: a shift by -f, the sign of odd powers of y_0, the power of two of the parameter,
- * a unit that leaves half an integer, coefficients taken for 0, a zero component of the direction.
+ * Breaks caught, each tried: a shift by -f, the sign of odd powers of y_0, the high limb of y_0, a parameter
+ * too coarse for integers or its power of two left out, coefficients that a shift makes forgotten, products
+ * of a zero component, a negative product not extended.
  */
 #include <setjmp.h>
 #include <stdarg.h>

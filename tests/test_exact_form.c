@@ -1,8 +1,9 @@
 /* test_exact_form.c - P along a ray with integer coefficients, against the definition in rational arithmetic.
  *
  * Breaks caught, each tried: a carry that starts with 0 for a negative factor, the limb above not reduced for
- * a negative coefficient, one bit less for each sum, factors of 65 bits taken for one limb, high limb of a
- * factor dropped, powers of two of the parameter left out, leading zeros kept, a work area kept on the stack.
+ * a negative coefficient, a sum no wider than its summands or not extended by its sign, factors whose sum has
+ * 65 bits taken for one limb, the high limb of a factor dropped, the parameter's power of two left out,
+ * leading zeros kept, a work area kept on the stack, a parameter that makes numbers too long.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -138,11 +138,21 @@ INLINE void two_products(algsurf_limb *r, const algsurf_limb *a, const algsurf_l
 typedef void step(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
                   int grows);
 
-/* c (f[0] + f[1] u), neither of them 0. */
-INLINE void two_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
+/* c times f[0] + f[1] u, not both of them 0. */
+INLINE void any_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
                       int grows) {
+    algsurf_limb *first = c;
     c += (size_t)degree * stride;
+    if (is_zero(&f[1])) {
+        for (int k = degree; k >= 0; k--, c -= stride) product(c, c, &f[0], w, grows);
+        return;
+    }
     product(c + stride, c, &f[1], w, grows);
+    if (is_zero(&f[0])) {
+        for (int k = degree; k > 0; k--, c -= stride) product(c, c - stride, &f[1], w, grows);
+        algsurf_z_zero(first, w + grows);
+        return;
+    }
     for (int k = degree; k > 0; k--, c -= stride) two_products(c, c, c - stride, f, w, grows);
     product(c, c, &f[0], w, grows);
 }
@@ -151,31 +161,20 @@ INLINE void two_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_
     static void step_##W(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2],      \
                          int w, int grows) {                                                                 \
         (void)w;                                                                                             \
-        two_terms(c, stride, degree, f, W, grows);                                                           \
+        any_terms(c, stride, degree, f, W, grows);                                                           \
     }
 STEP(1)
 STEP(2)
 STEP(3)
 STEP(4)
 STEP(5)
-STEP(6) STEP(7) STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
-                                             const algsurf_i_exact_factor f[2], int w, int grows) {
-    two_terms(c, stride, degree, f, w, grows);
+STEP(6)
+STEP(7) STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
+                                     const algsurf_i_exact_factor f[2], int w, int grows) {
+    any_terms(c, stride, degree, f, w, grows);
 }
 static step *const steps[] = {step_any, step_1, step_2, step_3, step_4, step_5, step_6, step_7, step_8};
 #define STEPS ((int)(sizeof steps / sizeof *steps))
-
-static void times_limbs(algsurf_i_exact_sum *p, const algsurf_i_exact_factor f[2], int width) {
-    int w = p->width, grows = width > w;
-    if (is_zero(&f[1])) {
-        for (int k = 0; k <= p->degree; k++) product(at(p, k), at(p, k), &f[0], w, grows);
-    } else if (is_zero(&f[0])) {
-        for (int k = p->degree; k >= 0; k--) product(at(p, k + 1), at(p, k), &f[1], w, grows);
-        algsurf_z_zero(p->c, width);
-    } else {
-        steps[w < STEPS ? w : 0](p->c, p->stride, p->degree, f, w, grows);
-    }
-}
 
 /* r += a f */
 static void add_times(algsurf_limb *r, int width, const algsurf_limb *a, int w,
@@ -207,10 +206,12 @@ void algsurf_i_exact_sum_times(algsurf_i_exact_sum *p, const algsurf_i_exact_axi
         return;
     }
     int bits = p->bits + x->bits, width = algsurf_i_exact_sum_width(bits, p->count);
-    if (x->one_limb)
-        times_limbs(p, x->f, width);
-    else
+    if (x->one_limb) {
+        step *f = steps[p->width < STEPS ? p->width : 0];
+        f(p->c, p->stride, p->degree, x->f, p->width, width > p->width);
+    } else {
         times_any(p, x->f, width, spare);
+    }
     p->degree += !is_zero(&x->f[1]);
     p->bits = bits;
     p->width = width;
