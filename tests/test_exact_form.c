@@ -1,8 +1,9 @@
 /* test_exact_form.c - P along a ray with integer coefficients, against the definition in rational arithmetic.
  *
  * Breaks caught, each tried: a carry that starts with 0 for a negative factor, the limb above not reduced for
- * a negative coefficient, one bit less for each sum, factors of 65 bits taken for one limb, high limb of a
- * factor dropped, powers of two of the parameter left out, leading zeros kept, a work area kept on the stack.
+ * a negative coefficient, a sum no wider than its summands or not extended by its sign, factors whose sum has
+ * 65 bits taken for one limb, the high limb of a factor dropped, the parameter's power of two left out,
+ * leading zeros kept, a work area kept on the stack, a parameter that makes numbers too long.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -107,6 +108,7 @@ static int check(const algsurf_term *given, int given_count, const algsurf_ray *
         fail_msg("another polynomial");
     }
     if (!m.last) judge_memory(&m, block, &p), in_block++;
+    assert_ptr_equal(tight.at, again.c + (size_t)(p.degree + 1) * (size_t)p.width);
     algsurf_memory_release(&m, start), algsurf_memory_release(&tight, empty);
     assert_int_equal(m.allocated + tight.allocated, 0);
     exact_line_clear(&line), free(terms), algsurf_surface_free(s);
@@ -182,6 +184,24 @@ static void test_dense(void **state) {
     check_dense("integers", INTEGERS, 6, 200);
     assert_true(in_block == 1000);
     check_dense("whole range", WHOLE_RANGE, 4, 40);
+}
+
+/* f0 + f1 just below and above 2^64: the other axes hold the parameter where it makes x that long. */
+static void test_longest_limb(void **state) {
+    (void)state;
+    const double ones = 0x1.fffffffffffffp0;
+    algsurf_term t[] = {{9, 0, 0, ones}, {4, 5, 0, ones}, {0, 0, 9, -ones}, {0, 0, 0, 1}};
+    family = "longest limb";
+    for (int up = 9; up < 14; up++)
+        for (int signs = 0; signs < 4; signs++) {
+            algsurf_ray ray = {{ldexp(ones, up), ones, ones}, {ones, ones, ones}, 0, 1};
+            if (signs & 1) ray.origin[0] = -ray.origin[0];
+            if (signs & 2) ray.direction[0] = -ray.direction[0];
+            check(t, 4, &ray, 0);
+            double swapped = ray.origin[0];
+            ray.origin[0] = ray.direction[0], ray.direction[0] = swapped;
+            check(t, 4, &ray, 3);
+        }
 }
 
 static void test_sparse(void **state) {
@@ -326,8 +346,8 @@ static void test_memory(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dense), cmocka_unit_test(test_sparse),
-                                       cmocka_unit_test(test_asymptotic), cmocka_unit_test(test_largest),
-                                       cmocka_unit_test(test_memory)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dense),   cmocka_unit_test(test_longest_limb),
+                                       cmocka_unit_test(test_sparse),  cmocka_unit_test(test_asymptotic),
+                                       cmocka_unit_test(test_largest), cmocka_unit_test(test_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -424,8 +424,13 @@ static void test_zero_polynomial(void **state) {
     double value = 7;
     algsurf_limb N[1] = {5};
     assert_true(algsurf_zpoly_new(&m.m, 3, 2, &zero));
+    assert_true(algsurf_zpoly_bernstein(&m.m, &zero, 1, 4, &p) && p.degree == 3 && p.width == 1);
+    assert_true(algsurf_zpoly_sign_at(&m.m, &zero, N, 1, 3, &sign, &value, &exponent));
+    assert_true(sign == 0 && value == 0 && exponent == 0);
+    assert_true(algsurf_zpoly_primitive(&m.m, &zero, &p) && p.degree == 3);
     algsurf_zpoly_compact(&zero);
     assert_int_equal(zero.degree, -1);
+    sign = 7, value = 7, exponent = 7;
     assert_true(algsurf_zpoly_new(&m.m, 0, 1, &one));
     one.c[0] = 1;
     assert_true(algsurf_zpoly_sign_at(&m.m, &zero, N, 1, 3, &sign, &value, &exponent));

@@ -1,7 +1,7 @@
 /* integer.c - what of integer.h is not inline: copies, shifts, products, doubles, division.
  *
- * Two's complement needs no cases for signs: a limb beyond the last one is 0 or 2^64 - 1, the sign extended,
- * and `limb_at` reads it so.  Division is Knuth's algorithm D (The Art of Computer Programming 2, 4.3.1) with
+ * Two's complement needs no cases for signs: a limb beyond the last one is 0 or 2^64 - 1, the sign extended.
+ * Division is Knuth's algorithm D (The Art of Computer Programming 2, 4.3.1) with
  * the trial quotients of Moller and Granlund (wide.h) in place of a division each. */
 #include "integer.h"
 
@@ -120,21 +120,13 @@ void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift) {
     }
 }
 
-/* floor(a / 2^from) modulo 2^64, from >= 0. */
-static algsurf_limb window(const algsurf_limb *a, int w, int from) {
-    int i = from / LIMB_BITS, rest = from % LIMB_BITS;
-    algsurf_limb sign = sign_limb(a, w);
-    algsurf_limb low = i < w ? a[i] : sign, high = i + 1 < w ? a[i + 1] : sign;
-    return rest ? low >> rest | high << (LIMB_BITS - rest) : low;
-}
-
 /* The 63 leading bits are cut off with a relative error below 2^-62, their conversion rounds to nearest. */
 double algsurf_z_to_double(const algsurf_limb *a, int w, int *e) {
     int bits = algsurf_z_bits(a, w);
     *e = 0;
     if (bits == 0 && a[0] == 0) return 0;
     *e = bits;
-    algsurf_limb top = bits >= 63 ? window(a, w, bits - 63) : a[0] << (63 - bits);
+    algsurf_limb top = bits >= 63 ? algsurf_z_window(a, w, bits - 63) : a[0] << (63 - bits);
     return (double)(int64_t)top * 0x1p-63;
 }
 
@@ -154,7 +146,7 @@ static double rounded(const algsurf_limb *a, int w, int e, int up) {
     int drop = algsurf_z_bits(a, w) - DBL_MANT_DIG, least = -1074 - e;
     if (drop < least) drop = least;
     if (drop <= 0) return scaled((int64_t)a[0], e, up);
-    int64_t m = (int64_t)window(a, w, drop);
+    int64_t m = (int64_t)algsurf_z_window(a, w, drop);
     if (up && algsurf_z_trailing(a, w) < drop) m++;
     return scaled(m, e + drop, up);
 }

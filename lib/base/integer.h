@@ -34,6 +34,12 @@ static inline int algsurf_z_bits(const algsurf_limb *a, int w) {
         if (a[i] != sign) return 64 * i + algsurf_limb_bits(a[i] ^ sign);
     return 0;
 }
+/* floor(a / 2^from) modulo 2^64, from >= 0. */
+static inline algsurf_limb algsurf_z_window(const algsurf_limb *a, int w, int from) {
+    int i = from / 64, rest = from % 64;
+    algsurf_limb sign = 0 - (a[w - 1] >> 63), low = i < w ? a[i] : sign, high = i + 1 < w ? a[i + 1] : sign;
+    return rest ? low >> rest | high << (64 - rest) : low;
+}
 /* The exponent of the largest power of two that divides a; ALGSURF_Z_NO_BIT for 0. */
 int algsurf_z_trailing(const algsurf_limb *a, int w);
 #define ALGSURF_Z_NO_BIT (1 << 30)
@@ -43,24 +49,24 @@ static inline void algsurf_z_add(algsurf_limb *r, const algsurf_limb *a, int w) 
     unsigned char carry = 0;
     int i = 0;
     for (; i + 4 <= w; i += 4) {
-        r[i] = algsurf_limb_add(r[i], a[i], &carry);
-        r[i + 1] = algsurf_limb_add(r[i + 1], a[i + 1], &carry);
-        r[i + 2] = algsurf_limb_add(r[i + 2], a[i + 2], &carry);
-        r[i + 3] = algsurf_limb_add(r[i + 3], a[i + 3], &carry);
+        carry = algsurf_limb_add_to(r + i, r[i], a[i], carry);
+        carry = algsurf_limb_add_to(r + i + 1, r[i + 1], a[i + 1], carry);
+        carry = algsurf_limb_add_to(r + i + 2, r[i + 2], a[i + 2], carry);
+        carry = algsurf_limb_add_to(r + i + 3, r[i + 3], a[i + 3], carry);
     }
-    for (; i < w; i++) r[i] = algsurf_limb_add(r[i], a[i], &carry);
+    for (; i < w; i++) carry = algsurf_limb_add_to(r + i, r[i], a[i], carry);
 }
 /* r -= a */
 static inline void algsurf_z_sub(algsurf_limb *r, const algsurf_limb *a, int w) {
     unsigned char borrow = 0;
     int i = 0;
     for (; i + 4 <= w; i += 4) {
-        r[i] = algsurf_limb_sub(r[i], a[i], &borrow);
-        r[i + 1] = algsurf_limb_sub(r[i + 1], a[i + 1], &borrow);
-        r[i + 2] = algsurf_limb_sub(r[i + 2], a[i + 2], &borrow);
-        r[i + 3] = algsurf_limb_sub(r[i + 3], a[i + 3], &borrow);
+        borrow = algsurf_limb_sub_to(r + i, r[i], a[i], borrow);
+        borrow = algsurf_limb_sub_to(r + i + 1, r[i + 1], a[i + 1], borrow);
+        borrow = algsurf_limb_sub_to(r + i + 2, r[i + 2], a[i + 2], borrow);
+        borrow = algsurf_limb_sub_to(r + i + 3, r[i + 3], a[i + 3], borrow);
     }
-    for (; i < w; i++) r[i] = algsurf_limb_sub(r[i], a[i], &borrow);
+    for (; i < w; i++) borrow = algsurf_limb_sub_to(r + i, r[i], a[i], borrow);
 }
 void algsurf_z_negate(algsurf_limb *a, int w);
 void algsurf_z_shift_up(algsurf_limb *a, int w, int bits);   /* a 2^bits, bits >= 0, any number */
@@ -89,10 +95,10 @@ static inline algsurf_limb algsurf_z_add_row(algsurf_limb *r, const algsurf_limb
     for (; i + 4 <= n; i += 4) {
         unsigned char c = 0;
         carry = algsurf_z_four_products(p, a + i, f, carry);
-        r[i] = algsurf_limb_add(r[i], p[0], &c);
-        r[i + 1] = algsurf_limb_add(r[i + 1], p[1], &c);
-        r[i + 2] = algsurf_limb_add(r[i + 2], p[2], &c);
-        r[i + 3] = algsurf_limb_add(r[i + 3], p[3], &c);
+        c = algsurf_limb_add_to(r + i, r[i], p[0], c);
+        c = algsurf_limb_add_to(r + i + 1, r[i + 1], p[1], c);
+        c = algsurf_limb_add_to(r + i + 2, r[i + 2], p[2], c);
+        c = algsurf_limb_add_to(r + i + 3, r[i + 3], p[3], c);
         carry += c;
     }
     for (; i < n; i++) r[i] = algsurf_limb_product(a[i], f, r[i], carry, &carry);
@@ -104,10 +110,10 @@ static inline algsurf_limb algsurf_z_sub_row(algsurf_limb *r, const algsurf_limb
     for (; i + 4 <= n; i += 4) {
         unsigned char c = 0;
         carry = algsurf_z_four_products(p, a + i, f, carry);
-        r[i] = algsurf_limb_sub(r[i], p[0], &c);
-        r[i + 1] = algsurf_limb_sub(r[i + 1], p[1], &c);
-        r[i + 2] = algsurf_limb_sub(r[i + 2], p[2], &c);
-        r[i + 3] = algsurf_limb_sub(r[i + 3], p[3], &c);
+        c = algsurf_limb_sub_to(r + i, r[i], p[0], c);
+        c = algsurf_limb_sub_to(r + i + 1, r[i + 1], p[1], c);
+        c = algsurf_limb_sub_to(r + i + 2, r[i + 2], p[2], c);
+        c = algsurf_limb_sub_to(r + i + 3, r[i + 3], p[3], c);
         carry += c;
     }
     for (; i < n; i++) {

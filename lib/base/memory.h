@@ -1,8 +1,8 @@
 /* base/memory.h - memory for exact arithmetic: a stack of 64-bit words.
  *
  * The first block is the caller's, usually an array on its own stack; when that is used up, blocks are
- * allocated, and freed as soon as nothing in them is in use.  What is taken is given back in reverse order, by
- * a mark.  A limit bounds what is allocated. */
+ * allocated, and freed as soon as nothing in them is in use.  What is taken is given back in reverse order,
+ * by a mark.  A limit bounds what is allocated. */
 #ifndef ALGSURF_MEMORY_H
 #define ALGSURF_MEMORY_H
 #include <stddef.h>

@@ -45,6 +45,28 @@ static inline algsurf_limb algsurf_limb_sub(algsurf_limb a, algsurf_limb b, unsi
 #endif
 }
 
+/* *r = a + b + carry, *r = a - b - borrow; the carry is returned.  gcc stores the result of its two builtins
+ * for carries to memory in any case: here once, to where it belongs.  (It does so without regard to types.)
+ */
+static inline unsigned char algsurf_limb_add_to(algsurf_limb *r, algsurf_limb a, algsurf_limb b,
+                                                unsigned char carry) {
+#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    return __builtin_ia32_addcarryx_u64(carry, a, b, (unsigned long long *)(void *)r);
+#else
+    *r = algsurf_limb_add(a, b, &carry);
+    return carry;
+#endif
+}
+static inline unsigned char algsurf_limb_sub_to(algsurf_limb *r, algsurf_limb a, algsurf_limb b,
+                                                unsigned char borrow) {
+#if ALGSURF_HAS_WIDE && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    return __builtin_ia32_sbb_u64(borrow, a, b, (unsigned long long *)(void *)r);
+#else
+    *r = algsurf_limb_sub(a, b, &borrow);
+    return borrow;
+#endif
+}
+
 /* a b + c + d = result + 2^64 *high, which never overflows: (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1. */
 static inline algsurf_limb algsurf_limb_product(algsurf_limb a, algsurf_limb b, algsurf_limb c,
                                                 algsurf_limb d, algsurf_limb *high) {

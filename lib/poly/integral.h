@@ -24,6 +24,9 @@ int algsurf_zpoly_bits(const algsurf_zpoly *p);     /* the largest algsurf_z_bit
 int algsurf_zpoly_trailing(const algsurf_zpoly *p); /* the largest power of two that divides all of them */
 /* Cuts leading zero coefficients, a common power of two, limbs too many; in place. */
 void algsurf_zpoly_compact(algsurf_zpoly *p);
+/* p / 2^zeros, which must divide p (ALGSURF_Z_NO_BIT: p = 0), with limbs too many cut off; the degree stays.
+ */
+void algsurf_zpoly_cut(algsurf_zpoly *p, int zeros);
 int algsurf_zpoly_derivative(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *d);
 
 /* The sign of p at N 2^-r (r of any sign; N has w limbs), -1, 0, 1, in *sign.  value, exponent: null, or p
@@ -52,6 +55,8 @@ int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const al
  * g. */
 int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
                       algsurf_zpoly *cofactor);
+/* poly/multiplicity.c. */
+
 /* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and
  * g_(i+1) = gcd(g_i, g_i'), s[i] is g_i / g_(i+1) up to a constant.  *count of them, the highest
  * multiplicity, 0 for a constant p; s[0] has all roots once.  count 1: p is squarefree, s[0] is p itself.

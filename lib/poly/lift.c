@@ -248,7 +248,8 @@ static int enlarge(workshop *w) {
     if (w->denominator_length + w->now.t_length > n + 1) return 0;
     memset(w->product, 0, (2 * (size_t)n + 4) * sizeof(algsurf_limb));
     add_magnitudes(w->product, w->denominator, w->denominator_length, w->now.t, w->now.t_length);
-    if (w->product[n] || !is_small(w, w->product)) return 0;
+    if (w->product[n] || bits_of(w->product, algsurf_z_length(w->product, n)) > (w->bits - SPARE) / 2)
+        return 0;
     memcpy(w->denominator, w->product, ((size_t)n + 2) * sizeof(algsurf_limb));
     w->denominator_length = algsurf_z_length(w->denominator, n);
     return 1;

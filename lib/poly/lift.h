@@ -25,7 +25,8 @@ algsurf_limb algsurf_lift_modulus(const algsurf_lift *lift, const algsurf_prime 
 /* Another image: x[k] is the k-th number modulo m, in ordinary form; inverse: of algsurf_lift_modulus. */
 int algsurf_lift_add(algsurf_lift *lift, const algsurf_limb *x, algsurf_limb inverse, const algsurf_prime *m);
 
-/* A guess, if the images suffice for one: integers c_k = D x_k with the least D > 0, in `c` with count - 1 as
- * degree.  It is right once the numbers are small enough for the images, and proves nothing. */
+/* A guess, if the images suffice for one: integers c_k = D x_k with D > 0, which have no factor in common
+ * with D, in `c` with count - 1 as degree.  It is right once the numbers are small enough for the images, and
+ * proves nothing. */
 int algsurf_lift_guess(algsurf_lift *lift, int *found, algsurf_zpoly *c);
 #endif

@@ -40,7 +40,28 @@ static algsurf_limb power(algsurf_limb a, algsurf_limb e, const algsurf_prime *m
     return r;
 }
 
-algsurf_limb algsurf_residue_inverse(algsurf_limb a, const algsurf_prime *m) { return power(a, m->p - 2, m); }
+/* Kaliski's almost inverse (1995), all zeros of a difference at once.  u and v are odd; throughout
+ * a r = -u 2^k and a s = v 2^k modulo p up to one common sign, and u s + v r = p keeps r and s below p.  At
+ * the end u = v = 1, so that 1/a = +-s 2^-k.  Selections instead of branches: they could not be predicted. */
+algsurf_limb algsurf_residue_inverse(algsurf_limb a, const algsurf_prime *m) {
+    int k = algsurf_limb_trailing(a), negative = 0;
+    algsurf_limb u = m->p, v = a >> k, r = 0, s = 1;
+    while (u != v) {
+        int swap = u < v;
+        algsurf_limb difference = swap ? v - u : u - v, least = swap ? u : v, sum = r + s;
+        int zeros = algsurf_limb_trailing(difference);
+        s = (swap ? r : s) << zeros;
+        r = sum;
+        u = difference >> zeros, v = least;
+        negative ^= swap;
+        k += zeros;
+    }
+    int up = 128 - k; /* 1/a R^2 = s 2^up, where r + s = p <= 2^(k+1): 60 <= k <= 124 */
+    if (up > 60) s = algsurf_residue_times(s, algsurf_residue_times((algsurf_limb)1 << 30, m->square, m), m);
+    up -= up > 60 ? 30 : 0;
+    s = algsurf_residue_times(s, algsurf_residue_times((algsurf_limb)1 << up, m->square, m), m);
+    return negative ? m->p - s : s;
+}
 
 /* Is a^d, squared s - 1 times, ever what it must be for a prime p = 1 + d 2^s? */
 static int passes(algsurf_limb base, algsurf_limb d, int s, const algsurf_prime *m) {
@@ -92,24 +113,30 @@ static algsurf_limb finish(algsurf_limb x, const algsurf_limb *a, int w, const a
     return algsurf_z_negative(a, w) ? algsurf_residue_minus(x, 1, m) : x;
 }
 
-/* From the lowest limb on, four integers side by side: each is a chain of dependent products. */
+/* Four integers side by side: each is a chain of dependent products, from the lowest limb on. */
+static void four_residues(algsurf_limb *r, const algsurf_limb *a, int w, const algsurf_prime *m) {
+    size_t step = (size_t)w;
+    algsurf_limb x0 = 0, x1 = 0, x2 = 0, x3 = 0;
+    for (size_t i = 0; i < step; i++) {
+        x0 = digest(x0, a[i], m);
+        x1 = digest(x1, a[i + step], m);
+        x2 = digest(x2, a[i + 2 * step], m);
+        x3 = digest(x3, a[i + 3 * step], m);
+    }
+    r[0] = finish(x0, a, w, m);
+    r[1] = finish(x1, a + step, w, m);
+    r[2] = finish(x2, a + 2 * step, w, m);
+    r[3] = finish(x3, a + 3 * step, w, m);
+}
+
+/* The last four may overlap the ones before. */
 void algsurf_residues_of(algsurf_limb *r, const algsurf_limb *a, int count, int w, const algsurf_prime *m) {
     size_t step = (size_t)w;
-    int k = 0;
-    for (; k + 4 <= count; k += 4, a += 4 * step) {
-        algsurf_limb x0 = 0, x1 = 0, x2 = 0, x3 = 0;
-        for (size_t i = 0; i < step; i++) {
-            x0 = digest(x0, a[i], m);
-            x1 = digest(x1, a[i + step], m);
-            x2 = digest(x2, a[i + 2 * step], m);
-            x3 = digest(x3, a[i + 3 * step], m);
-        }
-        r[k] = finish(x0, a, w, m);
-        r[k + 1] = finish(x1, a + step, w, m);
-        r[k + 2] = finish(x2, a + 2 * step, w, m);
-        r[k + 3] = finish(x3, a + 3 * step, w, m);
+    for (int k = 0; count >= 4 && k < count; k += 4) {
+        int from = k + 4 <= count ? k : count - 4;
+        four_residues(r + from, a + (size_t)from * step, w, m);
     }
-    for (; k < count; k++, a += step) {
+    for (int k = 0; count < 4 && k < count; k++, a += step) {
         algsurf_limb x = 0;
         for (size_t i = 0; i < step; i++) x = digest(x, a[i], m);
         r[k] = finish(x, a, w, m);

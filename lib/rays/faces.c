@@ -25,20 +25,18 @@ static void include_coordinate(range *all, const algsurf_extent *x, const double
     include(all, origin[i], 0), include(all, x->centre[i], 0), include(all, direction[i], e);
 }
 
-/* What a compacted polynomial does not need is given back, if `before`, the mark before its room, lies in the
- * same block as the memory's end. */
-static void settle(algsurf_memory *m, algsurf_memory_mark before, algsurf_zpoly *p) {
+/* Compact, and what it does not need then is given back; it is the last that was taken. */
+static void settle(algsurf_memory *m, algsurf_zpoly *p) {
+    algsurf_memory_mark kept = algsurf_memory_here(m);
     algsurf_zpoly_compact(p);
-    if (m->last != before.last) return;
-    algsurf_memory_release(m, before);
-    (void)algsurf_memory_take(m, (size_t)(p->degree + 1) * (size_t)p->width);
+    kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width;
+    algsurf_memory_release(m, kept);
 }
 
 /* h - l (side 0) or h + l (side 1), l coordinate i. */
 static int box_face(algsurf_memory *m, const algsurf_extent *x, const double origin[3],
                     const double direction[3], int e, int i, int side, algsurf_zpoly *face) {
     range all = {0, 0, 1};
-    algsurf_memory_mark before = algsurf_memory_here(m);
     include_coordinate(&all, x, origin, direction, e, i), include(&all, x->size[i], 0);
     int width = algsurf_z_width(all.top - all.low + 2), shift = -all.low; /* three summands */
     if (!algsurf_zpoly_new(m, 1, width, face)) return 0;
@@ -47,7 +45,7 @@ static int box_face(algsurf_memory *m, const algsurf_extent *x, const double ori
     algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, sign * origin[i], shift);
     algsurf_z_add_double(algsurf_zpoly_at(face, 0), width, -sign * x->centre[i], shift);
     algsurf_z_add_double(algsurf_zpoly_at(face, 1), width, sign * direction[i], shift + e);
-    settle(m, before, face);
+    settle(m, face);
     return 1;
 }
 
@@ -95,7 +93,7 @@ static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[
         add_square(face, a, b, w, i < 3, a + 2 * w);
     }
     algsurf_memory_release(m, work);
-    settle(m, before, face);
+    settle(m, face);
     return 1;
 }
 

@@ -34,20 +34,26 @@ static algsurf_i_exact_factor factor_of(double x, int unit) {
 static int is_zero(const algsurf_i_exact_factor *f) { return f->low == 0 && f->high == 0; }
 static int is_limb(const algsurf_i_exact_factor *f) { return f->high == 0 && f->at == 0; }
 
-void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e) {
+void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit) {
     algsurf_i_exact_span o = algsurf_i_exact_span_of(origin), d = algsurf_i_exact_span_of(direction);
-    d.low += e, d.top += e;
+    d.top += e;
     if (origin == 0) o = d;
     if (direction == 0) d = o;
-    x->unit = o.low < d.low ? o.low : d.low;
-    x->bits = (o.top > d.top ? o.top : d.top) - x->unit + 1;
-    x->f[0] = factor_of(origin, x->unit);
-    x->f[1] = factor_of(direction, x->unit - e);
+    x->unit = unit;
+    x->bits = (o.top > d.top ? o.top : d.top) - unit + 1;
+    x->f[0] = factor_of(origin, unit);
+    x->f[1] = factor_of(direction, unit - e);
     x->one_limb = is_limb(&x->f[0]) && is_limb(&x->f[1]);
     if (!x->one_limb) return;
     algsurf_limb sum = x->f[0].low + x->f[1].low;
     x->one_limb = sum >= x->f[0].low;
     if (x->one_limb) x->bits = algsurf_limb_bits(sum);
+}
+
+void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e) {
+    int o = algsurf_i_exact_span_of(origin).low, d = algsurf_i_exact_span_of(direction).low + e;
+    int unit = direction == 0 || (origin != 0 && o < d) ? o : d;
+    algsurf_i_exact_axis_in_unit(x, origin, direction, e, unit);
 }
 
 static algsurf_limb *at(const algsurf_i_exact_sum *p, int k) { return p->c + (size_t)k * p->stride; }
@@ -65,12 +71,13 @@ static void widen(algsurf_i_exact_sum *p, int width) {
     p->width = width;
 }
 
-/* Makes room for `count` more summands below 2^bits. */
-static void expect(algsurf_i_exact_sum *p, int bits, int count) {
+void algsurf_i_exact_sum_expect(algsurf_i_exact_sum *p, int degree, int bits, int count) {
+    if (p->degree < 0) p->bits = 0, p->count = 0, p->width = 0;
     if (p->bits < bits) p->bits = bits;
     p->count += count;
     int width = algsurf_i_exact_sum_width(p->bits, p->count);
     if (width > p->width) widen(p, width);
+    while (p->degree < degree) p->degree++, algsurf_z_zero(at(p, p->degree), p->width);
 }
 
 /* r += a, extended by its sign. */
@@ -86,13 +93,7 @@ void algsurf_i_exact_sum_add_double(algsurf_i_exact_sum *p, double x, int shift)
     algsurf_limb odd = algsurf_i_exact_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
     e += shift;
     int bits = e + algsurf_limb_bits(odd), first = e / 64, rest = e % 64;
-    if (p->degree < 0) {
-        p->degree = 0, p->bits = bits, p->count = 1;
-        p->width = algsurf_i_exact_sum_width(bits, 1);
-        algsurf_z_zero(p->c, p->width);
-    } else {
-        expect(p, bits, 1);
-    }
+    algsurf_i_exact_sum_expect(p, 0, bits, 1);
     if (odd == 0) return;
     algsurf_limb part[2] = {odd << rest, rest ? odd >> (64 - rest) : 0};
     unsigned char carry = sign != 0; /* -x = ~x + 1 */
@@ -109,7 +110,7 @@ void algsurf_i_exact_sum_add(algsurf_i_exact_sum *p, algsurf_i_exact_sum *q) {
         *p = *q, *q = other;
     }
     if (q->degree < 0) return;
-    expect(p, q->bits, q->count);
+    algsurf_i_exact_sum_expect(p, 0, q->bits, q->count);
     for (int k = 0; k <= q->degree; k++) add_integer(at(p, k), p->width, at(q, k), q->width);
 }
 
@@ -137,11 +138,21 @@ INLINE void two_products(algsurf_limb *r, const algsurf_limb *a, const algsurf_l
 typedef void step(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
                   int grows);
 
-/* c (f[0] + f[1] u), neither of them 0. */
-INLINE void two_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
+/* c times f[0] + f[1] u, not both of them 0. */
+INLINE void any_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
                       int grows) {
+    algsurf_limb *first = c;
     c += (size_t)degree * stride;
+    if (is_zero(&f[1])) {
+        for (int k = degree; k >= 0; k--, c -= stride) product(c, c, &f[0], w, grows);
+        return;
+    }
     product(c + stride, c, &f[1], w, grows);
+    if (is_zero(&f[0])) {
+        for (int k = degree; k > 0; k--, c -= stride) product(c, c - stride, &f[1], w, grows);
+        algsurf_z_zero(first, w + grows);
+        return;
+    }
     for (int k = degree; k > 0; k--, c -= stride) two_products(c, c, c - stride, f, w, grows);
     product(c, c, &f[0], w, grows);
 }
@@ -150,29 +161,20 @@ INLINE void two_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_
     static void step_##W(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2],      \
                          int w, int grows) {                                                                 \
         (void)w;                                                                                             \
-        two_terms(c, stride, degree, f, W, grows);                                                           \
+        any_terms(c, stride, degree, f, W, grows);                                                           \
     }
 STEP(1)
 STEP(2)
-STEP(3) STEP(4) STEP(5) STEP(6) STEP(7)
-    STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
-                                 const algsurf_i_exact_factor f[2], int w, int grows) {
-    two_terms(c, stride, degree, f, w, grows);
+STEP(3)
+STEP(4)
+STEP(5)
+STEP(6)
+STEP(7) STEP(8) static void step_any(algsurf_limb *c, size_t stride, int degree,
+                                     const algsurf_i_exact_factor f[2], int w, int grows) {
+    any_terms(c, stride, degree, f, w, grows);
 }
 static step *const steps[] = {step_any, step_1, step_2, step_3, step_4, step_5, step_6, step_7, step_8};
 #define STEPS ((int)(sizeof steps / sizeof *steps))
-
-static void times_limbs(algsurf_i_exact_sum *p, const algsurf_i_exact_factor f[2], int width) {
-    int w = p->width, grows = width > w;
-    if (is_zero(&f[1])) {
-        for (int k = 0; k <= p->degree; k++) product(at(p, k), at(p, k), &f[0], w, grows);
-    } else if (is_zero(&f[0])) {
-        for (int k = p->degree; k >= 0; k--) product(at(p, k + 1), at(p, k), &f[1], w, grows);
-        algsurf_z_zero(p->c, width);
-    } else {
-        steps[w < STEPS ? w : 0](p->c, p->stride, p->degree, f, w, grows);
-    }
-}
 
 /* r += a f */
 static void add_times(algsurf_limb *r, int width, const algsurf_limb *a, int w,
@@ -204,10 +206,12 @@ void algsurf_i_exact_sum_times(algsurf_i_exact_sum *p, const algsurf_i_exact_axi
         return;
     }
     int bits = p->bits + x->bits, width = algsurf_i_exact_sum_width(bits, p->count);
-    if (x->one_limb)
-        times_limbs(p, x->f, width);
-    else
+    if (x->one_limb) {
+        step *f = steps[p->width < STEPS ? p->width : 0];
+        f(p->c, p->stride, p->degree, x->f, p->width, width > p->width);
+    } else {
         times_any(p, x->f, width, spare);
+    }
     p->degree += !is_zero(&x->f[1]);
     p->bits = bits;
     p->width = width;

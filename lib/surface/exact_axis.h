@@ -53,6 +53,8 @@ static inline algsurf_i_exact_span algsurf_i_exact_span_of(double x) {
 }
 
 void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e);
+/* The same in a given unit, which must make f0 and f1 integers. */
+void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit);
 
 /* A polynomial in the making: a sum of `count` polynomials with coefficients below 2^bits in magnitude.  The
  * width follows from these two, never from the values: intermediate signs need no attention. */
@@ -65,6 +67,9 @@ typedef struct algsurf_i_exact_sum {
 
 /* Limbs for a sum of `count` integers below 2^bits in magnitude. */
 int algsurf_i_exact_sum_width(int bits, int count);
+
+/* Makes p ready for `count` more summands of at most that degree, below 2^bits: only its values stay. */
+void algsurf_i_exact_sum_expect(algsurf_i_exact_sum *p, int degree, int bits, int count);
 
 /* p += x 2^shift, an integer. */
 void algsurf_i_exact_sum_add_double(algsurf_i_exact_sum *p, double x, int shift);

@@ -136,11 +136,9 @@ int algsurf_i_exact_form_end(algsurf_memory *m, const algsurf_i_exact_result *r,
         algsurf_z_copy(algsurf_zpoly_at(p, k), p->width, a, sum->width);
         if (up > 0) algsurf_z_shift_up(algsurf_zpoly_at(p, k), p->width, up);
     }
-    algsurf_memory_release(m, r->work);
-    if (r->work.last == r->before.last) { /* the same block: what the result does not need, too */
-        algsurf_memory_release(m, r->before);
-        (void)algsurf_memory_take(m, (size_t)(p->degree + 1) * (size_t)p->width);
-    }
+    algsurf_memory_mark kept = r->work; /* behind the room of the result: behind what it needs of that */
+    kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width;
+    algsurf_memory_release(m, kept);
     return low;
 }
 

@@ -1,0 +1,185 @@
+/* integral_value.c - the sign of a polynomial at x = N 2^-r, and its value as a double.
+ *
+ * First with three limbs and a bound of the error, which decides nearly always, also a few units in the last
+ * place from a root: 0.1 us at degree 6, and hardly more for longer coefficients.  Else exactly:
+ * 2^(r n) p(x) = sum c_k N^k 2^(r (n-k)) by Horner, a = a N + c_k 2^(r (n-k)).  Such an a begins as short as
+ * c_n and gains r bits a step. */
+#include "integral_impl.h"
+
+#include <limits.h>
+#include <stddef.h>
+#include <string.h>
+
+/* ---- with three limbs ----
+ *
+ * x = +-y 2^X, y = m / 2^64 in [1/2, 1).  With |c_k| 2^(X k) <= 2^e for all k and n + 1 < 2^B, the integers
+ * D_k = floor(c_k 2^(X k) 2^(190 - e - B)) have sum |D_k| < 2^190.  Horner's h = floor(h y) +- D_k is off by
+ * less than 1 for each of the two floors, times y < 1 in the next step: after all of them by less than 2
+ * (n+1) < 2^(B+1). */
+
+#define SHORT_LIMBS 3
+#define SHORT_BITS 190
+
+typedef struct short_point {
+    algsurf_limb m; /* y 2^64 */
+    int X, negative;
+} short_point;
+
+/* 0: N is 0 or has more than 63 significant bits. */
+static int short_point_of(const algsurf_limb *N, int w, int r, short_point *x) {
+    int zeros = algsurf_z_trailing(N, w);
+    x->negative = algsurf_z_negative(N, w);
+    if (zeros == ALGSURF_Z_NO_BIT || algsurf_z_bits(N, w) - zeros > 63) return 0;
+    algsurf_limb odd = algsurf_z_window(N, w, zeros);
+    if (x->negative) odd = 0 - odd;
+    int bits = algsurf_limb_bits(odd);
+    x->m = odd << (LIMB_BITS - bits);
+    x->X = bits + zeros - r;
+    return 1;
+}
+
+/* e: |c_k| 2^(X k) <= 2^e for all k; INT_MIN if all are 0. */
+static int largest_term(const algsurf_zpoly *p, int X) {
+    int e = INT_MIN;
+    for (int k = 0; k <= p->degree; k++) {
+        const algsurf_limb *c = algsurf_zpoly_at(p, k);
+        int bits = algsurf_z_bits(c, p->width);
+        if (bits || c[0]) e = larger(e, bits + X * k);
+    }
+    return e;
+}
+
+/* D = floor(c / 2^from), from of any sign, modulo 2^192. */
+static void short_window(algsurf_limb D[SHORT_LIMBS], const algsurf_limb *c, int w, int from) {
+    int i = from >= 0 ? from / LIMB_BITS : -((LIMB_BITS - 1 - from) / LIMB_BITS), rest = from - LIMB_BITS * i;
+    algsurf_limb v[SHORT_LIMBS + 1], sign = 0 - (c[w - 1] >> 63);
+    if (i >= 0 && i + SHORT_LIMBS < w)
+        memcpy(v, c + i, sizeof v);
+    else
+        for (int j = 0; j <= SHORT_LIMBS; j++) v[j] = i + j < 0 ? 0 : i + j < w ? c[i + j] : sign;
+    for (int j = 0; j < SHORT_LIMBS; j++) D[j] = v[j] >> rest | v[j + 1] << 1 << (LIMB_BITS - 1 - rest);
+}
+
+/* h = floor(h m / 2^64) */
+static void short_multiply(algsurf_limb h[SHORT_LIMBS], algsurf_limb m) {
+    algsurf_limb c0, c1, c2, minus = algsurf_z_negative(h, SHORT_LIMBS) ? m : 0;
+    (void)algsurf_limb_product(h[0], m, 0, 0, &c0);
+    h[0] = algsurf_limb_product(h[1], m, c0, 0, &c1);
+    h[1] = algsurf_limb_product(h[2], m, c1, 0, &c2);
+    h[2] = c2 - minus;
+}
+
+/* 1: sign (and value) found.  The sign needs |h| > 2^(B+1); the value 2^(B+55): then the error is 2^-54 of
+ * it, which leaves room for its rounding to double, 2^-53 + 2^-62. */
+static int short_value(const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, int *sign, double *value,
+                       int *exponent) {
+    short_point x;
+    int n = p->degree, largest = INT_MIN, B = bits_of_int(n + 1);
+    if (n >= 0 && short_point_of(N, w, r, &x)) largest = largest_term(p, x.X);
+    if (largest == INT_MIN) return 0;
+    int up = largest + B - SHORT_BITS;
+    algsurf_limb h[SHORT_LIMBS] = {0}, D[SHORT_LIMBS];
+    for (int k = n; k >= 0; k--) {
+        short_multiply(h, x.m);
+        short_window(D, algsurf_zpoly_at(p, k), p->width, up - x.X * k);
+        if (x.negative && k % 2)
+            algsurf_z_sub(h, D, SHORT_LIMBS);
+        else
+            algsurf_z_add(h, D, SHORT_LIMBS);
+    }
+    if (algsurf_z_bits(h, SHORT_LIMBS) < B + (value ? 56 : 2)) return 0;
+    *sign = algsurf_z_sign(h, SHORT_LIMBS);
+    if (value) {
+        *value = algsurf_z_to_double(h, SHORT_LIMBS, exponent);
+        *exponent += up;
+    }
+    return 1;
+}
+
+/* ---- with all limbs ---- */
+
+/* Horner's sum: an integer of w limbs, and room for it to grow and to be multiplied. */
+typedef struct sum {
+    algsurf_limb *a, *other;
+    int w;
+} sum;
+
+/* a = a f, a of the given width afterwards. */
+static void sum_multiply(sum *s, const algsurf_z_factor *f, int w) {
+    if (f->length == 1) {
+        algsurf_z_copy(s->a, w, s->a, smaller(s->w, w));
+        algsurf_z_multiply(s->a, w, f->limb[0]);
+        if (f->negative) algsurf_z_negate(s->a, w);
+    } else {
+        algsurf_z_zero(s->other, w);
+        algsurf_z_add_times(s->other, w, s->a, smaller(s->w, w), f, 0);
+        algsurf_limb *t = s->a;
+        s->a = s->other, s->other = t;
+    }
+    s->w = w;
+}
+
+/* a += c 2^shift. */
+static void sum_add(sum *s, const algsurf_limb *c, int w, int shift) {
+    algsurf_z_add_product(s->a, s->w, c, w, (algsurf_limb)1 << shift % LIMB_BITS, shift / LIMB_BITS);
+}
+
+/* x = N 2^-r with N odd or r = 0, N as a factor; 0: no memory. */
+static int point(algsurf_memory *m, const algsurf_limb *N, int w, int *r, algsurf_z_factor *x) {
+    int zeros = algsurf_z_trailing(N, w), up = *r < 0 ? -*r : 0, width = w + up / LIMB_BITS + 1;
+    algsurf_limb *room = take(m, 2 * width);
+    if (!room) return 0;
+    algsurf_z_copy(room, width, N, w);
+    algsurf_z_shift_up(room, width, up);
+    if (*r > 0) {
+        int down = smaller(*r, zeros);
+        algsurf_z_shift_down(room, width, down);
+        *r -= down;
+    } else
+        *r = 0;
+    *x = algsurf_z_factor_of(room, width, room + width);
+    return 1;
+}
+
+static void horner(const algsurf_zpoly *p, const algsurf_z_factor *x, int r, sum *s) {
+    int n = p->degree, pb = algsurf_zpoly_bits(p);
+    s->w = algsurf_z_width(pb);
+    algsurf_z_copy(s->a, s->w, algsurf_zpoly_at(p, n), p->width);
+    for (int k = n - 1; k >= 0; k--) {
+        int bits = larger(algsurf_z_bits(s->a, s->w) + x->bits, pb + r * (n - k)) + 1;
+        sum_multiply(s, x, algsurf_z_width(bits));
+        sum_add(s, algsurf_zpoly_at(p, k), p->width, r * (n - k));
+    }
+}
+
+/* All of it; |sum| < 2^(bits of p + n (bits of N or r, and 1 for the sum)). */
+static int exact_value(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, sum *s,
+                       int *scale) {
+    algsurf_z_factor x;
+    if (!point(m, N, w, &r, &x)) return 0;
+    int n = larger(p->degree, 0);
+    int width = algsurf_z_width(algsurf_zpoly_bits(p) + n * (larger(x.bits, r) + 1)) + 1;
+    *s = (sum){take(m, width), take(m, width), 1};
+    if (!s->a || !s->other) return 0;
+    if (p->degree < 0)
+        s->a[0] = 0;
+    else
+        horner(p, &x, r, s);
+    *scale = r * n;
+    return 1;
+}
+
+int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_limb *N, int w, int r,
+                          int *sign, double *value, int *exponent) {
+    if (short_value(p, N, w, r, sign, value, exponent)) return 1;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    sum s;
+    int scale, done = exact_value(m, p, N, w, r, &s, &scale);
+    if (done) *sign = algsurf_z_sign(s.a, s.w);
+    if (done && value) {
+        *value = algsurf_z_to_double(s.a, s.w, exponent);
+        if (*sign) *exponent -= scale;
+    }
+    algsurf_memory_release(m, mark);
+    return done;
+}

@@ -1,0 +1,262 @@
+/* test_common.c - common factors of integral polynomials, against products of known factors and against
+ * Euclid's algorithm with GMP's integers.
+ *
+ * Breaks caught, each tried: an image of too high a degree not discarded, a prime that divides a leading
+ * coefficient not skipped, a guess not proved, a gcd with content, memory not given back. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "exact_zpolys.h"
+
+#include <cmocka.h>
+
+#include "poly/residue.h"
+
+#define SEED 20240702u
+
+typedef struct bench {
+    exact_zpoly *a, *b, *f, *g, *u, *t;
+    uint64_t seed;
+    uint64_t stack[4096];
+    algsurf_memory m;
+    algsurf_memory_mark empty;
+} bench;
+
+static bench *open_bench(uint64_t seed) {
+    bench *t = malloc(sizeof *t);
+    if (!t) abort();
+    *t = (bench){.seed = seed};
+    t->a = exact_zpoly_new(), t->b = exact_zpoly_new(), t->f = exact_zpoly_new();
+    t->g = exact_zpoly_new(), t->u = exact_zpoly_new(), t->t = exact_zpoly_new();
+    algsurf_memory_begin(&t->m, t->stack, sizeof t->stack / sizeof *t->stack, (size_t)1 << 30);
+    t->empty = algsurf_memory_here(&t->m);
+    return t;
+}
+
+static void close_bench(bench *t) {
+    exact_zpoly_free(t->a), exact_zpoly_free(t->b), exact_zpoly_free(t->f);
+    exact_zpoly_free(t->g), exact_zpoly_free(t->u), exact_zpoly_free(t->t);
+    free(t);
+}
+
+static void failed(const bench *t, const char *what, int round) {
+    exact_zpoly_print("a", t->a), exact_zpoly_print("b", t->b);
+    exact_zpoly_print("wanted", t->f), exact_zpoly_print("gcd", t->g), exact_zpoly_print("cofactor", t->u);
+    fail_msg("%s, seed %u round %d", what, SEED, round);
+}
+
+static size_t words(const algsurf_zpoly *p) { return (size_t)(p->degree + 1) * (size_t)p->width; }
+
+/* gcd(a, b) (or of a and a') must be f, up to sign and content; a = gcd cofactor exactly. */
+static void judge(bench *t, int own, int round) {
+    algsurf_zpoly a = exact_to_zpoly(t->a, exact_random_int(&t->seed, 2), exact_random_int(&t->seed, 5) == 0);
+    algsurf_zpoly b = exact_to_zpoly(t->b, exact_random_int(&t->seed, 2), exact_random_int(&t->seed, 5) == 0);
+    algsurf_zpoly g, u, from;
+    int degree;
+    exact_zpoly_primitive(t->f);
+    assert_true(algsurf_zpoly_gcd(&t->m, &a, own ? NULL : &b, &g, &u));
+    exact_from_zpoly(t->g, &g), exact_from_zpoly(t->u, &u);
+    if (!exact_zpoly_equal(t->g, t->f)) failed(t, "gcd", round);
+    exact_zpoly_multiply(t->t, t->g, t->u);
+    if (!exact_zpoly_equal(t->t, t->a)) failed(t, "cofactor", round);
+    if (!t->m.last) assert_true(t->m.at == t->empty.at + words(&g) + words(&u)); /* nothing else is left */
+    from = g;
+    algsurf_memory_mark here = algsurf_memory_here(&t->m);
+    assert_true(algsurf_zpoly_gcd_degree(&t->m, &a, own ? NULL : &b, 2, &degree));
+    assert_true(t->m.at == here.at && t->m.last == here.last);
+    if (degree < from.degree) failed(t, "bound of the degree", round);
+    algsurf_memory_release(&t->m, t->empty);
+    exact_from_zpoly(t->t, &a); /* the arguments are as they were */
+    t->t->n = t->t->n < t->a->n ? t->t->n : t->a->n;
+    assert_true(exact_zpoly_equal(t->t, t->a));
+    free(a.c), free(b.c);
+}
+
+static void euclid(bench *t) {
+    exact_zpoly_set(t->f, t->a), exact_zpoly_set(t->t, t->b);
+    exact_zpoly_euclid(t->f, t->t);
+}
+
+static int bits_for(uint64_t *seed, int round) {
+    static const int most[] = {2, 8, 61, 62, 64, 130, 300, 2000};
+    return most[round % 8] - (round % 8 > 5 ? exact_random_int(seed, 100) : 0);
+}
+
+/* a = f r, b = f s with random r, s: f times what r and s share (mostly nothing). */
+static void test_products(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED);
+    int constant = 0, proper = 0, wide = 0;
+    for (int i = 0; i < 1200; i++) {
+        int size = i % 10 ? 5 : 14, bits = bits_for(&t->seed, i);
+        if (size == 14 && bits > 300) bits = 300;
+        exact_random_zpoly(&t->seed, t->a, exact_random_int(&t->seed, size), bits);
+        exact_random_zpoly(&t->seed, t->b, exact_random_int(&t->seed, size), bits_for(&t->seed, i / 8));
+        exact_random_zpoly(&t->seed, t->f, exact_random_int(&t->seed, size), bits);
+        exact_zpoly_multiply(t->a, t->a, t->f);
+        exact_zpoly_multiply(t->b, t->b, t->f);
+        euclid(t);
+        constant += t->f->n == 0, proper += t->f->n > 0 && t->f->n<t->a->n, wide += bits> 1000;
+        judge(t, 0, i);
+    }
+    assert_true(constant > 100 && proper > 500 && wide > 50);
+    close_bench(t);
+}
+
+/* With a': products of powers, and squarefree ones. */
+static void test_with_derivative(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 1);
+    int squarefree = 0, powers = 0, mixed = 0;
+    for (int i = 0; i < 800; i++) {
+        int bits = bits_for(&t->seed, i), factors = exact_random_int(&t->seed, 4);
+        if (bits > 300) bits = 300;
+        exact_zpoly_constant(t->a, exact_random_int(&t->seed, 3) ? 1 : -36);
+        for (int j = 0; j <= factors; j++) {
+            exact_random_zpoly(&t->seed, t->u, 1 + exact_random_int(&t->seed, 3), bits);
+            for (int k = exact_random_int(&t->seed, 5); k >= 0; k--) exact_zpoly_multiply(t->a, t->a, t->u);
+        }
+        exact_zpoly_derive(t->b, t->a);
+        euclid(t);
+        squarefree += t->f->n == 0, powers += factors == 0, mixed += factors > 0 && t->f->n > 0;
+        judge(t, 1, i);
+        if (i % 4 == 0) judge(t, 0, i); /* the same, the derivative given */
+    }
+    assert_true(squarefree > 20 && powers > 100 && mixed > 300);
+    close_bench(t);
+}
+
+/* Leading coefficients that are multiples of the first primes, and roots that agree modulo these. */
+static void test_unlucky_primes(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 2);
+    mpz_t p;
+    mpz_init(p);
+    for (int i = 0; i < 300; i++) {
+        algsurf_prime m = algsurf_prime_first();
+        mpz_set_ui(p, 1);
+        for (int j = 1 + exact_random_int(&t->seed, 4); j > 0; j--) {
+            mpz_t q;
+            mpz_init(q);
+            mpz_import(q, 1, -1, sizeof m.p, 0, 0, &m.p);
+            if (exact_random_int(&t->seed, 3)) mpz_mul(p, p, q);
+            mpz_clear(q);
+            m = algsurf_prime_next(&m);
+        }
+        exact_random_zpoly(&t->seed, t->u, 1 + exact_random_int(&t->seed, 4), 20);
+        exact_random_zpoly(&t->seed, t->f, exact_random_int(&t->seed, 4), i & 1 ? 20 : 250);
+        exact_zpoly_set(t->a, t->u), exact_zpoly_set(t->b, t->u);
+        if (i % 3 == 0) { /* congruent factors */
+            for (int k = 0; k <= t->b->n; k += 2) mpz_add(t->b->c[k], t->b->c[k], p);
+            exact_zpoly_trim(t->b);
+        } else if (i % 3 == 1) { /* vanishing leading coefficient */
+            mpz_mul(t->a->c[t->a->n], t->a->c[t->a->n], p);
+            mpz_mul(t->f->c[t->f->n], t->f->c[t->f->n], p);
+        } else
+            exact_zpoly_scale(t->f, p);
+        exact_zpoly_multiply(t->a, t->a, t->f);
+        exact_zpoly_multiply(t->b, t->b, t->f);
+        euclid(t);
+        judge(t, 0, i);
+        exact_zpoly_multiply(t->a, t->a, t->b); /* nearly a square */
+        exact_zpoly_derive(t->b, t->a);
+        euclid(t);
+        judge(t, 1, i);
+    }
+    mpz_clear(p);
+    close_bench(t);
+}
+
+/* b divides a, a divides b, both the same. */
+static void test_divisors(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 3);
+    for (int i = 0; i < 300; i++) {
+        exact_random_zpoly(&t->seed, t->a, 1 + exact_random_int(&t->seed, 8), bits_for(&t->seed, i));
+        exact_random_zpoly(&t->seed, t->u, exact_random_int(&t->seed, 8), 30);
+        exact_zpoly_set(t->b, t->a);
+        if (i & 1) exact_zpoly_primitive(t->a);
+        exact_zpoly_multiply(t->b, t->b, t->u);
+        euclid(t);
+        judge(t, 0, i);
+        exact_zpoly_set(t->u, t->a), exact_zpoly_set(t->a, t->b), exact_zpoly_set(t->b, t->u);
+        judge(t, 0, i);
+    }
+    close_bench(t);
+}
+
+static void test_constants_and_zero(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 4);
+    for (int i = 0; i < 60; i++) {
+        exact_random_zpoly(&t->seed, t->a, exact_random_int(&t->seed, 4) - 1, 70);
+        exact_random_zpoly(&t->seed, t->b, exact_random_int(&t->seed, 2) - 1, 70);
+        if (t->a->n < 0 && t->b->n < 0) continue;
+        euclid(t);
+        judge(t, 0, i);
+    }
+    close_bench(t);
+}
+
+/* With every limit of memory either the right answer or none, and nothing is left behind. */
+static void test_out_of_memory(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 5);
+    int failures = 0, successes = 0;
+    exact_random_zpoly(&t->seed, t->a, 12, 300);
+    exact_random_zpoly(&t->seed, t->f, 12, 300);
+    exact_zpoly_multiply(t->b, t->f, t->f);
+    exact_zpoly_multiply(t->a, t->a, t->b);
+    algsurf_zpoly a = exact_to_zpoly(t->a, 0, 0), g, u;
+    for (size_t size = 1; size < 4096; size += 13) {
+        algsurf_memory m;
+        algsurf_memory_begin(&m, t->stack, size, 0);
+        if (algsurf_zpoly_gcd(&m, &a, NULL, &g, &u)) {
+            exact_from_zpoly(t->g, &g);
+            exact_zpoly_primitive(t->f);
+            assert_true(exact_zpoly_equal(t->g, t->f));
+            successes++;
+        } else {
+            assert_true(m.at == t->stack && !m.last);
+            failures++;
+        }
+    }
+    assert_true(failures > 20 && successes > 20);
+    free(a.c);
+    close_bench(t);
+}
+
+/* A large one: degree 512, in blocks that are allocated. */
+static void test_large(void **state) {
+    (void)state;
+    bench *t = open_bench(SEED + 6);
+    exact_random_zpoly(&t->seed, t->a, 60, 4000);
+    exact_random_zpoly(&t->seed, t->b, 40, 3000);
+    exact_random_zpoly(&t->seed, t->f, 2, 500);
+    mpz_set_ui(t->a->c[0], 1); /* 0 is a root of f at most */
+    exact_zpoly_multiply(t->a, t->a, t->f), exact_zpoly_multiply(t->b, t->b, t->f);
+    judge(t, 0, 0);
+    exact_random_zpoly(&t->seed, t->f, 128, 12);
+    exact_zpoly_multiply(t->b, t->f, t->f);
+    exact_random_zpoly(&t->seed, t->a, 256, 12);
+    mpz_set_ui(t->a->c[0], 1);
+    exact_zpoly_multiply(t->a, t->a, t->b);
+    judge(t, 1, 1);
+    close_bench(t);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_products),
+        cmocka_unit_test(test_with_derivative),
+        cmocka_unit_test(test_unlucky_primes),
+        cmocka_unit_test(test_divisors),
+        cmocka_unit_test(test_constants_and_zero),
+        cmocka_unit_test(test_out_of_memory),
+        cmocka_unit_test(test_large),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
