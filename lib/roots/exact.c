@@ -1,0 +1,266 @@
+/* exact.c - the exact walk: cells from left to right, roots as they come.
+ *
+ * A piece is half open: a root at its left end is its own, one at its right end belongs to the next piece.  The
+ * same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are leading
+ * zeros, and it is reported before the open cell is looked at, where zeros do not count.
+ *
+ * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left half
+ * goes on top of its right half, and what has no root is given back at once.  At most n cells wait, since
+ * variations of disjoint cells add up to at most n. */
+#include "exact.h"
+
+#include <math.h>
+
+enum { ASK_AFTER = 5, ZOOM_AFTER = 2 }; /* halvings: a gcd costs about as much as one; a step to a cluster as three */
+
+static int count(algsurf_exact_walk *walk) {
+    walk->counted++;
+    return algsurf_exact_variations(&walk->cell.b);
+}
+
+int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo,
+                        double hi, int refine) {
+    *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
+    walk->begin = algsurf_memory_here(m);
+    size_t words = (size_t)(p->degree + 1) * ((sizeof *walk->waiting + 7) / 8);
+    walk->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
+    walk->bottom = walk->top = algsurf_memory_here(m);
+    algsurf_exact_pieces_begin(walk);
+    return walk->waiting != NULL;
+}
+
+void algsurf_exact_end(algsurf_exact_walk *walk) { algsurf_memory_release(walk->memory, walk->begin); }
+
+/* What the walk isolates the roots of: p, or the part that has them once. */
+static const algsurf_zpoly *walked(const algsurf_exact_walk *walk) { return walk->parts ? walk->s : &walk->p; }
+
+/* Is p squarefree?  If not, the walk begins again with what is.  -1: no memory; 1: it begins again. */
+static int ask_for_squares(algsurf_exact_walk *walk) {
+    algsurf_memory *m = walk->memory;
+    int degree, parts = 0;
+    walk->asked = 1;
+    if (!algsurf_zpoly_gcd_degree(m, &walk->p, NULL, 2, &degree)) return -1;
+    if (degree == 0) return 0;
+    algsurf_memory_release(m, walk->bottom);
+    size_t words = (size_t)(walk->p.degree + 1) * ((sizeof *walk->s + 7) / 8);
+    walk->s = (algsurf_zpoly *)(void *)algsurf_memory_take(m, words);
+    if (!walk->s || !algsurf_zpoly_multiplicities(m, &walk->p, walk->s, &parts)) return -1;
+    walk->parts = parts;
+    walk->bottom = walk->top = algsurf_memory_here(m);
+    walk->active = walk->waiting_count = 0;
+    walk->skip = walk->passed;
+    algsurf_exact_pieces_begin(walk);
+    return 1;
+}
+
+/* ---- what is known of a root ---- */
+
+/* The multiplicity of the only root of s[0] at a place: above i if s[i] has it. */
+static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place *place, int *multiplicity) {
+    *multiplicity = 1;
+    for (int i = 1; i < walk->parts; i++) {
+        int at_a, at_b = 0;
+        if (!algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->a, place->width, place->r, &at_a, NULL, NULL))
+            return 0;
+        if (place->b && !algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->b, place->width, place->r, &at_b,
+                                               NULL, NULL))
+            return 0;
+        if (place->b ? at_a == at_b : at_a != 0) break;
+        *multiplicity = i + 1;
+    }
+    return 1;
+}
+
+/* The sign of p just before a root of multiplicity m at a point: that of its m-th derivative there, times
+ * (-1)^m. */
+static int find_sign_before(algsurf_exact_walk *walk, const algsurf_exact_place *place, int multiplicity,
+                            int *sign) {
+    algsurf_zpoly d = walk->p;
+    if (place->b)
+        return algsurf_zpoly_sign_at(walk->memory, &walk->p, place->a, place->width, place->r, sign, NULL, NULL);
+    for (int i = 0; i < multiplicity; i++)
+        if (!algsurf_zpoly_derivative(walk->memory, &d, &d)) return 0;
+    if (!algsurf_zpoly_sign_at(walk->memory, &d, place->a, place->width, place->r, sign, NULL, NULL)) return 0;
+    if (multiplicity % 2) *sign = -*sign;
+    return 1;
+}
+
+/* Multiplicity and sign of a root whose place is known; 0: no memory. */
+static int complete(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    return (root->multiplicity > 0 || find_multiplicity(walk, &root->place, &root->multiplicity)) &&
+           (root->sign_before != 0 ||
+            find_sign_before(walk, &root->place, root->multiplicity, &root->sign_before));
+}
+
+/* The root at a point, N 2^-r. */
+static void set_point(const algsurf_exact_walk *walk, const algsurf_limb *N, int width, int r,
+                      algsurf_exact_root *root) {
+    root->place = (algsurf_exact_place){walked(walk), N, NULL, width, r};
+    root->lo = algsurf_z_round_down(N, width, walk->unit - r);
+    root->hi = algsurf_z_round_up(N, width, walk->unit - r);
+    root->t = isinf(root->lo) ? root->hi : root->lo;
+}
+
+/* The root at the cell's left end. */
+static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    const algsurf_zpoly *b = &walk->cell.b;
+    algsurf_limb *a, *unused;
+    int width, r, zeros = 0;
+    walk->cell.left_done = 1;
+    while (algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width) == 0) zeros++;
+    if (!algsurf_exact_cell_ends(walk, &a, &unused, &width, &r)) return 0;
+    set_point(walk, a, width, r, root);
+    if (walk->parts) return 1;
+    int after = algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width);
+    root->multiplicity = zeros;
+    root->sign_before = zeros % 2 ? -after : after;
+    return 1;
+}
+
+/* The root in the cell, which has one variation. */
+static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    const algsurf_zpoly *b = &walk->cell.b;
+    if (!algsurf_exact_refine(walk, walked(walk), root)) return 0;
+    if (walk->parts) return 1;
+    root->multiplicity = 1;
+    for (int j = 0; root->sign_before == 0; j++) root->sign_before = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
+    return 1;
+}
+
+/* ---- cells ---- */
+
+static int begin_piece(algsurf_exact_walk *walk) {
+    if (!algsurf_exact_cell_whole(walk->memory, &walk->local, walk->piece.at, walk->piece.length, &walk->cell))
+        return 0;
+    walk->active = 1;
+    walk->used_up = 0;
+    return 1;
+}
+
+/* The cell is done with: the next one that waits, if any. */
+static void next_cell(algsurf_exact_walk *walk) {
+    algsurf_memory_release(walk->memory, walk->cell.begin);
+    walk->active = walk->waiting_count > 0;
+    if (walk->active) walk->cell = walk->waiting[--walk->waiting_count];
+}
+
+static int begins_with_root(const algsurf_exact_cell *cell) {
+    return !cell->left_done && algsurf_z_sign(cell->b.c, cell->b.width) == 0;
+}
+
+/* Halves the cell; what may have roots is kept. */
+static int halve(algsurf_exact_walk *walk) {
+    algsurf_exact_cell left;
+    if (!algsurf_exact_halve(walk->memory, &walk->cell, &left)) return 0;
+    int at_right = count(walk) > 0 || begins_with_root(&walk->cell);
+    int at_left = algsurf_exact_variations(&left.b) > 0;
+    walk->counted++;
+    if (at_left && at_right) {
+        walk->waiting[walk->waiting_count++] = walk->cell;
+        walk->cell = left;
+    } else if (at_left) {
+        algsurf_exact_keep_left(walk->memory, &walk->cell, &left);
+    } else {
+        algsurf_memory_release(walk->memory, left.begin);
+        if (!at_right) next_cell(walk);
+    }
+    return 1;
+}
+
+/* Works on the cell until a root shows or the cells are used up: 1, 0; -1 without memory. */
+static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    int same = 0, before = 0; /* how often a cell kept its variations */
+    if (walk->used_up) {
+        walk->used_up = 0;
+        next_cell(walk);
+    }
+    while (walk->active) {
+        algsurf_exact_cell *cell = &walk->cell;
+        walk->top = algsurf_memory_here(walk->memory);
+        if (begins_with_root(cell)) return root_at_left(walk, root) ? 1 : -1;
+        int v = count(walk);
+        if (v == 0) {
+            next_cell(walk);
+            continue;
+        }
+        if (v == 1) {
+            walk->used_up = 1;
+            return root_in_cell(walk, root) ? 1 : -1;
+        }
+        if (!walk->asked && cell->depth >= ASK_AFTER) {
+            int answer = ask_for_squares(walk);
+            if (answer) return answer < 0 ? -1 : 0;
+        }
+        same = v == before ? same + 1 : 0;
+        before = v;
+        if (same >= ZOOM_AFTER && algsurf_z_sign(cell->b.c, cell->b.width) &&
+            algsurf_z_sign(algsurf_zpoly_at(&cell->b, cell->b.degree), cell->b.width)) {
+            int done;
+            if (!algsurf_exact_zoom(walk->memory, cell, v, &done)) return -1;
+            same = done ? ZOOM_AFTER - 1 : 0;
+            if (done) continue;
+        }
+        if (!halve(walk)) return -1;
+    }
+    return 0;
+}
+
+/* The root at u = 0 between the pieces of both sides. */
+static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    algsurf_limb *N = algsurf_memory_take(walk->memory, 1);
+    if (!N) return 0;
+    *N = 0;
+    set_point(walk, N, 1, 0, root);
+    root->multiplicity = walk->zeros;
+    return 1;
+}
+
+/* The next root of what is walked, wherever it is: 1, 0, -1. */
+static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    for (;;) {
+        *root = (algsurf_exact_root){.multiplicity = 0};
+        if (walk->active) {
+            int found = search_cells(walk, root);
+            if (found) return found;
+            continue;
+        }
+        algsurf_memory_release(walk->memory, walk->bottom);
+        walk->top = walk->bottom;
+        int piece = algsurf_exact_pieces_next(walk, walked(walk));
+        if (piece == 2) return root_at_zero(walk, root) ? 1 : -1;
+        if (piece <= 0) return piece;
+        if (!begin_piece(walk)) return -1;
+    }
+}
+
+/* Is the root in [lo,hi]: 1, 0, or -1 when it is beyond? */
+static int is_wanted(const algsurf_exact_walk *walk, const algsurf_exact_root *root) {
+    if (root->lo == root->hi) return root->t < walk->lo ? 0 : root->t > walk->hi ? -1 : 1;
+    return root->hi <= walk->lo ? 0 : root->lo >= walk->hi ? -1 : 1;
+}
+
+/* A root that is not refined and whose place reaches beyond an end of [lo,hi]: it is, for once. */
+static int see_which_side(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    if (walk->refine || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi)) return 1;
+    walk->refine = 1;
+    int done = algsurf_exact_refine(walk, root->place.of, root);
+    walk->refine = 0;
+    return done;
+}
+
+int algsurf_exact_next(algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    for (;;) {
+        algsurf_memory_release(walk->memory, walk->top);
+        int found = search(walk, root);
+        if (found <= 0) return found;
+        if (walk->skip > 0) {
+            walk->skip--;
+            continue;
+        }
+        walk->passed++;
+        if (!see_which_side(walk, root)) return ALGSURF_EXACT_NO_MEMORY;
+        int wanted = is_wanted(walk, root);
+        if (wanted < 0) return ALGSURF_EXACT_END;
+        if (wanted > 0) return complete(walk, root) ? ALGSURF_EXACT_ROOT : ALGSURF_EXACT_NO_MEMORY;
+    }
+}

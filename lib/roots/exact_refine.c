@@ -1,0 +1,264 @@
+/* exact_refine.c - from a cell with one root to its place, and to the doubles next to it.
+ *
+ * The place is the cell, without an end that is a root of its own.  Refined, it shrinks to two doubles next to
+ * each other (or to one that is the root): values of f at doubles are exact in sign and close in size, so that
+ * Newton's step in double and secants come within an ulp in some four evaluations; a step is made a little longer
+ * than computed, over the root, to close the bracket; and where steps do not halve the bracket, counted in
+ * doubles, it is bisected. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "algsurf/status.h"
+#include "exact.h"
+
+int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign, double *value,
+                            int *exponent) {
+    int e;
+    algsurf_limb odd = algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
+    return algsurf_zpoly_sign_at(walk->memory, f, &N, 1, odd ? walk->unit - e : 0, sign, value, exponent);
+}
+
+int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width, int *r) {
+    const algsurf_exact_cell *cell = &walk->cell;
+    const algsurf_exact_piece *piece = &walk->piece;
+    const algsurf_limb one = 1;
+    int shift = cell->depth + cell->fine, w = algsurf_z_width(shift + piece->length + 64 + 2);
+    int up = cell->fine + piece->length;
+    *a = algsurf_memory_take(walk->memory, (size_t)w);
+    *b = algsurf_memory_take(walk->memory, (size_t)w);
+    algsurf_limb *position = algsurf_memory_take(walk->memory, (size_t)w);
+    if (!*a || !*b || !position) return 0;
+    algsurf_z_set(*a, w, piece->at);
+    algsurf_z_shift_up(*a, w, shift);
+    algsurf_z_copy(position, w, cell->position, cell->position_width);
+    algsurf_z_shift_up(position, w, piece->length);
+    algsurf_z_add(*a, position, w);
+    algsurf_z_copy(*b, w, *a, w);
+    algsurf_z_add_product(*b, w, &one, 1, (algsurf_limb)1 << (up & 63), up / 64);
+    *width = w;
+    *r = shift - (piece->unit - walk->unit);
+    return 1;
+}
+
+/* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
+#define SIGN_BIT ((uint64_t)1 << 63)
+static uint64_t order_of(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits & SIGN_BIT ? SIGN_BIT - (bits - SIGN_BIT) : SIGN_BIT + bits;
+}
+static double double_at(uint64_t order) {
+    uint64_t bits = order < SIGN_BIT ? SIGN_BIT + (SIGN_BIT - order) : order - SIGN_BIT;
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+static uint64_t doubles_between(double lo, double hi) { return order_of(hi) - order_of(lo); }
+static double next_up(double x) { return nextafter(x, HUGE_VAL); }
+static double next_down(double x) { return nextafter(x, -HUGE_VAL); }
+
+/* f at a double, as sign and size. */
+typedef struct sample {
+    double t, value;
+    int exponent, sign;
+} sample;
+
+static int sample_at(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, sample *s) {
+    s->t = t;
+    return algsurf_exact_at_double(walk, f, t, &s->sign, &s->value, &s->exponent);
+}
+
+/* Value a over value b. */
+static double ratio(const sample *a, const sample *b) {
+    int e = a->exponent - b->exponent;
+    return b->value == 0 ? 0 : ldexp(a->value / b->value, e < -3000 ? -3000 : e > 3000 ? 3000 : e);
+}
+
+/* Newton's method on the cell's coefficients in double: where in [0,1] the root is. */
+static double place_in_cell(const algsurf_exact_cell *cell, int before) {
+    double b[ALGSURF_MAX_POLY_DEGREE + 1], t[ALGSURF_MAX_POLY_DEGREE + 1], lo = 0, hi = 1;
+    int n = cell->b.degree;
+    algsurf_exact_cell_doubles(cell, b);
+    double x = b[0] == b[n] ? 0.5 : b[0] / (b[0] - b[n]);
+    for (int round = 0; round < 12; round++) {
+        memcpy(t, b, sizeof *t * (size_t)(n + 1));
+        for (int i = n; i > 1; i--)
+            for (int j = 0; j < i; j++) t[j] += x * (t[j + 1] - t[j]);
+        double value = t[0] + x * (t[1] - t[0]), next = x - value / (n * (t[1] - t[0]));
+        if (before > 0 ? value > 0 : value < 0)
+            lo = x;
+        else
+            hi = x;
+        if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+        double step = fabs(next - x);
+        x = next;
+        if (step < 0x1p-40) break;
+    }
+    return x;
+}
+
+/* The root as a double, roughly; NaN or out of range where the cell is. */
+static double first_guess(const algsurf_exact_walk *walk, int before) {
+    const algsurf_exact_cell *cell = &walk->cell;
+    int e;
+    double position = algsurf_z_to_double(cell->position, cell->position_width, &e);
+    double begin = ldexp(position, e - cell->depth - cell->fine);
+    double x = begin + ldexp(place_in_cell(cell, before), -cell->depth);
+    return ldexp((double)walk->piece.at + ldexp(x, walk->piece.length), walk->piece.unit);
+}
+
+/* A step of the secant through the last point and another one, and over the root. */
+static double next_point(const sample *last, const sample *other, int before, int round) {
+    double step = -(last->t - other->t) / (1 - ratio(other, last));
+    double ulp = next_up(fabs(last->t)) - fabs(last->t), z = last->t + step;
+    if (fabs(step) < 64 * ulp || round > 2) {
+        double over = fmax(ulp, fabs(step) * 0x1p-6) * (fabs(step) < 0.25 * ulp ? 1 : 0.75);
+        z += last->sign == before ? over : -over;
+    }
+    return z;
+}
+
+/* Shrinks [lo, hi], doubles at which f has different signs, to neighbours; or to one point where f is zero. */
+static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double guess, sample *lo, sample *hi) {
+    sample last = *lo, previous = *hi;
+    int before = lo->sign, slow = 0;
+    double x = guess > lo->t && guess < hi->t ? guess : next_point(&last, &previous, before, 0);
+    for (int round = 0; doubles_between(lo->t, hi->t) > 1; round++) {
+        uint64_t width = doubles_between(lo->t, hi->t);
+        if (slow >= 3 || isnan(x)) {
+            x = double_at(order_of(lo->t) + width / 2);
+            slow = 0;
+        }
+        if (!(x > lo->t)) x = next_up(lo->t);
+        if (!(x < hi->t)) x = next_down(hi->t);
+        previous = last;
+        if (!sample_at(walk, f, x + 0.0, &last)) return 0;
+        if (last.sign == 0) {
+            *lo = *hi = last;
+            return 1;
+        }
+        if (last.sign == before)
+            *lo = last;
+        else
+            *hi = last;
+        slow = doubles_between(lo->t, hi->t) > width / 2 ? slow + 1 : 0;
+        if (previous.t == last.t) previous = last.sign == before ? *hi : *lo;
+        x = next_point(&last, &previous, before, round);
+    }
+    return 1;
+}
+
+/* A double as a place, N 2^-r in the walk's unit. */
+static int set_point(algsurf_exact_walk *walk, double t, algsurf_exact_place *place) {
+    int e;
+    algsurf_limb odd = algsurf_z_odd_part(t, &e), *N = algsurf_memory_take(walk->memory, 1);
+    if (!N) return 0;
+    *N = t < 0 ? 0 - odd : odd;
+    *place = (algsurf_exact_place){place->of, N, NULL, 1, odd ? walk->unit - e : 0};
+    return 1;
+}
+
+/* Two neighbouring doubles as a place. */
+static int set_neighbours(algsurf_exact_walk *walk, double lo, double hi, algsurf_exact_place *place) {
+    int e = ilogb(hi - lo);
+    algsurf_limb *N = algsurf_memory_take(walk->memory, 4);
+    if (!N) return 0;
+    algsurf_z_zero(N, 4);
+    algsurf_z_add_double(N, 2, lo, -e);
+    algsurf_z_add_double(N + 2, 2, hi, -e);
+    *place = (algsurf_exact_place){place->of, N, N + 2, 2, walk->unit - e};
+    return 1;
+}
+
+/* Halves the place until neither end is a root: `before` is the sign just right of a. */
+static int part_from_ends(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, algsurf_limb *a,
+                          algsurf_limb *b, int *width, int *r, int *point) {
+    *point = 0;
+    for (;;) {
+        int at_a, at_b, sign;
+        if (!algsurf_zpoly_sign_at(walk->memory, f, a, *width, *r, &at_a, NULL, NULL) ||
+            !algsurf_zpoly_sign_at(walk->memory, f, b, *width, *r, &at_b, NULL, NULL))
+            return 0;
+        if (at_a && at_b) return 1;
+        algsurf_limb *middle = algsurf_memory_take(walk->memory, (size_t)*width);
+        if (!middle) return 0;
+        algsurf_z_copy(middle, *width, a, *width); /* a + b over twice the denominator */
+        algsurf_z_add(middle, b, *width);
+        algsurf_z_shift_up(a, *width, 1);
+        algsurf_z_shift_up(b, *width, 1);
+        ++*r;
+        if (!algsurf_zpoly_sign_at(walk->memory, f, middle, *width, *r, &sign, NULL, NULL)) return 0;
+        algsurf_z_copy(sign == before || sign == 0 ? a : b, *width, middle, *width);
+        if (sign == 0) {
+            *point = 1;
+            return 1;
+        }
+        if (algsurf_z_bits(b, *width) + 3 >= 64 * *width || algsurf_z_bits(a, *width) + 3 >= 64 * *width) return 2;
+    }
+}
+
+static void set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
+    const algsurf_exact_place *place = &root->place;
+    const algsurf_limb *b = place->b ? place->b : place->a;
+    root->lo = algsurf_z_round_down(place->a, place->width, walk->unit - place->r);
+    root->hi = algsurf_z_round_up(b, place->width, walk->unit - place->r);
+    root->t = fmax(root->lo, -DBL_MAX) == root->lo ? root->lo : root->hi;
+}
+
+/* From the place (a, b) to doubles. */
+static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, algsurf_exact_root *root) {
+    algsurf_exact_place *place = &root->place;
+    int e = walk->unit - place->r;
+    sample lo, hi;
+    set_hull(walk, root);
+    if (doubles_between(root->lo, root->hi) <= 1) return 1; /* no double is inside */
+    double first = algsurf_z_round_up(place->a, place->width, e),
+           last = algsurf_z_round_down(place->b, place->width, e);
+    if (!sample_at(walk, f, first, &lo) || !sample_at(walk, f, last, &hi)) return 0;
+    if (lo.sign != 0 && lo.sign != before) {
+        hi = lo;
+        lo.t = next_down(first);
+        if (lo.t < root->lo) lo.t = root->lo;
+    } else if (hi.sign == before) {
+        lo = hi;
+        hi.t = next_up(last);
+    } else if (lo.sign == 0) {
+        hi = lo;
+    } else if (hi.sign == 0) {
+        lo = hi;
+    } else if (!close_in(walk, f, first_guess(walk, before), &lo, &hi)) {
+        return 0;
+    }
+    int outside = lo.t < first || hi.t > last; /* the place reaches less far than the doubles */
+    root->lo = lo.t + 0.0;
+    root->hi = hi.t + 0.0;
+    root->t = outside ? (lo.t < first ? root->hi : root->lo) : fabs(ratio(&lo, &hi)) <= 1 ? root->lo : root->hi;
+    if (lo.t == hi.t) return set_point(walk, lo.t + 0.0, place);
+    return outside ? 1 : set_neighbours(walk, root->lo, root->hi, place);
+}
+
+int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
+    algsurf_limb *a, *b;
+    int width, r, before = 0, point = 0, done;
+    const algsurf_zpoly *cell = &walk->cell.b;
+    for (int j = 0; before == 0; j++) before = algsurf_z_sign(algsurf_zpoly_at(cell, j), cell->width);
+    if (!algsurf_exact_cell_ends(walk, &a, &b, &width, &r)) return 0;
+    if (algsurf_z_sign(cell->c, cell->width) == 0 ||
+        algsurf_z_sign(algsurf_zpoly_at(cell, cell->degree), cell->width) == 0) {
+        while ((done = part_from_ends(walk, f, before, a, b, &width, &r, &point)) == 2) {
+            algsurf_limb *wider = algsurf_memory_take(walk->memory, 2 * (size_t)(width + 4));
+            if (!wider) return 0;
+            algsurf_z_copy(wider, width + 4, a, width);
+            algsurf_z_copy(wider + width + 4, width + 4, b, width);
+            a = wider, b = wider + width + 4, width += 4;
+        }
+        if (!done) return 0;
+    }
+    root->place = (algsurf_exact_place){f, a, point ? NULL : b, width, r};
+    if (!walk->refine || point) {
+        set_hull(walk, root);
+        return 1;
+    }
+    return to_doubles(walk, f, before, root);
+}
