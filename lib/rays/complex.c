@@ -145,7 +145,7 @@ static void set_hit(const complex_query *q, const algsurf_enclosure *local, cons
 }
 
 static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
-    *hit = (algsurf_hit){ALGSURF_MISS, ALGSURF_OK, HUGE_VAL, HUGE_VAL, HUGE_VAL, {0, 0, 0}, {0, 0, 0}};
+    *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = HUGE_VAL, .t_lo = HUGE_VAL, .t_hi = HUGE_VAL};
     if (root) *root = (algsurf_complex){NAN, NAN};
 }
 
@@ -172,6 +172,7 @@ static void give_roots(const complex_query *q, const algsurf_enclosure *s, int c
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
     set_miss(hit, NULL);
     hit->state = ALGSURF_UNCERTAIN;
+    hit->multiplicity = hit->side = 0;
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
     hit->t_hi = q->ray.t_max;
@@ -216,6 +217,8 @@ static void solve(complex_query *q, const algsurf_complex *start, algsurf_comple
     algsurf_selected selected = choose(q, s, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
     hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
+    hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;
+    hit->side = 0;
     hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;
     if (hit->state == ALGSURF_UNCERTAIN && local[index].multiplicity > 1)
         hit->reason = ALGSURF_UNDECIDED_MULTIPLE;

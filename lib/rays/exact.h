@@ -1,31 +1,15 @@
-/* exact.h - the last step of the certified tier: roots in an interval by exact arithmetic. */
-#ifndef ALGSURF_INTERSECT_EXACT_H
-#define ALGSURF_INTERSECT_EXACT_H
+/* exact.h - the roots along a ray by integers: every ray of an exact surface is decided. */
+#ifndef ALGSURF_RAYS_EXACT_H
+#define ALGSURF_RAYS_EXACT_H
 #include "intersect_impl.h"
 
-/* A root of P(origin + t direction), or a place where some may be, lo <= t <= hi. */
-typedef struct algsurf_i_exact_root {
-    int state; /* ALGSURF_HIT or ALGSURF_UNCERTAIN */
-    algsurf_status reason;
-    double lo, hi;
-    algsurf_dd t; /* in the middle, to double-double */
-} algsurf_i_exact_root;
-
-/* The roots in [lo,hi], lo <= hi, not both infinite, that lie in the extent (null: all of them), in
- * increasing order; for WANT_FIRST the first entry, for WANT_ANY all up to the first hit.  Uncertain are only
- * places of width 2^-60 (hi - lo), and less than 2^-30 of what they are from 0, with a multiple root or
- * several roots; or a root next to an extent's sphere, or on it if the ray's other point of the sphere is not
- * on P = 0; and all of [lo,hi] where P vanishes on it.
- *
- *   roots  room for degree + 1
- *
- * Returns how many were written; -1, and nothing is known, when the numbers need too many digits (some
- * thousand decimal ones between the largest and the least of the ray's numbers to the power of the degree),
- * or more memory than there is, or when the surface's coefficients are not exact.  Cost: some 20 microseconds
- * for degree 6; grows with the fifth power of the degree, and with the digits that the ray's numbers span.
- * Allocates. */
-int algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_ray *ray,
-                          const algsurf_extent *extent, double lo, double hi, algsurf_i_want want,
-                          algsurf_i_exact_root *roots);
+/* Roots of P along a checked ray in [t_min, t_max] and in the extent (null: all of space), both as they are
+ * given, in increasing order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is
+ * known.  At most `capacity` are written, the surface's degree, at least 1, always suffices.  A ray in the
+ * surface has one root, of multiplicity 0, at the first t that counts. limit  bytes that may be allocated
+ * Returns OK or E_NO_MEMORY.  Stack: 20 KiB, of which 16 serve as memory before anything is allocated. */
+algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_extent *extent,
+                                     const algsurf_ray *ray, algsurf_i_want want, size_t limit,
+                                     algsurf_i_ray_root *roots, int capacity, int *count);
 
 #endif

@@ -40,11 +40,4 @@ void algsurf_i_expand_d(const algsurf_surface *s, const double X[3], const doubl
 void algsurf_i_expand_dd(const algsurf_surface *s, const algsurf_dd X[3], const double D[3], algsurf_dd *q,
                          double *r);
 
-/* The exact sign of P at origin + t direction: -1, 0, +1, or ALGSURF_SIGN_UNKNOWN when an intermediate
- * product leaves the range of double, or the surface's coefficients are not exact.  Cost: some hundred times an evaluation in double. */
-int algsurf_i_exact_sign(const algsurf_surface *s, const algsurf_ray *ray, double t);
-
-/* Is the coefficient of t^degree, the form of highest degree at the direction, exactly zero? */
-int algsurf_i_top_vanishes(const algsurf_surface *s, const algsurf_ray *ray);
-
 #endif

@@ -8,25 +8,18 @@
 #include <math.h>
 
 #include "../base/fpenv.h"
+#include "exact.h"
 #include "intersect_impl.h"
 #include "../simd/kernel.h"
 #include "../base/options.h"
 #include "ray_impl.h"
 #include "../base/vec.h"
 
-typedef struct query {
-    const algsurf_surface *surface;
-    algsurf_ray ray; /* clipped to the extent */
-    algsurf_i_edges edges;
-    int empty; /* nothing of the ray is left */
-    algsurf_intersect_options options;
-} query;
-
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options) {
     static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if ((unsigned)options->tier > ALGSURF_TIER_CERTIFIED || (unsigned)options->doubt > ALGSURF_DOUBT_MISS)
+    if ((unsigned)options->tier > ALGSURF_TIER_FAST || (unsigned)options->doubt > ALGSURF_DOUBT_MISS)
         return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
@@ -40,65 +33,45 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
     return ALGSURF_OK;
 }
 
-/* Checks the arguments and clips the ray; in the standard environment, where subnormals count. */
-static algsurf_status prepare(query *q, const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray *ray, const algsurf_intersect_options *options) {
-    if (!surface) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
-    if (status != ALGSURF_OK) return status;
-    q->surface = surface;
-    q->edges.extent = NULL;
-    q->empty = q->options.tier == ALGSURF_TIER_CERTIFIED
-                   ? !algsurf_i_extent_bracket(extent, ray, &q->ray, &q->edges)
-                   : !algsurf_i_extent_clip(extent, ray, &q->ray);
-    return ALGSURF_OK;
-}
-
 static void set_miss(algsurf_hit *hit) {
-    *hit = (algsurf_hit){ALGSURF_MISS, ALGSURF_OK, INFINITY, INFINITY, INFINITY, {0, 0, 0}, {0, 0, 0}};
+    *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
-static void point_at(const algsurf_i_frame *f, algsurf_dd offset, double x[3]) {
-    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_dd_mul_d(offset, f->V[i])).hi;
-}
+/* A root, and the frame about its point. */
+typedef struct query {
+    const algsurf_surface *surface;
+    const algsurf_ray *ray;
+    algsurf_i_frame frame;
+} query;
 
-/* Newton steps on P at the point itself, in natural units: they take out what the expansion over a long
- * chord lost.  One is the rule; more only where the first was large. */
-static void polish(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, double x[3]) {
-    double gradient[3];
-    double lo = ldexp(root->t_lo, f->exponent), hi = ldexp(root->t_hi, f->exponent);
-    for (int i = 0; i < 4; i++) {
-        double value = algsurf_i_surface_value(q->surface, x, gradient);
-        double step = -value / algsurf_dot(gradient, f->V);
-        algsurf_dd offset = algsurf_dd_add_d(root->offset, step);
-        double s = f->centre + offset.hi;
-        if (!(s >= lo && s <= hi)) return;
-        root->offset = offset; /* in double-double: t may be far smaller than its distance to the centre */
-        point_at(f, root->offset, x);
-        if (fabs(step) <= 0x1p-40 * fabs(hi - lo)) return;
-    }
+/* A step of Newton's method on P at the root's point, where the root is simple: it takes out the rounding of
+ * t, which is more than that of coordinates when the origin is far.  Only within the interval of the root. */
+static void polish(const query *q, const algsurf_i_ray_root *root, double x[3]) {
+    const algsurf_i_frame *f = &q->frame;
+    double gradient[3], value = algsurf_i_surface_value(q->surface, x, gradient);
+    double step = -value / algsurf_dot(gradient, f->V);
+    double width = ldexp(root->t_hi - root->t_lo, f->exponent);
+    if (!(fabs(step) <= width)) return;
+    for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
 /* A coordinate of the point at t; what is beyond the largest double is drawn in. */
 static double coordinate_at(const query *q, int axis, double t) {
-    return fmin(fmax(fma(t, q->ray.direction[axis], q->ray.origin[axis]), -DBL_MAX), DBL_MAX);
+    return fmin(fmax(fma(t, q->ray->direction[axis], q->ray->origin[axis]), -DBL_MAX), DBL_MAX);
 }
 
 /* The point at t where the frame has, or may have, overflowed. */
 static void point_within_range(const query *q, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
         position[i] = coordinate_at(q, i, t);
-        x[i] = ldexp(fma(t, q->ray.direction[i], q->ray.origin[i]), -q->surface->unit);
+        x[i] = ldexp(fma(t, q->ray->direction[i], q->ray->origin[i]), -q->surface->unit);
     }
 }
 
 /* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
-static void set_position(const query *q, const algsurf_i_frame *f, const double x[3], double t,
-                         double position[3]) {
+static void set_position(const query *q, const double x[3], double t, double position[3]) {
     for (int i = 0; i < 3; i++) {
-        int lost = q->ray.direction[i] != 0 && fabs(f->V[i]) < 0x1p-900;
+        int lost = q->ray->direction[i] != 0 && fabs(q->frame.V[i]) < 0x1p-900;
         lost |= x[i] != 0 && fabs(x[i]) < 0x1p-900;
         position[i] = lost ? coordinate_at(q, i, t) : ldexp(x[i], q->surface->unit);
     }
@@ -106,18 +79,17 @@ static void set_position(const query *q, const algsurf_i_frame *f, const double 
 
 /* The gradient at a point before x on the ray, `back` away in natural units or, far out, in those of |x|; 0
  * when it is mostly rounding. */
-static int gradient_before(const query *q, const algsurf_i_frame *f, const double x[3], double back,
-                           double gradient[3]) {
+static int gradient_before(const query *q, const double x[3], double back, double gradient[3]) {
     double before[3], length = back * fmax(1, algsurf_max_abs(x));
-    for (int i = 0; i < 3; i++) before[i] = x[i] - length * f->V[i];
+    for (int i = 0; i < 3; i++) before[i] = x[i] - length * q->frame.V[i];
     return algsurf_i_surface_clear_gradient(q->surface, before, gradient);
 }
 
 /* The gradient at x; 0 when it is mostly rounding, or another than a few roundings of x away. */
-static int gradient_at(const query *q, const algsurf_i_frame *f, const double x[3], double gradient[3]) {
+static int gradient_at(const query *q, const double x[3], double gradient[3]) {
     double near[3], size = 0, change = 0;
-    if (!gradient_before(q, f, x, 0, gradient)) return 0;
-    (void)gradient_before(q, f, x, 0x1p-44, near);
+    if (!gradient_before(q, x, 0, gradient)) return 0;
+    (void)gradient_before(q, x, 0x1p-44, near);
     for (int i = 0; i < 3; i++) {
         size = fmax(size, fabs(gradient[i]));
         change = fmax(change, fabs(near[i] - gradient[i]));
@@ -128,67 +100,128 @@ static int gradient_at(const query *q, const algsurf_i_frame *f, const double x[
 /* The unit normal at x.  At a singular point, where there is no gradient, it is that of the nearest of some
  * points before it on the ray: where two sheets meet, or one is there twice, the normal seen beside.  0: no
  * point has any. */
-static void set_normal(const query *q, const algsurf_i_frame *f, const double x[3], double normal[3]) {
+static void set_normal(const query *q, const double x[3], double normal[3]) {
     double gradient[3];
-    int found = gradient_at(q, f, x, gradient);
+    int found = gradient_at(q, x, gradient);
     for (double back = 0x1p-36; !found && back <= 0x1p-8; back *= 16)
-        found = gradient_before(q, f, x, back, gradient);
+        found = gradient_before(q, x, back, gradient);
     if (!found || !algsurf_is_finite3(gradient) || !algsurf_unit(gradient, normal))
         normal[0] = normal[1] = normal[2] = 0;
 }
 
-static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_root *root, algsurf_hit *hit) {
+static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_i_ray_root *root,
+                     algsurf_hit *hit) {
+    algsurf_ray point = *ray;
     double x[3];
-    point_at(f, root->offset, x);
-    if (root->polish) polish(q, f, root, x);
-    double t = ldexp(algsurf_dd_add_d(root->offset, f->centre).hi, -f->exponent);
-    if (!isfinite(t)) t = 0.5 * root->t_lo + 0.5 * root->t_hi; /* the frame has overflowed */
-    t = fmin(fmax(fmin(fmax(t, root->t_lo), root->t_hi), -DBL_MAX), DBL_MAX);
-    set_position(q, f, x, t, hit->position);
-    if (root->reason == ALGSURF_UNDECIDED_RANGE || !algsurf_is_finite3(hit->position))
-        point_within_range(q, t, x, hit->position);
-    set_normal(q, f, x, hit->normal);
-    hit->state = root->state;
-    hit->reason = root->reason;
-    hit->t = t;
-    hit->t_lo = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_lo;
-    hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_hi;
+    query q = {surface, ray, {0}};
+    point.t_min = point.t_max = root->t;
+    algsurf_i_frame_of(surface, &point, 0, &q.frame);
+    for (int i = 0; i < 3; i++) x[i] = q.frame.X[i].hi;
+    if (root->multiplicity == 1) polish(&q, root, x);
+    *hit = (algsurf_hit){.state = ALGSURF_HIT,
+                         .reason = ALGSURF_OK,
+                         .multiplicity = root->multiplicity,
+                         .side = root->side,
+                         .t = root->t,
+                         .t_lo = root->t_lo,
+                         .t_hi = root->t_hi};
+    set_position(&q, x, root->t, hit->position);
+    if (q.frame.lost || !algsurf_is_finite3(hit->position)) point_within_range(&q, root->t, x, hit->position);
+    set_normal(&q, x, hit->normal);
 }
 
-ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface,
-                                                          const algsurf_extent *extent,
-                                                          const algsurf_ray *ray,
-                                                          const algsurf_intersect_options *options,
-                                                          algsurf_hit *hit) {
-    query q;
-    algsurf_i_frame frame;
-    algsurf_i_ray_root root;
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
+/* Where nothing is decided: the tier does not go to integers, or the coefficients are known to an error only.
+ */
+static void set_undecided(const algsurf_ray *chord, algsurf_status reason, algsurf_hit *hit) {
+    double middle = 0.5 * chord->t_min + 0.5 * chord->t_max, t = chord->t_min;
+    if (isfinite(middle)) t = middle;
+    if (!isfinite(t)) t = isfinite(chord->t_max) ? chord->t_max : 0;
+    *hit = (algsurf_hit){
+        .state = ALGSURF_UNCERTAIN, .reason = reason, .t = t, .t_lo = chord->t_min, .t_hi = chord->t_max};
+    for (int i = 0; i < 3; i++)
+        hit->position[i] = fmin(fmax(fma(t, chord->direction[i], chord->origin[i]), -DBL_MAX), DBL_MAX);
+}
+
+static int goes_to_integers(const algsurf_surface *surface, const algsurf_intersect_options *options) {
+    return options->tier != ALGSURF_TIER_BOUNDED && surface->error == 0;
+}
+
+static size_t memory_limit(const algsurf_intersect_options *options) {
+    return options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
+}
+
+/* What becomes of an undecided place is the caller's choice. */
+static int counts_undecided(const algsurf_intersect_options *options, int *state) {
+    *state = options->doubt == ALGSURF_DOUBT_HIT ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
+    return options->doubt != ALGSURF_DOUBT_MISS;
+}
+
+/* The roots as hits: at most `capacity` of them, the surface's degree at least. */
+static ALGSURF_NOINLINE algsurf_status hits_of(const algsurf_surface *surface, const algsurf_extent *extent,
+                                               const algsurf_ray *ray,
+                                               const algsurf_intersect_options *options, algsurf_i_want want,
+                                               algsurf_hit *hits, int capacity, int *count) {
+    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
+    int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
+    algsurf_status status =
+        algsurf_i_exact_roots(surface, extent, ray, want, memory_limit(options), roots, most, count);
     if (status != ALGSURF_OK) return status;
-    if (q.empty ||
-        !algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
-        set_miss(hit);
+    if (*count > capacity) return ALGSURF_E_ARGUMENT;
+    for (int i = 0; i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
+    return ALGSURF_OK;
+}
+
+/* The one entry of a ray that stays undecided, if it meets the extent and the caller wants it. */
+static int undecided_hit(const algsurf_extent *extent, const algsurf_ray *ray,
+                         const algsurf_intersect_options *options, algsurf_hit *hit) {
+    algsurf_ray chord;
+    algsurf_i_edges edges;
+    int state;
+    if (!algsurf_i_extent_bracket(extent, ray, &chord, &edges) || !counts_undecided(options, &state))
+        return 0;
+    set_undecided(&chord, ALGSURF_UNDECIDED_MULTIPLE, hit);
+    hit->state = state;
+    return 1;
+}
+
+algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
+                                         const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                         algsurf_hit *hit) {
+    algsurf_hit found;
+    algsurf_status status = ALGSURF_OK;
+    int count = 0;
+    if (goes_to_integers(surface, options))
+        status = hits_of(surface, extent, ray, options, ALGSURF_WANT_FIRST, &found, 1, &count);
     else
-        make_hit(&q, &frame, &root, hit);
+        count = undecided_hit(extent, ray, options, &found);
+    if (status != ALGSURF_OK) return status;
+    if (count)
+        *hit = found;
+    else
+        set_miss(hit);
     return ALGSURF_OK;
 }
 
-static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                           algsurf_hit *hits, int capacity, int *count) {
-    query q;
-    algsurf_i_frame frame;
-    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
+static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
+                          const algsurf_ray *ray, const algsurf_intersect_options *given, algsurf_hit *hits,
+                          int capacity, int *count) {
+    algsurf_intersect_options options;
+    algsurf_hit one;
+    int found = 0;
+    if (!surface) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_ray_check(ray);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &options);
     if (status != ALGSURF_OK) return status;
-    int room = surface->degree > 0 ? surface->degree : 1;
-    int n = q.empty ? 0
-                    : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ALL, &frame,
-                                              roots, room);
-    if (n > capacity) return ALGSURF_E_ARGUMENT;
-    for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
-    *count = n;
-    return ALGSURF_OK;
+    if (goes_to_integers(surface, &options)) {
+        status = hits_of(surface, extent, ray, &options, ALGSURF_WANT_ALL, hits, capacity, &found);
+    } else {
+        found = undecided_hit(extent, ray, &options, &one);
+        if (found > capacity) return ALGSURF_E_ARGUMENT;
+        if (found) hits[0] = one;
+    }
+    if (status == ALGSURF_OK) *count = found;
+    return status;
 }
 
 algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -202,18 +235,19 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
     return status;
 }
 
-ALGSURF_NOINLINE algsurf_status algsurf_i_occluded(const algsurf_surface *surface,
-                                                   const algsurf_extent *extent, const algsurf_ray *ray,
-                                                   const algsurf_intersect_options *options,
-                                                   algsurf_hit_state *state) {
-    query q;
-    algsurf_i_frame frame;
-    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE + 1];
-    algsurf_status status = prepare(&q, surface, extent, ray, options);
-    if (status != ALGSURF_OK) return status;
-    int n = q.empty ? 0
-                    : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ANY, &frame,
-                                              roots, ALGSURF_MAX_DEGREE + 1);
-    *state = n ? (algsurf_hit_state)roots[0].state : ALGSURF_MISS;
-    return ALGSURF_OK;
+algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
+                                  const algsurf_ray *ray, const algsurf_intersect_options *options,
+                                  algsurf_hit_state *state) {
+    algsurf_i_ray_root root;
+    algsurf_hit unused;
+    int count = 0;
+    if (!goes_to_integers(surface, options)) {
+        *state =
+            undecided_hit(extent, ray, options, &unused) ? (algsurf_hit_state)unused.state : ALGSURF_MISS;
+        return ALGSURF_OK;
+    }
+    algsurf_status status = algsurf_i_exact_roots(surface, extent, ray, ALGSURF_WANT_ANY,
+                                                  memory_limit(options), &root, 1, &count);
+    if (status == ALGSURF_OK) *state = count ? ALGSURF_HIT : ALGSURF_MISS;
+    return status;
 }

@@ -24,6 +24,7 @@ typedef struct algsurf_i_rays_job {
 /* What is found of each ray, as in algsurf_hit; any array may be null, but state. */
 typedef struct algsurf_i_rays_hits {
     uint8_t *state;
+    int8_t *side; /* the sign before a hit */
     double *t, *t_lo, *t_hi, *position[3], *normal[3];
 } algsurf_i_rays_hits;
 

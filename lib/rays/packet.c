@@ -123,6 +123,7 @@ static int left_alone(const query *q, const unsigned char *state, size_t i) {
 
 static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_hit *hit) {
     hits->state[i] = (unsigned char)hit->state;
+    if (hits->side) hits->side[i] = (int8_t)hit->side;
     if (hits->t) hits->t[i] = hit->t;
     if (hits->t_lo) hits->t_lo[i] = hit->t_lo;
     if (hits->t_hi) hits->t_hi[i] = hit->t_hi;
@@ -130,6 +131,21 @@ static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_h
         if (hits->position[k]) hits->position[k][i] = hit->position[k];
         if (hits->normal[k]) hits->normal[k][i] = hit->normal[k];
     }
+}
+
+/* What the packet code does not write: it knows simple roots only. */
+static void set_simple(const query *q, const algsurf_hit_packet *hits, size_t i) {
+    if (q->rays.active && !q->rays.active[i]) return;
+    int hit = hits->state[i] == ALGSURF_HIT;
+    if (hits->multiplicity) hits->multiplicity[i] = hit;
+    if (hits->side && !hit) hits->side[i] = 0;
+}
+
+/* A ray that could not be decided for want of memory. */
+static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
+    *hit = (algsurf_hit){.state = ALGSURF_UNCERTAIN, .reason = ALGSURF_UNDECIDED_RANGE};
+    hit->t = hit->t_lo = ray->t_min;
+    hit->t_hi = ray->t_max;
 }
 
 static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -144,6 +160,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
     if (!known.state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
     const algsurf_i_rays_hits hits = {
         .state = known.state,
+        .side = known.side,
         .t = known.t,
         .t_lo = known.t_lo,
         .t_hi = known.t_hi,
@@ -152,13 +169,21 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
     };
     solve_together(&q, 0, &hits);
     for (size_t i = 0; i < q.rays.count; i++) {
-        if (!left_alone(&q, hits.state, i)) continue;
+        if (!left_alone(&q, hits.state, i)) {
+            set_simple(&q, &known, i);
+            continue;
+        }
         algsurf_ray ray = ray_of(&q.rays, i);
         algsurf_hit hit;
-        (void)algsurf_i_intersect_first(surface, extent, &ray, &q.options, &hit); /* all checked before */
+        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, &q.options, &hit);
+        if (one != ALGSURF_OK) {
+            set_no_memory(&ray, &hit);
+            status = one;
+        }
         store_hit(&hits, i, &hit);
+        if (known.multiplicity) known.multiplicity[i] = hit.multiplicity;
     }
-    return ALGSURF_OK;
+    return status;
 }
 
 static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
@@ -178,11 +203,13 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     query q;
     algsurf_hit found;
     unsigned char state;
+    int8_t side = 0;
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
     const algsurf_i_rays_hits hits = {
         .state = &state,
+        .side = &side,
         .t = &found.t,
         .t_lo = &found.t_lo,
         .t_hi = &found.t_hi,
@@ -194,6 +221,8 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
         return algsurf_i_intersect_first(surface, extent, ray, &q.options, hit);
     found.state = state;
     found.reason = ALGSURF_OK;
+    found.multiplicity = state == ALGSURF_LANE_HIT;
+    found.side = side;
     *hit = found;
     return ALGSURF_OK;
 }
@@ -231,11 +260,12 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     for (size_t i = 0; i < q.rays.count; i++) {
         if (!left_alone(&q, state, i)) continue;
         algsurf_ray ray = ray_of(&q.rays, i);
-        algsurf_hit_state one;
-        (void)algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
+        algsurf_hit_state one = ALGSURF_UNCERTAIN;
+        algsurf_status decided = algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
+        if (decided != ALGSURF_OK) status = decided;
         state[i] = (unsigned char)one;
     }
-    return ALGSURF_OK;
+    return status;
 }
 
 algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const algsurf_extent *extent,

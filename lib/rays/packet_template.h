@@ -356,6 +356,9 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
             if (which >> l & 1)
                 hits->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
                                                         ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+        unsigned below = bits(negative((words)k.w[0]));
+        for (int l = 0; hits->side && l < left; l++)
+            if (which >> l & found >> l & 1) hits->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
         if (!job->any) store_hits(job, &k, &hit, hits, at, which);
     }
 }
