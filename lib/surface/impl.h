@@ -40,26 +40,30 @@ struct algsurf_surface {
     algsurf_row *rows;
     double *coef;
     int stride[3]; /* 2 for a coordinate of which P has only even powers, else 1 */
-    /* For packets of rays, null for degree 0 and above ALGSURF_MAX_PACKET_DEGREE: node_degree + 1 nodes in
-     * [-1,1], and the matrix that makes of P's values at them the Bernstein coefficients over [-1,1]: row j
-     * for coefficient j, entries with a relative error below (3 node_degree + 4) u. */
+    /* For packets of rays, null for degree 0.  Up to ALGSURF_MAX_NODE_DEGREE: node_degree + 1 nodes in [-1,1],
+     * and the matrix that makes of P's values at them the Bernstein coefficients over [-1,1]: row j for
+     * coefficient j, entries with a relative error below (3 node_degree + 4) u.  Above: no nodes, and the
+     * matrix that makes them of the coefficients of powers, with relative errors of 3 u. */
     int node_degree; /* at least degree */
-    double *nodes, *to_bernstein;
-    double amplification; /* the largest sum of |entries| in a row */
-    double clear_reach;   /* the largest reach of a chord (rays/packet_template.h) over which rounding stays below 2^-12 */
+    double *tables, *nodes, *to_bernstein;
+    double *row_amplification; /* the sum of |entries| in each row; for nodes only */
+    double amplification;      /* the largest of them; 1 for powers */
+    double most_reach;         /* of a chord in natural units, so that its reach^degree is below 2^280 */
+    double clear_reach;        /* the largest reach over which rounding stays below 2^-12 */
 };
 
-/* The rounding of values counts amplification times, which doubles with each degree.  Of rays on Chmutov's
- * surfaces, 0.6 % cannot be decided in double for degree 14, 10 % for 16, 99 % for 20; on random ones, 8 %
- * for 20, 80 % for 24. */
-#define ALGSURF_MAX_PACKET_DEGREE 20
+/* The rounding of values at nodes counts amplification times, which doubles with each degree; that of powers
+ * does not. */
+#ifndef ALGSURF_MAX_NODE_DEGREE
+#define ALGSURF_MAX_NODE_DEGREE 14
+#endif
 
 /* A surface from checked terms, in the standard environment. */
 algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error, double rounding,
                                       algsurf_surface **surface);
 
-/* Sets node_degree, nodes, to_bernstein, amplification and clear_reach; 0 when there is no memory. */
-int algsurf_i_surface_set_nodes(algsurf_surface *s);
+/* Sets what packets of rays need; 0 when there is no memory. */
+int algsurf_i_surface_set_tables(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
  * natural coordinates), in double, no bounds: gradient may be null. */
