@@ -3,18 +3,28 @@
  *
  * Everything is in natural units, but t is the caller's.  The chord [near, far] has the middle t_c and half
  * the length h, both doubles; its points are X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle
- * M = o + t_c d comes from double-double: a far origin costs no digits.  P is evaluated at the surface's
- * nodes v_i, and its matrix turns the values into Bernstein coefficients (surface/nodes.c): unlike the
- * coefficients of v^k, that needs no polynomial arithmetic for each ray.
+ * M = o + t_c d comes from double-double: a far origin costs no digits.
  *
- * Error of the coefficients.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme on them.
- * M, h d, v_i h d and the sum are rounded: 3 roundings to each of at most n coordinates in a term, beside
- * the 3n + 3 of surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix has
- * relative errors (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's
+ * Two ways lead to Bernstein coefficients.  Up to ALGSURF_MAX_NODE_DEGREE P is evaluated at the surface's
+ * nodes v_i, and a matrix turns the values into coefficients (surface/nodes.c), which share one error radius.
+ * Lanes that this leaves undecided, and all lanes of higher degrees, take powers of v (powers_template.h) and
+ * a radius for each coefficient (roots/radii_template.h): the nodes' matrix amplifies rounding by a factor
+ * that doubles with each degree, powers do not.
+ *
+ * Error of the coefficients from nodes.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme
+ * on them.  M, h d, v_i h d and the sum are rounded: 3 roundings to each of at most n coordinates in a term,
+ * beside the 3n + 3 of surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix
+ * has relative errors (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's
  * amplification A.  Together (9n+9) u A S; the bound used is (10n+20) u A S, for higher orders and the
- * rounding of S; coefficients with an error e of their own add e A S.  With reach <= 2^14 and degrees up to
- * 20, what underflow changes is less than UNDERFLOW in all.  The fast tier computes no bound, and leaves
- * alone chords so long that this one could matter, by their reach (surface/nodes.c).
+ * rounding of S; coefficients with an error e of their own add e A S.  The fast tier computes no bound from
+ * nodes, and leaves alone chords so long that this one could matter, by their reach (surface/nodes.c).
+ *
+ * Rounding of M.  It is within u |M| and 2^-100 (|o| + |t_c d|) of the point.  As blur is below 2^-16, |t_c|
+ * is below 2^36 h, so the latter is less than 2^-63 (|M| + |h d|).
+ *
+ * Range.  With reach^n <= 2^280, n <= 64 and fewer than 2^16 terms, S is below 2^296.  An underflow changes a
+ * number by 2^-1074, is multiplied by 2^280 and the matrix's entries, below 2^12, at most, and there are
+ * fewer than 2^22 of them: UNDERFLOW is more.
  *
  * Error of the ends.  The scalar path clips with roundings of its own.  Both are within `off` of the exact
  * chord, t_c - h and t_c + h within u (|t_c| + h) of this one.  The sum goes to packet.blur: where p keeps
@@ -36,7 +46,7 @@
 #define MOST_BLUR 0x1p-16         /* above, the bound on p' holds no more */
 #define ROOT_ERROR 0x1p-44        /* in chords: the step on P itself is to be the last one */
 #define BLOCK_OF_NODES 7          /* evaluated together, in degrees without code of their own */
-#define MOST_NODES 21             /* a multiple of it, above ALGSURF_MAX_NODE_DEGREE */
+#define MOST_NODES 14             /* a multiple of it, above ALGSURF_MAX_NODE_DEGREE */
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
@@ -155,12 +165,6 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale)
     r->open &= ~less(r->far, r->near - 4 * r->off);
 }
 
-/* Radii of the coefficients; from nodes they are made when they are wanted. */
-typedef struct known {
-    lanes error; /* of a coefficient from nodes, but for the amplification of its row */
-    lanes e[ALGSURF_MAX_DEGREE + 1];
-} known;
-
 /* P at `block` points at once: x[0], x[1], x[2] and their coordinates, or the squares of these. */
 INLINE void surface_values(const algsurf_surface *s, int block, const lanes *const x[3], lanes *p) {
     lanes level[MOST_NODES], row[MOST_NODES];
@@ -218,42 +222,33 @@ INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle
     }
 }
 
-/* What a coefficient from nodes is off by, but for the amplification of its row. */
-INLINE lanes node_error(const algsurf_surface *s, int n, const lanes reach[3]) {
-    lanes x[3];
-    for (int i = 0; i < 3; i++) x[i] = s->stride[i] == 2 ? reach[i] * reach[i] : reach[i];
-    return ((10 * n + 20) * 0x1p-53 + s->error) * surface_magnitude(s, x);
-}
-
-/* b; a radius for all of them, or with powers one for each. */
-INLINE void set_coefficients(const algsurf_i_rays_job *job, const lanes middle[3], const lanes half[3],
-                             packet *k, known *e, int n, int block) {
+/* b from nodes, and one radius for all of them. */
+INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
+                             int block) {
     const algsurf_surface *s = job->surface;
-    lanes reach[3];
-    for (int i = 0; i < 3; i++) reach[i] = absolute(middle[i]) + absolute(half[i]);
-    double most = job->bounded ? s->most_reach : s->clear_reach;
-    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most));
-    k->radius = e->error = all_lanes(0);
-    if (!block) {
-        coefficients_from_powers(s, middle, half, job->bounded, k->b, e->e);
-        return;
-    }
-    coefficients_from_nodes(s, middle, half, k->b, n, block);
+    lanes x[3];
+    coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
+    k->radius = all_lanes(0);
     if (!job->bounded) return;
-    e->error = node_error(s, n, reach);
-    k->radius = s->amplification * e->error + UNDERFLOW;
+    for (int i = 0; i < 3; i++) {
+        lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
+        x[i] = s->stride[i] == 2 ? reach * reach : reach;
+    }
+    double factor = (10 * n + 20) * 0x1p-53 + s->error;
+    k->radius = factor * s->amplification * surface_magnitude(s, x) + UNDERFLOW;
 }
 
-/* The polynomials of open lanes over their chords, which [0,1] stands for. */
-INLINE void set_polynomials(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half,
-                            packet *k, known *e, int n, int block) {
-    lanes at_middle[3], half_chord[3], zero = all_lanes(0);
+/* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
+INLINE void set_chords(const ray_lanes *r, lanes middle, lanes half, double most_reach, chord_line *line,
+                       packet *k) {
+    lanes reach[3];
     for (int i = 0; i < 3; i++) {
-        at_middle[i] = along(r->origin[i], zero, middle, r->direction[i]);
-        half_chord[i] = half * r->direction[i];
+        line->middle[i] = along(r->origin[i], all_lanes(0), middle, r->direction[i]);
+        line->half[i] = half * r->direction[i];
+        reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
-    set_coefficients(job, at_middle, half_chord, k, e, n, block);
     k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
+    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most_reach));
     k->doubtful |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->doubtful;
     k->start = all_lanes(-1); /* all of [0,1] is searched, and decide_at_once looks at its ends */
@@ -282,30 +277,47 @@ INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e,
     return (1 + 0x1p-9) * n * k->blur * slope;
 }
 
-/* The same with a radius for each coefficient, and all that is left to be done for a bracket. */
-APART void decide_known(packet *k, int n, const known *radii, int bounded, int only_whether) {
-    const lanes *b = k->b, *e = radii->e;
-    lanes near = e[0], far = e[n], from = all_lanes(0);
-    if (bounded) {
-        for (int j = 0; j <= n; j++) k->radius = larger(k->radius, e[j]);
-        near += change_at_end(k, n, b[0], b[1], e[0], e[1]);
-        far += change_at_end(k, n, b[n], b[n - 1], e[n], e[n - 1]);
-    }
+/* Ends and brackets of open lanes from powers, with a radius for each coefficient. */
+APART void decide_known(const algsurf_surface *s, const chord_line *line, packet *k, int n,
+                        int only_whether) {
+    lanes e[ALGSURF_MAX_DEGREE + 1], *b = k->b, from = all_lanes(0);
+    coefficients_from_powers(s, line, n, b, e);
+    k->radius = e[0];
+    for (int j = 1; j <= n; j++) k->radius = larger(k->radius, e[j]);
+    begin(k, n, 1);
+    lanes near = e[0] + change_at_end(k, n, b[0], b[1], e[0], e[1]);
+    lanes far = e[n] + change_at_end(k, n, b[n], b[n - 1], e[n], e[n - 1]);
     leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
     if (only_whether) {
         k->hit |= k->open & negative((words)b[0] ^ (words)b[n]);
         k->open &= ~k->hit;
     }
-    if (any(k->open)) isolate_known(k, n, e, &from, bounded);
+    if (any(k->open)) isolate_known(k, n, e, &from);
 }
 
-/* Lanes that one radius for all coefficients left undecided: each row of the nodes' matrix has its own
- * amplification. */
-APART void decide_again(const algsurf_surface *s, packet *k, mask which, int n, known *e, int only_whether) {
-    for (int j = 0; j <= n; j++) e->e[j] = s->row_amplification[j] * e->error + UNDERFLOW;
-    k->open = which;
-    k->doubtful &= ~which;
-    decide_known(k, n, e, 1, only_whether);
+/* Lanes that nodes and one radius for all coefficients left undecided. */
+APART void decide_again(const algsurf_surface *s, const chord_line *line, packet *k, mask which, int n,
+                        int only_whether) {
+    packet again;
+    again.open = which;
+    again.doubtful = again.hit = no_lane();
+    again.blur = k->blur;
+    decide_known(s, line, &again, n, only_whether);
+    k->doubtful = (k->doubtful & ~which) | again.doubtful;
+    close(k, n, again.hit, again.w, again.p, again.q);
+}
+
+INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
+                              int block) {
+    cuts not_kept;
+    mask opened = k->open;
+    set_coefficients(job, line, k, n, block);
+    begin(k, n, job->bounded);
+    descartes whole = variations(k->b, n);
+    decide_at_once(k, n, &whole, job->bounded, job->any);
+    if (any(k->open)) isolate(k, n, &whole, job->bounded, &not_kept);
+    mask again = opened & k->doubtful;
+    if (job->bounded && any(again)) decide_again(job->surface, line, k, again, n, job->any);
 }
 
 INLINE void store_lanes(double *p, lanes a, unsigned which) {
@@ -331,8 +343,8 @@ INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slo
     return (8 * s->degree + 16) * 0x1p-53 * surface_magnitude(s, reach) / absolute(slope);
 }
 
-/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more than
- * `far` from their root, and more than rounding explains, go there first. */
+/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more
+ * than `far` from their root, and more than rounding explains, go there first. */
 INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes t,
                        lanes *low, lanes x[PAIR][3], lanes gradient[3]) {
     for (int round = 0;; round++) {
@@ -394,9 +406,9 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
     if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : ALGSURF_MAX_DEGREE)) __builtin_unreachable();
     const guess nowhere = {.known = no_lane()};
     double scale = ldexp(1, -job->surface->unit);
+    double reach = job->bounded || !block ? job->surface->most_reach : job->surface->clear_reach;
     for (size_t at = 0; at < count; at += LANES) {
         packet k;
-        cuts not_kept;
         lanes_hit hit = {.t = all_lanes(0)};
         int left = count - at < LANES ? (int)(count - at) : LANES;
         ray_lanes r = load_rays(job, at, left, scale);
@@ -408,19 +420,12 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         k.doubtful = r.doubtful;
         k.hit = no_lane();
         if (any(k.open)) {
-            known e;
-            set_polynomials(job, &r, middle, half, &k, &e, n, block);
-            mask opened = k.open;
-            begin(&k, n, job->bounded);
-            if (block) {
-                descartes whole = variations(k.b, n);
-                decide_at_once(&k, n, &whole, job->bounded, job->any);
-                if (any(k.open)) isolate(&k, n, &whole, job->bounded, &not_kept);
-                mask again = opened & k.doubtful;
-                if (job->bounded && any(again)) decide_again(job->surface, &k, again, n, &e, job->any);
-            } else {
-                decide_known(&k, n, &e, job->bounded, job->any);
-            }
+            chord_line line;
+            set_chords(&r, middle, half, reach, &line, &k);
+            if (block)
+                decide_from_nodes(job, &line, &k, n, block);
+            else
+                decide_known(job->surface, &line, &k, n, job->any);
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);

@@ -6,16 +6,21 @@
  *
  * Error.  M and H are rounded once, and M is off by 2^-63 (|M| + |H|) more at most (packet_template.h).  A
  * linear factor meets a rounding for its own coefficient, one for the product, one for the sum of two
- * products, one for the next coefficient, row or level to be added: 4 for each of at most n factors.  A square
- * stands for two factors: 3 for its coefficients, one product, two sums, one addition: 7.  Joining rows and
- * levels costs 2 more.  The change of basis: 3 for the matrix, one product, n/2 + 3 sums.  All of these
- * multiply magnitudes: so Bernstein coefficient j is off by at most (4.5 n + 12) u sum_k |basis_jk| E_k,
- * where E_k is coefficient k of the same scheme on magnitudes, with |M| + 2^-10 |H| for |M|, which takes in
- * M's 2^-63.  The bound (6 n + 20) u takes in the higher orders and the rounding of E. */
+ * products, one for the next coefficient, row or level to be added: 4 for each of at most n factors.  A
+ * square stands for two factors: 3 for its coefficients, one product, two sums, one addition: 7.  Joining
+ * rows and levels costs 2 more.  The change of basis: 3 for the matrix, one product, n/2 + 3 sums.  All of
+ * these multiply magnitudes: so Bernstein coefficient j is off by at most (4.5 n + 12) u sum_k |basis_jk|
+ * E_k, where E_k is coefficient k of the same scheme on magnitudes, with |M| + 2^-10 |H| for |M|, which takes
+ * in M's 2^-63.  The bound (6 n + 20) u takes in the higher orders and the rounding of E. */
 #ifndef ALGSURF_POWERS_TEMPLATE_H
 #define ALGSURF_POWERS_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "../surface/impl.h"
+
+/* The points middle + v half. */
+typedef struct chord_line {
+    lanes middle[3], half[3];
+} chord_line;
 
 /* c[0] + c[1] v + c[2] v^2. */
 typedef struct coordinate {
@@ -23,7 +28,7 @@ typedef struct coordinate {
 } coordinate;
 
 typedef struct line_poly {
-    int degree;                       /* -1: zero */
+    int degree; /* -1: zero */
     lanes c[ALGSURF_MAX_DEGREE + 3];
 } line_poly;
 
@@ -79,38 +84,30 @@ INLINE void surface_along(const algsurf_surface *s, const coordinate x[3], int s
         }
         add_line_poly(p, &level);
     }
-    for (int i = p->degree + 1; i <= s->degree; i++) p->c[i] = all_lanes(0);
 }
 
-/* Bernstein coefficients over [-1,1] and their radii. */
-static __attribute__((noinline, unused)) void coefficients_from_powers(const algsurf_surface *s,
-                                                                       const lanes middle[3],
-                                                                       const lanes half[3], int bounded,
-                                                                       lanes *b, lanes *e) {
-    line_poly p;
-    coordinate x[3];
-    int n = s->degree;
-    for (int i = 0; i < 3; i++) x[i] = coordinate_of(middle[i], half[i], s->stride[i]);
+/* Bernstein coefficients over [-1,1] of degree n, at least P's, and their radii. */
+APART void coefficients_from_powers(const algsurf_surface *s, const chord_line *line, int n, lanes *b,
+                                    lanes *e) {
+    line_poly p, size;
+    coordinate x[3], reach[3];
+    for (int i = 0; i < 3; i++) {
+        lanes far = absolute(line->half[i]), near = absolute(line->middle[i]) + 0x1p-10 * far;
+        x[i] = coordinate_of(line->middle[i], line->half[i], s->stride[i]);
+        reach[i] = coordinate_of(near, far, s->stride[i]);
+    }
     surface_along(s, x, 0, &p);
+    surface_along(s, reach, 1, &size);
+    for (int k = p.degree + 1; k <= n; k++) p.c[k] = size.c[k] = all_lanes(0);
+    double factor = (6 * n + 20) * 0x1p-53 + s->error;
     for (int j = 0; 2 * j <= n; j++) {
-        const double *basis = s->to_bernstein + j * (n + 1);
-        lanes even = p.c[0], odd = basis[1] * p.c[1];
+        const double *basis = s->from_powers + j * (n + 1);
+        lanes even = p.c[0], odd = basis[1] * p.c[1], sum = size.c[0] + fabs(basis[1]) * size.c[1];
+        for (int k = 2; k <= n; k++) sum += fabs(basis[k]) * size.c[k];
         for (int k = 2; k <= n; k += 2) even += basis[k] * p.c[k];
         for (int k = 3; k <= n; k += 2) odd += basis[k] * p.c[k];
         b[j] = even + odd;
         b[n - j] = even - odd;
-        e[j] = e[n - j] = all_lanes(0);
-    }
-    if (!bounded) return;
-    for (int i = 0; i < 3; i++)
-        x[i] = coordinate_of(absolute(middle[i]) + 0x1p-10 * absolute(half[i]), absolute(half[i]),
-                             s->stride[i]);
-    surface_along(s, x, 1, &p);
-    double factor = (6 * n + 20) * 0x1p-53 + s->error;
-    for (int j = 0; 2 * j <= n; j++) {
-        const double *basis = s->to_bernstein + j * (n + 1);
-        lanes sum = p.c[0];
-        for (int k = 1; k <= n; k++) sum += fabs(basis[k]) * p.c[k];
         e[j] = e[n - j] = factor * sum + UNDERFLOW;
     }
 }

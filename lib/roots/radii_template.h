@@ -35,8 +35,8 @@ INLINE void split_shares(lanes *w, lanes *left, int n, lanes before, lanes behin
 }
 
 /* g of the head comment, in place of e. */
-INLINE void widen(const lanes *w, lanes *e, int n, double rounding) {
-    for (int j = 0; j <= n; j++) e[j] = (1 + 0x1p-42) * e[j] + rounding * absolute(w[j]);
+INLINE void widen(const lanes *w, lanes *e, int n) {
+    for (int j = 0; j <= n; j++) e[j] = (1 + 0x1p-42) * e[j] + 8 * n * 0x1p-53 * absolute(w[j]);
 }
 
 /* Descartes' count where the first coefficient's sign is known. */
@@ -57,9 +57,8 @@ INLINE mask ends_known(const lanes *w, const lanes *e, int n) {
 
 /* Polynomials with radii, and the cell of each lane. */
 typedef struct walk {
-    const lanes *e;                   /* radii of the packet's b */
+    const lanes *e;                       /* radii of the packet's b */
     lanes cell_e[ALGSURF_MAX_DEGREE + 1]; /* of its w */
-    double rounding;                  /* 8 n u, or 0: no rounding error is accounted for */
     search s;
 } walk;
 
@@ -73,12 +72,12 @@ INLINE void cut_known_cell(packet *k, int n, walk *v, mask which, lanes from, la
     lanes w[ALGSURF_MAX_DEGREE + 1], e[ALGSURF_MAX_DEGREE + 1], left[ALGSURF_MAX_DEGREE + 1];
     for (int j = 0; j <= n; j++) w[j] = k->b[j], e[j] = v->e[j];
     if (any(which & less(all_lanes(0), from))) {
-        widen(w, e, n, v->rounding);
+        widen(w, e, n);
         split_shares(w, left, n, from, 1 - from);
         split_shares(e, left, n, from, 1 - from);
     }
     if (any(which & less(to, all_lanes(1)))) {
-        widen(w, e, n, v->rounding);
+        widen(w, e, n);
         split_shares(w, left, n, to - from, 1 - to);
         for (int j = 0; j <= n; j++) w[j] = left[j];
         split_shares(e, left, n, to - from, 1 - to);
@@ -98,7 +97,7 @@ INLINE void divide_known(packet *k, int n, walk *v) {
         right_e[ALGSURF_MAX_DEGREE + 1], at = split_point(k, &v->s, n);
     search *s = &v->s;
     for (int j = 0; j <= n; j++) right[j] = k->w[j], right_e[j] = v->cell_e[j];
-    widen(right, right_e, n, v->rounding);
+    widen(right, right_e, n);
     split(right, left, n, at - k->p, k->q - at);
     split(right_e, left_e, n, at - k->p, k->q - at);
     s->turns += 1;
@@ -119,8 +118,8 @@ INLINE void divide_known(packet *k, int n, walk *v) {
 
 /* The first bracket of each open lane within [from, 1], in p, q, w; e are the radii of b.  A lane is left
  * undecided where a sign that the walk needs is not known. */
-INLINE void isolate_known_n(packet *k, int n, const lanes *e, lanes from, int bounded) {
-    walk v = {.e = e, .rounding = bounded ? 8 * n * 0x1p-53 : 0};
+INLINE void isolate_known_n(packet *k, int n, const lanes *e, lanes from) {
+    walk v = {.e = e};
     v.s.limit = all_lanes(1);
     v.s.turns = all_lanes(0);
     for (int j = 0; j <= n; j++) v.cell_e[j] = all_lanes(0);
@@ -139,9 +138,9 @@ INLINE void isolate_known_n(packet *k, int n, const lanes *e, lanes from, int bo
     }
 }
 
-APART void isolate_known(packet *k, int n, const lanes *e, const lanes *from, int bounded) {
+APART void isolate_known(packet *k, int n, const lanes *e, const lanes *from) {
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    isolate_known_n(k, n, e, *from, bounded);
+    isolate_known_n(k, n, e, *from);
 }
 
 #endif

@@ -1,5 +1,5 @@
-/* nodes.c - the places at which packets of rays evaluate P, and the way from the values there to
- * Bernstein coefficients.
+/* nodes.c - the two ways of packets of rays to Bernstein coefficients: from the values of P at nodes, and
+ * from powers.
  *
  * A polynomial of degree n on [-1,1] is known by its values at n+1 nodes: p = sum p(v_i) L_i, with Lagrange's
  * polynomials L_i(v) = prod (v - v_m) / prod (v_i - v_m), m != i.  With x = (1+v)/2 each factor is
@@ -10,6 +10,9 @@
  * The nodes are the extrema of Chebyshev's polynomial, at which the sums of |entries| in a row are the least
  * that values bounded by 1 allow: C(2n,2j)/C(n,j), 46 for degree 6, 733 for 10, 46704 for 16.  Rounded to
  * multiples of 2^-20 they make every difference above exact.
+ *
+ * Their matrix therefore amplifies rounding more and more.  Powers of v need no values: the Bernstein
+ * coefficients of v^k are means of numbers +1 and -1, at most 1 in magnitude (set_powers).
  *
  * A polynomial of degree n also is one of degree n+1.  The packet code is faster for the degrees it was
  * compiled for one by one, so that 5, 7 and 9 are treated as 6, 8 and 10. */
@@ -29,7 +32,7 @@ static void set_nodes(double *node, int n) {
 
 /* Column i: the Bernstein coefficients of L_i. */
 static void set_column(const double *node, double *matrix, int n, int i) {
-    double c[ALGSURF_MAX_NODE_DEGREE + 2] = {1}, below = 1, binomial = 1;
+    double c[ALGSURF_MAX_NODE_DEGREE + 1] = {1}, below = 1, binomial = 1;
     for (int m = 0, degree = 0; m <= n; m++) {
         if (m == i) continue;
         double a = 0.5 * (1 + node[m]);
@@ -63,34 +66,31 @@ static void set_powers(double *matrix, int n) {
 
 static void set_nodes_and_matrix(algsurf_surface *s) {
     int n = s->node_degree;
-    s->nodes = s->row_amplification + n + 1;
     set_nodes(s->nodes, n);
     for (int i = 0; i <= n; i++) set_column(s->nodes, s->to_bernstein, n, i);
     for (int j = 0; j <= n; j++) {
         double sum = 0;
         for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[j * (n + 1) + i]);
-        s->row_amplification[j] = sum;
         s->amplification = fmax(s->amplification, sum);
     }
+    /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
+    s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
 }
 
 int algsurf_i_surface_set_tables(algsurf_surface *s) {
     if (s->degree < 1) return 1;
     int n = s->degree == 1 || (s->degree > 3 && s->degree < 10) ? s->degree + s->degree % 2 : s->degree;
-    size_t side = (size_t)n + 1;
-    s->tables = malloc(side * (side + 2) * sizeof *s->tables);
+    size_t side = (size_t)n + 1, with_nodes = n <= ALGSURF_MAX_NODE_DEGREE ? side * (side + 1) : 0;
+    s->tables = malloc((side * side + with_nodes) * sizeof *s->tables);
     if (!s->tables) return 0;
-    s->to_bernstein = s->tables;
-    s->row_amplification = s->tables + side * side;
     s->node_degree = n;
-    if (n <= ALGSURF_MAX_NODE_DEGREE) {
-        set_nodes_and_matrix(s);
-    } else {
-        set_powers(s->to_bernstein, n);
-        s->amplification = 1;
-    }
+    s->from_powers = s->tables;
+    set_powers(s->from_powers, n);
     s->most_reach = exp2(280.0 / (n < 20 ? 20 : n));
-    /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
-    s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
+    if (with_nodes) {
+        s->to_bernstein = s->tables + side * side;
+        s->nodes = s->to_bernstein + side * side;
+        set_nodes_and_matrix(s);
+    }
     return 1;
 }
