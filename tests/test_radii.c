@@ -5,9 +5,8 @@
  * coefficients of P along rays, then those of cells 1 to DEEP cuts deep, as the walk cuts them; and cells of
  * polynomials that are known exactly, whose radii come from the cuts alone.
  *
- * Breaks tried, each caught: half of the radius from powers at degree 3, a cut that adds no radius, or n u /
- * 2 of the coefficients instead of 8 n u, radii split in the other part's ratio, a sign at the polynomial's
- * other end taken for the middle's.
+ * Breaks tried, each caught: a 32nd of the radius from powers (a 16th is not: it is that generous), a cut that
+ * adds no radius, or n u / 4 of the coefficients instead of 8 n u, signs counted the wrong way round.
  */
 #include <setjmp.h>
 #include <stdarg.h>
