@@ -91,7 +91,7 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
     q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
-    int fits = surface->nodes && q->options.method == ALGSURF_METHOD_DEFAULT &&
+    int fits = surface->tables && q->options.method == ALGSURF_METHOD_DEFAULT &&
                q->options.max_iterations == 0 && moderate(surface, q->extent);
     q->solve = fits ? algsurf_i_rays_kernel_for(algsurf_i_kernel_find(q->options.kernel)) : NULL;
     return ALGSURF_OK;
