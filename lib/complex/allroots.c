@@ -187,17 +187,19 @@ static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int un
     return algsurf_i_roots_boxes(p, boxes);
 }
 
-/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end. */
+/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end.  What is rounded to 0
+ * from below, or was -0, becomes +0. */
 static double unscale(double x, int unit, int side) {
     double y = ldexp(x, unit);
     if (isinf(y) && (y > 0) != (side > 0)) return y > 0 ? DBL_MAX : -DBL_MAX;
-    return isinf(y) || ldexp(y, -unit) == x ? y : nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
+    if (!isinf(y) && ldexp(y, -unit) != x) y = nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
+    return y + 0.0;
 }
 
 /* A root's value in its box: the high part for a simple root, the middle for a cluster. */
 static double value_in(algsurf_interval box, double high, int unit, int multiplicity) {
     double x = multiplicity == 1 ? ldexp(high, unit) : 0.5 * box.lo + 0.5 * box.hi;
-    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX);
+    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX) + 0.0;
 }
 
 /* Boxes in the caller's unit, and the exact root 0; returns their number, -1 when there are none to give.
