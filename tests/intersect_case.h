@@ -252,8 +252,7 @@ static inline void intersect_judge_in(const intersect_case *c, const algsurf_ext
     const char *wrong = intersect_wrong_packet(c, extent, options, a);
     if (options && options->tier == ALGSURF_TIER_BOUNDED) {
         exact_sturm s = exact_sturm_along(c->terms, c->count, c->degree, &c->ray);
-        if (!wrong && !extent) wrong = intersect_truth(c, &s, a);
-        if (!wrong) wrong = intersect_agree(a);
+        if (!wrong && !extent && s.count > 0) wrong = intersect_truth(c, &s, a);
         exact_sturm_clear(&s);
     } else if (!wrong) {
         exact_hits *h = exact_hits_of(c->terms, c->count, c->degree, extent, &c->ray);
