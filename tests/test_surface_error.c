@@ -160,7 +160,7 @@ static void pictures(void **state) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(5e-4);
         double off = e == TUBE ? 12 : 0;
-        draw(s, off, ALGSURF_TIER_STANDARD, t, &uncertain);
+        draw(s, off, ALGSURF_TIER_BOUNDED, t, &uncertain);
         for (int m = 0; m < 6; m++) {
             uint64_t different = 0;
             make_member(&seed, 5e-4);
