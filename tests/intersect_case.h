@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "exact_ray.h"
+#include "exact_hits.h"
 
 #include <cmocka.h>
 
@@ -49,11 +49,12 @@ static inline _Noreturn void intersect_fail(const char *what, const intersect_ca
         fprintf(stderr, "{%d, %d, %d, %a}, ", c->terms[i].i, c->terms[i].j, c->terms[i].k, c->terms[i].a);
     fprintf(stderr, "\n");
     exact_print_doubles("origin", c->ray.origin, 3), exact_print_doubles("direction", c->ray.direction, 3);
-    fprintf(stderr, "first: state %d at %a in [%a, %a]\n", a->first.state, a->first.t, a->first.t_lo,
-            a->first.t_hi);
-    for (int i = 0; i < a->count; i++)
-        fprintf(stderr, "all: state %d reason %d at %a in [%a, %a]\n", a->all[i].state, (int)a->all[i].reason,
-                a->all[i].t, a->all[i].t_lo, a->all[i].t_hi);
+    for (int i = -1; i < a->count; i++) {
+        const algsurf_hit *h = i < 0 ? &a->first : a->all + i;
+        fprintf(stderr, "%s: state %d reason %d multiplicity %d side %d at %a in [%a, %a]\n",
+                i < 0 ? "first" : "all", h->state, (int)h->reason, h->multiplicity, h->side, h->t, h->t_lo,
+                h->t_hi);
+    }
     fail_msg("%s: degree %d, t in [%a, %a], occluded %d", what, c->degree, c->ray.t_min, c->ray.t_max,
              (int)a->occluded);
     abort();
@@ -77,6 +78,7 @@ static inline int intersect_unit(const double n[3]) {
 static inline const char *intersect_form(const intersect_case *c, const algsurf_hit *h) {
     if (h->state == ALGSURF_MISS) {
         int empty = h->t == INFINITY && h->t_lo == INFINITY && h->t_hi == INFINITY && h->reason == ALGSURF_OK;
+        empty = empty && h->multiplicity == 0 && h->side == 0;
         for (int i = 0; i < 3; i++) empty = empty && h->position[i] == 0 && h->normal[i] == 0;
         return empty ? NULL : "a miss with numbers";
     }
@@ -86,7 +88,9 @@ static inline const char *intersect_form(const intersect_case *c, const algsurf_
     if (!(c->ray.t_min <= h->t_lo && h->t_hi <= c->ray.t_max)) return "outside of the ray";
     int singular = h->normal[0] == 0 && h->normal[1] == 0 && h->normal[2] == 0;
     if (!singular && !intersect_unit(h->normal)) return "normal is not of unit length";
-    for (int i = 0; i < 3 && isfinite(h->t); i++) {
+    /* (beyond the largest double the position may be that of the root itself) */
+    int beyond = h->state == ALGSURF_HIT && (isinf(h->t_lo) || isinf(h->t_hi));
+    for (int i = 0; i < 3 && isfinite(h->t) && !beyond; i++) {
         double x = fma(h->t, c->ray.direction[i], c->ray.origin[i]);
         double size = fabs(c->ray.origin[i]) + fabs(h->t * c->ray.direction[i]);
         double far =
@@ -170,17 +174,103 @@ static inline double intersect_error(const intersect_case *c, exact_line *line, 
     return fabs(h->t - root) / (0x1p-53 * (size / fabs(slope) + fabs(root)) + 0x1p-90);
 }
 
-/* Everything that must be true of the standard tier; the ray must not lie in the surface. */
+/* ---- what is decided, against the oracle ---- */
+
+/* A hit against the i-th root. */
+static inline const char *intersect_wrong_hit(const exact_hits *h, int i, const algsurf_hit *hit) {
+    const exact_place *place = h->place + i;
+    if (hit->state != ALGSURF_HIT || hit->reason != ALGSURF_OK) return "a root is no hit";
+    if (hit->multiplicity != place->multiplicity) return "multiplicity";
+    if (hit->side != place->side) return "side";
+    if (!(hit->t_lo <= hit->t && hit->t <= hit->t_hi && isfinite(hit->t))) return "t outside of its interval";
+    if (exact_compare(h, i, hit->t_lo) > 0 || exact_compare(h, i, hit->t_hi) < 0) return "not enclosed";
+    if (hit->multiplicity != 1 && hit->t_hi > nextafter(hit->t_lo, INFINITY)) return "a wide interval";
+    return NULL;
+}
+
+/* A ray in the surface that has no begin, and no extent: a hit at the largest negative number. */
+static inline const char *intersect_wrong_infinite(const intersect_answer *a) {
+    const algsurf_hit *hit = &a->first;
+    if (a->count != 1 || a->occluded != ALGSURF_HIT) return "not one hit";
+    if (hit->state != ALGSURF_HIT || hit->multiplicity != 0 || hit->side != 0) return "no hit";
+    return hit->t == -DBL_MAX && hit->t_lo == (double)-INFINITY ? NULL : "t of a hit at infinity";
+}
+
+/* First, all and occluded against the oracle: everything is decided, and right. */
+static inline const char *intersect_wrong(const exact_hits *h, const intersect_answer *a) {
+    if (h->infinite) return intersect_wrong_infinite(a);
+    const char *wrong = a->count != h->count ? "number of hits" : NULL;
+    for (int i = 0; !wrong && i < h->count; i++) wrong = intersect_wrong_hit(h, i, a->all + i);
+    if (wrong) return wrong;
+    if (a->first.state != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "first";
+    if (a->occluded != (h->count ? ALGSURF_HIT : ALGSURF_MISS)) return "occluded";
+    return h->count ? intersect_wrong_hit(h, 0, &a->first) : NULL;
+}
+
+static inline int intersect_same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
+
+/* The calls for packets say the same bits as the single ones. */
+static inline const char *intersect_wrong_packet(const intersect_case *c, const algsurf_extent *extent,
+                                                 const algsurf_intersect_options *options,
+                                                 const intersect_answer *a) {
+    const double *o = c->ray.origin, *d = c->ray.direction;
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = 1,
+                                     .origin = {o, o + 1, o + 2},
+                                     .direction = {d, d + 1, d + 2},
+                                     .t_min = &c->ray.t_min,
+                                     .t_max = &c->ray.t_max};
+    unsigned char state, occluded;
+    signed char side;
+    algsurf_hit hit;
+    const algsurf_hit_packet hits = {.size = sizeof hits,
+                                     .state = &state,
+                                     .t = &hit.t,
+                                     .t_lo = &hit.t_lo,
+                                     .t_hi = &hit.t_hi,
+                                     .position = {hit.position, hit.position + 1, hit.position + 2},
+                                     .normal = {hit.normal, hit.normal + 1, hit.normal + 2},
+                                     .multiplicity = &hit.multiplicity,
+                                     .side = &side};
+    if (algsurf_intersect_packet(c->surface, extent, &rays, options, &hits) != ALGSURF_OK) return "packet";
+    if (algsurf_occluded_packet(c->surface, extent, &rays, options, &occluded) != ALGSURF_OK) return "packet";
+    const algsurf_hit *f = &a->first;
+    int same = state == f->state && side == f->side && hit.multiplicity == f->multiplicity &&
+               occluded == (int)a->occluded;
+    same &=
+        intersect_same(hit.t, f->t) && intersect_same(hit.t_lo, f->t_lo) && intersect_same(hit.t_hi, f->t_hi);
+    for (int i = 0; i < 3; i++)
+        same &=
+            intersect_same(hit.position[i], f->position[i]) && intersect_same(hit.normal[i], f->normal[i]);
+    return same ? NULL : "a packet says something else";
+}
+
+/* Everything that must be true of one ray in an extent (null: all of space). */
+static inline void intersect_judge_in(const intersect_case *c, const algsurf_extent *extent,
+                                      const algsurf_intersect_options *options, intersect_answer *a) {
+    intersect_ask(c, extent, options, a);
+    const char *wrong = intersect_wrong_packet(c, extent, options, a);
+    if (options && options->tier == ALGSURF_TIER_BOUNDED) {
+        exact_sturm s = exact_sturm_along(c->terms, c->count, c->degree, &c->ray);
+        if (!wrong && !extent && s.count > 0) wrong = intersect_truth(c, &s, a);
+        exact_sturm_clear(&s);
+    } else if (!wrong) {
+        exact_hits *h = exact_hits_of(c->terms, c->count, c->degree, extent, &c->ray);
+        wrong = intersect_wrong(h, a);
+        exact_hits_clear(h);
+    }
+    if (!wrong) wrong = intersect_form(c, &a->first);
+    for (int i = 0; !wrong && i < a->count; i++) wrong = intersect_form(c, a->all + i);
+    if (extent && wrong) {
+        fprintf(stderr, "extent of kind %d\n", (int)extent->kind);
+        exact_print_doubles("centre", extent->centre, 3), exact_print_doubles("size", extent->size, 3);
+    }
+    if (wrong) intersect_fail(wrong, c, a);
+}
+
 static inline void intersect_judge(const intersect_case *c, const algsurf_intersect_options *options,
                                    intersect_answer *a) {
-    intersect_ask(c, NULL, options, a);
-    exact_sturm s = exact_sturm_along(c->terms, c->count, c->degree, &c->ray);
-    const char *wrong = s.count == 0 ? "the ray lies in the surface" : intersect_form(c, &a->first);
-    for (int i = 0; !wrong && i < a->count; i++) wrong = intersect_form(c, a->all + i);
-    if (!wrong) wrong = intersect_truth(c, &s, a);
-    if (!wrong) wrong = intersect_agree(a);
-    exact_sturm_clear(&s);
-    if (wrong) intersect_fail(wrong, c, a);
+    intersect_judge_in(c, NULL, options, a);
 }
 
 #endif

@@ -161,40 +161,6 @@ static void test_polynomial_sign(void **state) {
     assert_int_equal(algsurf_i_poly_exact_sign(c, 3, nextafter(1.25, 2)), 1);
 }
 
-/* The sign of P at a point of a ray, with points of the surface among them. */
-static void test_surface_sign(void **state) {
-    (void)state;
-    uint64_t seed = SEED;
-    int zeros = 0, known = 0, rounds = 400;
-    for (int i = 0; i < rounds; i++) {
-        algsurf_term terms[13];
-        algsurf_surface *s;
-        algsurf_ray ray = {{0, 0, 0}, {0, 0, 0}, -1, 1};
-        int count = 2 + exact_random_int(&seed, 10), small = i % 2;
-        for (int k = 0; k < 3; k++) {
-            ray.origin[k] = small ? exact_random_int(&seed, 9) - 4 : exact_random_unit(&seed) * 3;
-            ray.direction[k] = small ? exact_random_int(&seed, 9) - 4 : exact_random_unit(&seed);
-        }
-        for (int k = 0; k < count; k++)
-            terms[k] = (algsurf_term){exact_random_int(&seed, 4), exact_random_int(&seed, 4),
-                                      exact_random_int(&seed, 4),
-                                      small ? exact_random_int(&seed, 9) - 4 : exact_random_unit(&seed)};
-        if (algsurf_surface_from_terms(terms, (size_t)count, &s) != ALGSURF_OK) continue;
-        algsurf_term merged[13];
-        assert_int_equal(algsurf_surface_terms(s, merged), ALGSURF_OK);
-        int n = algsurf_surface_degree(s);
-        exact_line line = exact_line_of(merged, (int)algsurf_surface_term_count(s), n, &ray);
-        double t = small ? exact_random_int(&seed, 5) - 2 : exact_random_unit(&seed);
-        int wanted = exact_integers_sign(line.c, n, t), sign = algsurf_i_exact_sign(s, &ray, t);
-        if (sign != ALGSURF_SIGN_UNKNOWN && sign != wanted)
-            fail_msg("seed %u round %d: sign %d", SEED, i, sign);
-        known += sign != ALGSURF_SIGN_UNKNOWN, zeros += sign == 0;
-        exact_line_clear(&line);
-        algsurf_surface_free(s);
-    }
-    assert_true(known > rounds * 9 / 10 && zeros > 5);
-}
-
 /* p in double-double in the bracket of one root: as near as its condition lets double-double tell. */
 static void test_refine_dd(void **state) {
     (void)state;
@@ -227,7 +193,6 @@ int main(void) {
         cmocka_unit_test(test_range),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_polynomial_sign),
-        cmocka_unit_test(test_surface_sign),
         cmocka_unit_test(test_refine_dd),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,14 +1,12 @@
-/* test_intersect_edges.c - the certified tier where the surface and the extent's surface all but share a
+/* test_intersect_edges.c - where the surface and the extent's surface all but share a
  * point of the ray: a root within some units in the last place of where the ray enters or leaves the extent.
  *
  * The surface is two planes k x = m, and a factor without roots, so that the roots are rational numbers; the
  * extent is made to end there, up to rounding.  Which roots are in it is decided over the rationals.
  *
  * Breaks caught, each tried: no margin, a negative one, edges not looked at, only the first or only the last
- * looked at, P's change within an edge left out, a middle coefficient of the extent's forms wrong, their
- * signs turned, one of the box's left out, cells narrowed only as far as doubles go; the end of a part looked
- * at twice or never, what was found before it kept or all forgotten; doubt told as a hit or passed over where
- * it is to be reported, and the other way round.
+ * looked at, a middle coefficient of the faces wrong, their signs turned, one of the box's left out; doubt
+ * told as a hit or passed over where it is to be reported, and the other way round.
  */
 #include "intersect_case.h"
 
@@ -26,8 +24,6 @@ typedef struct edge_case {
     mpq_t root[PLANES]; /* in increasing order of t */
     int sign[PLANES];   /* 1: inside the extent, -1: outside, 0: on its surface */
 } edge_case;
-
-static const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
 
 static _Noreturn void refuse(const edge_case *e, const intersect_answer *a, const char *what, int round) {
     for (int i = 0; i < PLANES; i++) exact_print(e->sign[i] > 0 ? "inside" : "outside", e->root[i]);
@@ -134,40 +130,20 @@ static int make_extent(edge_case *e, uint64_t *seed) {
     return size > 0;
 }
 
-/* The answers, against the roots in the extent; one on its surface may be told, left out or uncertain. */
+/* The answers, against the oracle's, which must agree with what is known here. */
 static void judge(const edge_case *e, int round, int *ties) {
     intersect_answer a;
-    int next = 0;
-    unsigned char packet, occluded;
-    const algsurf_ray *ray = &e->c.ray;
-    const algsurf_ray_packet one = {.size = sizeof one,
-                                    .count = 1,
-                                    .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
-                                    .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
-    const algsurf_hit_packet to = {.size = sizeof to, .state = &packet};
-    intersect_ask(&e->c, &e->extent, &certified, &a);
-    if (e->sign[0] == 0 || e->sign[1] == 0) {
-        ++*ties;
-        return;
-    }
+    int wanted = 0;
+    intersect_judge_in(&e->c, &e->extent, NULL, &a);
     for (int i = 0; i < PLANES; i++) {
         if (e->sign[i] < 0) continue;
-        if (next == a.count) refuse(e, &a, "a root in the extent is missing", round);
-        const algsurf_hit *h = a.all + next;
-        if (h->state != ALGSURF_HIT) refuse(e, &a, "uncertain", round);
-        if (!exact_between(h->t_lo, e->root[i], h->t_hi)) refuse(e, &a, "not enclosed", round);
-        if (next == 0 &&
-            (a.first.state != ALGSURF_HIT || !exact_between(a.first.t_lo, e->root[i], a.first.t_hi)))
-            refuse(e, &a, "the first hit is another", round);
-        next++;
+        if (wanted == a.count) refuse(e, &a, "a root in the extent is missing", round);
+        if (!exact_between(a.all[wanted].t_lo, e->root[i], a.all[wanted].t_hi))
+            refuse(e, &a, "not enclosed", round);
+        wanted++;
     }
-    if (next < a.count) refuse(e, &a, "a root outside of the extent", round);
-    assert_int_equal(algsurf_intersect_packet(e->c.surface, &e->extent, &one, &certified, &to), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(e->c.surface, &e->extent, &one, &certified, &occluded),
-                     ALGSURF_OK);
-    int wanted = next > 0 ? ALGSURF_HIT : ALGSURF_MISS;
-    if (a.first.state != wanted || (int)a.occluded != wanted || packet != wanted || occluded != wanted)
-        refuse(e, &a, "calls disagree", round);
+    if (wanted < a.count) refuse(e, &a, "a root outside of the extent", round);
+    *ties += e->sign[0] == 0 || e->sign[1] == 0;
 }
 
 static void roots_at_the_edge(void **state) {
@@ -196,7 +172,7 @@ static void grazing_lines(void **state) {
         double height, radius;
         int sphere, box;
     } cases[] = {
-        {1, 1, ALGSURF_UNCERTAIN, ALGSURF_HIT}, /* touches the sphere at the root; is in a face of the box */
+        {1, 1, ALGSURF_HIT, ALGSURF_HIT}, /* touches the sphere at the root; is in a face of the box */
         {0x1.0000000000001p0, 1, ALGSURF_MISS, ALGSURF_MISS},
         {0x1.fffffffffffffp-1, 1, ALGSURF_HIT, ALGSURF_HIT},
         {1, 0x1.0000000000001p0, ALGSURF_HIT, ALGSURF_HIT},
@@ -212,7 +188,7 @@ static void grazing_lines(void **state) {
             int wanted = kind == ALGSURF_EXTENT_SPHERE ? cases[i].sphere : cases[i].box;
             intersect_equation(&c, "x + x^3");
             c.ray = (algsurf_ray){{-4, 0, cases[i].height}, {1, 0, 0}, 0, INFINITY};
-            intersect_ask(&c, &extent, &certified, &a);
+            intersect_judge_in(&c, &extent, NULL, &a);
             if (a.first.state != wanted || a.count != (wanted != ALGSURF_MISS))
                 intersect_fail("grazing", &c, &a);
             algsurf_surface_free(c.surface);
@@ -229,81 +205,35 @@ static void found_before(void **state) {
         const char *equation;
         algsurf_ray ray;
         algsurf_extent extent;
-        algsurf_doubt doubt;
-        int state, count;
+        int count, multiplicity; /* of the first */
     } cases[] = {
         {"(x^2 - 1)(y - 1)",
          {{1, -1.5, -1.75}, {-0.875, -0.75, -0.625}, 0x1p-300, inf},
          {ball, {0, 0, 0}, {0x1.284e77c9b63e6p+2}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_MISS,
+         0,
          0},
-        {"x - 1",
-         {{0, 1, 0}, {1, 0, 0}, -inf, inf},
-         {ball, {0, 0, 0}, {DBL_MAX}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_HIT,
-         1},
-        {"(3x - 1)(3x - 1 - y)",
-         {{0, 0x1p-30, 0}, {1, 0, 0}, 0, inf},
-         {box, {0, 0, 0}, {1e301, 2, 2}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_HIT,
-         2},
-        {"(3x - 1)^2 (3x - 1 - y)",
-         {{0, 0x1p-30, 0}, {1, 0, 0}, 0, 4},
-         {ball, {0, 0, 0}, {9}},
-         ALGSURF_DOUBT_MISS,
-         ALGSURF_HIT,
-         1},
-        {"x",
-         {{0, 1, 0}, {0, 1, 0}, 0, inf},
-         {ball, {0, 0, 0}, {1}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_UNCERTAIN,
-         1},
-        {"x",
-         {{0, 1, 0}, {0, 1, 0}, 0, inf},
-         {box, {0, 0, 0}, {1, 1, 1}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_UNCERTAIN,
-         1},
-        {"x - 1/2",
-         {{0, 0, 0}, {1, 0, 0}, 0.5, 0.5},
-         {ball, {0, 0, 0}, {0.5}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_HIT,
-         1},
-        {"x",
-         {{0, 0, 0}, {1, 0, 0}, 0, inf},
-         {box, {0, 0, 0}, {1e15, 1, 1}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_HIT,
-         1},
+        {"x - 1", {{0, 1, 0}, {1, 0, 0}, -inf, inf}, {ball, {0, 0, 0}, {DBL_MAX}}, 1, 1},
+        {"(3x - 1)(3x - 1 - y)", {{0, 0x1p-30, 0}, {1, 0, 0}, 0, inf}, {box, {0, 0, 0}, {1e301, 2, 2}}, 2, 1},
+        {"(3x - 1)^2 (3x - 1 - y)", {{0, 0x1p-30, 0}, {1, 0, 0}, 0, 4}, {ball, {0, 0, 0}, {9}}, 2, 2},
+        {"x", {{0, 1, 0}, {0, 1, 0}, 0, inf}, {ball, {0, 0, 0}, {1}}, 1, 0},
+        {"x", {{0, 1, 0}, {0, 1, 0}, 0, inf}, {box, {0, 0, 0}, {1, 1, 1}}, 1, 0},
+        {"x - 1/2", {{0, 0, 0}, {1, 0, 0}, 0.5, 0.5}, {ball, {0, 0, 0}, {0.5}}, 1, 1},
+        {"x", {{0, 0, 0}, {1, 0, 0}, 0, inf}, {box, {0, 0, 0}, {1e15, 1, 1}}, 1, 1},
         {"x - 0x1.4e147ae147ae1p-70",
          {{0, 0, 0}, {0x1p1000, 0, 0}, 0, inf},
          {ball, {0, 0, 0}, {0x1.48f5c28f5c28fp-70}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_MISS,
+         0,
          0},
-        {"x^2",
-         {{5, 0, 0}, {0x1p-1074, 0, 0}, -inf, inf},
-         {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0}},
-         ALGSURF_DOUBT_REPORT,
-         ALGSURF_UNCERTAIN,
-         1},
+        {"x^2", {{5, 0, 0}, {0x1p-1074, 0, 0}, -inf, inf}, {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0}}, 1, 2},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         static intersect_case c;
         intersect_answer a;
-        const algsurf_intersect_options how = {
-            .size = sizeof how, .tier = ALGSURF_TIER_CERTIFIED, .doubt = cases[i].doubt};
         intersect_equation(&c, cases[i].equation);
         c.ray = cases[i].ray;
-        intersect_ask(&c, &cases[i].extent, &how, &a);
-        if (a.first.state != cases[i].state || a.count != cases[i].count ||
-            (int)a.occluded != cases[i].state || (a.count > 0 && a.first.t_hi == -inf))
+        intersect_judge_in(&c, &cases[i].extent, NULL, &a);
+        if (a.count != cases[i].count || a.first.multiplicity != cases[i].multiplicity)
             intersect_fail(cases[i].equation, &c, &a);
         algsurf_surface_free(c.surface);
     }
@@ -320,7 +250,7 @@ static void a_long_box(void **state) {
     exact = c.surface;
     assert_int_equal(algsurf_surface_with_error(exact, 1e-10, &c.surface), ALGSURF_OK);
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
-    intersect_ask(&c, &extent, &certified, &a);
+    intersect_ask(&c, &extent, NULL, &a);
     if (a.first.state != ALGSURF_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
     algsurf_surface_free(c.surface);
     algsurf_surface_free(exact);
@@ -350,13 +280,18 @@ static int hair_between(hair h, double lo, double hi) {
 
 /* Each root in [lo,hi] is found once, in its order. */
 static void find_hairs(const algsurf_surface *surface, hair *roots, int count, double lo, double hi) {
-    algsurf_i_exact_root found[8];
-    int next = 0, n = algsurf_i_exact_roots(surface, &beside, NULL, lo, hi, ALGSURF_WANT_ALL, found);
+    algsurf_i_ray_root found[8];
+    algsurf_ray ray = beside;
+    int next = 0, n = 0;
+    ray.t_min = lo, ray.t_max = hi;
+    assert_int_equal(
+        algsurf_i_exact_roots(surface, NULL, &ray, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, found, 8, &n),
+        ALGSURF_OK);
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {
         if (!hair_between(roots[i], lo, hi)) continue;
-        if (next >= n || found[next].state != ALGSURF_HIT ||
-            !hair_between(roots[i], found[next].lo, found[next].hi))
+        if (next >= n || found[next].multiplicity < 1 ||
+            !hair_between(roots[i], found[next].t_lo, found[next].t_hi))
             fail_msg("[%a, %a]: the root at %a + %d z is not number %d of %d", lo, hi, step(roots[i].k),
                      roots[i].hairs, next, n);
         next++;
@@ -392,28 +327,7 @@ static void ends_of_parts(void **state) {
         }
 }
 
-/* ---- every tier, and what becomes of doubt ---- */
-
-enum { TIERS = 3, DOUBTS = 3 };
-
-/* What the calls say of one ray. */
-typedef struct saying {
-    intersect_answer single;
-    unsigned char first, occluded; /* of a packet */
-} saying;
-
-static void ask_all(const edge_case *e, algsurf_tier tier, algsurf_doubt doubt, saying *s) {
-    const algsurf_ray *ray = &e->c.ray;
-    const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = doubt};
-    const algsurf_ray_packet one = {.size = sizeof one,
-                                    .count = 1,
-                                    .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
-                                    .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
-    const algsurf_hit_packet to = {.size = sizeof to, .state = &s->first};
-    intersect_ask(&e->c, &e->extent, &how, &s->single);
-    assert_int_equal(algsurf_intersect_packet(e->c.surface, &e->extent, &one, &how, &to), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(e->c.surface, &e->extent, &one, &how, &s->occluded), ALGSURF_OK);
-}
+/* ---- the tiers without integers, and what becomes of doubt ---- */
 
 /* Is the root inside of, or outside of, both a little smaller and a little larger extents?  Else 0. */
 static int surely(const edge_case *e, const mpq_t root) {
@@ -427,88 +341,63 @@ static int surely(const edge_case *e, const mpq_t root) {
     return sign[0] == sign[1] ? sign[0] : 0;
 }
 
-/* What is sure in any tier, and in the certified one what is so at all: such roots are told, others are not.
- * The fast tier takes P's sign at an end as computed; with a root there it may be any. */
-static const char *judge_roots(const edge_case *e, algsurf_tier tier, const intersect_answer *a) {
-    int found = 0, may_be = 0;
-    if (tier == ALGSURF_TIER_FAST && surely(e, e->root[0]) * surely(e, e->root[1]) == 0) return NULL;
-    for (int i = 0; i < PLANES; i++) {
-        int sign = tier == ALGSURF_TIER_CERTIFIED ? e->sign[i] : surely(e, e->root[i]), told = 0;
-        for (int k = 0; k < a->count; k++) {
-            double reach = tier == ALGSURF_TIER_FAST ? 1e-9 * (1 + fabs(a->all[k].t)) : 0;
-            told |= exact_between(a->all[k].t_lo - reach, e->root[i], a->all[k].t_hi + reach);
-        }
-        if (sign > 0 && !told) return "a root in the extent is missing";
-        found += sign > 0, may_be += sign >= 0;
-    }
-    if (a->count < found || a->count > may_be) return "a root outside of the extent";
-    return NULL;
+/* Which of the roots the first hit encloses, up to `reach`; PLANES: none. */
+static int root_of(const edge_case *e, const algsurf_hit *h, double reach) {
+    int i = 0;
+    while (i < PLANES && !exact_between(h->t_lo - reach, e->root[i], h->t_hi + reach)) i++;
+    return i;
 }
 
-/* Where there is a hit in REPORT there is the same in HIT and MISS; an uncertain place is a hit in HIT, and
- * nothing in MISS. */
-static const char *judge_doubt(const saying said[DOUBTS]) {
-    const intersect_answer *report = &said[ALGSURF_DOUBT_REPORT].single;
-    const intersect_answer *hit = &said[ALGSURF_DOUBT_HIT].single, *miss = &said[ALGSURF_DOUBT_MISS].single;
-    int passed = 0;
-    if (hit->count != report->count) return "HIT counts otherwise";
-    for (int i = 0; i < report->count; i++) {
-        const algsurf_hit *h = report->all + i;
-        if (hit->all[i].state != ALGSURF_HIT || hit->all[i].t != h->t || hit->all[i].reason != h->reason)
-            return "HIT tells another place";
-        if (h->state == ALGSURF_UNCERTAIN) continue;
-        if (passed >= miss->count || miss->all[passed].t != h->t) return "MISS passed over a hit";
-        passed++;
-    }
-    return passed < miss->count ? "MISS tells of doubt" : NULL;
+/* What is told of the first hit: a root in the extent, and the first. */
+static const char *judge_first(const edge_case *e, algsurf_tier tier, const algsurf_hit *h) {
+    int fast = tier == ALGSURF_TIER_FAST;
+    if (h->state == ALGSURF_UNCERTAIN) return fast ? "the fast tier is uncertain" : NULL;
+    if (fast && surely(e, e->root[0]) * surely(e, e->root[1]) == 0) return NULL; /* takes signs as computed */
+    int told = h->state == ALGSURF_HIT ? root_of(e, h, fast ? 1e-9 * (1 + fabs(h->t)) : 0) : PLANES;
+    if (h->state == ALGSURF_HIT && told == PLANES) return "no root is there";
+    for (int i = 0; i < told; i++)
+        if (e->sign[i] >= 0) return "a root in the extent is missing";
+    return told < PLANES && e->sign[told] < 0 ? "a root outside of the extent" : NULL;
 }
 
-static const char *judge_calls(const saying *s) {
-    const intersect_answer *a = &s->single;
-    const char *wrong = intersect_agree(a);
-    if (!wrong && s->first != a->first.state) wrong = "the packet says another state";
-    if (!wrong && s->occluded != a->occluded) wrong = "the packet is occluded otherwise";
-    return wrong;
-}
-
-/* Roots just inside, just outside, and on the extent's surface, for all tiers and doubts. */
-static void judge_all(const edge_case *e, int round, int uncertain[TIERS]) {
-    for (int tier = 0; tier < TIERS; tier++) {
-        saying said[DOUBTS];
-        const char *wrong = NULL;
-        for (int doubt = 0; doubt < DOUBTS; doubt++) {
-            ask_all(e, (algsurf_tier)tier, (algsurf_doubt)doubt, &said[doubt]);
-            const intersect_answer *a = &said[doubt].single;
-            for (int i = 0; i < a->count; i++) {
-                uncertain[tier] += a->all[i].state == ALGSURF_UNCERTAIN;
-                if (doubt != ALGSURF_DOUBT_REPORT && a->all[i].state == ALGSURF_UNCERTAIN)
-                    refuse(e, a, "told, though not to be reported", round);
-            }
-            if (doubt != ALGSURF_DOUBT_MISS) wrong = judge_roots(e, (algsurf_tier)tier, a);
-            if (!wrong && tier != ALGSURF_TIER_FAST) wrong = judge_calls(&said[doubt]);
-            if (wrong) refuse(e, a, wrong, round);
-        }
-        wrong = judge_doubt(said);
-        if (wrong) refuse(e, &said[0].single, wrong, round);
+/* Roots just inside, just outside, and on the extent's surface. */
+static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *uncertain) {
+    static const int becomes[] = {ALGSURF_UNCERTAIN, ALGSURF_HIT, ALGSURF_MISS};
+    intersect_answer report, a;
+    for (int doubt = ALGSURF_DOUBT_REPORT; doubt <= ALGSURF_DOUBT_MISS; doubt++) {
+        const algsurf_intersect_options how = {
+            .size = sizeof how, .tier = tier, .doubt = (algsurf_doubt)doubt};
+        intersect_ask(&e->c, &e->extent, &how, &a);
+        if (doubt == ALGSURF_DOUBT_REPORT) report = a;
+        const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);
+        if (!wrong && doubt == ALGSURF_DOUBT_REPORT) wrong = judge_first(e, tier, &a.first);
+        int open = report.first.state == ALGSURF_UNCERTAIN;
+        if (a.first.state != (open ? becomes[doubt] : report.first.state)) wrong = "what becomes of doubt";
+        open = report.occluded == ALGSURF_UNCERTAIN;
+        if ((int)a.occluded != (open ? becomes[doubt] : (int)report.occluded)) wrong = "occluded in doubt";
+        if (wrong) refuse(e, &a, wrong, round);
     }
+    *uncertain += report.first.state == ALGSURF_UNCERTAIN;
 }
 
 static void doubt_at_the_edge(void **state) {
     uint64_t seed = SEED + 1;
-    int uncertain[TIERS] = {0}, on = 0;
+    int uncertain = 0, none = 0, rounds = 0;
     static edge_case e;
     (void)state;
     mpq_inits(e.root[0], e.root[1], NULL);
     for (int i = 0; i < ROUNDS; i++) {
         if (!make_planes(&e, &seed)) continue;
-        if (make_extent(&e, &seed)) judge_all(&e, i, uncertain);
-        on += e.sign[0] == 0 || e.sign[1] == 0;
+        if (make_extent(&e, &seed)) {
+            judge_tier(&e, i, ALGSURF_TIER_BOUNDED, &uncertain);
+            judge_tier(&e, i, ALGSURF_TIER_FAST, &none);
+            rounds++;
+        }
         algsurf_surface_free(e.c.surface);
     }
     mpq_clears(e.root[0], e.root[1], NULL);
-    assert_int_equal(uncertain[ALGSURF_TIER_FAST], 0);
-    assert_in_range(uncertain[ALGSURF_TIER_CERTIFIED], 0, on);
-    assert_true(on > 10);
+    if (none > 0 || uncertain * 10 < rounds || uncertain == rounds)
+        fail_msg("seed %u: %d rounds, %d uncertain", SEED, rounds, uncertain);
 }
 
 int main(void) {

@@ -18,7 +18,7 @@ enum { MEMBERS = 3, SIDE = 48, TUBE = 3 };
 static intersect_case c, member;
 static intersect_answer answer;
 
-static const algsurf_tier tiers[] = {ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+static const algsurf_tier tiers[] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
 
 static const char *const equations[] = {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", "x^2 z + y^2",
                                         "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "(x-y)^2 + z^2 - 1/16",
@@ -160,7 +160,7 @@ static void pictures(void **state) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(5e-4);
         double off = e == TUBE ? 12 : 0;
-        draw(s, off, ALGSURF_TIER_STANDARD, t, &uncertain);
+        draw(s, off, ALGSURF_TIER_BOUNDED, t, &uncertain);
         for (int m = 0; m < 6; m++) {
             uint64_t different = 0;
             make_member(&seed, 5e-4);

@@ -126,8 +126,8 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
     set_position(&q, x, root->t, hit->position);
-    int beyond = !isfinite(ldexp(root->t, q.frame.exponent)); /* of what the frame can hold */
-    if (beyond || q.frame.lost || !algsurf_is_finite3(hit->position)) point_within_range(&q, root->t, x, hit->position);
+    int beyond = q.frame.lost || !q.frame.one_piece; /* t overflows in natural units: not even one point */
+    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&q, root->t, x, hit->position);
     set_normal(&q, x, hit->normal);
 }
 
