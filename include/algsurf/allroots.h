@@ -24,7 +24,7 @@ typedef struct algsurf_enclosure {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex value; /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: real, proved: box.im is [0,0] */
+    int real;              /* 1: real, proved, whatever the multiplicity: box.im is [0,0] */
 } algsurf_enclosure;
 
 /* All roots of sum c_k z^k.

@@ -54,10 +54,31 @@ static double extent(const algsurf_i_input *in, int k) {
     return fmax(magnitude(in->c[in->low + k]), in->r ? in->r[in->low + k] : 0);
 }
 
+/* The extreme slopes of Newton's polygon, which are about the exponents of the least and the largest root:
+ * each is attained from one end of the polygon. */
+static void outermost(const algsurf_i_input *in, double *least, double *largest) {
+    int n = in->high - in->low, first = ilogb(extent(in, 0)), last = ilogb(extent(in, n));
+    *least = HUGE_VAL, *largest = -HUGE_VAL;
+    for (int k = 0; k <= n; k++) {
+        if (!(extent(in, k) > 0)) continue;
+        int e = ilogb(extent(in, k));
+        if (k > 0) *least = fmin(*least, (double)(first - e) / k);
+        if (k < n) *largest = fmax(*largest, (double)(e - last) / (n - k));
+    }
+}
+
+/* The first and the last coefficient balance.  Where an extreme root would then come near the limits of
+ * double, the extreme roots do; and when their exponents are too far apart for that, the largest gets the
+ * largest start value there is (below 2^1000): a small root out of reach is one box about 0, a large one
+ * spoils them all. */
 int algsurf_i_roots_unit(const algsurf_i_input *in) {
     int n = in->high - in->low;
-    double ends = ilogb(extent(in, 0)) - ilogb(extent(in, n)); /* neither is 0 */
-    return n > 0 ? (int)lround(ends / n) : 0;
+    if (n == 0) return 0;
+    double unit = (double)(ilogb(extent(in, 0)) - ilogb(extent(in, n))) / n, least,
+           largest; /* neither is 0 */
+    outermost(in, &least, &largest);
+    return (int)lround(
+        unit - least < 900 && largest - unit < 900 ? unit : fmax(0.5 * least + 0.5 * largest, largest - 990));
 }
 
 /* The unit of the variable.  Narrow, if no coefficient then falls 2^500 below the largest, whose exponent is

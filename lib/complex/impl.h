@@ -54,7 +54,7 @@ typedef struct algsurf_i_input {
     int unit;        /* of the variable: z = 2^unit is 1 here */
 } algsurf_i_input;
 
-/* The exponent of a unit of the variable in which the first and the last coefficient balance. */
+/* The exponent of a unit of the variable in which the roots are near 1, as far as that is possible. */
 int algsurf_i_roots_unit(const algsurf_i_input *in);
 /* All roots by value, clusters among them.  boxes: work space for as many as `roots`. */
 algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
