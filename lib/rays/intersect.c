@@ -6,9 +6,11 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
+#include "kernel.h"
 #include "../simd/kernel.h"
 #include "../base/options.h"
 #include "ray_impl.h"
@@ -155,6 +157,24 @@ static void make_hit(const query *q, const algsurf_i_frame *f, algsurf_i_ray_roo
     hit->t_hi = q->options.tier == ALGSURF_TIER_FAST ? t : root->t_hi;
 }
 
+/* The lanes' answer to a checked query: the first hits, at most `most`, or -1 where they have none. */
+static int hits_in_lanes(const query *q, const algsurf_extent *extent, const algsurf_ray *ray, int most,
+                         algsurf_hit *hits) {
+    const algsurf_intersect_options *o = &q->options;
+    const double *x = ray->origin, *d = ray->direction;
+    const algsurf_i_rays_job job = {.surface = q->surface,
+                                    .extent = extent,
+                                    .origin = {x, x + 1, x + 2},
+                                    .direction = {d, d + 1, d + 2},
+                                    .t_min = &ray->t_min,
+                                    .t_max = &ray->t_max,
+                                    .bounded = o->tier != ALGSURF_TIER_FAST};
+    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance};
+    int chosen = o->method != ALGSURF_METHOD_DEFAULT || o->max_iterations > 0;
+    if (!algsurf_i_rays_fit(q->surface, extent)) return -1;
+    return algsurf_i_rays_single(&job, chosen ? &how : NULL, most, hits);
+}
+
 ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface,
                                                           const algsurf_extent *extent,
                                                           const algsurf_ray *ray,
@@ -165,7 +185,10 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_first(const algsurf_surface 
     algsurf_i_ray_root root;
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
-    if (q.empty ||
+    int chosen = q.options.method != ALGSURF_METHOD_DEFAULT || q.options.max_iterations > 0;
+    int found = chosen ? hits_in_lanes(&q, extent, ray, 1, hit) : -1; /* else packet.c has tried */
+    if (found == 1) return ALGSURF_OK;
+    if (found == 0 || q.empty ||
         !algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_FIRST, &frame, &root, 1))
         set_miss(hit);
     else
@@ -182,9 +205,17 @@ static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const
     algsurf_status status = prepare(&q, surface, extent, ray, options);
     if (status != ALGSURF_OK) return status;
     int room = surface->degree > 0 ? surface->degree : 1;
-    int n = q.empty ? 0
-                    : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ALL, &frame,
-                                              roots, room);
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
+    int n = hits_in_lanes(&q, extent, ray, room, found);
+    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    if (n >= 0) {
+        memcpy(hits, found, (size_t)n * sizeof *hits);
+        *count = n;
+        return ALGSURF_OK;
+    }
+    n = q.empty ? 0
+                : algsurf_i_decided_roots(surface, &q.ray, &q.edges, &q.options, ALGSURF_WANT_ALL, &frame,
+                                          roots, room);
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     for (int i = 0; i < n; i++) make_hit(&q, &frame, roots + i, hits + i);
     *count = n;

@@ -36,6 +36,9 @@ int algsurf_i_decided_roots(const algsurf_surface *surface, const algsurf_ray *r
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options);
 
+/* Can the lanes square what is shown, in the surface's unit? */
+int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_extent *extent);
+
 /* algsurf_intersect_first and algsurf_occluded in the standard floating-point environment. */
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
                                          const algsurf_ray *ray, const algsurf_intersect_options *options,
