@@ -283,10 +283,10 @@ static void judge_sweep(int which, limits most) {
         free(at.answers[m].state), free(at.answers[m].t), free(at.answers[m].t_lo), free(at.answers[m].t_hi);
     printf(
         "%s: %d rays, %d judged, %d hits, fast: %d wrong, uncertain: %d standard, %d certified, %d packet\n",
-        at.sweep->name, t.asked, t.judged, t.hits, t.wrong, t.uncertain[MANNER_STANDARD],
+        at.sweep->name, t.asked, t.judged, t.hits, t.wrong, t.uncertain[MANNER_BOUNDED],
         t.uncertain[MANNER_CERTIFIED], t.uncertain[MANNER_PACKET]);
     if (t.judged * 100 < t.asked * 98 || t.hits * 100 < t.asked * most.hits || t.unmeasured * 100 > t.asked ||
-        t.wrong * 100 > t.asked * most.fast || t.uncertain[MANNER_STANDARD] * 100 > t.asked * most.standard ||
+        t.wrong * 100 > t.asked * most.fast || t.uncertain[MANNER_BOUNDED] * 100 > t.asked * most.standard ||
         t.uncertain[MANNER_PACKET] * 100 > t.asked * most.standard ||
         t.uncertain[MANNER_CERTIFIED] * 100 > t.asked * most.certified)
         fail_msg("%s, seed %d: too many, or too few", at.sweep->name, seed);

@@ -6,12 +6,15 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "../base/fpenv.h"
 #include "exact.h"
 #include "intersect_impl.h"
+#include "kernel.h"
 #include "../simd/kernel.h"
 #include "../base/options.h"
+#include "own_ball.h"
 #include "ray_impl.h"
 #include "../base/vec.h"
 
@@ -157,6 +160,29 @@ static int counts_undecided(const algsurf_intersect_options *options, int *state
     return options->doubt != ALGSURF_DOUBT_MISS;
 }
 
+/* Has the caller chosen how brackets are refined? */
+static int chooses_method(const algsurf_intersect_options *options) {
+    return options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
+}
+
+/* One lane's answer to a checked query: the first hits, at most `most`, or -1 where they are undecided. */
+static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *given, const algsurf_ray *ray,
+                        const algsurf_intersect_options *o, int most, algsurf_hit *hits) {
+    const double *x = ray->origin, *d = ray->direction;
+    algsurf_extent wider;
+    const algsurf_extent *extent = algsurf_i_without_own_ball(surface, given, &wider);
+    const algsurf_i_rays_job job = {.surface = surface,
+                                    .extent = extent,
+                                    .origin = {x, x + 1, x + 2},
+                                    .direction = {d, d + 1, d + 2},
+                                    .t_min = &ray->t_min,
+                                    .t_max = &ray->t_max,
+                                    .bounded = o->tier != ALGSURF_TIER_FAST};
+    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance};
+    if (!algsurf_i_rays_fit(surface, extent)) return -1;
+    return algsurf_i_rays_single(&job, chooses_method(o) ? &how : NULL, most, hits);
+}
+
 /* The roots as hits: at most `capacity` of them, the surface's degree at least. */
 static ALGSURF_NOINLINE algsurf_status hits_of(const algsurf_surface *surface, const algsurf_extent *extent,
                                                const algsurf_ray *ray,
@@ -190,10 +216,10 @@ algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const a
                                          algsurf_hit *hit) {
     algsurf_hit found;
     algsurf_status status = ALGSURF_OK;
-    int count = 0;
-    if (goes_to_integers(surface, options))
+    int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, &found) : -1;
+    if (count < 0 && goes_to_integers(surface, options)) /* where no method is chosen, packets have tried */
         status = hits_of(surface, extent, ray, options, ALGSURF_WANT_FIRST, &found, 1, &count);
-    else
+    else if (count < 0)
         count = undecided_hit(extent, ray, options, &found);
     if (status != ALGSURF_OK) return status;
     if (count)
@@ -203,26 +229,34 @@ algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const a
     return ALGSURF_OK;
 }
 
-static algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                          const algsurf_ray *ray, const algsurf_intersect_options *given, algsurf_hit *hits,
-                          int capacity, int *count) {
+/* At most one hit for each degree, but at least one: into `found`. */
+static algsurf_status find_all(const algsurf_surface *surface, const algsurf_extent *extent,
+                               const algsurf_ray *ray, const algsurf_intersect_options *options,
+                               algsurf_hit *found, int *count) {
+    *count = hits_in_lane(surface, extent, ray, options, surface->degree, found);
+    if (*count >= 0) return ALGSURF_OK;
+    if (goes_to_integers(surface, options))
+        return hits_of(surface, extent, ray, options, ALGSURF_WANT_ALL, found, ALGSURF_MAX_DEGREE, count);
+    *count = undecided_hit(extent, ray, options, found);
+    return ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
+                                           const algsurf_ray *ray, const algsurf_intersect_options *given,
+                                           algsurf_hit *hits, int capacity, int *count) {
     algsurf_intersect_options options;
-    algsurf_hit one;
-    int found = 0;
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
+    int n = 0;
     if (!surface) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
     if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
     if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &options);
+    if (status == ALGSURF_OK) status = find_all(surface, extent, ray, &options, found, &n);
     if (status != ALGSURF_OK) return status;
-    if (goes_to_integers(surface, &options)) {
-        status = hits_of(surface, extent, ray, &options, ALGSURF_WANT_ALL, hits, capacity, &found);
-    } else {
-        found = undecided_hit(extent, ray, &options, &one);
-        if (found > capacity) return ALGSURF_E_ARGUMENT;
-        if (found) hits[0] = one;
-    }
-    if (status == ALGSURF_OK) *count = found;
-    return status;
+    if (n > capacity) return ALGSURF_E_ARGUMENT;
+    memcpy(hits, found, (size_t)n * sizeof *hits);
+    *count = n;
+    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,

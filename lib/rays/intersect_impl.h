@@ -19,6 +19,9 @@ typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options);
 
+/* Can the lanes square what is shown, in the surface's unit? */
+int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_extent *extent);
+
 /* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
  * floating-point environment: OK or E_NO_MEMORY. */
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "../simd/kernel.h"
+#include "algsurf/intersect.h"
 #include "algsurf/ray.h"
 #include "algsurf/surface.h"
 
@@ -33,6 +34,13 @@ typedef void algsurf_i_rays_kernel(const algsurf_i_rays_job *job, size_t count,
                                    const algsurf_i_rays_hits *hits);
 
 algsurf_i_rays_kernel algsurf_i_rays_avx512, algsurf_i_rays_avx2, algsurf_i_rays_baseline;
+
+/* The first hits of the job's one ray, at most `most` >= 1, in order, by the caller's method (null: the first
+ * of them has the bits of the kernels); or -1: it is undecided.  hits has room for the surface's degree, or
+ * `most`.
+ */
+int algsurf_i_rays_single(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
+                          algsurf_hit *hits);
 
 /* The code for a kernel. */
 algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel);

@@ -70,9 +70,8 @@ static algsurf_status check_rays(const algsurf_ray_packet *rays) {
     return ALGSURF_OK;
 }
 
-/* Can the packet code square what is shown, in the surface's unit? */
-static int moderate(const algsurf_surface *s, const algsurf_extent *extent) {
-    if (s->unit < -900 || s->unit > 900) return 0;
+int algsurf_i_rays_fit(const algsurf_surface *s, const algsurf_extent *extent) {
+    if (!s->tables || s->unit < -900 || s->unit > 900) return 0;
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
     for (int i = 0; i < 3; i++) {
         double size = ldexp(extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0], -s->unit);
@@ -91,8 +90,8 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
     q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
-    int fits = surface->tables && q->options.method == ALGSURF_METHOD_DEFAULT &&
-               q->options.max_iterations == 0 && moderate(surface, q->extent);
+    int fits = q->options.method == ALGSURF_METHOD_DEFAULT && q->options.max_iterations == 0 &&
+               algsurf_i_rays_fit(surface, q->extent);
     q->solve = fits ? algsurf_i_rays_kernel_for(algsurf_i_kernel_find(q->options.kernel)) : NULL;
     return ALGSURF_OK;
 }

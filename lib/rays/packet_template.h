@@ -278,9 +278,9 @@ INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e,
 }
 
 /* Ends and brackets of open lanes from powers, with a radius for each coefficient. */
-APART void decide_known(const algsurf_surface *s, const chord_line *line, packet *k, int n,
+APART void decide_known(const algsurf_surface *s, const chord_line *line, packet *k, int n, lanes *e,
                         int only_whether) {
-    lanes e[ALGSURF_MAX_DEGREE + 1], *b = k->b, from = all_lanes(0);
+    lanes *b = k->b, from = all_lanes(0);
     coefficients_from_powers(s, line, n, b, e);
     k->radius = e[0];
     for (int j = 1; j <= n; j++) k->radius = larger(k->radius, e[j]);
@@ -292,17 +292,18 @@ APART void decide_known(const algsurf_surface *s, const chord_line *line, packet
         k->hit |= k->open & negative((words)b[0] ^ (words)b[n]);
         k->open &= ~k->hit;
     }
-    if (any(k->open)) isolate_known(k, n, e, &from);
+    if (any(k->open)) (void)isolate_known(k, n, e, &from);
 }
 
 /* Lanes that nodes and one radius for all coefficients left undecided. */
 APART void decide_again(const algsurf_surface *s, const chord_line *line, packet *k, mask which, int n,
                         int only_whether) {
     packet again;
+    lanes e[ALGSURF_MAX_DEGREE + 1];
     again.open = which;
     again.doubtful = again.hit = no_lane();
     again.blur = k->blur;
-    decide_known(s, line, &again, n, only_whether);
+    decide_known(s, line, &again, n, e, only_whether);
     k->doubtful = (k->doubtful & ~which) | again.doubtful;
     close(k, n, again.hit, again.w, again.p, again.q);
 }
@@ -421,11 +422,12 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         k.hit = no_lane();
         if (any(k.open)) {
             chord_line line;
+            lanes e[ALGSURF_MAX_DEGREE + 1];
             set_chords(&r, middle, half, reach, &line, &k);
             if (block)
                 decide_from_nodes(job, &line, &k, n, block);
             else
-                decide_known(job->surface, &line, &k, n, job->any);
+                decide_known(job->surface, &line, &k, n, e, job->any);
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);

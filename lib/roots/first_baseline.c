@@ -3,3 +3,4 @@
 
 #include "../simd/baseline.h"
 #include "first_template.h"
+#include "single_template.h"

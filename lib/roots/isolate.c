@@ -13,6 +13,7 @@
 
 #include "../base/fpenv.h"
 #include "isolate_impl.h"
+#include "kernel.h"
 
 typedef struct task {
     algsurf_i_coefficients p;
@@ -134,15 +135,16 @@ static void keep_brackets(task *t) {
     if (t->kept > 0) t->lo = t->found.b[t->kept - 1].hi;
 }
 
-/* All of [lo,hi] in double, as one piece in units of its larger end; returns 0 when that is no way to find
- * out: numbers far from 1, a root at 0 known beforehand, or a cell that stays undecided. */
+/* All of [lo,hi] in double, as one piece in units of its larger end, for degrees that are no lane's; returns
+ * 0 when that is no way to find out: numbers far from 1, a root at 0 known beforehand, or a cell that stays
+ * undecided. */
 static int walk_whole(task *t) {
     double q[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
     int decided = 1, exponent;
     algsurf_i_stretch s = {t->lo, t->hi, 0};
     algsurf_i_walk_d walk;
     algsurf_i_cell cell;
-    if (t->p.zeros > 0 || t->p.degree == 0 || isinf(t->lo) || isinf(t->hi)) return 0;
+    if (t->p.zeros > 0 || t->p.degree <= ALGSURF_MAX_DEGREE || isinf(t->lo) || isinf(t->hi)) return 0;
     if (frexp(fmax(fabs(t->lo), fabs(t->hi)), &exponent) == 0.5) exponent--;
     s.exponent = exponent;
     if (!moderate(&t->p, exponent, q, r)) return 0;
@@ -154,6 +156,24 @@ static int walk_whole(task *t) {
         decided = cell.kind == ALGSURF_ROOT_BRACKET && algsurf_i_add_cell(&t->found, &t->p, &s, &cell) &&
                   t->found.b[t->found.count - 1].kind == ALGSURF_ROOT_BRACKET;
     t->counted += walk.counted;
+    if (!decided) keep_brackets(t);
+    return decided;
+}
+
+/* Is there a root that is far smaller than the interval, so that it wants an interval of its own? */
+static int small_root(const task *t) {
+    double largest = 0, most = fmax(fabs(t->lo), fabs(t->hi)), power = 1;
+    if (t->lo > 0 || t->hi < 0) return 0;
+    for (int k = 0; k <= t->p.degree; k++, power *= most) largest = fmax(largest, fabs(t->p.c[k]) * power);
+    return !(fabs(t->p.c[0]) >= ldexp(largest, -LONGER * t->p.degree));
+}
+
+/* [lo,hi] in a lane; returns 0 when that leaves something undecided. */
+static int walk_lane(task *t) {
+    int most = t->first_only ? 1 : t->found.capacity;
+    if (t->p.degree == 0 || t->p.degree > ALGSURF_MAX_DEGREE || small_root(t)) return 0;
+    if (!(fmax(fabs(t->lo), fabs(t->hi)) > 0x1p-900 && t->hi - t->lo < 0x1p1000)) return 0;
+    int decided = algsurf_i_roots_single(&t->p, t->lo, t->hi, most, t->found.b, &t->found.count, &t->counted);
     if (!decided) keep_brackets(t);
     return decided;
 }
@@ -198,7 +218,7 @@ static void isolate(task *t) {
         single_point(t);
         return;
     }
-    if (walk_whole(t) || walk(t, walk_d)) return;
+    if (walk_lane(t) || walk_whole(t) || walk(t, walk_d)) return;
     int fits = walk(t, walk_dd);
     t->zero_at_lo = end_is_root(t, t->lo);
     t->zero_at_hi = end_is_root(t, t->hi);

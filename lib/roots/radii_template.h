@@ -60,6 +60,7 @@ typedef struct walk {
     const lanes *e;                       /* radii of the packet's b */
     lanes cell_e[ALGSURF_MAX_DEGREE + 1]; /* of its w */
     search s;
+    int counted; /* cells whose variations were counted, of all lanes together */
 } walk;
 
 INLINE void leave_undecided(packet *k, mask which) {
@@ -88,6 +89,7 @@ INLINE void cut_known_cell(packet *k, int n, walk *v, mask which, lanes from, la
     k->p = choose(which, from, k->p);
     k->q = choose(which, to, k->q);
     v->s.c = known_variations(k->w, v->cell_e, n);
+    v->counted++;
     leave_undecided(k, which & ~ends_known(k->w, v->cell_e, n));
 }
 
@@ -103,6 +105,7 @@ INLINE void divide_known(packet *k, int n, walk *v) {
     s->turns += 1;
     leave_undecided(k, ~less(left_e[n], absolute(left[n])));
     descartes l = known_variations(left, left_e, n), r = known_variations(right, right_e, n);
+    v->counted += 2;
     mask go_right = k->open & l.none, go_left = k->open & ~go_right;
     mask crosses = negative((words)left[0] ^ (words)left[n]);
     s->limit = choose(go_left & (crosses | (at_most(s->limit, k->q) & r.none)), at, s->limit);
@@ -117,8 +120,8 @@ INLINE void divide_known(packet *k, int n, walk *v) {
 }
 
 /* The first bracket of each open lane within [from, 1], in p, q, w; e are the radii of b.  A lane is left
- * undecided where a sign that the walk needs is not known. */
-INLINE void isolate_known_n(packet *k, int n, const lanes *e, lanes from) {
+ * undecided where a sign that the walk needs is not known.  Returns how many cells were counted. */
+INLINE int isolate_known_n(packet *k, int n, const lanes *e, lanes from) {
     walk v = {.e = e};
     v.s.limit = all_lanes(1);
     v.s.turns = all_lanes(0);
@@ -136,11 +139,12 @@ INLINE void isolate_known_n(packet *k, int n, const lanes *e, lanes from) {
                                at_most(all_lanes(MOST_TURNS), v.s.turns));
         if (any(k->open)) divide_known(k, n, &v);
     }
+    return v.counted;
 }
 
-APART void isolate_known(packet *k, int n, const lanes *e, const lanes *from) {
+APART int isolate_known(packet *k, int n, const lanes *e, const lanes *from) {
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    isolate_known_n(k, n, e, *from);
+    return isolate_known_n(k, n, e, *from);
 }
 
 #endif

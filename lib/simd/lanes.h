@@ -1,6 +1,6 @@
 /* lanes.h - LANES doubles side by side, for the text that is compiled once for each instruction set.
  *
- * The includer defines LANES: 2 (SSE2, NEON), 4 (AVX2) or 8 (AVX-512).  Every lane is rounded as a double
+ * The includer defines LANES: 1 (any machine), 2 (SSE2, NEON), 4 (AVX2) or 8 (AVX-512).  Every lane is rounded as a double
  * alone would be, and no operation mixes lanes: so all kernels give the same bits.  (That also forbids fused
  * multiply-add; -ffp-contract=off sees to it.)  A mask has all bits of a lane set where it is true. */
 #ifndef ALGSURF_LANES_H
@@ -9,6 +9,12 @@
 #include <stdint.h>
 #if defined(__x86_64__)
 #include <immintrin.h>
+#endif
+
+#if defined(__x86_64__) && LANES > 1
+#define X86_LANES LANES
+#else
+#define X86_LANES 0
 #endif
 
 #define INLINE static inline __attribute__((always_inline, unused))
@@ -28,7 +34,7 @@ typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef uint64_t words __attribute__((vector_size(8 * LANES)));
 
 /* A truth value for each lane: with AVX-512 a bit, else all bits of a word.  Combined by & | ~ only. */
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
 typedef unsigned mask;
 #else
 typedef int64_t mask __attribute__((vector_size(8 * LANES)));
@@ -36,7 +42,7 @@ typedef int64_t mask __attribute__((vector_size(8 * LANES)));
 
 INLINE lanes all_lanes(double a) { return a - (lanes){0}; }
 
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
 INLINE mask less(lanes a, lanes b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 INLINE mask at_most(lanes a, lanes b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
 INLINE mask negative(words a) { return _mm512_movepi64_mask((__m512i)a); }
@@ -50,11 +56,11 @@ INLINE mask no_lane(void) { return (mask){0}; }
 
 /* a where the mask is set, b elsewhere. */
 INLINE lanes choose(mask where, lanes a, lanes b) {
-#if defined(__x86_64__) && LANES == 4
+#if X86_LANES == 4
     return _mm256_blendv_pd(b, a, (lanes)where);
-#elif defined(__x86_64__) && LANES == 8
+#elif X86_LANES == 8
     return _mm512_mask_blend_pd((__mmask8)where, b, a);
-#elif defined(__x86_64__)
+#elif X86_LANES == 2
     return _mm_or_pd(_mm_and_pd((lanes)where, a), _mm_andnot_pd((lanes)where, b));
 #else
     return (lanes)(((mask)a & where) | ((mask)b & ~where));
@@ -81,13 +87,13 @@ INLINE void store(double *p, lanes a) { __builtin_memcpy(p, &a, sizeof a); }
 INLINE lanes absolute(lanes a) { return (lanes)((words)a & INT64_MAX); }
 
 /* a < b ? a : b, and a > b ? a : b. */
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
 INLINE lanes smaller(lanes a, lanes b) { return _mm512_min_pd(a, b); }
 INLINE lanes larger(lanes a, lanes b) { return _mm512_max_pd(a, b); }
-#elif defined(__x86_64__) && LANES == 4
+#elif X86_LANES == 4
 INLINE lanes smaller(lanes a, lanes b) { return _mm256_min_pd(a, b); }
 INLINE lanes larger(lanes a, lanes b) { return _mm256_max_pd(a, b); }
-#elif defined(__x86_64__)
+#elif X86_LANES == 2
 INLINE lanes smaller(lanes a, lanes b) { return _mm_min_pd(a, b); }
 INLINE lanes larger(lanes a, lanes b) { return _mm_max_pd(a, b); }
 #else
@@ -96,11 +102,11 @@ INLINE lanes larger(lanes a, lanes b) { return choose(less(b, a), a, b); }
 #endif
 
 INLINE lanes root(lanes a) {
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
     return _mm512_sqrt_pd(a);
-#elif defined(__x86_64__) && LANES == 4
+#elif X86_LANES == 4
     return _mm256_sqrt_pd(a);
-#elif defined(__x86_64__)
+#elif X86_LANES == 2
     return _mm_sqrt_pd(a);
 #else
     for (int l = 0; l < LANES; l++) a[l] = sqrt(a[l]);
@@ -110,11 +116,11 @@ INLINE lanes root(lanes a) {
 
 /* Bit l: lane l is set. */
 INLINE unsigned bits(mask m) {
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
     return m & 255;
-#elif defined(__x86_64__) && LANES == 4
+#elif X86_LANES == 4
     return (unsigned)_mm256_movemask_pd((lanes)m);
-#elif defined(__x86_64__)
+#elif X86_LANES == 2
     return (unsigned)_mm_movemask_pd((lanes)m);
 #else
     unsigned b = 0;
@@ -127,9 +133,9 @@ INLINE int any(mask m) { return bits(m) != 0; }
 
 /* The lanes chosen by bits, in their order, from p on; what follows up to p[LANES-1] is overwritten. */
 INLINE void store_chosen(double *p, lanes a, unsigned chosen) {
-#if defined(__x86_64__) && LANES == 8
+#if X86_LANES == 8
     _mm512_storeu_pd(p, _mm512_maskz_compress_pd((__mmask8)chosen, a));
-#elif defined(__x86_64__) && LANES == 4
+#elif X86_LANES == 4
     static const uint32_t halves[16][8] = {
         {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0},
         {0, 1, 2, 3, 0, 0, 0, 0}, {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0},
