@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "algsurf/camera.h"
 #include "algsurf/intersect.h"
 
 enum { INTERSECT_TERMS = 2200 };
@@ -245,9 +246,9 @@ static inline const char *intersect_wrong_packet(const intersect_case *c, const 
     return same ? NULL : "a packet says something else";
 }
 
-/* Everything that must be true of one ray in an extent (null: all of space). */
-static inline void intersect_judge_in(const intersect_case *c, const algsurf_extent *extent,
-                                      const algsurf_intersect_options *options, intersect_answer *a) {
+/* Everything that must be true of one ray in an extent (null: all of space); null if it is. */
+static inline const char *intersect_verdict(const intersect_case *c, const algsurf_extent *extent,
+                                            const algsurf_intersect_options *options, intersect_answer *a) {
     intersect_ask(c, extent, options, a);
     const char *wrong = intersect_wrong_packet(c, extent, options, a);
     if (options && options->tier == ALGSURF_TIER_BOUNDED) {
@@ -261,6 +262,12 @@ static inline void intersect_judge_in(const intersect_case *c, const algsurf_ext
     }
     if (!wrong) wrong = intersect_form(c, &a->first);
     for (int i = 0; !wrong && i < a->count; i++) wrong = intersect_form(c, a->all + i);
+    return wrong;
+}
+
+static inline void intersect_judge_in(const intersect_case *c, const algsurf_extent *extent,
+                                      const algsurf_intersect_options *options, intersect_answer *a) {
+    const char *wrong = intersect_verdict(c, extent, options, a);
     if (extent && wrong) {
         fprintf(stderr, "extent of kind %d\n", (int)extent->kind);
         exact_print_doubles("centre", extent->centre, 3), exact_print_doubles("size", extent->size, 3);
