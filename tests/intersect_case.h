@@ -94,6 +94,8 @@ static inline const char *intersect_form(const intersect_case *c, const algsurf_
     for (int i = 0; i < 3 && isfinite(h->t) && !beyond; i++) {
         double x = fma(h->t, c->ray.direction[i], c->ray.origin[i]);
         double size = fabs(c->ray.origin[i]) + fabs(h->t * c->ray.direction[i]);
+        if (h->t_hi <= nextafter(h->t_lo, INFINITY)) /* of the root itself, which is between two doubles */
+            size += 0x1p50 * (h->t_hi - h->t_lo) * fabs(c->ray.direction[i]);
         double far =
             fmax(fabs(h->t_lo), fabs(h->t_hi)) * fabs(c->ray.direction[i]); /* offsets are doubled doubles */
         if (!(fabs(h->position[i] - x) <= 0x1p-50 * size + (isfinite(far) ? 0x1p-90 * (far + 1) : 0x1p-90)))
