@@ -125,12 +125,12 @@ static const struct {
       .unit_tolerance = COARSE}},
     {"single call instead of a packet", {.unit_way = WAY_PACKET, DEFAULT, AT_0}},
     {"single call instead of a picture", {.unit_way = WAY_PICTURE, DEFAULT, AT_0}},
-    {"single call, standard instead of fast", {.unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
-    {"single call, certified instead of standard", {.tier = ALGSURF_TIER_CERTIFIED, DEFAULT, AT_0}},
-    {"picture, standard instead of fast",
+    {"single call, certified instead of fast", {.unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
+    {"single call, certified instead of bounded", {.unit_tier = ALGSURF_TIER_BOUNDED, DEFAULT, AT_0}},
+    {"picture, certified instead of fast",
      {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
-    {"picture, certified instead of standard",
-     {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .tier = ALGSURF_TIER_CERTIFIED, DEFAULT, AT_0}},
+    {"picture, certified instead of bounded",
+     {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .unit_tier = ALGSURF_TIER_BOUNDED, DEFAULT, AT_0}},
     {"single call, Brent instead of default", {.method = ALGSURF_METHOD_BRENT, AT_0}},
     {"single call, bisection instead of default", {.method = ALGSURF_METHOD_BISECTION, AT_0}},
     {"single call, regula falsi instead of default", {.method = ALGSURF_METHOD_REGULA_FALSI, AT_0}}};
@@ -146,7 +146,7 @@ static size_t wrong_of(const record *records, int count, int regula_falsi) {
     return wrong;
 }
 
-/* Rays, and of them those that a single call of the standard tier leaves uncertain. */
+/* Rays, and of them those that doubles leave open. */
 static size_t rays_of(const record *records, int count) {
     size_t rays = 0;
     for (const record *r = records; r < records + count; r++) rays += r->rays;
@@ -156,7 +156,7 @@ static size_t rays_of(const record *records, int count) {
 static size_t uncertain_of(const record *records, int count) {
     size_t uncertain = 0;
     for (const record *r = records; r < records + count; r++)
-        uncertain += record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_STANDARD)
+        uncertain += record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_BOUNDED)
                          ->verdict[ALL_DIGITS]
                          .uncertain;
     return uncertain;
@@ -167,7 +167,7 @@ static double settled(const record *records, int count, algsurf_method method) {
     int most = 0;
     way w = method == ALGSURF_METHOD_DEFAULT ? WAY_PICTURE : WAY_SINGLE;
     for (const record *r = records; r < records + count; r++) {
-        const line *l = record_line(r, w, method, ALGSURF_TIER_STANDARD);
+        const line *l = record_line(r, w, method, ALGSURF_TIER_CERTIFIED);
         most = l->settled > most ? l->settled : most;
     }
     return accuracy_tolerances[most];
@@ -177,7 +177,7 @@ static double settled(const record *records, int count, algsurf_method method) {
 static range gained(const record *records, int count) {
     range all = {INFINITY, 0};
     for (const record *r = records; r < records + count; r++) {
-        const line *l = record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_STANDARD);
+        const line *l = record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_CERTIFIED);
         double times = l->verdict[ALL_DIGITS - 1].usual / l->verdict[ALL_DIGITS].usual;
         all.lo = fmin(all.lo, times);
         all.hi = fmax(all.hi, times);
@@ -194,7 +194,7 @@ void report_advice(const record *records, int count) {
     printf("\nWhich setting to choose:\n"
            "  - Rays that come in numbers: a packet, or a picture; no tolerance or method costs or saves as "
            "much\n    as solving rays side by side.\n"
-           "  - A picture: the default method, standard tier, tolerance 0.  Its bytes no longer change "
+           "  - A picture: the default method, certified tier, tolerance 0.  Its bytes no longer change "
            "below\n    tolerance %s (Brent: %s, bisection: %s); what a coarser one saves is in the second "
            "ratio.\n",
            tolerance_text(at_default, settled(records, count, ALGSURF_METHOD_DEFAULT)),
@@ -203,8 +203,8 @@ void report_advice(const record *records, int count) {
     printf("  - Measuring: tolerance 0, not a tiny one: it ends with a Newton step on P at the point "
            "itself;\n    the error of t at 1e-15 is %.1f to %.1f times that at 0.\n",
            step.lo, step.hi);
-    printf("  - Answers that others rely on: certified.  Only what standard leaves uncertain, here %zu of "
-           "%zu rays,\n    is decided again.\n"
+    printf("  - Certified decides every ray; only what doubles leave open, here %zu of %zu rays, goes to\n"
+           "    integers.  Bounded leaves that uncertain, for hosts that need a bounded time for every ray.\n"
            "  - Fast proves nothing; wrong here: %zu answers, in all tolerances.  Worth it where no one\n"
            "    relies on an answer and the ratio above counts.\n",
            uncertain_of(records, count), rays_of(records, count), wrong_of(records, count, 0));

@@ -156,12 +156,12 @@ static int changes_before(const view *v, const algsurf_ray *chord, const truth *
 
 static void find_truth(view *v, const algsurf_ray *ray, const algsurf_ray *chord, truth *known) {
     const char *name = v->entry->name;
-    algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_CERTIFIED};
-    algsurf_hit hit, standard;
-    must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, &options, &hit), name);
-    must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, NULL, &standard), name);
+    algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
+    algsurf_hit hit, by_doubles;
+    must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, NULL, &hit), name);
+    must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, &bounded, &by_doubles), name);
     *known = (truth){.state = hit.state,
-                     .doubtful = standard.state == ALGSURF_UNCERTAIN,
+                     .left_open = by_doubles.state == ALGSURF_UNCERTAIN,
                      .lo = hit.t_lo,
                      .hi = hit.t_hi,
                      .t = hit.t,

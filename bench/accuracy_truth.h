@@ -5,8 +5,8 @@
 
 typedef struct truth {
     int state;      /* an algsurf_hit_state: what the certified tier says */
-    int doubtful;   /* the standard tier is uncertain of this ray */
-    double lo, hi;  /* isolates the first root; uncertain: where the doubt begins and ends */
+    int left_open;  /* doubles do not decide this ray: the bounded tier is uncertain */
+    double lo, hi;  /* encloses the first root, which no other precedes */
     double t, rest; /* t + rest is the root: |t + rest - exact| <= error, proved here */
     double error;   /* infinite if it could not be proved: the error of t is then not told */
 } truth;

@@ -40,7 +40,7 @@ const char *method_name(algsurf_method method) {
 }
 
 const char *tier_name(algsurf_tier tier) {
-    static const char *const names[] = {"standard", "fast", "certified"};
+    static const char *const names[] = {"certified", "bounded", "fast"};
     return names[tier];
 }
 
@@ -235,10 +235,10 @@ static const char *breach_of(const answer *a, const truth *known) {
     return known->t + error >= a->lo && known->t - error <= a->hi ? NULL : "an interval without the root";
 }
 
-/* In a picture of the standard tier doubtful rays are drawn as hits. */
+/* In a picture of the bounded tier rays that doubles leave open are drawn as hits. */
 static int is_open(const setting *s, const truth *known) {
     return known->state == ALGSURF_UNCERTAIN ||
-           (s->way == WAY_PICTURE && s->tier == ALGSURF_TIER_STANDARD && known->doubtful);
+           (s->way == WAY_PICTURE && s->tier == ALGSURF_TIER_BOUNDED && known->left_open);
 }
 
 static void judge_ray(ways *w, const setting *s, size_t i, verdict *r) {

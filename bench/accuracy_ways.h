@@ -39,7 +39,7 @@ typedef struct verdict {
 } verdict;
 
 /* Of the answers of the last run.  Stated for t: the tolerance, rounding of t, for pictures 2^-36 of the
- * extent's radius, and what a few rounding errors of P can move the root.  A breach is, in the standard and
+ * extent's radius, and what a few rounding errors of P can move the root.  A breach is, in the bounded and
  * certified tiers: a wrong state, an interval without the root or without t, doubt that begins behind the
  * root; and t off by more than is stated, for all methods but regula falsi, which promises nothing. */
 verdict ways_judge(ways *w, const setting *s);

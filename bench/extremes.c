@@ -56,7 +56,7 @@ static const cli_program program = {
 
 static const char legend[] =
     "First hits at the extremes.\n"
-    "  manner      fast, standard, certified: a tier, rays one by one; packet: standard tier, the rays of a\n"
+    "  manner      fast, bounded, certified: a tier, rays one by one; packet: certified tier, the rays of a\n"
     "              scene as one packet (they have nothing in common)\n"
     "  rays, hits  asked; those that hit\n"
     "  wrong       of the fast tier: a hit or miss that is none, or t off by more than 1000 units, or by\n"

@@ -67,9 +67,9 @@ static double shown(const finding *f, int panel, manner m) {
 /* Doubt and error and time, one below the other. */
 static void write_charts(const record *r, const char *folder) {
     static const char *const names[PANELS][MANNERS] = {
-        {"fast: wrong", "standard: open", "certified: open", "standard, packet: open"},
-        {"fast", "standard", "certified", "standard, packet"},
-        {"fast", "standard", "certified", "standard, packet"}};
+        {"fast: wrong", "bounded: open", "certified: open", "certified, packet: open"},
+        {"fast", "bounded", "certified", "certified, packet"},
+        {"fast", "bounded", "certified", "certified, packet"}};
     static const plot_axis y[PANELS] = {
         {.label = "% of the rays", .scale = PLOT_SYMLOG, .hi = 100, .linear = 0.1},
         {.label = "largest error of t, in u \316\272 |t|", .scale = PLOT_LOG},

@@ -179,7 +179,7 @@ truth scene_truth(const scene *s, size_t i, const answers *certified) {
 
 /* ---- answers ---- */
 
-const char *const manner_names[MANNERS] = {"fast", "standard", "certified", "packet"};
+const char *const manner_names[MANNERS] = {"fast", "bounded", "certified", "packet"};
 
 static int ask_packet(const scene *s, const answers *a) {
     const algsurf_ray_packet rays = {.size = sizeof rays,
@@ -194,7 +194,7 @@ static int ask_packet(const scene *s, const answers *a) {
 }
 
 int scene_ask(const scene *s, manner m, const answers *a) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     if (m == MANNER_PACKET) return ask_packet(s, a);
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tiers[m]};
     for (size_t i = 0; i < s->count; i++) {

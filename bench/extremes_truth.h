@@ -14,10 +14,10 @@ typedef struct truth {
     double unit;       /* infinite: the root is not known well enough to tell errors */
 } truth;
 
-typedef enum manner { MANNER_FAST, MANNER_STANDARD, MANNER_CERTIFIED, MANNER_PACKET, MANNERS } manner;
+typedef enum manner { MANNER_FAST, MANNER_BOUNDED, MANNER_CERTIFIED, MANNER_PACKET, MANNERS } manner;
 extern const char *const manner_names[MANNERS];
 
-/* The first hits of all rays: one by one in a tier, or as a packet in the standard tier.  Returns 0 when the
+/* The first hits of all rays: one by one in a tier, or as a packet in the certified tier.  Returns 0 when the
  * library refuses one.  Of the answers: state, t, t_lo, t_hi. */
 typedef struct answers {
     unsigned char *state;

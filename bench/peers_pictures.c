@@ -21,17 +21,17 @@
 
 enum { PIXELS = PEERS_WIDTH * PEERS_HEIGHT };
 
-typedef enum artist { STANDARD, CERTIFIED, SURF, SURF_EMPTY, POVRAY, POVRAY_STURM, ARTISTS } artist;
+typedef enum artist { CERTIFIED, BOUNDED, SURF, SURF_EMPTY, POVRAY, POVRAY_STURM, ARTISTS } artist;
 
-static const char *const artist_name[ARTISTS] = {"algsurf",     "algsurf certified", "surf-alggeo",
-                                                 "surf, empty", "POV-Ray",           "POV-Ray sturm"};
+static const char *const artist_name[ARTISTS] = {"algsurf",     "algsurf bounded", "surf-alggeo",
+                                                 "surf, empty", "POV-Ray",         "POV-Ray sturm"};
 
 typedef struct studio {
     const peers_programs *programs;
     peers_scene scene;
     uint8_t *pixels;
     double *hits;
-    uint64_t uncertain;   /* pixels of the standard tier */
+    uint64_t uncertain;   /* pixels of the bounded tier */
     char *shows[ARTISTS]; /* 1 where the surface is seen */
 } studio;
 
@@ -39,7 +39,7 @@ typedef struct studio {
 
 static double draw_here(studio *s, artist who) {
     const algsurf_intersect_options intersect = {
-        .size = sizeof intersect, .tier = who == CERTIFIED ? ALGSURF_TIER_CERTIFIED : ALGSURF_TIER_STANDARD};
+        .size = sizeof intersect, .tier = who == BOUNDED ? ALGSURF_TIER_BOUNDED : ALGSURF_TIER_CERTIFIED};
     const algsurf_render_options options = {
         .size = sizeof options, .width = PEERS_WIDTH, .height = PEERS_HEIGHT, .threads = 1};
     algsurf_render_stats stats = {.size = sizeof stats};
@@ -49,7 +49,7 @@ static double draw_here(studio *s, artist who) {
         status = algsurf_render(s->scene.scene, &options, s->pixels, 3 * PEERS_WIDTH, s->hits, &stats);
     double seconds = measure_cpu() - begun;
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", s->scene.name, algsurf_status_text(status));
-    if (who == STANDARD) s->uncertain = stats.uncertain;
+    if (who == BOUNDED) s->uncertain = stats.uncertain;
     for (int i = 0; i < PIXELS; i++) s->shows[who][i] = (char)(isnan(s->hits[i]) == 0);
     return seconds;
 }
@@ -170,8 +170,8 @@ static void compare(const studio *s, artist who, peers_row *row) {
         row->missed += there && !seen;
         row->extra += seen && !there;
     }
-    if (who == STANDARD && row->missed + row->extra > s->uncertain)
-        cli_fail(CLI_BROKEN, "%s: the standard and the certified tier contradict each other", s->scene.name);
+    if (who == BOUNDED && row->missed + row->extra > s->uncertain)
+        cli_fail(CLI_BROKEN, "%s: the bounded and the certified tier contradict each other", s->scene.name);
     row->error = 100 * fabs((double)row->count - (double)truth) / (double)truth;
 }
 
@@ -181,7 +181,7 @@ static void hang(const studio *s, double (*seconds)[PEERS_MOST_TAKES], int takes
         measure_sort(seconds[SURF_EMPTY], (size_t)takes);
         nothing = measure_quantile(seconds[SURF_EMPTY], (size_t)takes, 0.5);
     }
-    for (artist who = STANDARD; who < ARTISTS; who++) {
+    for (artist who = CERTIFIED; who < ARTISTS; who++) {
         peers_row row = {.section = "pictures",
                          .task = s->scene.name,
                          .degree = s->scene.degree,
@@ -208,11 +208,11 @@ void peers_pictures(const peers_effort *effort, const peers_programs *programs, 
     for (const char *const *name = effort->surfaces; *name; name++) {
         double seconds[ARTISTS][PEERS_MOST_TAKES];
         peers_scene_open(&s.scene, catalogue_find(*name));
-        (void)draw_here(&s, STANDARD); /* touches all memory */
+        (void)draw_here(&s, CERTIFIED); /* touches all memory */
         for (int take = 0; take < effort->takes; take++)
-            for (artist who = STANDARD; who < ARTISTS; who++)
+            for (artist who = CERTIFIED; who < ARTISTS; who++)
                 if (takes_part(&s, who))
-                    seconds[who][take] = who <= CERTIFIED ? draw_here(&s, who) : draw_there(&s, who);
+                    seconds[who][take] = who <= BOUNDED ? draw_here(&s, who) : draw_there(&s, who);
         hang(&s, seconds, effort->takes, table);
         peers_scene_close(&s.scene);
     }

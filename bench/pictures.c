@@ -89,7 +89,7 @@ static const manner others[] = {
     {.name = "two", .threads = 2, STANDARD, .duty = DUTY_PICTURE},
     {.name = "all", .threads = 0, STANDARD, .duty = DUTY_PICTURE},
     {.name = "fast", .threads = 1, STANDARD, .tier = ALGSURF_TIER_FAST, .duty = DUTY_NONE},
-    {.name = "certified", .threads = 1, STANDARD, .tier = ALGSURF_TIER_CERTIFIED, .duty = DUTY_MASK},
+    {.name = "bounded", .threads = 1, STANDARD, .tier = ALGSURF_TIER_BOUNDED, .duty = DUTY_OPEN},
     {.name = "antialias", .threads = 1, STANDARD, .antialias = 3, .duty = DUTY_SMOOTH},
     {.name = "adaptive", .threads = 1, STANDARD, .antialias = 3, .threshold = 0.1, .duty = DUTY_EITHER},
     {.name = "single", .threads = 1, STANDARD, .method = ALGSURF_METHOD_BRENT, .once = 1, .duty = DUTY_MASK},

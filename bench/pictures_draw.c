@@ -194,15 +194,20 @@ static int same_hits(const stage *s) {
     return memcmp(s->canvas.hits, s->reference.hits, pixel_count(s) * sizeof(double)) == 0;
 }
 
-/* The same pixels with a hit; or, if more are allowed, at least those. */
-static int same_mask(const stage *s, int more) {
+static int is_left_open(const stage *s, size_t pixel) {
+    const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
+    algsurf_ray ray = ray_of(s, pixel);
+    algsurf_hit hit;
+    must(algsurf_intersect_first(s->surface, &s->entry->extent, &ray, &bounded, &hit), s->entry->name);
+    return hit.state == ALGSURF_UNCERTAIN;
+}
+
+/* The same pixels with a hit; with `more` allowed at least those; with `open` allowed but for pixels that
+ * doubles leave open. */
+static int same_mask(const stage *s, int more, int open) {
     for (size_t i = 0; i < pixel_count(s); i++) {
-        algsurf_hit hit;
         int here = !isnan(s->canvas.hits[i]), there = !isnan(s->reference.hits[i]);
-        if (here == there || (more && here)) continue;
-        algsurf_ray ray = ray_of(s, i);
-        must(algsurf_intersect_first(s->surface, &s->entry->extent, &ray, NULL, &hit), s->entry->name);
-        if (hit.state != ALGSURF_UNCERTAIN) return 0;
+        if (here != there && !(more && here) && !(open && is_left_open(s, i))) return 0;
     }
     return 1;
 }
@@ -235,9 +240,11 @@ static const char *breach(const stage *s, duty owed) {
     case DUTY_HITS:
         return same_hits(s) ? NULL : "other hits than the reference";
     case DUTY_MASK:
-        return same_mask(s, 0) ? NULL : "hits at other pixels than the reference";
+        return same_mask(s, 0, 0) ? NULL : "hits at other pixels than the reference";
+    case DUTY_OPEN:
+        return same_mask(s, 0, 1) ? NULL : "hits at other pixels than the reference";
     case DUTY_SMOOTH:
-        return same_mask(s, 1) ? NULL : "no hit where the reference has one";
+        return same_mask(s, 1, 0) ? NULL : "no hit where the reference has one";
     case DUTY_EITHER:
         return same_as_either(s) ? NULL : "a pixel that is neither smooth nor as in the reference";
     case DUTY_EMPTY:

@@ -3,12 +3,14 @@
 #define PICTURES_DRAW_H
 #include "catalogue.h"
 
-/* What a picture owes to the reference: the fastest kernel's, one thread, standard tier and quality. */
+/* What a picture owes to the reference: the fastest kernel's, one thread, certified tier, standard quality.
+ */
 typedef enum duty {
     DUTY_NONE,    /* nothing: what it shows is approximate */
     DUTY_PICTURE, /* the same bytes, of its hits too */
     DUTY_HITS,    /* the same bytes of its hits */
-    DUTY_MASK,    /* a hit at the same pixels, but for those that algsurf_intersect_first leaves in doubt */
+    DUTY_MASK,    /* a hit at the same pixels */
+    DUTY_OPEN,    /* a hit at the same pixels, but for those that the bounded tier leaves open */
     DUTY_SMOOTH,  /* of n x n samples, n odd: a hit at least at those pixels; it is kept */
     DUTY_EITHER,  /* each pixel as in the reference or as in the picture kept */
     DUTY_EMPTY    /* not this: no hit at all */

@@ -14,9 +14,9 @@ static const char legend[] =
     "(2,-3,1.2), the picture 2.2 R high there.\n"
     "  rays       pixels whose ray meets the extent\n"
     "  hits       pixels that show the surface\n"
-    "  manner     a kernel's name: that kernel with one thread, standard tier and quality; else the fastest\n"
-    "             kernel: two, all: threads; all that follow have one thread.  fast, certified: tier, the\n"
-    "             former unchecked; antialias: 3x3 samples a pixel; adaptive: the same for pixels that "
+    "  manner     a kernel's name: that kernel with one thread, certified tier, standard quality; else the\n"
+    "             fastest kernel: two, all: threads; all that follow have one thread.  fast, bounded: tier,\n"
+    "             the former unchecked; antialias: 3x3 samples a pixel; adaptive: the same for pixels that "
     "differ\n"
     "             from a neighbour by a tenth of a colour's range; single: ray by ray (Brent's method), one\n"
     "             picture; full: full quality, one picture\n"
@@ -196,11 +196,11 @@ static void chart_kernels(chart *c, const report *r) {
 
 static void chart_quality(chart *c, const report *r) {
     static const char *const shown[][2] = {{"fast", "fast tier"},
-                                           {"certified", "certified tier"},
+                                           {"bounded", "bounded tier"},
                                            {"antialias", "3x3 samples"},
                                            {"adaptive", "3x3 on edges"},
                                            {"full", "area lights and shadows"}};
-    add_manner(c, r, 0, "standard tier");
+    add_manner(c, r, 0, "certified tier");
     for (size_t k = 0; k < sizeof shown / sizeof *shown; k++)
         for (int i = 0; i < r->plan->count; i++)
             if (strcmp(r->plan->manner[i].name, shown[k][0]) == 0) add_manner(c, r, i, shown[k][1]);
@@ -229,7 +229,7 @@ static void write_charts(const report *r, const char *folder) {
     static const plot_axis time = {.label = "time of a picture (ms)", .scale = PLOT_LOG};
     chart kernels = open_chart(r), quality = open_chart(r), floor = open_chart(r);
     char size[64], machine[512];
-    snprintf(size, sizeof size, "%dx%d, standard tier, one thread unless named", r->width, r->height);
+    snprintf(size, sizeof size, "%dx%d, certified tier, one thread unless named", r->width, r->height);
     measure_machine(machine, sizeof machine);
     chart_kernels(&kernels, r);
     chart_quality(&quality, r);

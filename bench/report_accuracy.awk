@@ -1,7 +1,7 @@
 # report_accuracy.awk - what bench/report says of accuracy.csv.
 $(c("method")) == "regula-falsi" { falsi += $(c("wrong")); next }
 { wrong[$(c("tier"))] += $(c("wrong")) }
-$(c("tolerance")) == 0 && $(c("method")) == "default" && $(c("tier")) == "standard" {
+$(c("tolerance")) == 0 && $(c("method")) == "default" && $(c("tier")) == "certified" {
     way = $(c("way")); ns = $(c("ns_median")) + 0
     if (!(way in most)) { ways[++n] = way; least[way] = ns }
     if (ns < least[way]) least[way] = ns
@@ -9,13 +9,13 @@ $(c("tolerance")) == 0 && $(c("method")) == "default" && $(c("tier")) == "standa
     if ($(c("error_99.9")) + 0 > worst) worst = $(c("error_99.9")) + 0
 }
 END {
-    printf "All a double can tell of a ray, by the default method in the standard tier, takes"
+    printf "All a double can tell of a ray, by the default method in the certified tier, takes"
     for (i = 1; i <= n; i++)
         printf "%s %s to %s ns (%s)", (i > 1 ? "," : ""), number(least[ways[i]]), number(most[ways[i]]),
             ways[i]
     printf "; 99.9 %% of the hits are then within %s of the exact place, ", number(worst)
     print "on the worst surface."
     printf "Wrong answers, all tolerances together: regula falsi %d; the other methods ", falsi
-    printf "%d in the fast tier, %d in the standard, ", wrong["fast"], wrong["standard"]
+    printf "%d in the fast tier, %d in the bounded, ", wrong["fast"], wrong["bounded"]
     printf "%d in the certified.\n", wrong["certified"]
 }

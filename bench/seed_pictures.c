@@ -1,8 +1,8 @@
 /* seed_pictures.c - see seed_pictures.h.
  *
- * The truth is the certified tier at full accuracy.  A pixel is right if its t is within ten tolerances (one
+ * The truth is the default method at full accuracy.  A pixel is right if its t is within ten tolerances (one
  * is the method's; near an outline rounding adds to it) and the renderer's own 2^-36 of the radius; where
- * the truth is in doubt, any answer is.
+ * doubles leave it open whether, or where, it shows the surface, any answer is.
  */
 #include "seed_pictures.h"
 
@@ -22,7 +22,6 @@ static void render(seed_easel *easel, const algsurf_intersect_options *intersect
 }
 
 void seed_easel_open(seed_easel *easel, const seed_view *view) {
-    const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
     size_t pixels = (size_t)view->width * (size_t)view->height;
     easel->view = view;
     easel->pixels = seed_allocate(pixels, 3);
@@ -31,7 +30,7 @@ void seed_easel_open(seed_easel *easel, const seed_view *view) {
     seed_must(algsurf_scene_create(view->surface, &easel->scene), view->entry->name);
     seed_must(algsurf_scene_set_extent(easel->scene, &view->entry->extent), view->entry->name);
     seed_must(algsurf_scene_set_camera(easel->scene, &view->camera), view->entry->name);
-    render(easel, &certified, easel->truth);
+    render(easel, NULL, easel->truth);
 }
 
 void seed_easel_close(seed_easel *easel) {
@@ -41,12 +40,13 @@ void seed_easel_close(seed_easel *easel) {
     free(easel->truth);
 }
 
-/* Is it in doubt whether, or where, the pixel shows the surface? */
-static int doubtful(const seed_view *view, int pixel) {
+/* Do doubles leave open whether, or where, the pixel shows the surface? */
+static int is_left_open(const seed_view *view, int pixel) {
+    const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
     algsurf_ray chord;
     algsurf_hit hit;
     if (!seed_chord(view, pixel, &chord)) return 1; /* its ray touches the extent at most */
-    seed_must(algsurf_intersect_first(view->surface, NULL, &chord, NULL, &hit), view->entry->name);
+    seed_must(algsurf_intersect_first(view->surface, NULL, &chord, &bounded, &hit), view->entry->name);
     return hit.state == ALGSURF_UNCERTAIN;
 }
 
@@ -54,7 +54,7 @@ static int is_right(const seed_easel *easel, int pixel, double tolerance) {
     double t = easel->hits[pixel], truth = easel->truth[pixel];
     if (isnan(t) && isnan(truth)) return 1;
     double allowed = 10 * tolerance + 0x1p-36 * easel->view->entry->extent.size[0];
-    return fabs(t - truth) <= allowed || doubtful(easel->view, pixel);
+    return fabs(t - truth) <= allowed || is_left_open(easel->view, pixel);
 }
 
 double seed_draw(seed_easel *easel, const seed_method *method, double tolerance, int packets, size_t *wrong) {

@@ -273,7 +273,7 @@ void cli_set_method(const cli_option *option, const char *value, void *field) {
 }
 
 void cli_set_tier(const cli_option *option, const char *value, void *field) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+    static const algsurf_tier tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_FAST};
     *(algsurf_tier *)field = tiers[cli_choice(option, value)];
 }
 

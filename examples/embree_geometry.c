@@ -21,7 +21,6 @@
 typedef struct user_surface {
     algsurf_surface *surface;
     algsurf_extent extent; /* a ball */
-    algsurf_intersect_options how;
 } user_surface;
 
 enum { LANES = 16 }; /* rays that are handed on together */
@@ -77,7 +76,7 @@ static void intersect(const struct RTCIntersectFunctionNArguments *a) {
         double t[LANES], n[3][LANES];
         algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t, .normal = {n[0], n[1], n[2]}};
         load(&l, ray, a->valid, N, first);
-        if (algsurf_intersect_packet(s->surface, &s->extent, &l.packet, &s->how, &hits) < 0) continue;
+        if (algsurf_intersect_packet(s->surface, &s->extent, &l.packet, NULL, &hits) < 0) continue;
         for (unsigned i = 0, j = first; i < l.packet.count; i++, j++) {
             if (!l.active[i] || state[i] == ALGSURF_MISS) continue;
             ray[TFAR * N + j] = (float)t[i];
@@ -97,7 +96,7 @@ static void occluded(const struct RTCOccludedFunctionNArguments *a) {
         lanes l;
         unsigned char state[LANES];
         load(&l, ray, a->valid, a->N, first);
-        if (algsurf_occluded_packet(s->surface, &s->extent, &l.packet, &s->how, state) < 0) continue;
+        if (algsurf_occluded_packet(s->surface, &s->extent, &l.packet, NULL, state) < 0) continue;
         for (unsigned i = 0; i < l.packet.count; i++)
             if (l.active[i] && state[i] != ALGSURF_MISS) ray[TFAR * a->N + first + i] = -INFINITY;
     }
@@ -162,7 +161,7 @@ static struct RTCRayHit truth(RTCScene floor, const user_surface *s, struct RTCR
                              r.ray.tnear,
                              r.ray.tfar};
     algsurf_hit hit;
-    if (algsurf_intersect_first(s->surface, &s->extent, &ray, &s->how, &hit) < 0) exit(1);
+    if (algsurf_intersect_first(s->surface, &s->extent, &ray, NULL, &hit) < 0) exit(1);
     if (hit.state == ALGSURF_MISS) return r;
     r.ray.tfar = (float)hit.t;
     r.hit = (struct RTCHit){.Ng_x = (float)hit.normal[0],
@@ -226,8 +225,7 @@ int main(int argc, char **argv) {
         return 2;
     }
     static struct RTCRayHit rays[RAYS], want[RAYS];
-    user_surface s = {.extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}},
-                      .how = {.size = sizeof s.how, .doubt = ALGSURF_DOUBT_HIT}};
+    user_surface s = {.extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}}};
     const char *barth = "4(a x^2 - y^2)(a y^2 - z^2)(a z^2 - x^2) = b (x^2 + y^2 + z^2 - 1)^2";
     const algsurf_constant constants[2] = {{"a", (3 + sqrt(5)) / 2}, {"b", 2 + sqrt(5)}};
     if (algsurf_surface_from_equation(barth, constants, 2, &s.surface, NULL) != ALGSURF_OK) return 1;

@@ -146,8 +146,7 @@ int main(int argc, char **argv) {
     host_surface tangle = {.surface = cli_make_surface(&name),
                            .extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.7, 0, 0}},
                            .cut = o.cut_away,
-                           .removed = {{-4, -4, -4}, {4, -1.55, 4}},
-                           .how = {.size = sizeof tangle.how, .doubt = ALGSURF_DOUBT_HIT}};
+                           .removed = {{-4, -4, -4}, {4, -1.55, 4}}};
     host_scene scene = make_scene(&tangle, o.antialias);
     host_commit(&scene);
     if (o.flush) flush_to_zero();

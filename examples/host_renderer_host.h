@@ -57,7 +57,6 @@ typedef struct host_surface {
     algsurf_extent extent; /* a ball */
     int cut;               /* 1: what lies in the box `removed` is not there */
     host_bounds removed;
-    algsurf_intersect_options how;
 } host_surface;
 
 host_geometry host_surface_geometry(const host_surface *surface, const host_material *material);

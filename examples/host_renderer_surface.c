@@ -4,9 +4,10 @@
  * valid ray; t_max = tfar makes nearer hits of other geometries win.  occluded: is there any?  One ray
  * takes the single calls, several take the packet calls, with `valid` handed on as `active`.
  *
- * What is uncertain (a ray that touches, to the last bit) counts as a hit here, by how.doubt.  A negative
- * status (a ray with a NaN, say, spoils its packet) leaves the rays as they were: nothing is hit.  The
- * host's flush-to-zero and rounding mode do not matter; surfaces and options are shared by all threads.
+ * Every ray is decided, those that just touch the surface included: without options the tier is the
+ * certified one.  A negative status (a ray with a NaN, say, spoils its packet) leaves the rays as they were:
+ * nothing is hit.  The host's flush-to-zero and rounding mode do not matter; surfaces are shared by all
+ * threads.
  */
 #include <math.h>
 #include <string.h>
@@ -54,7 +55,7 @@ static int is_removed(const host_surface *s, const double p[3]) {
 static int first_left(const host_surface *s, const algsurf_ray *ray, algsurf_hit *left) {
     algsurf_hit hits[ALGSURF_MAX_DEGREE];
     int count = 0;
-    (void)algsurf_intersect_all(s->surface, &s->extent, ray, &s->how, hits, ALGSURF_MAX_DEGREE, &count);
+    (void)algsurf_intersect_all(s->surface, &s->extent, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count);
     for (int h = 0; h < count; h++) {
         if (is_removed(s, hits[h].position)) continue;
         *left = hits[h];
@@ -87,7 +88,7 @@ static void intersect_packet(const host_arguments *a) {
                                .t = t,
                                .position = {at[0], at[1], at[2]},
                                .normal = {normal[0], normal[1], normal[2]}};
-    if (algsurf_intersect_packet(s->surface, &s->extent, &rays, &s->how, &hits) < 0) return;
+    if (algsurf_intersect_packet(s->surface, &s->extent, &rays, NULL, &hits) < 0) return;
     for (int i = 0; i < a->N; i++) {
         if (!active[i] || state[i] == ALGSURF_MISS) continue;
         algsurf_hit hit = {.t = t[i],
@@ -104,7 +105,7 @@ static void intersect(const host_arguments *a) {
     } else if (a->valid[0]) {
         algsurf_ray ray = ray_of(a->rays, 0);
         algsurf_hit hit;
-        if (algsurf_intersect_first(s->surface, &s->extent, &ray, &s->how, &hit) < 0) return;
+        if (algsurf_intersect_first(s->surface, &s->extent, &ray, NULL, &hit) < 0) return;
         if (hit.state != ALGSURF_MISS) take_hit(a, 0, &hit);
     }
 }
@@ -123,13 +124,13 @@ static void occluded(const host_arguments *a) {
     if (a->N > 1) {
         unsigned char active[HOST_MAX_RAYS], state[HOST_MAX_RAYS];
         algsurf_ray_packet rays = packet_of(a, active);
-        if (algsurf_occluded_packet(s->surface, &s->extent, &rays, &s->how, state) < 0) return;
+        if (algsurf_occluded_packet(s->surface, &s->extent, &rays, NULL, state) < 0) return;
         for (int i = 0; i < a->N; i++)
             if (active[i] && state[i] != ALGSURF_MISS) take_occluder(a, i);
     } else if (a->valid[0]) {
         algsurf_ray ray = ray_of(a->rays, 0);
         algsurf_hit_state state;
-        if (algsurf_occluded(s->surface, &s->extent, &ray, &s->how, &state) < 0) return;
+        if (algsurf_occluded(s->surface, &s->extent, &ray, NULL, &state) < 0) return;
         if (state != ALGSURF_MISS) take_occluder(a, 0);
     }
 }

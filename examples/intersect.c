@@ -26,9 +26,10 @@ static const cli_option options_table[] = {
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
      FIELD(how.tolerance)},
-    {"--tier", "fast|standard|certified",
-     "signs as computed; beyond their error bounds (default); exact where those fail", cli_set_tier,
-     FIELD(how.tier)},
+    {"--tier", "certified|bounded|fast",
+     "every ray decided, by integers where doubles leave it open (default);\n"
+     "doubles alone, the rest uncertain; signs as computed, which may be wrong",
+     cli_set_tier, FIELD(how.tier)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -37,9 +38,11 @@ static const cli_program program = {
     .about = "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal\n"
              "or hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table\n"
              "with the columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z,\n"
-             "nx, ny, nz: t_lo..t_hi holds the hit (for uncertain: no hit lies before t_lo), x y z\n"
-             "is the point, nx ny nz the unit normal, and what does not exist is '-'.  NAME is one\n"
-             "of those that render --list shows.",
+             "nx, ny, nz, multiplicity, side: t_lo..t_hi holds the hit (for uncertain: no hit lies\n"
+             "before t_lo), x y z is the point, nx ny nz the unit normal, multiplicity that of the\n"
+             "root t (1: the ray crosses, 2: it touches, ...; 0: it lies in the surface), side the\n"
+             "sign of P before it; what does not exist is '-'.  NAME is one of those that\n"
+             "render --list shows.",
     .options = options_table,
     .positional = offsetof(intersect_options, surface.name),
     .examples = "echo '-4 0.25 0  1 0 0  0 inf' | intersect torus\n"
@@ -80,12 +83,15 @@ static void print_hit(const run *r, size_t line, const algsurf_hit *hit) {
         print_absent(3);
     else
         print_numbers(n, 3);
-    putchar('\n');
+    if (hit->state == ALGSURF_HIT)
+        printf("\t%d\t%d\n", hit->multiplicity, hit->side);
+    else
+        printf("\t-\t-\n");
 }
 
 static void print_empty(size_t line, const char *state) {
     printf("%zu\t%s", line, state);
-    print_absent(9);
+    print_absent(11);
     putchar('\n');
 }
 
@@ -142,7 +148,7 @@ static void take_line(run *r, cli_line *line) {
 static void take_lines(run *r) {
     cli_line line = {.number = 0};
     cli_line_result got;
-    fputs("#line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\n", stdout);
+    fputs("#line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\tmultiplicity\tside\n", stdout);
     while ((got = cli_read_line(stdin, &line)) == CLI_LINE_READ) {
         take_line(r, &line);
         if (ferror(stdout)) break;

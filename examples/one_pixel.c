@@ -201,12 +201,22 @@ static const char *state_name(int state) {
     return state == ALGSURF_HIT ? "hit" : state == ALGSURF_MISS ? "miss" : "uncertain";
 }
 
+/* Of each root on the ray its multiplicity; how far apart the doubles next to two of them are. */
+static void print_multiplicities(const algsurf_surface *surface, const algsurf_ray *ray) {
+    algsurf_hit hits[DEGREE];
+    int count = 0;
+    check(algsurf_intersect_all(surface, NULL, ray, NULL, hits, DEGREE, &count));
+    for (int i = 0; i < count; i++) printf(i ? ", %d" : "%d", hits[i].multiplicity);
+    if (count > 1) printf(", %.1e apart", hits[1].t - hits[0].t);
+    putchar('\n');
+}
+
 /* Along these rays the polynomial is (x^2 - 2)^2 - z^2: two roots about z / sqrt(2) apart. */
 static void show_doubt(const algsurf_surface *tangle) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_STANDARD, ALGSURF_TIER_CERTIFIED};
+    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     static const int powers[] = {10, 40, 80, 0};
     algsurf_surface *sheets = surface_of("(x^2 + y^2 - 2)^2 - z^2");
-    printf("\n[doubt]\nz       fast       standard   certified\n");
+    printf("\n[doubt]\nz       fast       bounded    certified  roots: multiplicities\n");
     for (int i = 0; i < 4; i++) {
         algsurf_ray ray = {{-3, 0, powers[i] ? ldexp(1, -powers[i]) : 0}, {1, 0, 0}, 0, 3};
         printf(powers[i] ? "2^-%-4d" : "%-7d", powers[i]);
@@ -214,8 +224,10 @@ static void show_doubt(const algsurf_surface *tangle) {
             const algsurf_intersect_options options = {.size = sizeof options, .tier = tiers[k]};
             algsurf_hit hit;
             check(algsurf_intersect_first(sheets, NULL, &ray, &options, &hit));
-            printf(k < 2 ? " %-10s" : " %s\n", state_name(hit.state));
+            printf(" %-10s", state_name(hit.state));
         }
+        putchar(' ');
+        print_multiplicities(sheets, &ray);
     }
     algsurf_surface_free(sheets);
     printf("coefficients of the tangle cube: relative rounding error %.1e\n",

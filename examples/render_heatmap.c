@@ -7,7 +7,16 @@
 #include "chord.h"
 #include "render_legend.h"
 
-enum { NO_CHORD = -1, UNCERTAIN = -2 }; /* in place of a cost */
+enum { NO_CHORD = -1, LEFT_OPEN = -2 }; /* in place of a cost */
+
+/* The bounded tier leaves a ray uncertain exactly where the certified tier would go to integers. */
+static int doubles_decide(const algsurf_surface *surface, const algsurf_extent *extent,
+                          const algsurf_ray *ray) {
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_BOUNDED};
+    algsurf_hit hit;
+    return algsurf_intersect_first(surface, extent, ray, &how, &hit) == ALGSURF_OK &&
+           hit.state != ALGSURF_UNCERTAIN;
+}
 
 /* Evaluations until the root in a bracket is refined, as a single ray does it. */
 static int evaluations(const chord *on, const algsurf_bracket *bracket,
@@ -24,13 +33,11 @@ static int evaluations(const chord *on, const algsurf_bracket *bracket,
 static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
                    const algsurf_intersect_options *how) {
     chord on;
-    algsurf_hit hit;
     algsurf_bracket bracket;
     int meets = 0, found = 0, intervals = 0;
     algsurf_status status = chord_make(surface, extent, ray, &on, &meets);
     if (!meets) return NO_CHORD;
-    if (algsurf_intersect_first(surface, extent, ray, how, &hit) < ALGSURF_OK) return UNCERTAIN;
-    if (hit.state == ALGSURF_UNCERTAIN || status != ALGSURF_OK) return UNCERTAIN;
+    if (status != ALGSURF_OK || !doubles_decide(surface, extent, ray)) return LEFT_OPEN;
     status = algsurf_isolate_first_counted(on.c, on.r, on.degree, -1, 1, &bracket, &found, &intervals);
     if (status == ALGSURF_OK && found && bracket.kind == ALGSURF_ROOT_BRACKET)
         return intervals + evaluations(&on, &bracket, how);
@@ -48,7 +55,7 @@ static int *count_costs(const render_options *options, const algsurf_surface *su
         for (int x = 0; x < width; x++) {
             algsurf_ray ray;
             algsurf_status status = algsurf_camera_ray(camera, width, height, x + 0.5, first + y + 0.5, &ray);
-            *at++ = status == ALGSURF_OK ? cost_of(surface, extent, &ray, &options->intersect) : UNCERTAIN;
+            *at++ = status == ALGSURF_OK ? cost_of(surface, extent, &ray, &options->intersect) : LEFT_OPEN;
         }
         (void)progress_rows(y + 1, rows, bar);
     }
@@ -64,7 +71,7 @@ render_heatmap render_make_heatmap(const render_options *options, const algsurf_
     render_legend legend = {.top = 1};
     for (size_t i = 0; i < (size_t)width * (size_t)rows; i++) {
         if (costs[i] > legend.top) legend.top = costs[i];
-        legend.uncertain += costs[i] == UNCERTAIN;
+        legend.left_open += costs[i] == LEFT_OPEN;
     }
     render_heatmap map = {width > LEGEND_WIDTH ? width : LEGEND_WIDTH, rows + LEGEND_HEIGHT, NULL};
     size_t bytes = 3 * (size_t)map.width * (size_t)map.height;
@@ -75,7 +82,7 @@ render_heatmap render_make_heatmap(const render_options *options, const algsurf_
         for (int x = 0; x < width; x++) {
             int cost = costs[(size_t)y * (size_t)width + (size_t)x];
             legend_colour colour = cost == NO_CHORD    ? legend_no_chord
-                                   : cost == UNCERTAIN ? legend_uncertain
+                                   : cost == LEFT_OPEN ? legend_left_open
                                                        : legend_cost(cost, legend.top);
             memcpy(map.pixels + 3 * ((size_t)y * (size_t)map.width + (size_t)x), colour.rgb, 3);
         }

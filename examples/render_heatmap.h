@@ -1,4 +1,4 @@
-/* render_heatmap.h - a picture of what each pixel's ray costs, and where its answer is uncertain.
+/* render_heatmap.h - a picture of what each pixel's ray costs, and which rays doubles leave open.
  *
  * Cost is counted by the root finders called alone for the ray through the middle of the pixel: intervals
  * looked at to isolate the first root (algsurf_isolate_first_counted), and evaluations to refine it.  A

@@ -12,10 +12,10 @@ typedef struct legend_colour {
 
 typedef struct render_legend {
     int top;          /* the highest cost */
-    size_t uncertain; /* pixels */
+    size_t left_open; /* pixels */
 } render_legend;
 
-extern const legend_colour legend_no_chord, legend_uncertain;
+extern const legend_colour legend_no_chord, legend_left_open;
 
 /* On a logarithmic scale from 1 to top. */
 legend_colour legend_cost(double cost, int top);

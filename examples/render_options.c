@@ -110,8 +110,10 @@ static const cli_option options_table[] = {
      0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
      set_tolerance, 0, 0, 0},
-    {"--tier", "fast|standard|certified",
-     "signs as computed; beyond their error bounds (default); exact where those fail", set_tier, 0, 0, 0},
+    {"--tier", "certified|bounded|fast",
+     "every ray decided, by integers where doubles leave it open (default);\n"
+     "doubles alone, the rest uncertain; signs as computed, which may be wrong",
+     set_tier, 0, 0, 0},
     {"--kernel", "baseline|avx2|avx512",
      "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,
      0},
@@ -150,7 +152,7 @@ static const cli_option options_table[] = {
     {"--heatmap", "FILE",
      "a second picture, with a legend: what the ray through the middle of each\n"
      "pixel costs (intervals looked at, and evaluations, counted for single\n"
-     "rays on one thread), and where its answer is uncertain; names as --output",
+     "rays on one thread), and which rays doubles leave open; names as --output",
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
      "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
@@ -174,7 +176,7 @@ static const cli_program program = {
     .examples = "render barth --output barth.png\n"
                 "render --equation 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
                 "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
-                "render labs --tier certified --stats -\n"
+                "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
                 "render tangle --sweep turn:36 --size 512x384 --output turn.png",
 };
@@ -245,5 +247,5 @@ const char *render_quality_name(algsurf_quality quality) {
 }
 
 const char *render_tier_name(algsurf_tier tier) {
-    return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_CERTIFIED ? "certified" : "standard";
+    return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified";
 }

@@ -164,8 +164,8 @@ static void add_hits(chart *c, const zerofind *z) {
     }
     if (first_is_hit) {
         c->root_t = t_in(c, on, z->point_count > 0 ? z->root : chord_s(on, z->hits[0].t));
-        c->bracket[0] = t_in(c, on, chord_s(on, z->hits[0].t_lo));
-        c->bracket[1] = t_in(c, on, chord_s(on, z->hits[0].t_hi));
+        c->bracket[0] = t_in(c, on, z->bracketed ? z->bracket.lo : chord_s(on, z->hits[0].t_lo));
+        c->bracket[1] = t_in(c, on, z->bracketed ? z->bracket.hi : chord_s(on, z->hits[0].t_hi));
     }
     c->series[OTHERS] = series("other roots", PLOT_POINTS, c->other_t, zeros, others);
     c->series[ROOT] = series("first root", PLOT_POINTS, &c->root_t, zeros, (size_t)first_is_hit);
@@ -242,6 +242,19 @@ static const char *method_name(algsurf_method method) {
     }
 }
 
+static void describe_root(const zerofind *z, int digits, char *text, size_t size) {
+    const chord *on = &z->chord;
+    const algsurf_hit *first = z->hits;
+    if (first->multiplicity == 0)
+        snprintf(text, size, "The ray lies in the surface.");
+    else if (z->point_count > 0)
+        snprintf(text, size, "First root: t = %.15g, isolated in %.*g to %.*g: verified.", first->t, digits,
+                 chord_t(on, z->bracket.lo), digits, chord_t(on, z->bracket.hi));
+    else
+        snprintf(text, size, "First root: t = %.15g, multiplicity %d: verified. Doubles do not bracket it.",
+                 first->t, first->multiplicity);
+}
+
 static void describe(const zerofind *z, const zerofind_words *words, char *text, size_t size) {
     const chord *on = &z->chord;
     const algsurf_hit *first = z->hits;
@@ -255,11 +268,7 @@ static void describe(const zerofind *z, const zerofind_words *words, char *text,
     else if (first->state != ALGSURF_HIT)
         snprintf(text, size, "Undecided near t = %.15g: %s.", first->t, algsurf_status_text(first->reason));
     else
-        snprintf(text, size, "First root: t = %.15g, isolated in %.*g to %.*g: verified.%s", first->t, digits,
-                 first->t_lo, digits, first->t_hi,
-                 z->point_count > 0           ? ""
-                 : first->t_lo == first->t_hi ? " It is an end of the ray."
-                                              : " No change of sign shows in double: no iterates.");
+        describe_root(z, digits, text, size);
 }
 
 /* How far values are meaningless: what the errors of the coefficients can change on the chord. */
@@ -269,7 +278,7 @@ static double noise_of(const chord *on) {
     return noise;
 }
 
-/* How far from an undecided place the polynomial can be told from noise. */
+/* How far from a place without iterates the polynomial can be told from noise. */
 static double clear_of_noise(const chord *on, double lo, double hi) {
     double noise = noise_of(on), margin = CLOSE_UP;
     while (margin < 0.5 && fabs(value_at(on, lo - margin)) < NOISE * noise &&
@@ -281,18 +290,22 @@ static double clear_of_noise(const chord *on, double lo, double hi) {
 /* The part of the chord for the second chart; returns 0 when there is none. */
 static int close_up(const zerofind *z, const zerofind_words *words, chart *c) {
     const algsurf_hit *first = z->hits;
-    if (z->count == 0 || (first->state == ALGSURF_HIT && z->point_count == 0)) return 0;
+    int is_hit = z->count > 0 && first->state == ALGSURF_HIT;
+    if (z->count == 0 || (is_hit && first->multiplicity == 0)) return 0;
     c->s_lo = chord_s(&z->chord, first->t_lo);
     c->s_hi = chord_s(&z->chord, first->t_hi);
-    if (first->state == ALGSURF_HIT) {
+    if (is_hit && z->point_count > 0) {
+        c->s_lo = z->bracket.lo;
+        c->s_hi = z->bracket.hi;
         snprintf(c->title, sizeof c->title, "The bracket: %s, %d evaluations%s", method_name(words->method),
                  z->point_count, z->converged ? "" : ", not converged");
         return 1;
     }
+    if (is_hit && !(-1 < c->s_lo && c->s_hi < 1)) return 0;
     double margin = clear_of_noise(&z->chord, c->s_lo, c->s_hi);
     c->s_lo = fmax(-1, c->s_lo - margin);
     c->s_hi = fmin(1, c->s_hi + margin);
-    snprintf(c->title, sizeof c->title, "What is undecided, close up");
+    snprintf(c->title, sizeof c->title, "%s, close up", is_hit ? "The first root" : "What is undecided");
     return c->s_lo > -1 || c->s_hi < 1;
 }
 

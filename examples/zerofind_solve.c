@@ -1,8 +1,8 @@
 /* zerofind_solve.c - see zerofind_solve.h.
  *
- * Brackets are those of algsurf_intersect_all in its certified tier: where double cannot tell, they are found
- * in better arithmetic.  The first one is handed to algsurf_refine_poly_observed with the chord's polynomial,
- * which is how a single ray is refined.
+ * The roots are those of algsurf_intersect_all, each with its multiplicity.  A bracket of the first one, for
+ * algsurf_refine_poly_observed to refine, comes from the chord's polynomial, whose coefficients are doubles
+ * with radii: where the roots are closer than those tell, there is none.
  */
 #include "zerofind_solve.h"
 
@@ -22,17 +22,20 @@ static void observe(double s, double value, void *data) {
 }
 
 static void refine_first(zerofind *z, algsurf_method method, double tolerance) {
-    const algsurf_hit *first = &z->hits[0];
     const chord *on = &z->chord;
-    double lo = chord_s(on, first->t_lo), hi = chord_s(on, first->t_hi);
+    algsurf_bracket *b = &z->bracket;
     algsurf_refine_options options = {.size = sizeof options, .method = method};
     algsurf_root root;
-    if (first->state != ALGSURF_HIT || !(lo < hi)) return;
-    if (algsurf_refine_poly(on->c, on->degree, lo, hi, NULL, &root) < ALGSURF_OK) return;
+    int found = 0;
+    algsurf_status status = algsurf_isolate_first(on->c, on->r, on->degree, -1, 1, b, &found);
+    double s = chord_s(on, z->hits[0].t);
+    z->bracketed =
+        status == ALGSURF_OK && found && b->kind == ALGSURF_ROOT_BRACKET && b->lo <= s && s <= b->hi;
+    if (!z->bracketed || algsurf_refine_poly(on->c, on->degree, b->lo, b->hi, NULL, &root) < ALGSURF_OK)
+        return;
     z->root = root.root;
     options.tolerance = 0.5 * tolerance / on->half; /* half: the root is an end of its bracket */
-    algsurf_status status =
-        algsurf_refine_poly_observed(on->c, on->degree, lo, hi, &options, observe, z, &root);
+    status = algsurf_refine_poly_observed(on->c, on->degree, b->lo, b->hi, &options, observe, z, &root);
     z->converged = status == ALGSURF_OK;
 }
 
@@ -41,9 +44,9 @@ algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_exte
                               double tolerance, zerofind *result) {
     memset(result, 0, sizeof *result);
     result->chord = *on;
-    algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_CERTIFIED};
-    algsurf_status status = algsurf_intersect_all(surface, extent, ray, &how, result->hits,
+    algsurf_status status = algsurf_intersect_all(surface, extent, ray, NULL, result->hits,
                                                   ALGSURF_MAX_DEGREE + 1, &result->count);
-    if (status == ALGSURF_OK && result->count > 0) refine_first(result, method, tolerance);
+    if (status == ALGSURF_OK && result->count > 0 && result->hits[0].state == ALGSURF_HIT)
+        refine_first(result, method, tolerance);
     return status;
 }

@@ -16,8 +16,10 @@ typedef struct zerofind {
     algsurf_hit hits[ALGSURF_MAX_DEGREE + 1]; /* in increasing t, as algsurf_intersect_all finds them */
     int count;
     zerofind_point points[ZEROFIND_MOST_POINTS]; /* for the first hit: the ends of its bracket, iterates */
-    int point_count; /* 0: there is no hit, it is uncertain or exactly at an end of the chord, or no
-                        change of sign shows in double at the ends of its bracket */
+    int bracketed;           /* a bracket of the first hit is known: */
+    algsurf_bracket bracket; /* of s */
+    int point_count; /* 0: there is no hit, it is exactly at an end of the chord, or doubles cannot bracket it:
+                        a multiple root, or roots close together */
     int converged;
     double root; /* s of the first hit, as well as double can tell, where there are points */
 } zerofind;

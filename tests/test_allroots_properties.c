@@ -5,6 +5,7 @@
  * are where the coefficients are doubles, and with radii that cover the rounding where they are not.
  * Catches: a disc too small for its root, a residual that belongs to another point, radii that are left
  * out, a box whose count is wrong, boxes that meet or are not conjugate, a scale that is lost.
+ * Also: roots beyond the range of double, zeros with a sign.
  * (Seen to fail with the discs a tenth of their size, discs that touch kept apart, the radii dropped from the
  * residual of either refinement, boxes or their mirror images not joined.)
  */
@@ -226,10 +227,82 @@ static void test_scaling(void **state) {
     }
 }
 
+/* Pellet: if |c_k| R^k is larger than all other terms together, k roots are below R in magnitude.  Boxes that
+ * are certainly below, or beyond, may not hold more roots than that. */
+static void judge_circles(const double *c, int n, const algsurf_enclosure *e, int count, int *circles) {
+    for (int k = 0; k <= n; k++) {
+        int least = -1000, most = 1000, below = 0, beyond = 0;
+        for (int j = 0; j <= n;
+             j++) { /* 64 2^(e_j + 1 + j s) < 2^(e_k + k s) for the exponents s in least..most */
+            int over = ilogb(c[j]) - ilogb(c[k]) + 8;
+            while (j < k && least <= most && over > (k - j) * least) least++;
+            while (j > k && least <= most && over > (k - j) * most) most--;
+        }
+        if (least > most) continue;
+        ++*circles;
+        for (int i = 0; i < count; i++) {
+            double inner = ldexp(1, least), outer = ldexp(1, most);
+            algsurf_interval m = algsurf_cinterval_abs(e[i].box);
+            if (m.hi < inner) below += e[i].multiplicity;
+            if (m.lo > outer) beyond += e[i].multiplicity;
+        }
+        if (below > k || beyond > n - k)
+            fail_msg("%d roots below 2^%d, %d beyond 2^%d, of %d and %d", below, least, beyond, most, k,
+                     n - k);
+    }
+}
+
+/* Coefficients from 2^-900 to 2^900: a root out of the range of double is no reason to lose the others. */
+static void test_spread(void **state) {
+    (void)state;
+    int together = 0, circles = 0, boxes = 0;
+    for (int round = 0; round < 300; round++) {
+        int n = round % 3 ? ALGSURF_MAX_DEGREE : 2 + exact_random_int(&seed, 30), count;
+        double c[ALGSURF_MAX_DEGREE + 1];
+        algsurf_enclosure e[ALGSURF_MAX_DEGREE];
+        for (int k = 0; k <= n; k++) c[k] = exact_random_wide(&seed, -900, 900);
+        assert_int_equal(algsurf_roots_real(c, NULL, n, e, &count), ALGSURF_OK);
+        const char *what = case_boxes_wrong(n, e, count);
+        if (what) fail_msg("%s, degree %d", what, n);
+        judge_circles(c, n, e, count, &circles);
+        together += n > 4 && count == 1, boxes += count == n;
+    }
+    if (together > 3 || boxes < 240 || circles < 1000)
+        fail_msg("%d in one box, %d isolated, %d circles", together, boxes, circles);
+}
+
+static int negative_zero(double x) { return x == 0 && signbit(x); }
+
+/* Boxes that end at 0, where rounding outward is from below: +0. */
+static void test_zero_ends(void **state) {
+    (void)state;
+    int ends = 0;
+    for (int round = 0; round < 4000; round++) {
+        algsurf_complex c[8];
+        algsurf_enclosure e[8];
+        int n = 1 + exact_random_int(&seed, 7), count;
+        for (int k = 0; k <= n; k++) {
+            c[k] = (algsurf_complex){exact_random_int(&seed, 7) - 3, exact_random_int(&seed, 7) - 3};
+            if (round % 4 == 0) c[k].im = 0;
+        }
+        if (round % 2) c[0].re *= DBL_TRUE_MIN * 16, c[0].im *= DBL_TRUE_MIN * 16;
+        if (algsurf_roots(c, NULL, n, e, &count) != ALGSURF_OK) continue;
+        for (int i = 0; i < count; i++) {
+            algsurf_interval re = e[i].box.re, im = e[i].box.im;
+            ends += re.lo == 0 || re.hi == 0 || im.lo == 0 || im.hi == 0;
+            if (negative_zero(re.lo) || negative_zero(re.hi) || negative_zero(im.lo) ||
+                negative_zero(im.hi) || negative_zero(e[i].value.re) || negative_zero(e[i].value.im))
+                fail_msg("[%a, %a] + [%a, %a] i", re.lo, re.hi, im.lo, im.hi);
+        }
+    }
+    assert_true(ends > 100);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact_products), cmocka_unit_test(test_rounded_products),
         cmocka_unit_test(test_members),        cmocka_unit_test(test_far_apart),
+        cmocka_unit_test(test_spread),         cmocka_unit_test(test_zero_ends),
         cmocka_unit_test(test_reconstruction), cmocka_unit_test(test_scaling)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

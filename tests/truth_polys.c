@@ -56,9 +56,8 @@ static void judge_boxes(const poly_case *p, const algsurf_enclosure *e, int coun
         if (!(box.re.lo <= e[i].value.re && e[i].value.re <= box.re.hi && box.im.lo <= e[i].value.im &&
               e[i].value.im <= box.im.hi))
             wrong(p, "a value outside of its box");
-        int zero = box.re.lo == 0 && box.re.hi == 0;
-        if (e[i].real &&
-            (box.im.lo != 0 || box.im.hi != 0 || (!zero && (!p->real || e[i].multiplicity != 1))))
+        int zero = box.re.lo == 0 && box.re.hi == 0; /* multiple roots of real polynomials may be real, too */
+        if (e[i].real && (box.im.lo != 0 || box.im.hi != 0 || (!zero && !p->real)))
             wrong(p, "a root that cannot be known to be real");
     }
     if (sum != p->degree) wrong(p, "the multiplicities do not add up to the degree");

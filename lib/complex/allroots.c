@@ -3,7 +3,8 @@
  * Propose in double, tighten with doubled residuals, prove by discs; what then is still crowded is
  * iterated in double-double and proved again.  Roots of a real polynomial that look real are put on the
  * axis, and of the others one of each pair is tightened and mirrored: it is the proof that decides
- * whether that was right. */
+ * whether that was right.  Clusters of an exact real polynomial are then asked for multiple roots
+ * (multiple.c). */
 #include "algsurf/allroots.h"
 
 #include <float.h>
@@ -28,14 +29,6 @@ static void lay_out(algsurf_i_roots *p, int m, double *d, int *k) {
     for (int i = 0; i < ALGSURF_ROOTS_INTS; i++) *ints[i] = k + i * (m + 1);
 }
 
-/* The caller's polynomial without exact zeros at either end. */
-typedef struct input {
-    const algsurf_complex *c;
-    const double *r;
-    int low, high;
-    int real_radii; /* they stand for real numbers where the coefficients are real */
-} input;
-
 static int vanishes(const algsurf_complex *c, const double *r, int k) {
     return c[k].re == 0 && c[k].im == 0 && (!r || r[k] == 0);
 }
@@ -43,13 +36,13 @@ static int vanishes(const algsurf_complex *c, const double *r, int k) {
 static double magnitude(algsurf_complex z) { return fmax(fabs(z.re), fabs(z.im)); }
 
 static algsurf_status read_input(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                 input *in) {
+                                 algsurf_i_input *in) {
     if (!c || degree < 0) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= degree; k++) {
         if (!isfinite(c[k].re) || !isfinite(c[k].im) || (r && !isfinite(r[k]))) return ALGSURF_E_NOT_FINITE;
         if (r && r[k] < 0) return ALGSURF_E_ARGUMENT;
     }
-    *in = (input){c, r, 0, degree, real_radii};
+    *in = (algsurf_i_input){c, r, 0, degree, real_radii, 0};
     while (in->high >= 0 && vanishes(c, r, in->high)) in->high--;
     if (in->high < 0) return ALGSURF_E_ZERO;
     while (vanishes(c, r, in->low)) in->low++;
@@ -57,16 +50,41 @@ static algsurf_status read_input(const algsurf_complex *c, const double *r, int 
 }
 
 /* The larger of coefficient low + k and its radius. */
-static double extent(const input *in, int k) {
+static double extent(const algsurf_i_input *in, int k) {
     return fmax(magnitude(in->c[in->low + k]), in->r ? in->r[in->low + k] : 0);
 }
 
-/* The unit of the variable: first and last coefficient balance.  Narrow, if no coefficient then falls
- * 2^500 below the largest, whose exponent is returned. */
-static int choose_unit(algsurf_i_roots *p, const input *in, int *common) {
-    int n = p->n, least = 0x7fffffff;
-    double ends = ilogb(extent(in, 0)) - ilogb(extent(in, n)); /* neither is 0 */
-    int unit = n > 0 ? (int)lround(ends / n) : 0;
+/* The extreme slopes of Newton's polygon, which are about the exponents of the least and the largest root:
+ * each is attained from one end of the polygon. */
+static void outermost(const algsurf_i_input *in, double *least, double *largest) {
+    int n = in->high - in->low, first = ilogb(extent(in, 0)), last = ilogb(extent(in, n));
+    *least = HUGE_VAL, *largest = -HUGE_VAL;
+    for (int k = 0; k <= n; k++) {
+        if (!(extent(in, k) > 0)) continue;
+        int e = ilogb(extent(in, k));
+        if (k > 0) *least = fmin(*least, (double)(first - e) / k);
+        if (k < n) *largest = fmax(*largest, (double)(e - last) / (n - k));
+    }
+}
+
+/* The first and the last coefficient balance.  Where an extreme root would then come near the limits of
+ * double, the extreme roots do; and when their exponents are too far apart for that, the largest gets the
+ * largest start value there is (below 2^1000): a small root out of reach is one box about 0, a large one
+ * spoils them all. */
+int algsurf_i_roots_unit(const algsurf_i_input *in) {
+    int n = in->high - in->low;
+    if (n == 0) return 0;
+    double unit = (double)(ilogb(extent(in, 0)) - ilogb(extent(in, n))) / n, least,
+           largest; /* neither is 0 */
+    outermost(in, &least, &largest);
+    return (int)lround(
+        unit - least < 900 && largest - unit < 900 ? unit : fmax(0.5 * least + 0.5 * largest, largest - 990));
+}
+
+/* The unit of the variable.  Narrow, if no coefficient then falls 2^500 below the largest, whose exponent is
+ * returned. */
+static int choose_unit(algsurf_i_roots *p, const algsurf_i_input *in, int *common) {
+    int n = p->n, least = 0x7fffffff, unit = algsurf_i_roots_unit(in);
     *common = -0x7fffffff;
     for (int k = 0; k <= n; k++) {
         double m = extent(in, k);
@@ -79,7 +97,7 @@ static int choose_unit(algsurf_i_roots *p, const input *in, int *common) {
     return unit;
 }
 
-static int scale(algsurf_i_roots *p, const input *in) {
+static int scale(algsurf_i_roots *p, const algsurf_i_input *in) {
     int common, n = p->n = in->high - in->low, unit = choose_unit(p, in, &common);
     p->real = 1;
     for (int k = 0; k <= n; k++) {
@@ -190,22 +208,25 @@ static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int un
     return algsurf_i_roots_boxes(p, boxes);
 }
 
-/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end. */
+/* x 2^unit rounded outward; a root beyond the range of double gets an infinite end.  What is rounded to 0
+ * from below, or was -0, becomes +0. */
 static double unscale(double x, int unit, int side) {
     double y = ldexp(x, unit);
     if (isinf(y) && (y > 0) != (side > 0)) return y > 0 ? DBL_MAX : -DBL_MAX;
-    return isinf(y) || ldexp(y, -unit) == x ? y : nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
+    if (!isinf(y) && ldexp(y, -unit) != x) y = nextafter(y, side < 0 ? -HUGE_VAL : HUGE_VAL);
+    return y + 0.0;
 }
 
 /* A root's value in its box: the high part for a simple root, the middle for a cluster. */
 static double value_in(algsurf_interval box, double high, int unit, int multiplicity) {
     double x = multiplicity == 1 ? ldexp(high, unit) : 0.5 * box.lo + 0.5 * box.hi;
-    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX);
+    return fmin(fmax(fmin(fmax(x, box.lo), box.hi), -DBL_MAX), DBL_MAX) + 0.0;
 }
 
 /* Boxes in the caller's unit, and the exact root 0; returns their number, -1 when there are none to give.
  * Boxes that differ only beyond the range of double become one. */
-static int unscale_all(const algsurf_i_roots *p, const input *in, algsurf_enclosure *e, int count, int unit) {
+static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algsurf_enclosure *e, int count,
+                       int unit) {
     for (int i = 0; i < count; i++) {
         algsurf_cinterval *b = &e[i].box;
         b->re = (algsurf_interval){unscale(b->re.lo, unit, -1), unscale(b->re.hi, unit, 1)};
@@ -227,35 +248,41 @@ static int compare(const void *left, const void *right) {
     return (a->value.im > b->value.im) - (a->value.im < b->value.im);
 }
 
-static ALGSURF_NOINLINE algsurf_status solve(algsurf_i_roots *p, const input *in,
-                                             const algsurf_complex *start, algsurf_enclosure *boxes,
-                                             algsurf_enclosure *roots, int *count) {
+void algsurf_i_roots_sort(algsurf_enclosure *roots, int count) {
+    qsort(roots, (size_t)count, sizeof *roots, compare);
+}
+
+ALGSURF_NOINLINE algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
+                                                      const algsurf_complex *start, algsurf_enclosure *boxes,
+                                                      algsurf_enclosure *roots, int *count) {
     int unit = scale(p, in), n = 0;
     if (!(p->size[p->n] * (1 - 8 * ALGSURF_U) > p->radius[p->n])) return ALGSURF_E_RANGE;
     if (p->n > 0) n = solve_scaled(p, start, unit, boxes);
-    n = unscale_all(p, in, boxes, n, unit);
+    n = unscale_all(p, in, boxes, n, unit + in->unit);
     if (n < 0) return ALGSURF_E_RANGE;
-    qsort(boxes, (size_t)n, sizeof *boxes, compare);
+    algsurf_i_roots_sort(boxes, n);
     for (int i = 0; i < n; i++) roots[i] = boxes[i];
     *count = n;
     return ALGSURF_OK;
 }
 
-static algsurf_status run(algsurf_i_roots *p, const algsurf_complex *c, const double *r, int degree,
-                          int real_radii, const algsurf_complex *start, algsurf_enclosure *boxes,
-                          algsurf_enclosure *roots, int *count) {
-    input in;
-    algsurf_status status = read_input(c, r, degree, real_radii, &in);
-    if (status != ALGSURF_OK) return status;
+static algsurf_status run(algsurf_i_roots *p, const algsurf_i_input *in, const algsurf_complex *start,
+                          algsurf_enclosure *boxes, algsurf_enclosure *roots, int *count) {
     p->iterations = p->retries = 0;
-    return solve(p, &in, start, boxes, roots, count);
+    algsurf_status status = algsurf_i_roots_solve(p, in, start, boxes, roots, count);
+    if (status == ALGSURF_OK) algsurf_i_roots_separate(p, in, boxes, roots, count);
+    return status;
 }
 
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
                                    int degree, int real_radii, const algsurf_complex *start,
                                    algsurf_enclosure *roots, int *count) {
+    algsurf_i_input in;
+    algsurf_status status = read_input(c, r, degree, real_radii, &in);
+    if (status != ALGSURF_OK) return status;
     lay_out(&memory->p, ALGSURF_MAX_DEGREE, memory->doubles, memory->ints);
-    return run(&memory->p, c, r, degree, real_radii, start, memory->boxes, roots, count);
+    memory->p.iterations = memory->p.retries = 0;
+    return algsurf_i_roots_solve(&memory->p, &in, start, memory->boxes, roots, count);
 }
 
 static algsurf_status run_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
@@ -265,7 +292,9 @@ static algsurf_status run_on_stack(const algsurf_complex *c, const double *r, in
     if (!roots || !count || degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
     lay_out(&memory.p, ALGSURF_MAX_DEGREE, memory.doubles, memory.ints);
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = run(&memory.p, c, r, degree, real_radii, NULL, memory.boxes, roots, count);
+    algsurf_i_input in;
+    algsurf_status status = read_input(c, r, degree, real_radii, &in);
+    if (status == ALGSURF_OK) status = run(&memory.p, &in, NULL, memory.boxes, roots, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }
@@ -320,7 +349,9 @@ algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsur
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = run(&solver->p, c, r, degree, 0, start, solver->boxes, roots, count);
+    algsurf_i_input in;
+    algsurf_status status = read_input(c, r, degree, 0, &in);
+    if (status == ALGSURF_OK) status = run(&solver->p, &in, start, solver->boxes, roots, count);
     algsurf_fpenv_leave(&saved);
     if (status >= ALGSURF_OK && stats) *stats = (algsurf_root_stats){solver->p.iterations, solver->p.retries};
     return status;

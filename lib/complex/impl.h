@@ -45,8 +45,30 @@ typedef struct algsurf_i_roots_memory {
     algsurf_enclosure boxes[ALGSURF_MAX_DEGREE + 1];
 } algsurf_i_roots_memory;
 
-/* algsurf_root_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment;
- * memory->p.iterations tells what it took.  real_radii: those of real coefficients mean real numbers. */
+/* The polynomial to be solved, without exact zeros at either end. */
+typedef struct algsurf_i_input {
+    const algsurf_complex *c;
+    const double *r; /* or null */
+    int low, high;   /* from c[low] to c[high] */
+    int real_radii;  /* they stand for real numbers where the coefficients are real */
+    int unit;        /* of the variable: z = 2^unit is 1 here */
+} algsurf_i_input;
+
+/* The exponent of a unit of the variable in which the roots are near 1, as far as that is possible. */
+int algsurf_i_roots_unit(const algsurf_i_input *in);
+/* All roots by value, clusters among them.  boxes: work space for as many as `roots`. */
+algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
+                                     const algsurf_complex *start, algsurf_enclosure *boxes,
+                                     algsurf_enclosure *roots, int *count);
+/* The answer of algsurf_i_roots_solve with the multiple roots in boxes of their own, if the polynomial is
+ * real and exact, and has some; else unchanged.  May allocate. */
+void algsurf_i_roots_separate(algsurf_i_roots *p, const algsurf_i_input *in, algsurf_enclosure *boxes,
+                              algsurf_enclosure *roots, int *count);
+void algsurf_i_roots_sort(algsurf_enclosure *roots, int count);
+
+/* algsurf_root_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment, without memory
+ * from elsewhere: multiple roots stay clusters.  memory->p.iterations tells what it took.  real_radii: those
+ * of real coefficients mean real numbers. */
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
                                    int degree, int real_radii, const algsurf_complex *start,
                                    algsurf_enclosure *roots, int *count);

@@ -140,6 +140,10 @@ void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
                                         algsurf_i_line *line, algsurf_i_tally *tally);
 
+/* The same where there is no frame: each pixel's own ray. */
+algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_line *line, algsurf_i_tally *tally);
+
 /* Appends a single ray's hit at pixel x to the line's points, if it is one, and counts it. */
 void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
                         algsurf_i_tally *tally);

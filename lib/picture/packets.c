@@ -1,4 +1,5 @@
-/* packets.c - the hits of a row at once; what that leaves in doubt, as packets of rays. */
+/* packets.c - the hits of a row at once; what that leaves in doubt, and pictures without a frame, as packets
+ * of rays. */
 #include <math.h>
 #include <string.h>
 
@@ -179,5 +180,17 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     const algsurf_i_point_job points = {.surface = picture->scene->surface, .row = &job};
     picture->code->points(&points, line->pixel, line->depth, hits, &line->points);
     tally->point_s += algsurf_i_render_clock() - solved;
+    return status;
+}
+
+algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_line *line, algsurf_i_tally *tally) {
+    double begun = algsurf_i_render_clock();
+    int width = picture->width;
+    for (int x = 0; x < width; x++)
+        line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
+    tally->rays += (uint64_t)line->wanted_count;
+    algsurf_status status = solve_doubtful(picture, row + sy, sx, 0, width, line, tally);
+    tally->solve_s += algsurf_i_render_clock() - begun;
     return status;
 }

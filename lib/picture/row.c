@@ -41,9 +41,9 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
     }
 }
 
-/* The points seen through offset (sx,sy) in each pixel, ray by ray. */
-static algsurf_status solve_singly(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
+/* The points of complex space seen through offset (sx,sy) in each pixel, ray by ray. */
+static algsurf_status solve_in_complex_space(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                             algsurf_i_worker *worker, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
     double begun = algsurf_i_render_clock();
     for (int x = 0; x < picture->width; x++) {
@@ -55,10 +55,7 @@ static algsurf_status solve_singly(const algsurf_i_picture *picture, int row, do
         }
         if (stopped(picture)) return ALGSURF_CANCELLED;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
-        algsurf_status status =
-            scene->complex
-                ? algsurf_i_render_complex(picture, x, &ray, &worker->trail, &hit, tally)
-                : algsurf_intersect_first(scene->surface, &scene->extent, &ray, &scene->intersect, &hit);
+        algsurf_status status = algsurf_i_render_complex(picture, x, &ray, &worker->trail, &hit, tally);
         if (status < 0) return status;
         tally->rays++;
         tally->single_rays++;
@@ -110,7 +107,7 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     } else {
         const algsurf_i_colour_job job = {&scene->material, picture->lights, picture->light_count};
         picture->code->colours(&job, &line->points, line->count, picture->shadows ? line->visible : NULL,
-                                 line->colour);
+                               line->colour);
     }
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
@@ -161,8 +158,10 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     algsurf_i_line *line = &worker->line;
     line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
-    algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
-                                             : solve_singly(picture, row, sx, sy, worker, tally);
+    algsurf_status status = picture->scene->complex
+                                ? solve_in_complex_space(picture, row, sx, sy, worker, tally)
+                            : picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
+                                               : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
     if (status == ALGSURF_OK) add_pass(line);
     return status;

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 
 #include "../rays/expand_impl.h"
+#include "../rays/own_ball.h"
 #include "impl.h"
 #include "../base/vec.h"
 
@@ -103,7 +104,9 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
     algsurf_i_view *view = &p->frame.view;
-    double eye[3];
+    algsurf_extent wider;
+    const algsurf_extent *extent = algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
+    double eye[3], radius = extent == &wider ? wider.size[0] : picture->radius;
     if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
         !natural(scene->surface, scene->extent.centre, view->centre))
         return 0;
@@ -112,11 +115,11 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
         view->axis[1][i] = camera->up[i];
         view->axis[2][i] = camera->forward[i];
     }
-    view->size = ldexp(picture->radius * (1 + 0x1p-20), -scene->surface->unit);
+    view->size = ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
     p->orthographic = camera->orthographic;
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
-        p->extent_size[i] = ldexp(scene->extent.size[i], -scene->surface->unit) / view->size;
+        p->extent_size[i] = ldexp(extent->size[i], -scene->surface->unit) / view->size;
     /* a depth of 1 is at most this much of t */
     p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
     return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&

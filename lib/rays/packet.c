@@ -12,11 +12,13 @@
 #include "intersect_impl.h"
 #include "kernel.h"
 #include "../base/options.h"
+#include "own_ball.h"
 #include "ray_impl.h"
 
 typedef struct query {
     const algsurf_surface *surface;
-    const algsurf_extent *extent;
+    const algsurf_extent *extent; /* the caller's, or a wider one in which there is no more to be seen */
+    algsurf_extent wider;
     algsurf_ray_packet rays;
     algsurf_intersect_options options;
     algsurf_i_rays_kernel *solve; /* null: every ray by itself */
@@ -88,9 +90,9 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
-    q->extent = extent;
-    int fits = surface->nodes && q->options.method == ALGSURF_METHOD_DEFAULT &&
-               q->options.max_iterations == 0 && moderate(surface, extent);
+    q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
+    int fits = surface->tables && q->options.method == ALGSURF_METHOD_DEFAULT &&
+               q->options.max_iterations == 0 && moderate(surface, q->extent);
     q->solve = fits ? algsurf_i_rays_kernel_for(algsurf_i_kernel_find(q->options.kernel)) : NULL;
     return ALGSURF_OK;
 }

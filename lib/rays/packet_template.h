@@ -3,39 +3,50 @@
  *
  * Everything is in natural units, but t is the caller's.  The chord [near, far] has the middle t_c and half
  * the length h, both doubles; its points are X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle
- * M = o + t_c d comes from double-double: a far origin costs no digits.  P is evaluated at the surface's
- * nodes v_i, and its matrix turns the values into Bernstein coefficients (surface/nodes.c): unlike the
- * coefficients of v^k, that needs no polynomial arithmetic for each ray.
+ * M = o + t_c d comes from double-double: a far origin costs no digits.
  *
- * Error of the coefficients.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme on them.
- * M, h d, v_i h d and the sum are rounded: 3 roundings to each of at most n coordinates in a term, beside
- * the 3n + 3 of surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix has
- * relative errors (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's
+ * Two ways lead to Bernstein coefficients.  Up to ALGSURF_MAX_NODE_DEGREE P is evaluated at the surface's
+ * nodes v_i, and a matrix turns the values into coefficients (surface/nodes.c), which share one error radius.
+ * Lanes that this leaves undecided, and all lanes of higher degrees, take powers of v (powers_template.h) and
+ * a radius for each coefficient (roots/radii_template.h): the nodes' matrix amplifies rounding by a factor
+ * that doubles with each degree, powers do not.
+ *
+ * Error of the coefficients from nodes.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme
+ * on them.  M, h d, v_i h d and the sum are rounded: 3 roundings to each of at most n coordinates in a term,
+ * beside the 3n + 3 of surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix
+ * has relative errors (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's
  * amplification A.  Together (9n+9) u A S; the bound used is (10n+20) u A S, for higher orders and the
- * rounding of S; coefficients with an error e of their own add e A S.  With reach <= 2^14 and degrees up to
- * 20, what underflow changes is less than UNDERFLOW in all.  The fast tier computes no bound, and leaves
- * alone chords so long that this one could matter, by their reach (surface/nodes.c).
+ * rounding of S; coefficients with an error e of their own add e A S.  The fast tier computes no bound from
+ * nodes, and leaves alone chords so long that this one could matter, by their reach (surface/nodes.c).
+ *
+ * Rounding of M.  It is within u |M| and 2^-100 (|o| + |t_c d|) of the point.  As blur is below 2^-16, |t_c|
+ * is below 2^36 h, so the latter is less than 2^-63 (|M| + |h d|).
+ *
+ * Range.  With reach^n <= 2^280, n <= 64 and fewer than 2^16 terms, S is below 2^296.  An underflow changes a
+ * number by 2^-1074, is multiplied by 2^280 and the matrix's entries, below 2^12, at most, and there are
+ * fewer than 2^22 of them: UNDERFLOW is more.
  *
  * Error of the ends.  The scalar path clips with roundings of its own.  Both are within `off` of the exact
  * chord, t_c - h and t_c + h within u (|t_c| + h) of this one.  The sum goes to packet.blur: where p keeps
  * its sign that far about both ends, both chords have the same roots. */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/radii_template.h"
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
 #include "kernel.h"
 
+#define UNDERFLOW 0x1p-550
+#include "powers_template.h"
+
 #define SPLITTER 0x1.0000002p27 /* 2^27 + 1 */
 #define LEAST_SIZE 0x1p-100     /* of directions: what underflows in them then is far below UNDERFLOW */
 #define MOST_SIZE 0x1p100
-#define UNDERFLOW 0x1p-550
-#define MOST_REACH 0x1p14
 #define FARTHEST_ORIGIN 0x1p40    /* in radii of the extent: beyond, double-double is not enough */
 #define MOST_BLUR 0x1p-16         /* above, the bound on p' holds no more */
 #define ROOT_ERROR 0x1p-44        /* in chords: the step on P itself is to be the last one */
 #define BLOCK_OF_NODES 7          /* evaluated together, in degrees without code of their own */
-#define MOST_NODES 21             /* for degree 20: a multiple of it */
+#define MOST_NODES 14             /* a multiple of it, above ALGSURF_MAX_NODE_DEGREE */
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
@@ -156,7 +167,7 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale)
 
 /* P at `block` points at once: x[0], x[1], x[2] and their coordinates, or the squares of these. */
 INLINE void surface_values(const algsurf_surface *s, int block, const lanes *const x[3], lanes *p) {
-    lanes level[ALGSURF_MAX_PACKET_DEGREE + 1], row[ALGSURF_MAX_PACKET_DEGREE + 1];
+    lanes level[MOST_NODES], row[MOST_NODES];
     for (int m = 0; m < block; m++) p[m] = all_lanes(0);
     for (int k = s->level_count - 1; k >= 0; k -= s->stride[2]) {
         const algsurf_row *rows = s->rows + s->levels[k].first;
@@ -190,18 +201,16 @@ INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes x[3]) {
     return p;
 }
 
-/* b and radius, from the chord's middle and half of it as a vector. */
-INLINE void set_coefficients(const algsurf_i_rays_job *job, const lanes middle[3], const lanes half[3],
-                             packet *k, int n, int block) {
-    const algsurf_surface *s = job->surface;
-    lanes x[3][MOST_NODES], p[MOST_NODES], reach[3];
+/* b, from the chord's middle and half of it as a vector. */
+INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle[3], const lanes half[3],
+                                    lanes *b, int n, int block) {
+    lanes x[3][MOST_NODES], p[MOST_NODES];
     for (int i = 0; i < 3; i++) {
         for (int m = 0; m <= n; m++) {
             x[i][m] = middle[i] + s->nodes[m] * half[i];
             if (s->stride[i] == 2) x[i][m] *= x[i][m];
         }
         for (int m = n + 1; m % block; m++) x[i][m] = x[i][n];
-        reach[i] = absolute(middle[i]) + absolute(half[i]);
     }
     for (int m = 0; m <= n; m += block)
         surface_values(s, block, (const lanes *const[]){x[0] + m, x[1] + m, x[2] + m}, p + m);
@@ -209,28 +218,37 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const lanes middle[3
         const double *w = s->to_bernstein + j * (n + 1);
         lanes sum = w[0] * p[0];
         for (int m = 1; m <= n; m++) sum += w[m] * p[m];
-        k->b[j] = sum;
+        b[j] = sum;
     }
-    double most = job->bounded ? MOST_REACH : s->clear_reach;
-    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most));
-    k->radius = all_lanes(0);
-    if (!job->bounded) return;
-    for (int i = 0; i < 3; i++)
-        if (s->stride[i] == 2) reach[i] *= reach[i];
-    double factor = (10 * n + 20) * 0x1p-53 + s->error;
-    k->radius = factor * s->amplification * surface_magnitude(s, reach) + UNDERFLOW;
 }
 
-/* The polynomials of open lanes over their chords, which [0,1] stands for. */
-INLINE void set_polynomials(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half,
-                            packet *k, int n, int block) {
-    lanes at_middle[3], half_chord[3], zero = all_lanes(0);
+/* b from nodes, and one radius for all of them. */
+INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
+                             int block) {
+    const algsurf_surface *s = job->surface;
+    lanes x[3];
+    coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
+    k->radius = all_lanes(0);
+    if (!job->bounded) return;
     for (int i = 0; i < 3; i++) {
-        at_middle[i] = along(r->origin[i], zero, middle, r->direction[i]);
-        half_chord[i] = half * r->direction[i];
+        lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
+        x[i] = s->stride[i] == 2 ? reach * reach : reach;
     }
-    set_coefficients(job, at_middle, half_chord, k, n, block);
+    double factor = (10 * n + 20) * 0x1p-53 + s->error;
+    k->radius = factor * s->amplification * surface_magnitude(s, x) + UNDERFLOW;
+}
+
+/* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
+INLINE void set_chords(const ray_lanes *r, lanes middle, lanes half, double most_reach, chord_line *line,
+                       packet *k) {
+    lanes reach[3];
+    for (int i = 0; i < 3; i++) {
+        line->middle[i] = along(r->origin[i], all_lanes(0), middle, r->direction[i]);
+        line->half[i] = half * r->direction[i];
+        reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
+    }
     k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
+    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most_reach));
     k->doubtful |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->doubtful;
     k->start = all_lanes(-1); /* all of [0,1] is searched, and decide_at_once looks at its ends */
@@ -251,6 +269,57 @@ INLINE void decide_at_once(packet *k, int n, const descartes *c, int bounded, in
     }
 }
 
+/* What p changes by within blur of an end where the last coefficients are b, then next, known to e, next_e.
+ * There p' = n sum B_j(x) (b_(j+1) - b_j) with |x| <= blur < 2^-16: the first B is below 1 + 2^-10 and the
+ * others together below 2 n blur. */
+INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e, lanes next_e) {
+    lanes slope = absolute(next - b) + (e + next_e) + 4 * n * k->blur * (k->largest + k->radius);
+    return (1 + 0x1p-9) * n * k->blur * slope;
+}
+
+/* Ends and brackets of open lanes from powers, with a radius for each coefficient. */
+APART void decide_known(const algsurf_surface *s, const chord_line *line, packet *k, int n,
+                        int only_whether) {
+    lanes e[ALGSURF_MAX_DEGREE + 1], *b = k->b, from = all_lanes(0);
+    coefficients_from_powers(s, line, n, b, e);
+    k->radius = e[0];
+    for (int j = 1; j <= n; j++) k->radius = larger(k->radius, e[j]);
+    begin(k, n, 1);
+    lanes near = e[0] + change_at_end(k, n, b[0], b[1], e[0], e[1]);
+    lanes far = e[n] + change_at_end(k, n, b[n], b[n - 1], e[n], e[n - 1]);
+    leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
+    if (only_whether) {
+        k->hit |= k->open & negative((words)b[0] ^ (words)b[n]);
+        k->open &= ~k->hit;
+    }
+    if (any(k->open)) isolate_known(k, n, e, &from);
+}
+
+/* Lanes that nodes and one radius for all coefficients left undecided. */
+APART void decide_again(const algsurf_surface *s, const chord_line *line, packet *k, mask which, int n,
+                        int only_whether) {
+    packet again;
+    again.open = which;
+    again.doubtful = again.hit = no_lane();
+    again.blur = k->blur;
+    decide_known(s, line, &again, n, only_whether);
+    k->doubtful = (k->doubtful & ~which) | again.doubtful;
+    close(k, n, again.hit, again.w, again.p, again.q);
+}
+
+INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
+                              int block) {
+    cuts not_kept;
+    mask opened = k->open;
+    set_coefficients(job, line, k, n, block);
+    begin(k, n, job->bounded);
+    descartes whole = variations(k->b, n);
+    decide_at_once(k, n, &whole, job->bounded, job->any);
+    if (any(k->open)) isolate(k, n, &whole, job->bounded, &not_kept);
+    mask again = opened & k->doubtful;
+    if (job->bounded && any(again)) decide_again(job->surface, line, k, again, n, job->any);
+}
+
 INLINE void store_lanes(double *p, lanes a, unsigned which) {
     if (!p) return;
     if (which == (1u << LANES) - 1) {
@@ -266,16 +335,27 @@ typedef struct lanes_hit {
     lanes t, t_lo, t_hi, position[3], normal[3];
 } lanes_hit;
 
-/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are far from
- * their root go there first. */
-INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes far, lanes t,
+/* How far from a root the rounding of P and of x alone may show one: 3 n + 3 roundings of P and n of x, twice
+ * that for the step and its own value. */
+INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slope) {
+    lanes reach[3];
+    for (int i = 0; i < 3; i++) reach[i] = absolute(s->stride[i] == 2 ? x[i] * x[i] : x[i]);
+    return (8 * s->degree + 16) * 0x1p-53 * surface_magnitude(s, reach) / absolute(slope);
+}
+
+/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more
+ * than `far` from their root, and more than rounding explains, go there first. */
+INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes t,
                        lanes *low, lanes x[PAIR][3], lanes gradient[3]) {
     for (int round = 0;; round++) {
         for (int i = 0; i < 3; i++) x[0][i] = along(r->origin[i], *low * r->direction[i], t, r->direction[i]);
         jets p = surface_jets(s, x, 1);
         gradient[0] = p.x[0], gradient[1] = p.y[0], gradient[2] = p.z[0];
-        lanes step = -p.v[0] / dot(gradient, r->direction);
-        mask again = which & ~at_most(absolute(step), far);
+        lanes slope = dot(gradient, r->direction), step = -p.v[0] / slope;
+        mask again = which & ~at_most(absolute(step), *far);
+        if (!any(again)) return step;
+        *far = choose(again, larger(*far, noise_of_step(s, x[0], slope)), *far);
+        again &= ~at_most(absolute(step), *far);
         if (round == MOST_STEPS || !any(again)) return step;
         *low = choose(again, *low + step, *low); /* the others will compute the same numbers again */
     }
@@ -287,7 +367,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
                       packet *k, lanes_hit *hit) {
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
     lanes far = 2 * LONGEST_LAST_STEP * half * (k->q - k->p);
-    lanes step = last_step(job->surface, r, k->hit, far, t, &low, x, gradient);
+    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
     lanes pad = 0x1p-50 * (absolute(middle) + half), unit = all_lanes(ldexp(1, job->surface->unit));
     hit->t_lo =
         choose(at_most(k->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * k->p - 1) - pad));
@@ -323,12 +403,12 @@ INLINE void store_hits(const algsurf_i_rays_job *job, const packet *k, const lan
 
 INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
                          int block) {
-    if (n < 1 || n > ALGSURF_MAX_PACKET_DEGREE) __builtin_unreachable();
+    if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : ALGSURF_MAX_DEGREE)) __builtin_unreachable();
     const guess nowhere = {.known = no_lane()};
     double scale = ldexp(1, -job->surface->unit);
+    double reach = job->bounded || !block ? job->surface->most_reach : job->surface->clear_reach;
     for (size_t at = 0; at < count; at += LANES) {
         packet k;
-        cuts not_kept;
         lanes_hit hit = {.t = all_lanes(0)};
         int left = count - at < LANES ? (int)(count - at) : LANES;
         ray_lanes r = load_rays(job, at, left, scale);
@@ -340,11 +420,12 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         k.doubtful = r.doubtful;
         k.hit = no_lane();
         if (any(k.open)) {
-            set_polynomials(job, &r, middle, half, &k, n, block);
-            begin(&k, n, job->bounded);
-            descartes whole = variations(k.b, n);
-            decide_at_once(&k, n, &whole, job->bounded, job->any);
-            if (any(k.open)) isolate(&k, n, &whole, job->bounded, &not_kept);
+            chord_line line;
+            set_chords(&r, middle, half, reach, &line, &k);
+            if (block)
+                decide_from_nodes(job, &line, &k, n, block);
+            else
+                decide_known(job->surface, &line, &k, n, job->any);
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);
@@ -365,6 +446,10 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
 
 void KERNEL(algsurf_i_rays)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
     int n = job->surface->node_degree;
+    if (!job->surface->nodes) {
+        solve_rays_n(job, count, hits, n, 0);
+        return;
+    }
     switch (INSTRUMENTED ? 0 : n) {
     case 2:
         solve_rays_n(job, count, hits, 2, 3);

@@ -20,8 +20,8 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     if (isinf(length)) length = 0x1p1023;
     piece.unit = length > 0 ? ilogb(length) - 3 : -1074;
     for (;; piece.unit++) {
-        /* ldexp may underflow: then the floor is that of a number of the same sign, and still outward */
         double a = floor(ldexp(lo, -piece.unit)), b = floor(ldexp(hi, -piece.unit)) + 1;
+        if (lo < 0 && a == 0) a = -1; /* ldexp has underflown to -0 */
         if (b - a > 16) continue;
         piece.at = (int64_t)a;
         while (b - a > (double)(1 << piece.length)) piece.length++;
@@ -123,15 +123,16 @@ void algsurf_exact_pieces_begin(algsurf_exact_walk *walk) {
         s->most = most + walk->unit;
         if (bounded && ilogb(fmax(fabs(lo), fabs(hi))) + 1 < s->most)
             s->most = ilogb(fmax(fabs(lo), fabs(hi))) + 1; /* 2^most > all t */
-        double reach = power_of_two(s->most);
-        if (walk->zeros == 0 && s->most - s->least <= NOT_FAR && s->most < 1000 && s->least > -1000) {
+        int near = walk->zeros == 0 && s->most - s->least <= NOT_FAR;
+        if (near && s->most <= 1023 && s->most >= -1074) {
+            double reach = power_of_two(s->most);
             s->lo = fmax(lo, -reach);
             s->hi = fmin(hi, reach);
             s->done = s->lo > s->hi;
             return;
         }
+        if (near && s->most > 1023 && bounded) return;
     }
-    if (bounded && walk->zeros == 0 && s->most - s->least <= NOT_FAR) return;
     s->scattered = 1;
     s->side = -1;
     s->exponent = s->most - 1;

@@ -40,35 +40,38 @@ struct algsurf_surface {
     algsurf_row *rows;
     double *coef;
     int stride[3]; /* 2 for a coordinate of which P has only even powers, else 1 */
-    /* For packets of rays, null for degree 0 and above ALGSURF_MAX_PACKET_DEGREE: node_degree + 1 nodes in
-     * [-1,1], and the matrix that makes of P's values at them the Bernstein coefficients over [-1,1]: row j
-     * for coefficient j, entries with a relative error below (3 node_degree + 4) u. */
+    /* For packets of rays, null for degree 0.  Polynomials along a ray have Bernstein coefficients of degree
+     * node_degree over [-1,1].  Row j of from_powers makes coefficient j of the coefficients of v^k, with
+     * entries off by 3 u.  Up to ALGSURF_MAX_NODE_DEGREE there are node_degree + 1 nodes, too, and
+     * to_bernstein does it with the values there: its entries are off by (3 node_degree + 4) u. */
     int node_degree; /* at least degree */
-    double *nodes, *to_bernstein;
-    double amplification; /* the largest sum of |entries| in a row */
-    double clear_reach;   /* the largest reach of a chord (rays/packet_template.h) over which rounding stays below 2^-12 */
+    double *tables, *from_powers, *nodes, *to_bernstein;
+    double amplification; /* the largest sum of |entries| in a row of to_bernstein */
+    double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
+    double clear_reach;   /* the largest reach over which rounding from nodes stays below 2^-12 */
 };
 
-/* The rounding of values counts amplification times, which doubles with each degree.  Of rays on Chmutov's
- * surfaces, 0.6 % cannot be decided in double for degree 14, 10 % for 16, 99 % for 20; on random ones, 8 %
- * for 20, 80 % for 24. */
-#define ALGSURF_MAX_PACKET_DEGREE 20
+/* Rounding of values at nodes counts amplification times, which doubles with each degree, that of powers
+ * once; and from degree 13 on powers are faster, too. */
+#define ALGSURF_MAX_NODE_DEGREE 12
 
 /* A surface from checked terms, in the standard environment. */
 algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error, double rounding,
                                       algsurf_surface **surface);
 
-/* Sets node_degree, nodes, to_bernstein, amplification and clear_reach; 0 when there is no memory. */
-int algsurf_i_surface_set_nodes(algsurf_surface *s);
+/* Sets what packets of rays need; 0 when there is no memory. */
+int algsurf_i_surface_set_tables(algsurf_surface *s);
 
 /* P and its gradient at a point in natural units, in natural scale (value 2^scale P, derivatives by
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
-/* The same gradient; 0 where rounding leaves less than 8 bits of it: it is nothing to tell a direction from. */
+/* The same gradient; 0 where rounding leaves less than 8 bits of it: it is nothing to tell a direction from.
+ */
 int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]);
 
-/* P's sign at all points within `reach` of x in each coordinate, natural units; 0 when it may change there. */
+/* P's sign at all points within `reach` of x in each coordinate, natural units; 0 when it may change there.
+ */
 int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]);
 
 /* The gradient at a complex point, same units. */

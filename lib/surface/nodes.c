@@ -1,5 +1,5 @@
-/* nodes.c - the places at which packets of rays evaluate P, and the way from the values there to
- * Bernstein coefficients.
+/* nodes.c - the two ways of packets of rays to Bernstein coefficients: from the values of P at nodes, and
+ * from powers.
  *
  * A polynomial of degree n on [-1,1] is known by its values at n+1 nodes: p = sum p(v_i) L_i, with Lagrange's
  * polynomials L_i(v) = prod (v - v_m) / prod (v_i - v_m), m != i.  With x = (1+v)/2 each factor is
@@ -11,9 +11,13 @@
  * that values bounded by 1 allow: C(2n,2j)/C(n,j), 46 for degree 6, 733 for 10, 46704 for 16.  Rounded to
  * multiples of 2^-20 they make every difference above exact.
  *
+ * Their matrix therefore amplifies rounding more and more.  Powers of v need no values: the Bernstein
+ * coefficients of v^k are means of numbers +1 and -1, at most 1 in magnitude (set_powers).
+ *
  * A polynomial of degree n also is one of degree n+1.  The packet code is faster for the degrees it was
  * compiled for one by one, so that 5, 7 and 9 are treated as 6, 8 and 10. */
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "impl.h"
@@ -28,7 +32,7 @@ static void set_nodes(double *node, int n) {
 
 /* Column i: the Bernstein coefficients of L_i. */
 static void set_column(const double *node, double *matrix, int n, int i) {
-    double c[ALGSURF_MAX_PACKET_DEGREE + 1] = {1}, below = 1, binomial = 1;
+    double c[ALGSURF_MAX_NODE_DEGREE + 1] = {1}, below = 1, binomial = 1;
     for (int m = 0, degree = 0; m <= n; m++) {
         if (m == i) continue;
         double a = 0.5 * (1 + node[m]);
@@ -43,14 +47,25 @@ static void set_column(const double *node, double *matrix, int n, int i) {
     }
 }
 
-int algsurf_i_surface_set_nodes(algsurf_surface *s) {
-    if (s->degree < 1 || s->degree > ALGSURF_MAX_PACKET_DEGREE) return 1;
-    int n = s->degree == 1 || (s->degree > 3 && s->degree < 10) ? s->degree + s->degree % 2 : s->degree;
-    size_t side = (size_t)n + 1;
-    s->nodes = malloc(side * (side + 1) * sizeof *s->nodes);
-    if (!s->nodes) return 0;
-    s->to_bernstein = s->nodes + side;
-    s->node_degree = n;
+/* Coefficient j of v^k over [-1,1]: the mean of the products of k out of j factors +1 and n-j factors -1.
+ * The sums are whole numbers, at most C(64,32) < 2^61. */
+static void set_powers(double *matrix, int n) {
+    int64_t choose[ALGSURF_MAX_DEGREE + 1][ALGSURF_MAX_DEGREE + 1] = {{0}};
+    for (int a = 0; a <= n; a++) {
+        choose[a][0] = 1;
+        for (int b = 1; b <= a; b++) choose[a][b] = choose[a - 1][b - 1] + choose[a - 1][b];
+    }
+    for (int j = 0; j <= n; j++)
+        for (int k = 0; k <= n; k++) {
+            int64_t sum = 0;
+            for (int l = k > n - j ? k - n + j : 0; l <= j && l <= k; l++)
+                sum += ((k - l) % 2 ? -1 : 1) * choose[j][l] * choose[n - j][k - l];
+            matrix[j * (n + 1) + k] = (double)sum / (double)choose[n][k];
+        }
+}
+
+static void set_nodes_and_matrix(algsurf_surface *s) {
+    int n = s->node_degree;
     set_nodes(s->nodes, n);
     for (int i = 0; i <= n; i++) set_column(s->nodes, s->to_bernstein, n, i);
     for (int j = 0; j <= n; j++) {
@@ -60,5 +75,22 @@ int algsurf_i_surface_set_nodes(algsurf_surface *s) {
     }
     /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
     s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
+}
+
+int algsurf_i_surface_set_tables(algsurf_surface *s) {
+    if (s->degree < 1) return 1;
+    int n = s->degree == 1 || (s->degree > 3 && s->degree < 10) ? s->degree + s->degree % 2 : s->degree;
+    size_t side = (size_t)n + 1, with_nodes = n <= ALGSURF_MAX_NODE_DEGREE ? side * (side + 1) : 0;
+    s->tables = malloc((side * side + with_nodes) * sizeof *s->tables);
+    if (!s->tables) return 0;
+    s->node_degree = n;
+    s->from_powers = s->tables;
+    set_powers(s->from_powers, n);
+    s->most_reach = exp2(280.0 / (n < 20 ? 20 : n));
+    if (with_nodes) {
+        s->to_bernstein = s->tables + side * side;
+        s->nodes = s->to_bernstein + side * side;
+        set_nodes_and_matrix(s);
+    }
     return 1;
 }

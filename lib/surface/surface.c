@@ -224,7 +224,7 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
     }
     if (status == ALGSURF_OK) {
         set_strides(s);
-        if (!algsurf_i_surface_set_nodes(s)) status = ALGSURF_E_NO_MEMORY;
+        if (!algsurf_i_surface_set_tables(s)) status = ALGSURF_E_NO_MEMORY;
     }
     if (status == ALGSURF_OK) {
         *surface = s;
@@ -265,7 +265,7 @@ void algsurf_surface_free(algsurf_surface *surface) {
     free(surface->levels);
     free(surface->rows);
     free(surface->coef);
-    free(surface->nodes);
+    free(surface->tables);
     free(surface);
 }
 

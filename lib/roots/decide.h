@@ -1,0 +1,18 @@
+/* decide.h - the real roots of a polynomial given as doubles, by integers. */
+#ifndef ALGSURF_DECIDE_H
+#define ALGSURF_DECIDE_H
+#include <stddef.h>
+
+#include "algsurf/isolate.h"
+
+/* What deciding one polynomial may allocate, in bytes. */
+#define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
+
+/* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing order:
+ * all of them, or the first. `capacity` entries are written at most; the degree always suffices.  cells: null, or
+ * receives how many intervals had their variations counted.
+ * Returns OK or E_NO_MEMORY.  Stack: 20 KiB. */
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
+                                      algsurf_real_root *roots, int capacity, int *count, int *cells);
+
+#endif
