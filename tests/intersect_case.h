@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "algsurf/camera.h"
 #include "algsurf/intersect.h"
 
 enum { INTERSECT_TERMS = 2200 };
@@ -93,6 +94,8 @@ static inline const char *intersect_form(const intersect_case *c, const algsurf_
     for (int i = 0; i < 3 && isfinite(h->t) && !beyond; i++) {
         double x = fma(h->t, c->ray.direction[i], c->ray.origin[i]);
         double size = fabs(c->ray.origin[i]) + fabs(h->t * c->ray.direction[i]);
+        if (h->t_hi <= nextafter(h->t_lo, INFINITY)) /* of the root itself, which is between two doubles */
+            size += 0x1p50 * (h->t_hi - h->t_lo) * fabs(c->ray.direction[i]);
         double far =
             fmax(fabs(h->t_lo), fabs(h->t_hi)) * fabs(c->ray.direction[i]); /* offsets are doubled doubles */
         if (!(fabs(h->position[i] - x) <= 0x1p-50 * size + (isfinite(far) ? 0x1p-90 * (far + 1) : 0x1p-90)))
@@ -245,9 +248,9 @@ static inline const char *intersect_wrong_packet(const intersect_case *c, const 
     return same ? NULL : "a packet says something else";
 }
 
-/* Everything that must be true of one ray in an extent (null: all of space). */
-static inline void intersect_judge_in(const intersect_case *c, const algsurf_extent *extent,
-                                      const algsurf_intersect_options *options, intersect_answer *a) {
+/* Everything that must be true of one ray in an extent (null: all of space); null if it is. */
+static inline const char *intersect_verdict(const intersect_case *c, const algsurf_extent *extent,
+                                            const algsurf_intersect_options *options, intersect_answer *a) {
     intersect_ask(c, extent, options, a);
     const char *wrong = intersect_wrong_packet(c, extent, options, a);
     if (options && options->tier == ALGSURF_TIER_BOUNDED) {
@@ -261,6 +264,12 @@ static inline void intersect_judge_in(const intersect_case *c, const algsurf_ext
     }
     if (!wrong) wrong = intersect_form(c, &a->first);
     for (int i = 0; !wrong && i < a->count; i++) wrong = intersect_form(c, a->all + i);
+    return wrong;
+}
+
+static inline void intersect_judge_in(const intersect_case *c, const algsurf_extent *extent,
+                                      const algsurf_intersect_options *options, intersect_answer *a) {
+    const char *wrong = intersect_verdict(c, extent, options, a);
     if (extent && wrong) {
         fprintf(stderr, "extent of kind %d\n", (int)extent->kind);
         exact_print_doubles("centre", extent->centre, 3), exact_print_doubles("size", extent->size, 3);

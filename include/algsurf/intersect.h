@@ -14,16 +14,17 @@ extern "C" {
  * polynomial whose coefficients are the doubles given, the line origin + t direction of the doubles given,
  * the closed ball or box of the doubles given; both ends of the ray belong to it. */
 typedef enum algsurf_tier {
-    ALGSURF_TIER_CERTIFIED =
-        0, /* every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide
-              where their error bounds allow it, integers decide the rest: rays that touch,
-              roots closer than any double can separate, roots at an end of the ray or on
-              the extent's surface, rays in the surface.  Uncertain is only what coefficients
-              that are known to an error (algsurf_surface_with_error) leave open */
-    ALGSURF_TIER_BOUNDED = 1, /* the same doubles, and no integers: what they do not decide is uncertain.  For
-                                 hosts that need a bounded time for every ray */
-    ALGSURF_TIER_FAST = 2 /* signs of doubles as computed, without bounds: may be wrong within rounding of a
-                             tangency, or of a root at an end */
+    /* Every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide where their error bounds
+     * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
+     * at an end of the ray or on the extent's surface, rays in the surface.  Uncertain is only what
+     * coefficients that are known to an error (algsurf_surface_with_error) leave open. */
+    ALGSURF_TIER_CERTIFIED = 0,
+    /* The same doubles, and no integers: what they do not decide is uncertain.  For hosts that need a bounded
+     * time for every ray. */
+    ALGSURF_TIER_BOUNDED = 1,
+    /* Signs of doubles as computed, without bounds: may be wrong within rounding of a tangency, or of a root
+     * at an end. */
+    ALGSURF_TIER_FAST = 2
 } algsurf_tier;
 
 /* What becomes of an uncertain place. */

@@ -74,9 +74,10 @@ static void point_within_range(const query *q, double t, double x[3], double pos
 /* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
 static void set_position(const query *q, const double x[3], double t, double position[3]) {
     for (int i = 0; i < 3; i++) {
+        double unpolished = coordinate_at(q, i, t);
         int lost = q->ray->direction[i] != 0 && fabs(q->frame.V[i]) < 0x1p-900;
-        lost |= x[i] != 0 && fabs(x[i]) < 0x1p-900;
-        position[i] = lost ? coordinate_at(q, i, t) : ldexp(x[i], q->surface->unit);
+        lost |= unpolished != 0 && fabs(ldexp(unpolished, -q->surface->unit)) < 0x1p-900;
+        position[i] = lost ? unpolished : ldexp(x[i], q->surface->unit);
     }
 }
 

@@ -118,10 +118,17 @@ static int clip_box(const algsurf_extent *extent, const algsurf_ray *ray, double
     return 1;
 }
 
+/* Where the line enters and leaves the extent; infinite also where that is beyond the largest double. */
+static int clip_line(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
+    ends[0] = -INFINITY;
+    ends[1] = INFINITY;
+    if (extent && extent->kind == ALGSURF_EXTENT_SPHERE) return clip_sphere(extent, ray, ends);
+    return !extent || extent->kind != ALGSURF_EXTENT_BOX || clip_box(extent, ray, ends);
+}
+
 int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord) {
-    double ends[2] = {-INFINITY, INFINITY};
-    if (extent && extent->kind == ALGSURF_EXTENT_SPHERE && !clip_sphere(extent, ray, ends)) return 0;
-    if (extent && extent->kind == ALGSURF_EXTENT_BOX && !clip_box(extent, ray, ends)) return 0;
+    double ends[2];
+    if (!clip_line(extent, ray, ends)) return 0;
     double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
     double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
     /* An infinite end on the wrong side: no point of the chord has a parameter that is a double. */
@@ -147,9 +154,8 @@ int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ra
     *edges = (algsurf_i_edges){NULL, -HUGE_VAL, HUGE_VAL};
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
     algsurf_extent outer = *extent, inner = *extent;
-    algsurf_ray sure;
     int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
-    double d[3];
+    double d[3], ends[2];
     for (int i = 0; i < 3; i++) d[i] = margin(extent, ray, i);
     if (!box) d[0] = fmax(d[0], fmax(d[1], d[2]));
     for (int i = 0; i < (box ? 3 : 1); i++) {
@@ -157,14 +163,18 @@ int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ra
         inner.size[i] = extent->size[i] - d[i];
         solid &= inner.size[i] > 0;
     }
-    if (!algsurf_i_extent_clip(&outer, ray, chord)) return 0;
+    /* What overflowed is between the largest double and infinity. */
+    if (!clip_line(&outer, ray, ends)) return 0;
+    *chord = *ray;
+    chord->t_min = fmax(ray->t_min, fmin(ends[0], DBL_MAX));
+    chord->t_max = fmin(ray->t_max, fmax(ends[1], -DBL_MAX));
+    if (!(chord->t_min <= chord->t_max) || chord->t_min == INFINITY || chord->t_max == -INFINITY) return 0;
     edges->extent = extent;
-    if (solid && algsurf_i_extent_clip(&inner, ray, &sure)) {
-        edges->inner_lo = sure.t_min;
-        edges->inner_hi = sure.t_max;
-    } else {
-        edges->inner_lo = HUGE_VAL;
-        edges->inner_hi = -HUGE_VAL;
+    edges->inner_lo = HUGE_VAL;
+    edges->inner_hi = -HUGE_VAL;
+    if (solid && clip_line(&inner, ray, ends)) {
+        edges->inner_lo = fmax(ends[0], -DBL_MAX);
+        edges->inner_hi = fmin(ends[1], DBL_MAX);
     }
     return 1;
 }

@@ -1,9 +1,8 @@
 /* intersect.c - fuzzes rays: "OX OY OZ DX DY DZ T_MIN T_MAX", "KIND CX CY CZ SX SY SZ", then terms "I J K A".
  *
- * KIND: 0 no extent, 1 a ball, 2 a box.  Without an extent intersect_case.h judges the single calls, by a
- * Sturm chain; packets must say what single calls say, to the bit, of the ray alone and among others, with
- * every kernel, and must not contradict the scalar way. The certified tier is judged alike.  With an extent,
- * whose ends are rounded, all calls must agree; of a ray that lies in the surface none may call it a miss.
+ * KIND: 0 no extent, 1 a ball, 2 a box.  Packets must say what single calls say, to the bit, of the ray alone
+ * and among others, with every kernel; and where the numbers are short enough for the oracle, all calls must
+ * say what it says: every ray is decided.  The bounded tier must not contradict the certified one.
  */
 #include "intersect_case.h"
 #include "fuzz.h"
@@ -18,6 +17,8 @@ typedef struct packet {
     double origin[3][LANES], direction[3][LANES], t_min[LANES], t_max[LANES];
     unsigned char state[LANES], occluded[LANES];
     double t[LANES], t_lo[LANES], t_hi[LANES], position[3][LANES], normal[3][LANES];
+    int multiplicity[LANES];
+    signed char side[LANES];
 } packet;
 
 static void put(packet *p, int i, const algsurf_ray *ray) {
@@ -30,6 +31,7 @@ static void ask(packet *p, size_t count, const algsurf_extent *extent, const cha
     algsurf_ray_packet rays = {.size = sizeof rays, .count = count, .t_min = p->t_min, .t_max = p->t_max};
     algsurf_hit_packet hits = {
         .size = sizeof hits, .state = p->state, .t = p->t, .t_lo = p->t_lo, .t_hi = p->t_hi};
+    hits.multiplicity = p->multiplicity, hits.side = p->side;
     for (int k = 0; k < 3; k++) {
         rays.origin[k] = p->origin[k], rays.direction[k] = p->direction[k];
         hits.position[k] = p->position[k], hits.normal[k] = p->normal[k];
@@ -40,6 +42,7 @@ static void ask(packet *p, size_t count, const algsurf_extent *extent, const cha
 
 static void check_bits(const packet *a, const packet *b, size_t i) {
     fuzz_check(a->state[i] == b->state[i] && a->occluded[i] == b->occluded[i]);
+    fuzz_check(a->multiplicity[i] == b->multiplicity[i] && a->side[i] == b->side[i]);
     fuzz_check(memcmp(&a->t[i], &b->t[i], sizeof a->t[i]) == 0);
     fuzz_check(memcmp(&a->t_lo[i], &b->t_lo[i], sizeof a->t[i]) == 0);
     fuzz_check(memcmp(&a->t_hi[i], &b->t_hi[i], sizeof a->t[i]) == 0);
@@ -72,12 +75,17 @@ static void ask_packets(packet *p, const algsurf_extent *extent) {
     }
 }
 
-/* The single calls about lane i's ray. */
-static void ask_single(const packet *p, int i, const algsurf_extent *extent, int max_iterations,
-                       algsurf_hit *hit, algsurf_hit_state *occluded) {
-    const algsurf_intersect_options options = {.size = sizeof options, .max_iterations = max_iterations};
+static algsurf_ray ray_of(const packet *p, int i) {
     algsurf_ray ray = {.t_min = p->t_min[i], .t_max = p->t_max[i]};
     for (int k = 0; k < 3; k++) ray.origin[k] = p->origin[k][i], ray.direction[k] = p->direction[k][i];
+    return ray;
+}
+
+/* The single calls about lane i's ray. */
+static void ask_single(const packet *p, int i, const algsurf_extent *extent, algsurf_tier tier,
+                       algsurf_hit *hit, algsurf_hit_state *occluded) {
+    const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
+    algsurf_ray ray = ray_of(p, i);
     fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &options, hit) == ALGSURF_OK);
     fuzz_check(algsurf_occluded(c.surface, extent, &ray, &options, occluded) == ALGSURF_OK);
 }
@@ -87,21 +95,16 @@ static void check_lanes(const packet *p, const algsurf_extent *extent) {
         algsurf_hit hit;
         algsurf_hit_state occluded;
         packet one = *p;
-        ask_single(p, i, extent, 0, &hit, &occluded);
+        ask_single(p, i, extent, ALGSURF_TIER_CERTIFIED, &hit, &occluded);
         one.state[i] = (unsigned char)hit.state, one.occluded[i] = (unsigned char)occluded;
+        one.multiplicity[i] = hit.multiplicity, one.side[i] = (signed char)hit.side;
         one.t[i] = hit.t, one.t_lo[i] = hit.t_lo, one.t_hi[i] = hit.t_hi;
         for (int k = 0; k < 3; k++) one.position[k][i] = hit.position[k], one.normal[k][i] = hit.normal[k];
         check_bits(p, &one, (size_t)i);
-        ask_single(p, i, extent, 1000, &hit, &occluded); /* a limit, which the packet code does not know */
-        if (p->state[i] != hit.state || p->occluded[i] != (int)occluded)
-            fprintf(stderr, "lane %d: first %d, occluded %d; scalar: %d, %d\n", i, p->state[i],
-                    p->occluded[i], hit.state, (int)occluded);
-        if (hit.state == ALGSURF_UNCERTAIN) continue; /* of a long ray the packet code may know more */
-        fuzz_check(p->state[i] == hit.state && p->occluded[i] == (int)occluded);
-        if (hit.state == ALGSURF_MISS) fuzz_check(p->t[i] == (double)INFINITY);
-        if (hit.state == ALGSURF_MISS) continue;
-        fuzz_check(p->t_lo[i] <= p->t[i] && p->t[i] <= p->t_hi[i]);
-        fuzz_check(p->t_lo[i] <= hit.t_hi && hit.t_lo <= p->t_hi[i]);
+        fuzz_check(hit.state != ALGSURF_UNCERTAIN && (int)occluded == hit.state);
+        ask_single(p, i, extent, ALGSURF_TIER_BOUNDED, &hit, &occluded);
+        fuzz_check(hit.state == ALGSURF_UNCERTAIN || hit.state == p->state[i]);
+        fuzz_check(occluded == ALGSURF_UNCERTAIN || (int)occluded == p->occluded[i]);
     }
 }
 
@@ -115,43 +118,15 @@ static const char *form(const algsurf_hit *h) {
     return intersect_form(&c, h);
 }
 
-/* The certified tier: the truth too, and nothing in doubt that standard is sure of. */
-static void judge_certified(const exact_sturm *s) {
-    const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
-    int standard = answer.first.state;
-    intersect_ask(&c, NULL, &certified, &answer);
-    const char *wrong = intersect_truth(&c, s, &answer);
-    if (!wrong && standard != ALGSURF_UNCERTAIN && answer.first.state != standard) wrong = "tiers contradict";
-    if (!wrong && (answer.count == 0) != (answer.first.state == ALGSURF_MISS))
-        wrong = "first and all disagree";
-    if (wrong) intersect_fail(wrong, &c, &answer);
-}
-
-/* What single calls say, and what a packet says of the first ray. */
-static void judge_exactly(const packet *p, const exact_sturm *s) {
-    intersect_ask(&c, NULL, NULL, &answer);
-    const char *wrong = form(&answer.first);
-    for (int i = 0; !wrong && i < answer.count; i++) wrong = form(answer.all + i);
-    if (!wrong) wrong = intersect_truth(&c, s, &answer);
-    if (!wrong) wrong = intersect_agree(&answer);
-    if (wrong) intersect_fail(wrong, &c, &answer);
-    intersect_answer said = answer;
-    judge_certified(s);
-    if (p->state[0] == ALGSURF_MISS) {
-        fuzz_check(exact_count_roots(s, c.ray.t_min, c.ray.t_max) == 0);
-        return;
-    }
-    algsurf_hit *h = &said.first;
-    h->t = p->t[0], h->t_lo = p->t_lo[0], h->t_hi = p->t_hi[0];
-    for (int k = 0; k < 3; k++) h->position[k] = p->position[k][0], h->normal[k] = p->normal[k][0];
-    wrong = form(h);
-    if (!wrong) wrong = intersect_truth(&c, s, &said);
-    if (wrong) intersect_fail(wrong, &c, &said);
-}
-
-static void judge_agreement(const algsurf_extent *extent) {
+/* Everything about one ray, against the oracle. */
+static void judge_exactly(const algsurf_extent *extent) {
     intersect_ask(&c, extent, NULL, &answer);
-    const char *wrong = intersect_agree(&answer);
+    exact_hits *h = exact_hits_of(c.terms, c.count, c.degree, extent, &c.ray);
+    const char *wrong = intersect_wrong(h, &answer);
+    exact_hits_clear(h);
+    if (!wrong) wrong = intersect_wrong_packet(&c, extent, NULL, &answer);
+    if (!wrong) wrong = form(&answer.first);
+    for (int i = 0; !wrong && i < answer.count; i++) wrong = form(answer.all + i);
     if (wrong) intersect_fail(wrong, &c, &answer);
 }
 
@@ -168,22 +143,10 @@ static void judge(const algsurf_extent *extent) {
     static packet p;
     ask_packets(&p, extent);
     check_lanes(&p, extent);
-    int no_point = isinf(c.ray.t_min) && c.ray.t_min == c.ray.t_max;
-    if (c.ray.t_min > c.ray.t_max || no_point) {
-        intersect_ask(&c, extent, NULL, &answer);
-        fuzz_check(answer.count == 0 && answer.first.state == ALGSURF_MISS &&
-                   answer.occluded == ALGSURF_MISS);
-        return;
+    for (int i = 0; i < LANES; i++) {
+        c.ray = ray_of(&p, i);
+        if (is_short()) judge_exactly(extent);
     }
-    if (!is_short()) return;
-    exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
-    if (s.count > 0 && !extent)
-        judge_exactly(&p, &s);
-    else if (s.count > 0)
-        judge_agreement(extent);
-    else if (!extent) /* the ray lies in the surface */
-        fuzz_check(p.state[0] != ALGSURF_MISS && p.occluded[0] != ALGSURF_MISS);
-    exact_sturm_clear(&s);
 }
 
 static int read_surface(fuzz_numbers *in) {

@@ -19,12 +19,12 @@
 extern "C" {
 #endif
 
-/* A root, or a cluster of roots that could not be told apart. */
+/* A root, simple or multiple, or a cluster of roots that could not be told apart. */
 typedef struct algsurf_enclosure {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex value; /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: real, proved: box.im is [0,0] */
+    int real;              /* 1: real, proved, whatever the multiplicity: box.im is [0,0] */
 } algsurf_enclosure;
 
 /* All roots of sum c_k z^k.
@@ -34,9 +34,14 @@ typedef struct algsurf_enclosure {
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
  * Exact zeros at the low end are the root 0, exactly.  Polynomials whose coefficients are all real (and
  * without radii) have their real roots proved real and the others in exactly conjugate boxes.
+ * A multiple root of such a polynomial (all imaginary parts and all radii 0) comes alone in its box, mostly a
+ * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
+ * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
+ * cluster, in a wider box.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_DEGREE, negative radius), E_NOT_FINITE, E_ZERO,
  * E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its radius).
- * Cost: O(degree^2) times some 10 iterations; no allocation; about 30 KiB of stack.
+ * Cost: O(degree^2) times some 10 iterations; about 50 KiB of stack.  No allocation, unless a real polynomial
+ * without radii has a cluster: then, where 16 KiB of the stack do not suffice, up to 1 GiB, freed at the end.
  * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
  * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree,

@@ -10,25 +10,21 @@
 extern "C" {
 #endif
 
-/* How much is known about an answer, and what it may cost. */
+/* How much is known about an answer, and what it may cost.  Answers are about the exact problem: the
+ * polynomial whose coefficients are the doubles given, the line origin + t direction of the doubles given,
+ * the closed ball or box of the doubles given; both ends of the ray belong to it. */
 typedef enum algsurf_tier {
-    ALGSURF_TIER_STANDARD = 0, /* signs are used only beyond their error bounds; a doubtful ray is done
-                                  again in double-double; what is still in doubt is uncertain: tangencies,
-                                  roots next to an end (one exactly there is a hit), numbers near the limits
-                                  of double's range.  Where an extent cuts the ray, the ends of the piece
-                                  inside are rounded, and answers are about the rounded piece */
-    ALGSURF_TIER_FAST = 1,     /* no bounds: signs as computed; may be wrong within rounding of a tangency, or
-                                  of a root at an end; uncertain only where numbers overflow */
-    ALGSURF_TIER_CERTIFIED = 2 /* as standard; what is still in doubt is decided in exact arithmetic:
-                                  uncertain are only multiple roots (a ray that exactly touches; one at a t of
-                                  few binary digits is decided), roots closer than 2^-60 of what double-double
-                                  leaves open, rays in the surface, and rays whose numbers span thousands of
-                                  digits.  An uncertain ray allocates memory, and stays uncertain if there is
-                                  none.  The extent counts as exact: a root as close to its surface as the
-                                  ends of a chord can be rounded is in it or not (in the other tiers it may go
-                                  either way).  One on a box's face is in it, and so is one on a sphere where
-                                  the ray's other point of the sphere is on the surface, too; else one on a
-                                  sphere stays uncertain */
+    /* Every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide where their error bounds
+     * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
+     * at an end of the ray or on the extent's surface, rays in the surface.  Uncertain is only what
+     * coefficients that are known to an error (algsurf_surface_with_error) leave open. */
+    ALGSURF_TIER_CERTIFIED = 0,
+    /* The same doubles, and no integers: what they do not decide is uncertain.  For hosts that need a bounded
+     * time for every ray. */
+    ALGSURF_TIER_BOUNDED = 1,
+    /* Signs of doubles as computed, without bounds: may be wrong within rounding of a tangency, or of a root
+     * at an end. */
+    ALGSURF_TIER_FAST = 2
 } algsurf_tier;
 
 /* What becomes of an uncertain place. */
@@ -42,23 +38,25 @@ typedef enum algsurf_doubt {
 typedef enum algsurf_hit_state {
     ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified as algsurf_tier says */
     ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified as algsurf_tier says */
-    ALGSURF_UNCERTAIN = 2 /* a tangency, or a root at an end of the ray, that the tier cannot decide */
+    ALGSURF_UNCERTAIN = 2 /* not decided: coefficients known to an error only, or the bounded tier */
 } algsurf_hit_state;
 
 /* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
 typedef struct algsurf_hit {
     int state;             /* an algsurf_hit_state */
     algsurf_status reason; /* ALGSURF_OK, or why it is uncertain (a positive status) */
-    double t;              /* approximate, along the ray as given; uncertain: where it is in doubt */
-    double t_lo, t_hi;     /* encloses the first hit: the interval that isolates it, not a tight one (its ends
-                              are rounded outward, and what rounding takes in, some units in the last place
-                              of the ray's t, may hold another one);
-                              uncertain: no hit is before t_lo, it is open whether one is in
-                              [t_lo, t_hi]; fast tier: both are t */
-    double position[3];    /* origin + t direction; finite: at most the largest double in size */
-    double normal[3];      /* the gradient of P there, unit length, approximate.  At a singular point that of
-                              a point shortly before it on the ray; all 0 where there is none either (a ray
-                              in the surface), and where it is beyond the range of double */
+    int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
+                         where the ray lies in the surface, of a miss, and of an uncertain place */
+    int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
+    double t;         /* approximate, along the ray as given; uncertain: where it is in doubt */
+    double t_lo, t_hi;  /* encloses the hit, and no other hit is before it: neighbouring doubles, or t alone,
+                           where integers decided; where doubles did, the interval that isolates it;
+                           uncertain: no hit is before t_lo, it is open whether one is in
+                           [t_lo, t_hi]; fast tier: both are t */
+    double position[3]; /* origin + t direction; finite: at most the largest double in size */
+    double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
+                           a point shortly before it on the ray; all 0 where there is none either (a ray
+                           in the surface), and where it is beyond the range of double */
 } algsurf_hit;
 
 /* How rays are intersected. */
@@ -72,7 +70,12 @@ typedef struct algsurf_intersect_options {
     const char *kernel;    /* the packet code to use for packets and pictures, by a name that
                               algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
     algsurf_doubt doubt;   /* what becomes of an uncertain place */
+    size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
+                          answer is E_NO_MEMORY */
 } algsurf_intersect_options;
+
+/* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
+#define ALGSURF_DEFAULT_MEMORY ((size_t)1 << 30)
 
 /* The packet code that runs on this machine, the fastest first: "avx512" (8 rays side by side), "avx2" (4),
  * "baseline" (2).  All of them give the same bits.
@@ -82,20 +85,21 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
 
 /* The first hit on the ray inside the extent, t in [t_min, t_max], both ends included.
  *   extent   null: all of space
- *   options  null: standard tier, default method, full accuracy
- * Guarantee: see algsurf_tier.  |t - exact| in the standard tier with default method and tolerance is
- * within a few u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit.
- * Returns OK also for a miss and for uncertain: the state is in hit.
- * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction).
- * A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
- * Cost: 0.2 to 1 microseconds for degrees 2 to 10; other methods, and rays far longer than the surface is
- * large, twice that; a doubtful ray 30 to 100 times that; no allocation.  Since 1.0. */
+ *   options  null: certified tier, default method, full accuracy
+ * Guarantee: see algsurf_tier.  With the default method and tolerance |t - exact| is within a few
+ * u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit
+ * in the last place where integers decided. Returns OK also for a miss and for uncertain: the state is in
+ * hit. Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin,
+ * direction), E_NO_MEMORY. A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet),
+ * by whatever kernel. Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 10 to 100
+ * microseconds for degrees 2 to 10, and more where numbers are of very different sizes; 20 KiB of stack, and
+ * allocation only beyond degree 10 or so.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
                                                    algsurf_hit *hit);
 
-/* All hits, in increasing t.  (A ray within a plane has one, uncertain, from end to end.)
+/* All hits, in increasing t, each once with its multiplicity.  (A ray in the surface has one, at its begin.)
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
  *   count           how many were written, uncertain ones included
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
@@ -132,6 +136,8 @@ typedef struct algsurf_hit_packet {
     unsigned char *state;            /* an algsurf_hit_state each; not null */
     double *t, *t_lo, *t_hi;         /* along the ray as given */
     double *position[3], *normal[3]; /* x, y, z */
+    int *multiplicity;
+    signed char *side;
 } algsurf_hit_packet;
 
 /* The first hit of each ray of a packet inside the extent: what algsurf_intersect_first says of it.

@@ -24,6 +24,28 @@
 extern "C" {
 #endif
 
+/* A real root. */
+typedef struct algsurf_real_root {
+    double value;     /* lo or hi: within one unit in the last place of the root; finite */
+    double lo, hi;    /* encloses: lo = hi is the root exactly, or it lies between these neighbouring doubles
+                         (the largest and infinity among them) */
+    int multiplicity; /* >= 1 */
+    int sign;         /* of p just before the root, -1 or +1 */
+} algsurf_real_root;
+
+/* The real roots in [lo,hi], lo <= hi, either may be infinite; in increasing order, each once with its
+ * multiplicity, all of them: verified.
+ *   c                 degree+1 coefficients, power basis, lowest first
+ *   roots, capacity   room for the answer; the degree, at least 1, always suffices
+ *   count             how many were written
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small: nothing is
+ * written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY.
+ * Cost: 2 to 20 microseconds for degrees 2 to 10, in integers of some hundred bits; 20 KiB of stack, more is
+ * allocated, 1 GiB at most.  Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004),
+ * multiplicities by greatest common divisors (Yun 1976).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
+                                              algsurf_real_root *roots, int capacity, int *count);
+
 /* What is known of a place. */
 typedef enum algsurf_root_kind {
     ALGSURF_ROOT_BRACKET = 0,  /* lo < root < hi: isolates; the signs at lo and hi differ: verified */
