@@ -3,7 +3,8 @@
  * q has degree 1, or degree 2 with a negative leading coefficient.  Over the root's place (a, b):
  * - degree 1: with one sign at both ends, or 0 at one, it has that sign between them;
  * - degree 2: q is concave; not negative at both ends it is positive between them, and negative at both it is
- *   negative between them where its slope keeps its sign;
+ *   negative between them where its slope keeps its sign, and everywhere where its discriminant is negative
+ *   (so the root may well be at its top: it would stay between the ends for ever);
  * - else the place is halved, unless the root is q's, too: then it would be for ever.  So before the first
  *   halving the common factor of f and q is looked for.  Its roots are f's, hence it changes its sign over
  * the place, where f has no more than one root, if and only if that root is shared. */
@@ -30,9 +31,26 @@ static int is_monotone(const judge *j, int *monotone) {
     return 1;
 }
 
+/* Is q, of degree 2, negative everywhere: q_1^2 < 4 q_2 q_0? */
+static int is_negative(const judge *j, int *negative) {
+    const algsurf_zpoly *q = j->q;
+    int w = q->width, wide = 2 * w + 1;
+    algsurf_limb *d = algsurf_memory_take(j->memory, (size_t)wide + 2 * (size_t)w);
+    if (!d) return 0;
+    algsurf_limb *room = d + wide;
+    algsurf_z_factor q1 = algsurf_z_factor_of(algsurf_zpoly_at(q, 1), w, room),
+                     q0 = algsurf_z_factor_of(algsurf_zpoly_at(q, 0), w, room + w);
+    algsurf_z_zero(d, wide);
+    algsurf_z_add_times(d, wide, algsurf_zpoly_at(q, 2), w, &q0, 1);
+    algsurf_z_shift_up(d, wide, 2);
+    algsurf_z_add_times(d, wide, algsurf_zpoly_at(q, 1), w, &q1, 0);
+    *negative = algsurf_z_sign(d, wide) < 0;
+    return 1;
+}
+
 /* Decided by q at both ends: *known. */
 static int judge_ends(const judge *j, int *known, int *sign) {
-    int at_a, at_b, monotone = 0;
+    int at_a, at_b, below = 0;
     *known = 1;
     if (!sign_of(j, j->q, j->a, &at_a) || !sign_of(j, j->q, j->b, &at_b)) return 0;
     *sign = at_a != 0 ? at_a : at_b;
@@ -43,8 +61,9 @@ static int judge_ends(const judge *j, int *known, int *sign) {
     } else {
         *known = 0;
         if (at_a < 0 && at_b < 0) {
-            if (!is_monotone(j, &monotone)) return 0;
-            *known = monotone;
+            if (!is_monotone(j, &below)) return 0;
+            if (!below && !is_negative(j, &below)) return 0;
+            *known = below;
         }
     }
     return 1;
