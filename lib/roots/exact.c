@@ -1,25 +1,28 @@
 /* exact.c - the exact walk: cells from left to right, roots as they come.
  *
- * A piece is half open: a root at its left end is its own, one at its right end belongs to the next piece.  The
- * same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are leading
- * zeros, and it is reported before the open cell is looked at, where zeros do not count.
+ * A piece is half open: a root at its left end is its own, one at its right end belongs to the next piece.
+ * The same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are
+ * leading zeros, and it is reported before the open cell is looked at, where zeros do not count.
  *
- * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left half
- * goes on top of its right half, and what has no root is given back at once.  At most n cells wait, since
- * variations of disjoint cells add up to at most n. */
+ * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
+ * half goes on top of its right half, and what has no root is given back at once.  At most n cells wait,
+ * since variations of disjoint cells add up to at most n. */
 #include "exact.h"
 
 #include <math.h>
 
-enum { ASK_AFTER = 5, ZOOM_AFTER = 2 }; /* halvings: a gcd costs about as much as one; a step to a cluster as three */
+enum {
+    ASK_AFTER = 5,
+    ZOOM_AFTER = 2
+}; /* halvings: a gcd costs about as much as one; a step to a cluster as three */
 
 static int count(algsurf_exact_walk *walk) {
     walk->counted++;
     return algsurf_exact_variations(&walk->cell.b);
 }
 
-int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo,
-                        double hi, int refine) {
+int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
+                        double lo, double hi, int refine) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
     size_t words = (size_t)(p->degree + 1) * ((sizeof *walk->waiting + 7) / 8);
@@ -32,7 +35,9 @@ int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsu
 void algsurf_exact_end(algsurf_exact_walk *walk) { algsurf_memory_release(walk->memory, walk->begin); }
 
 /* What the walk isolates the roots of: p, or the part that has them once. */
-static const algsurf_zpoly *walked(const algsurf_exact_walk *walk) { return walk->parts ? walk->s : &walk->p; }
+static const algsurf_zpoly *walked(const algsurf_exact_walk *walk) {
+    return walk->parts ? walk->s : &walk->p;
+}
 
 /* Is p squarefree?  If not, the walk begins again with what is.  -1: no memory; 1: it begins again. */
 static int ask_for_squares(algsurf_exact_walk *walk) {
@@ -60,10 +65,11 @@ static int find_multiplicity(algsurf_exact_walk *walk, const algsurf_exact_place
     *multiplicity = 1;
     for (int i = 1; i < walk->parts; i++) {
         int at_a, at_b = 0;
-        if (!algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->a, place->width, place->r, &at_a, NULL, NULL))
+        if (!algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->a, place->width, place->r, &at_a, NULL,
+                                   NULL))
             return 0;
-        if (place->b && !algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->b, place->width, place->r, &at_b,
-                                               NULL, NULL))
+        if (place->b && !algsurf_zpoly_sign_at(walk->memory, walk->s + i, place->b, place->width, place->r,
+                                               &at_b, NULL, NULL))
             return 0;
         if (place->b ? at_a == at_b : at_a != 0) break;
         *multiplicity = i + 1;
@@ -77,10 +83,12 @@ static int find_sign_before(algsurf_exact_walk *walk, const algsurf_exact_place 
                             int *sign) {
     algsurf_zpoly d = walk->p;
     if (place->b)
-        return algsurf_zpoly_sign_at(walk->memory, &walk->p, place->a, place->width, place->r, sign, NULL, NULL);
+        return algsurf_zpoly_sign_at(walk->memory, &walk->p, place->a, place->width, place->r, sign, NULL,
+                                     NULL);
     for (int i = 0; i < multiplicity; i++)
         if (!algsurf_zpoly_derivative(walk->memory, &d, &d)) return 0;
-    if (!algsurf_zpoly_sign_at(walk->memory, &d, place->a, place->width, place->r, sign, NULL, NULL)) return 0;
+    if (!algsurf_zpoly_sign_at(walk->memory, &d, place->a, place->width, place->r, sign, NULL, NULL))
+        return 0;
     if (multiplicity % 2) *sign = -*sign;
     return 1;
 }
@@ -123,14 +131,16 @@ static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     if (!algsurf_exact_refine(walk, walked(walk), root)) return 0;
     if (walk->parts) return 1;
     root->multiplicity = 1;
-    for (int j = 0; root->sign_before == 0; j++) root->sign_before = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
+    for (int j = 0; root->sign_before == 0; j++)
+        root->sign_before = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
     return 1;
 }
 
 /* ---- cells ---- */
 
 static int begin_piece(algsurf_exact_walk *walk) {
-    if (!algsurf_exact_cell_whole(walk->memory, &walk->local, walk->piece.at, walk->piece.length, &walk->cell))
+    if (!algsurf_exact_cell_whole(walk->memory, &walk->local, walk->piece.at, walk->piece.length,
+                                  &walk->cell))
         return 0;
     walk->active = 1;
     walk->used_up = 0;

@@ -1,13 +1,14 @@
-/* exact.h - the exact engine: the real roots of a polynomial with integer coefficients, in order, always decided.
+/* exact.h - the exact engine: the real roots of a polynomial with integer coefficients, in order, always
+ * decided.
  *
  * p(u) is given with its unit, t = 2^unit u, and an interval of t.  The engine cuts the interval into pieces,
  * makes Bernstein coefficients over each, counts their variations of sign (Descartes' rule: none, no root;
  * one, exactly one root) and halves what has more.  All of it is done in integers, so every count is true.
  *
- * Halving ends when no root is multiple.  Where a cell keeps two variations or more, the greatest common divisor
- * of p and p' is looked for; if it is not constant, the walk begins again with p's squarefree part s[0], whose
- * roots are p's, each once, and passes over as many roots as it has reported.  What s[i] (the roots of
- * multiplicity above i) does at a root then tells the multiplicity.
+ * Halving ends when no root is multiple.  Where a cell keeps two variations or more, the greatest common
+ * divisor of p and p' is looked for; if it is not constant, the walk begins again with p's squarefree part
+ * s[0], whose roots are p's, each once, and passes over as many roots as it has reported.  What s[i] (the
+ * roots of multiplicity above i) does at a root then tells the multiplicity.
  *
  * Source: Collins, Akritas 1976; Rouillier, Zimmermann, Efficient isolation of polynomial's real roots, 2004;
  * Sagraloff, Mehlhorn, Computing real roots of real polynomials, 2016 (the step to a cluster). */
@@ -16,8 +17,8 @@
 #include "../poly/integral.h"
 #include "exact_cell.h"
 
-/* Where a root is: the only root of `of` in the open interval (a, b) 2^-r of u, `of` being nonzero with different
- * signs at its ends; or, when b is null, the point a 2^-r. */
+/* Where a root is: the only root of `of` in the open interval (a, b) 2^-r of u, `of` being nonzero with
+ * different signs at its ends; or, when b is null, the point a 2^-r. */
 typedef struct algsurf_exact_place {
     const algsurf_zpoly *of;
     const algsurf_limb *a, *b;
@@ -26,10 +27,10 @@ typedef struct algsurf_exact_place {
 
 /* A root of p.  What is marked "refined" is there only if the walk was told to refine. */
 typedef struct algsurf_exact_root {
-    double lo, hi;    /* encloses; refined: lo = hi = t, or neighbours with the root between them */
-    double t;         /* refined: one of lo and hi, the one where |p| is less */
-    int multiplicity; /* >= 1 */
-    int sign_before;  /* of p just before the root: -1 or 1 */
+    double lo, hi;             /* encloses; refined: lo = hi = t, or neighbours with the root between them */
+    double t;                  /* refined: one of lo and hi, the one where |p| is less */
+    int multiplicity;          /* >= 1 */
+    int sign_before;           /* of p just before the root: -1 or 1 */
     algsurf_exact_place place; /* lives until the next call */
 } algsurf_exact_root;
 
@@ -41,11 +42,11 @@ typedef struct algsurf_exact_piece {
 
 /* The pieces that an interval is cut into. */
 typedef struct algsurf_exact_pieces {
-    double lo, hi;     /* of t, finite or not; ends belong to it */
-    int scattered;     /* 0: one piece; 1: cut at 0 and powers of two */
-    int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side; side 0:
-                           the root at 0 */
-    int least, most;   /* exponents between which roots can be */
+    double lo, hi;      /* of t, finite or not; ends belong to it */
+    int scattered;      /* 0: one piece; 1: cut at 0 and powers of two */
+    int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side; side
+                           0: the root at 0 */
+    int least, most;    /* exponents between which roots can be */
     int done;
 } algsurf_exact_pieces;
 
@@ -67,9 +68,9 @@ typedef struct algsurf_exact_walk {
     /* cells */
     algsurf_exact_cell *waiting, cell;
     int waiting_count;
-    int active, used_up; /* there is a cell; its root has been reported */
+    int active, used_up;                    /* there is a cell; its root has been reported */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
-    int counted; /* cells whose variations were counted */
+    int counted;                            /* cells whose variations were counted */
 } algsurf_exact_walk;
 
 enum { ALGSURF_EXACT_NO_MEMORY = -1, ALGSURF_EXACT_END = 0, ALGSURF_EXACT_ROOT = 1 };
@@ -81,34 +82,37 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi);
 /* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j. */
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p);
 
-/* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least 1
- * and no leading zeros, and is only referred to.  refine 0: roots come without t, with lo and hi as they were
- * isolated, which is cheaper.  Memory is taken until algsurf_exact_end.  Returns 0 when there is none. */
-int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo,
-                        double hi, int refine);
+/* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
+ * 1 and no leading zeros, and is only referred to.  refine 0: roots come without t, with lo and hi as they
+ * were isolated, which is cheaper.  Memory is taken until algsurf_exact_end.  Returns 0 when there is none.
+ */
+int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
+                        double lo, double hi, int refine);
 
 /* The next root, in increasing order. */
 int algsurf_exact_next(algsurf_exact_walk *walk, algsurf_exact_root *root);
 
-/* The sign of q, a polynomial in the same u of degree at most 2, not positive from above (degree 2: its leading
- * coefficient is negative), at the root last reported: -1, 0 or 1 in *sign.  Returns 0 when there is no memory. */
-int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_root *root, const algsurf_zpoly *q,
-                               int *sign);
+/* The sign of q, a polynomial in the same u of degree at most 2, not positive from above (degree 2: its
+ * leading coefficient is negative), at the root last reported: -1, 0 or 1 in *sign.  Returns 0 when there is
+ * no memory. */
+int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_root *root,
+                               const algsurf_zpoly *q, int *sign);
 
 void algsurf_exact_end(algsurf_exact_walk *walk);
 
 /* ---- shared by the engine's files ---- */
 
-/* exact_pieces.c: the next piece, and f over it in its unit as walk->local; returns 1, or 2 for the root at 0, 0 at
- * the end, -1 without memory. */
+/* exact_pieces.c: the next piece, and f over it in its unit as walk->local; returns 1, or 2 for the root at
+ * 0, 0 at the end, -1 without memory. */
 void algsurf_exact_pieces_begin(algsurf_exact_walk *walk);
 int algsurf_exact_pieces_next(algsurf_exact_walk *walk, const algsurf_zpoly *f);
 
-/* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to doubles. */
+/* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to
+ * doubles. */
 int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
 /* The bounds of a cell's interval of u, in the walk's unit: N 2^-r, taken from memory. */
 int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width, int *r);
 /* Sign (and value 2^exponent, or null) of f at t. */
-int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign, double *value,
-                            int *exponent);
+int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign,
+                            double *value, int *exponent);
 #endif

@@ -1,7 +1,7 @@
 /* exact_cell.c - halving in integers.
  *
- * De Casteljau's scheme at 1/2 takes means.  Without the halves it takes sums: after i sums an entry carries the
- * factor 2^i, and a shift by n - i gives all entries of both halves the factor 2^n.  So a halving makes
+ * De Casteljau's scheme at 1/2 takes means.  Without the halves it takes sums: after i sums an entry carries
+ * the factor 2^i, and a shift by n - i gives all entries of both halves the factor 2^n.  So a halving makes
  * coefficients n bits longer; limbs are added when that is needed, unless a common power of two can be taken
  * out instead. */
 #include "exact_cell.h"
@@ -12,8 +12,8 @@ static size_t block_size(int degree, int width, int position_width) {
     return (size_t)(degree + 1) * (size_t)width + (size_t)position_width;
 }
 
-/* The cell in wider coefficients and position.  Its block is the last one taken: it grows where it is, unless it
- * has to move to another block of the stack, where the old numbers stay until they have been copied. */
+/* The cell in wider coefficients and position.  Its block is the last one taken: it grows where it is, unless
+ * it has to move to another block of the stack, where the old numbers stay until they have been copied. */
 static int widen(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
     const algsurf_limb *old = cell->b.c, *old_position = cell->position;
     int n = cell->b.degree, old_width = cell->b.width;
@@ -26,7 +26,8 @@ static int widen(algsurf_memory *m, algsurf_exact_cell *cell, int width, int pos
     cell->position = block + (size_t)(n + 1) * (size_t)width;
     algsurf_z_copy(cell->position, position_width, old_position, cell->position_width);
     for (int k = n; k >= 0; k--)
-        algsurf_z_copy(block + (size_t)k * (size_t)width, width, old + (size_t)k * (size_t)old_width, old_width);
+        algsurf_z_copy(block + (size_t)k * (size_t)width, width, old + (size_t)k * (size_t)old_width,
+                       old_width);
     cell->b.c = block;
     cell->b.width = width;
     cell->position_width = position_width;
@@ -94,7 +95,8 @@ static inline void shift_into(algsurf_limb *a, const algsurf_limb *from, int w, 
 }
 
 /* The two halves of `right`, which becomes the right one. */
-static inline __attribute__((always_inline)) void casteljau(algsurf_limb *left, algsurf_limb *right, int n, int w) {
+static inline __attribute__((always_inline)) void casteljau(algsurf_limb *left, algsurf_limb *right, int n,
+                                                            int w) {
     for (int i = 0; i <= n; i++) {
         algsurf_limb *a = right;
         shift_into(left + (size_t)i * (size_t)w, right, w, n - i);
@@ -134,7 +136,8 @@ static void halve_block(algsurf_limb *left, algsurf_limb *right, int n, int w) {
 /* position += 2^bit. */
 static void step_position(algsurf_exact_cell *cell, int bit) {
     const algsurf_limb one = 1;
-    algsurf_z_add_product(cell->position, cell->position_width, &one, 1, (algsurf_limb)1 << (bit & 63), bit / 64);
+    algsurf_z_add_product(cell->position, cell->position_width, &one, 1, (algsurf_limb)1 << (bit & 63),
+                          bit / 64);
 }
 
 int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *left) {

@@ -1,15 +1,15 @@
 /* exact_pieces.c - which parts of the line the exact walk looks at, and in which units.
  *
- * One piece serves an interval that is not much longer than the least of the roots is large.  Otherwise halving
- * would spend hundreds of cells on the way to small roots, and the interval is cut at 0 and at the powers of two
- * between which roots can be:
+ * One piece serves an interval that is not much longer than the least of the roots is large.  Otherwise
+ * halving would spend hundreds of cells on the way to small roots, and the interval is cut at 0 and at the
+ * powers of two between which roots can be:
  *
  * Bounds.  With 2^(B_k - 1) <= |c_k| <= 2^(B_k), every root of p is |u| < 2^(1 + max over k < n of
  * (B_k - B_n + 1) / (n - k)) (Fujiwara 1916: twice the largest |c_k / c_n|^(1/(n-k))); and likewise its
  * inverse, from the coefficients in reverse.
  *
- * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1) one term is larger than all others together, there is none:
- * |c_m u^m| >= 2^(B_m - 1 + e m), and the n others are below n 2^(max B_k + (e+1) k). */
+ * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1) one term is larger than all others together, there is
+ * none: |c_m u^m| >= 2^(B_m - 1 + e m), and the n others are below n 2^(max B_k + (e+1) k). */
 #include <math.h>
 
 #include "exact.h"
@@ -81,7 +81,8 @@ static void root_bounds(const algsurf_zpoly *p, int first, int *least, int *most
     for (int k = first; k <= n; k++) {
         if (is_zero(p, k)) continue;
         int top = k < n ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, n) + 1, n - k) : above;
-        int bottom = k > first ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, first) + 1, k - first) : below;
+        int bottom =
+            k > first ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, first) + 1, k - first) : below;
         above = top > above ? top : above;
         below = bottom > below ? bottom : below;
     }
@@ -114,7 +115,8 @@ void algsurf_exact_pieces_begin(algsurf_exact_walk *walk) {
     while (is_zero(&walk->p, walk->zeros)) walk->zeros++;
     *s = (algsurf_exact_pieces){.lo = lo, .hi = hi};
     int bounded = isfinite(lo) && isfinite(hi);
-    if (bounded && !(lo <= 0 && hi >= 0) && fmin(fabs(lo), fabs(hi)) > 0x1p-6 * fmax(fabs(lo), fabs(hi))) return;
+    if (bounded && !(lo <= 0 && hi >= 0) && fmin(fabs(lo), fabs(hi)) > 0x1p-6 * fmax(fabs(lo), fabs(hi)))
+        return;
     if (walk->zeros < walk->p.degree) {
         root_bounds(&walk->p, walk->zeros, &least, &most);
         s->least = least + walk->unit;

@@ -1,10 +1,10 @@
 /* exact_refine.c - from a cell with one root to its place, and to the doubles next to it.
  *
- * The place is the cell, without an end that is a root of its own.  Refined, it shrinks to two doubles next to
- * each other (or to one that is the root): values of f at doubles are exact in sign and close in size, so that
- * Newton's step in double and secants come within an ulp in some four evaluations; a step is made a little longer
- * than computed, over the root, to close the bracket; and where steps do not halve the bracket, counted in
- * doubles, it is bisected. */
+ * The place is the cell, without an end that is a root of its own.  Refined, it shrinks to two doubles next
+ * to each other (or to one that is the root): values of f at doubles are exact in sign and close in size, so
+ * that Newton's step in double and secants come within an ulp in some four evaluations; a step is made a
+ * little longer than computed, over the root, to close the bracket; and where steps do not halve the bracket,
+ * counted in doubles, it is bisected. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -12,14 +12,15 @@
 #include "algsurf/status.h"
 #include "exact.h"
 
-int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign, double *value,
-                            int *exponent) {
+int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign,
+                            double *value, int *exponent) {
     int e;
     algsurf_limb odd = algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
     return algsurf_zpoly_sign_at(walk->memory, f, &N, 1, odd ? walk->unit - e : 0, sign, value, exponent);
 }
 
-int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width, int *r) {
+int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width,
+                            int *r) {
     const algsurf_exact_cell *cell = &walk->cell;
     const algsurf_exact_piece *piece = &walk->piece;
     const algsurf_limb one = 1;
@@ -119,7 +120,8 @@ static double next_point(const sample *last, const sample *other, int before, in
     return z;
 }
 
-/* Shrinks [lo, hi], doubles at which f has different signs, to neighbours; or to one point where f is zero. */
+/* Shrinks [lo, hi], doubles at which f has different signs, to neighbours; or to one point where f is zero.
+ */
 static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double guess, sample *lo, sample *hi) {
     sample last = *lo, previous = *hi;
     int before = lo->sign, slow = 0;
@@ -194,7 +196,8 @@ static int part_from_ends(algsurf_exact_walk *walk, const algsurf_zpoly *f, int 
             *point = 1;
             return 1;
         }
-        if (algsurf_z_bits(b, *width) + 3 >= 64 * *width || algsurf_z_bits(a, *width) + 3 >= 64 * *width) return 2;
+        if (algsurf_z_bits(b, *width) + 3 >= 64 * *width || algsurf_z_bits(a, *width) + 3 >= 64 * *width)
+            return 2;
     }
 }
 
@@ -207,7 +210,8 @@ static void set_hull(const algsurf_exact_walk *walk, algsurf_exact_root *root) {
 }
 
 /* From the place (a, b) to doubles. */
-static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before, algsurf_exact_root *root) {
+static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int before,
+                      algsurf_exact_root *root) {
     algsurf_exact_place *place = &root->place;
     int e = walk->unit - place->r;
     sample lo, hi;
@@ -233,7 +237,9 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
     int outside = lo.t < first || hi.t > last; /* the place reaches less far than the doubles */
     root->lo = lo.t + 0.0;
     root->hi = hi.t + 0.0;
-    root->t = outside ? (lo.t < first ? root->hi : root->lo) : fabs(ratio(&lo, &hi)) <= 1 ? root->lo : root->hi;
+    root->t = outside                      ? (lo.t < first ? root->hi : root->lo)
+              : fabs(ratio(&lo, &hi)) <= 1 ? root->lo
+                                           : root->hi;
     if (lo.t == hi.t) return set_point(walk, lo.t + 0.0, place);
     return outside ? 1 : set_neighbours(walk, root->lo, root->hi, place);
 }

@@ -5,8 +5,8 @@
  * - degree 2: q is concave; not negative at both ends it is positive between them, and negative at both it is
  *   negative between them where its slope keeps its sign;
  * - else the place is halved, unless the root is q's, too: then it would be for ever.  So before the first
- *   halving the common factor of f and q is looked for.  Its roots are f's, hence it changes its sign over the
- *   place, where f has no more than one root, if and only if that root is shared. */
+ *   halving the common factor of f and q is looked for.  Its roots are f's, hence it changes its sign over
+ * the place, where f has no more than one root, if and only if that root is shared. */
 #include "exact.h"
 
 typedef struct judge {
@@ -80,7 +80,8 @@ static int widen(judge *j, int spare) {
 /* Halves the place; *point: its middle is the root, and is a. */
 static int halve(judge *j, int before, int *point) {
     int sign;
-    if (algsurf_z_bits(j->a, j->width) + 3 > 64 * j->width || algsurf_z_bits(j->b, j->width) + 3 > 64 * j->width)
+    if (algsurf_z_bits(j->a, j->width) + 3 > 64 * j->width ||
+        algsurf_z_bits(j->b, j->width) + 3 > 64 * j->width)
         if (!widen(j, 256)) return 0;
     algsurf_limb *middle = algsurf_memory_take(j->memory, (size_t)j->width);
     if (!middle) return 0;
@@ -113,8 +114,8 @@ static int judge_root(judge *j, int *sign) {
     return 1;
 }
 
-int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_root *root, const algsurf_zpoly *q,
-                               int *sign) {
+int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_root *root,
+                               const algsurf_zpoly *q, int *sign) {
     const algsurf_exact_place *place = &root->place;
     algsurf_memory_mark mark = algsurf_memory_here(walk->memory);
     judge j = {walk->memory, place->of, q, NULL, NULL, place->width, place->r};

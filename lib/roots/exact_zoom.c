@@ -1,15 +1,15 @@
 /* exact_zoom.c - a step to a cluster: from a cell that halving would take dozens of steps to narrow down.
  *
- * v roots that lie together are near a root of the (v-1)-th derivative.  Newton's method finds it, in double; the
- * other coefficients about it tell how far the cluster reaches.  Then the cell is cut at two places left and right
- * of it, at multiples of 2^-k, and if both outer parts are proved to have no root, only the middle is made, in
- * integers.
+ * v roots that lie together are near a root of the (v-1)-th derivative.  Newton's method finds it, in double;
+ * the other coefficients about it tell how far the cluster reaches.  Then the cell is cut at two places left
+ * and right of it, at multiples of 2^-k, and if both outer parts are proved to have no root, only the middle
+ * is made, in integers.
  *
  * The proof, in double.  Let M = max|b_j|.  Coefficients are off by 2^-52 M and 2^-900 M.  A step of
- * de Casteljau's scheme, a + x (b - a) with 0 <= x <= 1, keeps that error, for the exact step is a mean, and adds
- * at most 5u M: the difference rounds by 2u M, the product by 2u M, the sum by u M.  After n steps the error is
- * below (2.5 n + 1) 2^-52 M to first order; (3 n + 6) 2^-52 M takes in the rest.  Coefficients of one sign, all
- * larger than that, have no root between them. */
+ * de Casteljau's scheme, a + x (b - a) with 0 <= x <= 1, keeps that error, for the exact step is a mean, and
+ * adds at most 5u M: the difference rounds by 2u M, the product by 2u M, the sum by u M.  After n steps the
+ * error is below (2.5 n + 1) 2^-52 M to first order; (3 n + 6) 2^-52 M takes in the rest.  Coefficients of
+ * one sign, all larger than that, have no root between them. */
 #include <math.h>
 #include <string.h>
 
@@ -25,7 +25,8 @@ static void mean_all(double *b, int m, double x) {
     for (int j = 0; j < m; j++) b[j] += x * (b[j + 1] - b[j]);
 }
 
-/* The place of a root of the (v-1)-th derivative in (0,1), and the v-th derivative there over v!; 0: none found. */
+/* The place of a root of the (v-1)-th derivative in (0,1), and the v-th derivative there over v!; 0: none
+ * found. */
 static double cluster_centre(const double *b, int n, int v, double *lead) {
     double w[ALGSURF_MAX_POLY_DEGREE + 1], t[ALGSURF_MAX_POLY_DEGREE + 1], x = 0.5, slope = 0;
     int m = n - (v - 1);
@@ -45,8 +46,8 @@ static double cluster_centre(const double *b, int n, int v, double *lead) {
     return x;
 }
 
-/* How far from x the v roots nearest to it are, roughly: p about x is sum C(n,i) D_i (y - x)^i, with differences
- * D_i of the coefficients over [x, x + 1], and D_v = lead. */
+/* How far from x the v roots nearest to it are, roughly: p about x is sum C(n,i) D_i (y - x)^i, with
+ * differences D_i of the coefficients over [x, x + 1], and D_v = lead. */
 static double cluster_radius(const double *b, int n, int v, double x, double lead) {
     double t[ALGSURF_MAX_POLY_DEGREE + 1], right[ALGSURF_MAX_POLY_DEGREE + 1], binomial = 1, radius = 0;
     memcpy(t, b, sizeof *t * (size_t)(n + 1));
@@ -94,7 +95,8 @@ static int settle(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cel
         algsurf_limb *block = algsurf_memory_take(m, size + (size_t)part->position_width);
         if (!block) return 0;
         for (int j = 0; j <= n; j++)
-            algsurf_z_copy(block + (size_t)j * (size_t)width, width, algsurf_zpoly_at(&part->b, j), part->b.width);
+            algsurf_z_copy(block + (size_t)j * (size_t)width, width, algsurf_zpoly_at(&part->b, j),
+                           part->b.width);
         memmove(block + size, part->position, (size_t)part->position_width * sizeof *block);
         part->b.c = block;
         part->b.width = width;
@@ -105,8 +107,8 @@ static int settle(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cel
     return 1;
 }
 
-/* The part [x, x+2] 2^-k of the cell.  With E the step from b_j to b_(j+1) and D = E - 1, the differences over
- * [x,y] are D'_j = (1 + x D)^(n-j) (y - x)^j D^j b_0; a factor 2^(k n) makes them integers. */
+/* The part [x, x+2] 2^-k of the cell.  With E the step from b_j to b_(j+1) and D = E - 1, the differences
+ * over [x,y] are D'_j = (1 + x D)^(n-j) (y - x)^j D^j b_0; a factor 2^(k n) makes them integers. */
 static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsurf_limb x) {
     int n = cell->b.degree, width = algsurf_z_width(cell->bits + n * (k + 4) + 2);
     int position_width = algsurf_z_width(cell->depth + cell->fine + k + 66);
@@ -123,7 +125,8 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
     for (int j = 0; j < n; j++) algsurf_z_shift_up(algsurf_zpoly_at(&part.b, j), width, k * (n - j));
     for (int i = 1; i <= n; i++)
         for (int j = 0; j <= n - i; j++)
-            algsurf_z_add_product(algsurf_zpoly_at(&part.b, j), width, algsurf_zpoly_at(&part.b, j + 1), width, x, 0);
+            algsurf_z_add_product(algsurf_zpoly_at(&part.b, j), width, algsurf_zpoly_at(&part.b, j + 1),
+                                  width, x, 0);
     for (int j = 1; j <= n; j++) algsurf_z_shift_up(algsurf_zpoly_at(&part.b, j), width, j);
     for (int i = 0; i < n; i++)
         for (int j = n; j > i; j--)
@@ -132,7 +135,8 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
     part.position_width = position_width;
     algsurf_z_copy(part.position, position_width, cell->position, cell->position_width);
     algsurf_z_shift_up(part.position, position_width, k);
-    algsurf_z_add_product(part.position, position_width, &x, 1, (algsurf_limb)1 << (cell->fine & 63), cell->fine / 64);
+    algsurf_z_add_product(part.position, position_width, &x, 1, (algsurf_limb)1 << (cell->fine & 63),
+                          cell->fine / 64);
     part.depth += k - 1;
     part.fine += 1;
     part.left_done = 0;
@@ -152,7 +156,8 @@ int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *
         double where = ldexp(centre, k);
         if (!(where >= 1 && where < ldexp(1, k) - 2)) continue;
         double x = floor(where - 0.5);
-        if (outer_is_clear(b, n, ldexp(x, -k), 0, bound) && outer_is_clear(b, n, ldexp(x + 2, -k), 1, bound)) {
+        if (outer_is_clear(b, n, ldexp(x, -k), 0, bound) &&
+            outer_is_clear(b, n, ldexp(x + 2, -k), 1, bound)) {
             *done = 1;
             return make_middle(m, cell, k, (algsurf_limb)x);
         }
