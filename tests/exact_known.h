@@ -1,7 +1,7 @@
 /* exact_known.h - polynomials built from roots that are known exactly, for tests of the exact walk.
  *
- * A root is base + side sqrt(radicand), side -1, 0, 1, base and radicand rational: it can be compared with any
- * rational number by squaring, and with another such root at 6000 binary digits. */
+ * A root is base + side sqrt(radicand), side -1, 0, 1, base and radicand rational: it can be compared with
+ * any rational number by squaring, and with another such root at 6000 binary digits. */
 #ifndef EXACT_KNOWN_H
 #define EXACT_KNOWN_H
 #include "exact_zpolys.h"
@@ -92,7 +92,8 @@ static inline int known_compare_double(const known_root *r, double x) {
     return sign;
 }
 
-static inline void known_insert(known *k, const mpq_t base, const mpq_t radicand, int side, int multiplicity) {
+static inline void known_insert(known *k, const mpq_t base, const mpq_t radicand, int side,
+                                int multiplicity) {
     known_root *r = malloc(sizeof *r);
     if (!r || k->count == KNOWN_ROOTS) abort();
     mpq_inits(r->base, r->radicand, NULL);
@@ -119,7 +120,8 @@ static inline void known_insert(known *k, const mpq_t base, const mpq_t radicand
             return;
         }
     }
-    for (at = k->count; at > 0 && mpf_cmp(k->root[at - 1]->value, r->value) > 0; at--) k->root[at] = k->root[at - 1];
+    for (at = k->count; at > 0 && mpf_cmp(k->root[at - 1]->value, r->value) > 0; at--)
+        k->root[at] = k->root[at - 1];
     k->root[at] = r;
     k->count++;
 }
@@ -188,8 +190,8 @@ static inline void known_print(const known *k) {
     fprintf(stderr, "\n");
     for (int i = 0; i < k->count; i++) {
         const known_root *r = k->root[i];
-        gmp_fprintf(stderr, "root %Qd %s sqrt(%Qd), %d times\n", r->base, r->side < 0 ? "-" : "+", r->radicand,
-                    r->multiplicity);
+        gmp_fprintf(stderr, "root %Qd %s sqrt(%Qd), %d times\n", r->base, r->side < 0 ? "-" : "+",
+                    r->radicand, r->multiplicity);
     }
 }
 #endif

@@ -1,11 +1,15 @@
 /* test_exact_walk.c - the exact walk on polynomials whose roots are known exactly.
  *
- * Products of known factors are judged root by root with rational arithmetic: all roots of the interval, in order,
- * with multiplicity, sign before, enclosure and place.  Other families are judged by a Sturm chain, or by as many
- * changes of sign as the degree allows.  Every polynomial is walked twice, refined and not.
+ * Products of known factors are judged root by root with rational arithmetic: all roots of the interval, in
+ * order, with multiplicity, sign before, enclosure and place.  Other families are judged by a Sturm chain, or
+ * by as many changes of sign as the degree allows.  Every polynomial is walked twice, refined and not.
  *
- * BREAKS
- */
+ * Breaks caught, each tried: roots reported twice after the squarefree part is taken, or not; multiplicity
+ * and sign before off; an end of the interval open; a root at a cut forgotten or reported twice; pieces too
+ * short at either end, also by underflow; bounds of roots and of bare annuli too narrow; a middle at the
+ * wrong place, or none made (slow); ends of places that are roots; enclosures that reach over an end of the
+ * interval; widths without room for a halving; memory not given back, a failed allocation not seen; bisection
+ * never taken.  Outer parts of a zoom that are not proved: test_exact_sign. */
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -112,11 +116,13 @@ static void judge_once(const query *q) {
     algsurf_zpoly p = known_in_unit(q->k->p, q->unit);
     int i = 0, found;
     for (int w = 0; w < STACK_WORDS; w++) stack[w] = 0xdeadbeefdeadbeefu + (uint64_t)w;
-    algsurf_memory_begin(&m, stack, (size_t)exact_random_int(&(uint64_t){(uint64_t)q->round}, STACK_WORDS), LIMIT);
+    algsurf_memory_begin(&m, stack, (size_t)exact_random_int(&(uint64_t){(uint64_t)q->round}, STACK_WORDS),
+                         LIMIT);
     if (!algsurf_exact_begin(&walk, &m, &p, q->unit, q->lo, q->hi, q->refine)) failed(q, "begin", 0);
     while (i < q->k->count && known_compare_double(q->k->root[i], q->lo) < 0) i++;
     for (; (found = algsurf_exact_next(&walk, &r)) == ALGSURF_EXACT_ROOT; i++) {
-        if (i >= q->k->count || known_compare_double(q->k->root[i], q->hi) > 0) failed(q, "a root too many", i);
+        if (i >= q->k->count || known_compare_double(q->k->root[i], q->hi) > 0)
+            failed(q, "a root too many", i);
         judge_root(q, &r, i);
     }
     if (found != ALGSURF_EXACT_END) failed(q, "no memory", i);
@@ -145,7 +151,8 @@ static int judge_line(const known *k, int unit, const char *family, int round) {
 /* Rational, mostly not dyadic, of size up to 2. */
 static void random_rational(uint64_t *seed, mpq_t x) {
     long denominator = 3 + 2 * exact_random_int(seed, 500);
-    mpq_set_si(x, (long)exact_random_int(seed, (int)(4 * denominator)) - 2 * denominator, (unsigned long)denominator);
+    mpq_set_si(x, (long)exact_random_int(seed, (int)(4 * denominator)) - 2 * denominator,
+               (unsigned long)denominator);
     mpq_canonicalize(x);
 }
 
@@ -193,7 +200,8 @@ static void add_some(uint64_t *seed, known *k, int multiplicity) {
         known_add(k, k->x, multiplicity);
     } else {
         random_rational(seed, k->x);
-        mpq_set_si(k->y, kind < 9 ? 2 : -1 - exact_random_int(seed, 3), 1ul << (2 * exact_random_int(seed, 6)));
+        mpq_set_si(k->y, kind < 9 ? 2 : -1 - exact_random_int(seed, 3),
+                   1ul << (2 * exact_random_int(seed, 6)));
         mpq_canonicalize(k->y);
         known_add_pair(k, k->x, k->y, multiplicity);
     }
@@ -249,7 +257,8 @@ static void test_gaps(void **state) {
         add_gap(&seed, k, 1 + exact_random_int(&seed, 300));
         if (i % 3 == 0) add_gap(&seed, k, 1 + exact_random_int(&seed, 60));
         for (int others = exact_random_int(&seed, 7); others > 0; others--) add_some(&seed, k, 1);
-        double lo = -1 - fabs(exact_random_unit(&seed)), hi = i % 2 || !k->count ? 1.5 : mpq_get_d(k->root[0]->base);
+        double lo = -1 - fabs(exact_random_unit(&seed)),
+               hi = i % 2 || !k->count ? 1.5 : mpq_get_d(k->root[0]->base);
         found += i % 5 ? judge(k, -4, fmin(lo, hi), hi, "gaps", i) : judge_line(k, 0, "gaps", i);
     }
     for (int i = 0; i < 12; i++) {
@@ -287,6 +296,52 @@ static void test_clusters(void **state) {
     known_free(k);
 }
 
+/* A root with two complex ones as near to it as the next doubles: cells between neighbours. */
+static void test_near_doubles(void **state) {
+    (void)state;
+    uint64_t seed = SEED + 8;
+    known *k = known_new();
+    for (int i = 0; i < 1500; i++) {
+        known_clear(k);
+        random_rational(&seed, k->x);
+        if (mpq_sgn(k->x) == 0) continue;
+        known_add(k, k->x, 1);
+        power_of_two(k->z, -46 - exact_random_int(&seed, 10));
+        random_rational(&seed, k->y);
+        mpq_mul(k->y, k->y, k->z), mpq_add(k->x, k->x, k->y);
+        mpq_mul(k->y, k->z, k->z), mpq_neg(k->y, k->y);
+        known_add_pair(k, k->x, k->y, 1);
+        double at = mpq_get_d(k->x);
+        judge(k, 0, i % 2 ? -HUGE_VAL : at - fabs(at) * 0x1p-40, i % 2 ? HUGE_VAL : at + fabs(at) * 0x1p-38,
+              "near", i);
+    }
+    known_free(k);
+}
+
+/* The piece of an interval has it inside, whatever the sizes of its ends. */
+static void test_piece(void **state) {
+    (void)state;
+    uint64_t seed = SEED + 9;
+    mpq_t x, y;
+    mpq_inits(x, y, NULL);
+    for (int i = 0; i < 20000; i++) {
+        double a = ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2098) - 1074),
+               b = i % 3 ? ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2098) - 1074)
+                         : nextafter(a, 1);
+        if (i % 100 == 0) a = -DBL_MAX;
+        if (i % 100 == 1) b = DBL_MAX;
+        double lo = fmin(a, b), hi = fmax(a, b);
+        algsurf_exact_piece piece = algsurf_exact_piece_of(lo, hi);
+        mpq_set_si(x, (long)piece.at, 1), known_shift(x, x, piece.unit);
+        mpq_set_d(y, lo);
+        int inside = mpq_cmp(x, y) <= 0;
+        mpq_set_si(x, (long)piece.at + (1L << piece.length), 1), known_shift(x, x, piece.unit);
+        mpq_set_d(y, hi);
+        if (!inside || mpq_cmp(x, y) <= 0 || piece.length > 5) fail_msg("piece of [%a, %a]", lo, hi);
+    }
+    mpq_clears(x, y, NULL);
+}
+
 /* Roots at ends, at places where cells and pieces are cut, at powers of two and at 0. */
 static void test_cuts(void **state) {
     (void)state;
@@ -306,7 +361,12 @@ static void test_cuts(void **state) {
             known_add(k, k->x, 1 + exact_random_int(&seed, 3) / 2 * (1 + exact_random_int(&seed, 3)));
         }
         if (i % 3 == 0) add_gap(&seed, k, 5 + exact_random_int(&seed, 20));
-        double lo = i % 4 == 0 ? -1 : i % 4 == 1 ? 0 : -HUGE_VAL, hi = i % 4 == 0 ? 1 : i % 4 == 1 ? 0.75 : HUGE_VAL;
+        double lo = i % 4 == 0   ? -1
+                    : i % 4 == 1 ? 0
+                                 : -HUGE_VAL,
+               hi = i % 4 == 0   ? 1
+                    : i % 4 == 1 ? 0.75
+                                 : HUGE_VAL;
         if (i % 8 == 3) lo = hi = mpq_get_d(k->root[0]->base);
         found += judge(k, exact_random_int(&seed, 9) - 4, lo, hi, "cuts", i);
     }
@@ -359,7 +419,8 @@ static void test_far(void **state) {
     for (int i = 0; i < 150; i++) {
         known_clear(k);
         int far = exact_random_int(&seed, 60);
-        double at = ldexp(1 + fabs(exact_random_unit(&seed)), far), width = ldexp(at, -10 - exact_random_int(&seed, 42));
+        double at = ldexp(1 + fabs(exact_random_unit(&seed)), far),
+               width = ldexp(at, -10 - exact_random_int(&seed, 42));
         for (int j = 0; j < 3; j++) {
             random_rational(&seed, k->x);
             mpq_set_d(k->y, width), mpq_mul(k->x, k->x, k->y);
@@ -467,7 +528,8 @@ static void test_orthogonal(void **state) {
         exact_zpoly_constant(before, 1);
         p->n = 1, mpz_set_ui(p->c[0], 0), mpz_set_ui(p->c[1], 1);
         for (int n = 1; n <= 96; n++) {
-            if (n < 12 || n % 17 == 0 || n == 64 || n == 96) judge_all_real(p, n % 3 - 1, legendre ? "Legendre" : "Chebyshev");
+            if (n < 12 || n % 17 == 0 || n == 64 || n == 96)
+                judge_all_real(p, n % 3 - 1, legendre ? "Legendre" : "Chebyshev");
             /* p_(n+1) = a t p_n - b p_(n-1), times n + 1 for Legendre's, whose p_n here carries n! */
             long a = legendre ? 2 * n + 1 : 2, b = legendre ? (long)n * n : 1;
             for (int k = 0; k <= n + 1; k++) {
@@ -517,18 +579,21 @@ static void judge_doubles(const double *c, int n, int unit, double lo, double hi
         for (; (found = algsurf_exact_next(&walk, &r)) == ALGSURF_EXACT_ROOT; count++) {
             int inside = exact_count_roots(&s, r.lo, r.hi), ends = 0;
             if (r.lo < r.hi)
-                ends = (isfinite(r.lo) && exact_is_root(&s, r.lo)) + (isfinite(r.hi) && exact_is_root(&s, r.hi));
+                ends =
+                    (isfinite(r.lo) && exact_is_root(&s, r.lo)) + (isfinite(r.hi) && exact_is_root(&s, r.hi));
             /* neighbouring doubles may hold several */
-            if (inside < 1 || (inside - ends > 1 && !refine && nextafter(r.lo, HUGE_VAL) != r.hi) || r.lo < last) {
+            if (inside < 1 || (inside - ends > 1 && !refine && nextafter(r.lo, HUGE_VAL) != r.hi) ||
+                r.lo < last) {
                 exact_print_doubles("c", c, n + 1);
-                fail_msg("%s: root %d of [%a, %a]: [%a, %a] has %d, refine %d", family, count, lo, hi, r.lo, r.hi,
-                         inside, refine);
+                fail_msg("%s: root %d of [%a, %a]: [%a, %a] has %d, refine %d", family, count, lo, hi, r.lo,
+                         r.hi, inside, refine);
             }
             last = refine ? r.lo : last;
         }
         if (found != ALGSURF_EXACT_END || count != truth) {
             exact_print_doubles("c", c, n + 1);
-            fail_msg("%s: %d roots of %d in [%a, %a], unit %d, refine %d", family, count, truth, lo, hi, unit, refine);
+            fail_msg("%s: %d roots of %d in [%a, %a], unit %d, refine %d", family, count, truth, lo, hi, unit,
+                     refine);
         }
         algsurf_exact_end(&walk);
     }
@@ -540,16 +605,30 @@ static void test_random(void **state) {
     uint64_t seed = SEED + 6;
     double c[129];
     for (int i = 0; i < 350; i++) {
-        int n = 1 + exact_random_int(&seed, i % 50 ? 12 : 40), range = i % 3 == 0 ? 0 : i % 3 == 1 ? 30 : 1000;
+        int n = 1 + exact_random_int(&seed, i % 50 ? 12 : 40), range = i % 3 == 0   ? 0
+                                                                       : i % 3 == 1 ? 30
+                                                                                    : 1000;
         if (n > 8 && range > 30) n = 8;
-        for (int k = 0; k <= n; k++) c[k] = ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2 * range + 1) - range);
+        for (int k = 0; k <= n; k++)
+            c[k] = ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2 * range + 1) - range);
         for (int k = 0; k < n; k++)
             if (exact_random_int(&seed, 6) == 0) c[k] = 0;
-        double lo = ldexp(exact_random_unit(&seed), range / (n + 1)), hi = ldexp(exact_random_unit(&seed), range / (n + 1));
+        double lo = ldexp(exact_random_unit(&seed), range / (n + 1)),
+               hi = ldexp(exact_random_unit(&seed), range / (n + 1));
         judge_doubles(c, n, exact_random_int(&seed, 40) - 20, -HUGE_VAL, HUGE_VAL, "random");
         judge_doubles(c, n, exact_random_int(&seed, 40) - 20, fmin(lo, hi), fmax(lo, hi), "random, finite");
         judge_doubles(c, n, -4, -1, 1, "random, unit");
     }
+    for (int n = 1; n <= 8; n++) /* a term that the others outweigh together, though each is far below it */
+        for (int e = -3; e <= 3; e++) {
+            for (int k = 1; k <= n; k++) c[k] = -ldexp(0x1p8 - 0x1p-1, -k * (1 + e));
+            c[0] = 512;
+            judge_doubles(c, n, e, -HUGE_VAL, HUGE_VAL, "outweighed");
+            judge_doubles(c, n, 0, -0x1p100, 0x1p100, "outweighed");
+            for (int k = 1; k <= n; k++) c[k] = -ldexp(floor(ldexp(1, 8 - k)) - 1 + (k == 8), -k * e);
+            c[n + 1] = ldexp(1, -200), c[n + 2] = -1; /* far roots, for pieces */
+            judge_doubles(c, n + 2, 0, -HUGE_VAL, HUGE_VAL, "outweighed");
+        }
     for (int n = 3; n <= 30; n += 3) { /* Mignotte: x^n - 2 (2^20 x - 1)^2 */
         memset(c, 0, sizeof c);
         c[0] = -2, c[1] = 0x1p22, c[2] = -0x1p41, c[n] += 1;
@@ -618,10 +697,13 @@ static void test_memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),  cmocka_unit_test(test_gaps),       cmocka_unit_test(test_clusters),
-        cmocka_unit_test(test_cuts),      cmocka_unit_test(test_scales),     cmocka_unit_test(test_far),
-        cmocka_unit_test(test_powers),    cmocka_unit_test(test_wilkinson),  cmocka_unit_test(test_orthogonal),
-        cmocka_unit_test(test_lacunary),  cmocka_unit_test(test_random),     cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_products),     cmocka_unit_test(test_gaps),
+        cmocka_unit_test(test_clusters),     cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_scales),       cmocka_unit_test(test_far),
+        cmocka_unit_test(test_powers),       cmocka_unit_test(test_wilkinson),
+        cmocka_unit_test(test_orthogonal),   cmocka_unit_test(test_lacunary),
+        cmocka_unit_test(test_random),       cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_near_doubles), cmocka_unit_test(test_piece),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,8 +75,8 @@ int main(int argc, char **argv) {
         judge(&corpus.poly[i]);
         polynomials++;
     }
-    printf("%d real polynomials, %ld roots, %ld of them multiple\n%d violations\n", polynomials, roots, multiple,
-           violations);
+    printf("%d real polynomials, %ld roots, %ld of them multiple\n%d violations\n", polynomials, roots,
+           multiple, violations);
     int poor = roots < 1400 || multiple < 70;
     if (poor) printf("WRONG: too few cases\n");
     poly_corpus_free(&corpus);

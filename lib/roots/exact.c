@@ -11,15 +11,8 @@
 
 #include <math.h>
 
-enum {
-    ASK_AFTER = 5,
-    ZOOM_AFTER = 2
-}; /* halvings: a gcd costs about as much as one; a step to a cluster as three */
-
-static int count(algsurf_exact_walk *walk) {
-    walk->counted++;
-    return algsurf_exact_variations(&walk->cell.b);
-}
+/* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three. */
+enum { ASK_AFTER = 5, ZOOM_AFTER = 2 };
 
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine) {
@@ -142,6 +135,7 @@ static int begin_piece(algsurf_exact_walk *walk) {
     if (!algsurf_exact_cell_whole(walk->memory, &walk->local, walk->piece.at, walk->piece.length,
                                   &walk->cell))
         return 0;
+    walk->counted++;
     walk->active = 1;
     walk->used_up = 0;
     return 1;
@@ -162,9 +156,9 @@ static int begins_with_root(const algsurf_exact_cell *cell) {
 static int halve(algsurf_exact_walk *walk) {
     algsurf_exact_cell left;
     if (!algsurf_exact_halve(walk->memory, &walk->cell, &left)) return 0;
-    int at_right = count(walk) > 0 || begins_with_root(&walk->cell);
-    int at_left = algsurf_exact_variations(&left.b) > 0;
-    walk->counted++;
+    int at_right = walk->cell.variations > 0 || begins_with_root(&walk->cell);
+    int at_left = left.variations > 0;
+    walk->counted += 2;
     if (at_left && at_right) {
         walk->waiting[walk->waiting_count++] = walk->cell;
         walk->cell = left;
@@ -188,7 +182,7 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         algsurf_exact_cell *cell = &walk->cell;
         walk->top = algsurf_memory_here(walk->memory);
         if (begins_with_root(cell)) return root_at_left(walk, root) ? 1 : -1;
-        int v = count(walk);
+        int v = cell->variations;
         if (v == 0) {
             next_cell(walk);
             continue;
@@ -208,6 +202,7 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             int done;
             if (!algsurf_exact_zoom(walk->memory, cell, v, &done)) return -1;
             same = done ? ZOOM_AFTER - 1 : 0;
+            walk->counted += done;
             if (done) continue;
         }
         if (!halve(walk)) return -1;

@@ -61,6 +61,7 @@ int algsurf_exact_cell_whole(algsurf_memory *m, const algsurf_zpoly *f, int64_t 
     if (!cell->position) return 0;
     cell->position[0] = 0;
     cell->bits = algsurf_zpoly_bits(&cell->b);
+    cell->variations = algsurf_exact_variations(&cell->b);
     return 1;
 }
 
@@ -149,6 +150,8 @@ int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exa
     if (!left->b.c) return 0;
     halve_block(left->b.c, cell->b.c, n, cell->b.width);
     left->bits = cell->bits += n;
+    left->variations = algsurf_exact_variations(&left->b);
+    cell->variations = algsurf_exact_variations(&cell->b);
     left->depth = ++cell->depth;
     algsurf_z_shift_up(cell->position, cell->position_width, 1);
     left->position = left->b.c + (size_t)(n + 1) * (size_t)cell->b.width;

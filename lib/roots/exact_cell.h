@@ -11,7 +11,8 @@ typedef struct algsurf_exact_cell {
     int bits;        /* |b_j| <= 2^bits */
     algsurf_limb *position;
     int position_width, depth, fine;
-    int left_done; /* b_0 = 0, and the root there has been dealt with */
+    int variations; /* of sign in b, zeros left out */
+    int left_done;  /* b_0 = 0, and the root there has been dealt with */
     algsurf_memory_mark begin;
 } algsurf_exact_cell;
 

@@ -1,0 +1,25 @@
+/* exact_radii.h - the real roots of all polynomials whose coefficients differ from given integers by no more
+ * than given radii. */
+#ifndef ALGSURF_EXACT_RADII_H
+#define ALGSURF_EXACT_RADII_H
+#include "exact.h"
+
+/* Where roots are.
+ * - sign_lo 1 or -1: every polynomial of the set has exactly one root in [lo,hi], a simple one, and the sign
+ *   sign_lo before it, unless the root is lo itself.  hi - lo is as small as doubles and radii allow.
+ * - sign_lo 0: undecided; [lo,hi] holds any number of roots, not the same for all polynomials of the set.
+ * With lo = hi: a root of all of them, of unknown multiplicity.  A root that is on both sides of 0, for
+ * different polynomials, is undecided. */
+typedef struct algsurf_exact_range {
+    double lo, hi;
+    int sign_lo;
+} algsurf_exact_range;
+
+/* The roots t = 2^unit u in [lo,hi], lo <= hi finite, of the polynomials p + e, |e_k| <= radius_k.  Radius
+ * has p's degree at most and no negative coefficients.  Outside of the ranges found, which are in order and
+ * at most `capacity` >= 1, no polynomial of the set has a root in [lo,hi]; when there is no room for more,
+ * ranges are joined to undecided ones.  Returns 0 when there is no memory; nothing of it is kept. */
+int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
+                                int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
+                                int *count);
+#endif
