@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "algsurf/isolate.h"
+#include "coefficients.h"
 
 /* What deciding one polynomial may allocate, in bytes. */
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
@@ -14,5 +15,10 @@
  * Returns OK or E_NO_MEMORY.  Stack: 20 KiB. */
 algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
                                       algsurf_real_root *roots, int capacity, int *count, int *cells);
+
+/* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most `capacity`
+ * >= 1, in order (the last one covers what there is no room for).  OK or E_NO_MEMORY. */
+algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
+                                       algsurf_bracket *brackets, int capacity, int *count);
 
 #endif

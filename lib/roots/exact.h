@@ -81,6 +81,11 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi);
 
 /* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j. */
 int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p);
+/* The same with k given: k = -least, no coefficient c_j 2^(j unit) having bits below 2^least. */
+int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
+                                     algsurf_zpoly *p);
+/* The exponent of the last bit that is set in x, ALGSURF_Z_NO_BIT for 0. */
+int algsurf_exact_low_bit(double x);
 
 /* Begins a walk over the roots t of p in [lo,hi], lo <= hi, infinite ends allowed; p has a degree of at least
  * 1 and no leading zeros, and is only referred to.  refine 0: roots come without t, with lo and hi as they

@@ -29,21 +29,30 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     }
 }
 
-int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
-    int least = ALGSURF_Z_NO_BIT, most = -ALGSURF_Z_NO_BIT;
-    for (int k = 0; k <= degree; k++) {
-        int e;
-        algsurf_limb odd = algsurf_z_odd_part(c[k], &e);
-        if (!odd) continue;
-        least = e + k * unit < least ? e + k * unit : least;
-        most = e + k * unit + algsurf_limb_bits(odd) > most ? e + k * unit + algsurf_limb_bits(odd) : most;
-    }
-    if (least == ALGSURF_Z_NO_BIT) least = most = 0;
+int algsurf_exact_low_bit(double x) {
+    int e;
+    return algsurf_z_odd_part(x, &e) ? e : ALGSURF_Z_NO_BIT;
+}
+
+int algsurf_exact_from_doubles_above(algsurf_memory *m, const double *c, int degree, int unit, int least,
+                                     algsurf_zpoly *p) {
+    int most = least;
+    for (int k = 0; k <= degree; k++)
+        if (c[k] != 0 && ilogb(c[k]) + 1 + k * unit > most) most = ilogb(c[k]) + 1 + k * unit;
     if (!algsurf_zpoly_new(m, degree, algsurf_z_width(most - least), p)) return 0;
     for (int k = 0; k <= degree; k++)
         if (c[k] != 0) algsurf_z_add_double(algsurf_zpoly_at(p, k), p->width, c[k], k * unit - least);
     while (p->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) == 0) p->degree--;
     return 1;
+}
+
+int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, int unit, algsurf_zpoly *p) {
+    int least = ALGSURF_Z_NO_BIT;
+    for (int k = 0; k <= degree; k++) {
+        int low = algsurf_exact_low_bit(c[k]);
+        if (low != ALGSURF_Z_NO_BIT && low + k * unit < least) least = low + k * unit;
+    }
+    return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
 }
 
 /* f(2^shift u), up to a power of two. */

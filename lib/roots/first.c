@@ -9,10 +9,10 @@
 
 #include "algsurf/isolate.h"
 #include "../base/fpenv.h"
-#include "isolate_impl.h"
+#include "coefficients.h"
+#include "decide.h"
 #include "kernel.h"
 #include "../base/options.h"
-#include "refine_dd.h"
 
 typedef struct query {
     algsurf_poly_packet polys;
@@ -67,74 +67,50 @@ static void set_basis(double *basis, int n) {
     }
 }
 
-/* ---- one polynomial alone ----
- *
- * Values are computed in a unit in which the point is in [1/2,2] and the largest coefficient about 1.  The
- * largest term is then above 2^-513, up to degree 512, and what underflow takes from the others, 2^-1074
- * each, is nothing to double-double.  In the unit of a bracket that is wider than its root is large, all of
- * the value may underflow, as that of t^29 + 2 t^28 - 1 near -2 does in units of 2^100. */
-
-static void set_unit(const algsurf_i_coefficients *p, int unit, algsurf_dd *c) {
-    int common = algsurf_i_common_exponent(p, 0, unit);
-    for (int k = 0; k <= p->degree; k++) c[k] = algsurf_dd_from(ldexp(p->c[k], k * unit - common));
-}
-
-static int sign_near(const algsurf_i_coefficients *p, double x, algsurf_dd *c) {
-    if (x == 0) return (p->c[0] > 0) - (p->c[0] < 0);
-    int unit = ilogb(x);
-    set_unit(p, unit, c);
-    return algsurf_i_sign_dd(c, p->degree, algsurf_dd_from(ldexp(x, -unit)));
-}
-
-/* The largest e with 2^e <= |x| for all x in the bracket; one less than that of any double if 0 is in it. */
-static int least_exponent(const algsurf_bracket *b) {
-    double least = fmin(fabs(b->lo), fabs(b->hi));
-    return least > 0 ? ilogb(least) : -1075;
-}
-
-/* Where to part a bracket: at 0 if its ends have different signs, at the power of two in the middle of its
- * exponents if these differ by more than 1; else at an end, that is, not at all. */
-static double parting(const algsurf_bracket *b) {
-    if (b->lo < 0 && b->hi > 0) return 0;
-    int from = least_exponent(b), to = ilogb(fmax(fabs(b->lo), fabs(b->hi)));
-    return to > from + 1 ? copysign(ldexp(1, from + (to - from) / 2), b->lo < 0 ? -1 : 1) : b->lo;
-}
-
-/* A bracket's root: first its order of magnitude, in at most 13 steps, then all of it. */
-static double refine_alone(const algsurf_i_coefficients *p, algsurf_bracket b) {
-    algsurf_dd c[ALGSURF_MAX_POLY_DEGREE + 1];
-    for (double x = parting(&b); b.lo < x && x < b.hi; x = parting(&b)) {
-        int sign = sign_near(p, x, c);
-        if (sign == 0) return x;
-        *(sign == b.sign ? &b.lo : &b.hi) = x;
-    }
-    int unit = least_exponent(&b) + 1;
-    set_unit(p, unit, c);
-    algsurf_dd lo = algsurf_dd_from(ldexp(b.lo, -unit)), hi = algsurf_dd_from(ldexp(b.hi, -unit));
-    double root = ldexp(algsurf_i_refine_dd(c, p->degree, lo, hi, b.sign).hi, unit);
-    return fmin(fmax(root, b.lo), b.hi);
-}
-
-static void solve_alone(const algsurf_poly_packet *polys, size_t i, unsigned char *state, double *root) {
-    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
-    algsurf_i_coefficients p = {c, polys->r ? r : NULL, polys->degree, 0};
-    algsurf_bracket bracket;
+/* The set of polynomials within the radii: its first place with roots. */
+static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, double hi, unsigned char *state,
+                                double *where) {
+    algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
     int found = 0;
+    algsurf_status status = algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
+    if (status < 0 && status != ALGSURF_E_ZERO) return status;
+    if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_ROOT_UNDECIDED)) {
+        *state = ALGSURF_FIRST_ROOT_UNCERTAIN;
+        *where = found ? 0.5 * b[0].lo + 0.5 * b[0].hi : lo;
+        return ALGSURF_OK;
+    }
+    *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
+    if (!found) return ALGSURF_OK;
+    status = algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found); /* as narrow as the radii allow */
+    if (found) *where = 0.5 * b[1].lo + 0.5 * b[1].hi;
+    return status;
+}
+
+/* One polynomial alone: OK or E_NO_MEMORY, and then it stays uncertain. */
+static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, unsigned char *state,
+                                  double *root) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
+    algsurf_i_coefficients p = {c, polys->r ? r : NULL, polys->degree};
+    algsurf_real_root first;
+    algsurf_status status = ALGSURF_OK;
+    int found = 0, zero = 1;
     for (int k = 0; k <= p.degree; k++) {
         c[k] = polys->c[k][i];
         r[k] = polys->r ? polys->r[k][i] : 0;
+        zero = zero && c[k] == 0;
     }
-    algsurf_status status =
-        algsurf_isolate_first(c, p.r, p.degree, polys->lo[i], polys->hi[i], &bracket, &found);
-    if (status == ALGSURF_OK) {
-        state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-        if (root && found)
-            where = bracket.kind == ALGSURF_ROOT_EXACT ? bracket.lo : refine_alone(&p, bracket);
+    state[i] = ALGSURF_FIRST_ROOT_UNCERTAIN;
+    if (p.r) {
+        status = solve_set(&p, polys->lo[i], polys->hi[i], state + i, &where);
+    } else if (zero) {
+        where = polys->lo[i];
     } else {
-        state[i] = ALGSURF_FIRST_ROOT_UNCERTAIN;
-        where = status == ALGSURF_E_ZERO ? polys->lo[i] : 0.5 * bracket.lo + 0.5 * bracket.hi;
+        status = algsurf_i_decide_roots(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, 1, &found, NULL);
+        if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
+        if (found) where = first.value;
     }
     if (root) root[i] = where;
+    return status;
 }
 
 static ALGSURF_NOINLINE algsurf_status run(const algsurf_poly_packet *packet,
@@ -160,10 +136,11 @@ static ALGSURF_NOINLINE algsurf_status run(const algsurf_poly_packet *packet,
     }
     const unsigned char *doubtful = state;
     while ((doubtful = memchr(doubtful, ALGSURF_LANE_DOUBTFUL, (size_t)(state + count - doubtful)))) {
-        solve_alone(p, (size_t)(doubtful - state), state, root);
+        algsurf_status alone = solve_alone(p, (size_t)(doubtful - state), state, root);
+        if (alone != ALGSURF_OK) status = alone;
         doubtful++;
     }
-    return ALGSURF_OK;
+    return status;
 }
 
 algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,

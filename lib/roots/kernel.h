@@ -5,7 +5,8 @@
 #include <stdint.h>
 
 #include "../simd/kernel.h"
-#include "isolate_impl.h"
+#include "algsurf/isolate.h"
+#include "coefficients.h"
 
 /* The bounds of first_template.h hold up to this degree. */
 #define ALGSURF_MAX_POLYS_DEGREE 20

@@ -19,7 +19,8 @@
  * the root to its left. */
 #ifndef ALGSURF_SINGLE_TEMPLATE_H
 #define ALGSURF_SINGLE_TEMPLATE_H
-#include "isolate_impl.h"
+#include "../base/eft.h"
+#include "coefficients.h"
 #include "kernel.h"
 #include "radii_template.h"
 
@@ -35,7 +36,7 @@ static double shift_to_middle(const single *s, double *d, double *spread) {
     const algsurf_i_coefficients *p = s->p;
     int n = p->degree, unit;
     (void)frexp(fmax(fabs(s->lo), fabs(s->hi)), &unit);
-    int common = algsurf_i_common_exponent(p, 0, unit);
+    int common = algsurf_i_common_exponent(p, unit);
     double lo = ldexp(s->lo, -unit), hi = ldexp(s->hi, -unit), most = fmax(fabs(lo), fabs(hi));
     double m = 0.5 * lo + 0.5 * hi, h = 0.5 * hi - 0.5 * lo, power = 1, size = 0;
     for (int k = 0; k <= n; k++) d[k] = ldexp(p->c[k], k * unit - common);

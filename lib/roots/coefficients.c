@@ -1,0 +1,47 @@
+/* coefficients.c - sizes and signs of a caller's polynomial: compensated values where their bounds tell, else
+ * integers. */
+#include "coefficients.h"
+
+#include <math.h>
+
+#include "algsurf/poly.h"
+#include "decide.h"
+#include "exact.h"
+
+int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
+    int common = -0x7fffffff;
+    for (int k = 0; k <= p->degree; k++) {
+        double a = fmax(fabs(p->c[k]), p->r ? p->r[k] : 0);
+        if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
+    }
+    return common;
+}
+
+static int exact_sign(const algsurf_i_coefficients *p, double x) {
+    algsurf_limb block[512];
+    algsurf_memory memory;
+    algsurf_zpoly q;
+    int e, sign;
+    algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
+    algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    int done = algsurf_exact_from_doubles(&memory, p->c, p->degree, 0, &q) &&
+               algsurf_zpoly_sign_at(&memory, &q, &N, 1, odd ? -e : 0, &sign, NULL, NULL);
+    algsurf_memory_release(&memory, begin);
+    return done ? sign : ALGSURF_SIGN_UNKNOWN;
+}
+
+int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
+    double value, bound, c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    if (x == 0 && (!p->r || p->r[0] == 0 || fabs(p->c[0]) > p->r[0])) return (p->c[0] > 0) - (p->c[0] < 0);
+    /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
+    int unit = x == 0 ? 0 : ilogb(x), common = algsurf_i_common_exponent(p, unit);
+    for (int k = 0; k <= p->degree; k++) {
+        int shift = k * unit - common;
+        c[k] = ldexp(p->c[k], shift);
+        r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
+    }
+    algsurf_status status = algsurf_poly_eval_compensated(c, r, p->degree, ldexp(x, -unit), &value, &bound);
+    if (status == ALGSURF_OK && fabs(value) > bound) return value > 0 ? 1 : -1;
+    return p->r ? ALGSURF_SIGN_UNKNOWN : exact_sign(p, x);
+}
