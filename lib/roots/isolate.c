@@ -1,9 +1,9 @@
 /* isolate.c - roots of a polynomial in an interval of the line: the public calls.
  *
- * An interval and coefficients of moderate size, the common case, are walked as they are, in double.  If that
- * leaves a cell undecided, or sizes differ too much, every stretch of the interval is walked in its own unit;
- * if a cell still stays undecided, all of them once more in double-double; if then an end of the interval is
- * in doubt and the coefficients are exact, the sign there is computed exactly, and the walk repeated knowing
+ * A finite interval, up to degree 64, is walked by a lane, in double (single_template.h).  If that leaves a
+ * cell undecided, or sizes differ too much, every stretch of the interval is walked in its own unit; if a
+ * cell still stays undecided, all of them once more in double-double; if then an end of the interval is in
+ * doubt and the coefficients are exact, the sign there is computed exactly, and the walk repeated knowing
  * that the end is a root. */
 #include "algsurf/isolate.h"
 
