@@ -208,6 +208,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
+    if (q.solve) q.solve = algsurf_i_rays_baseline; /* the bits are the same, and idle lanes cost less */
     const algsurf_i_rays_hits hits = {
         .state = &state,
         .side = &side,
@@ -288,6 +289,7 @@ static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
+    if (q.solve) q.solve = algsurf_i_rays_baseline; /* the bits are the same, and idle lanes cost less */
     solve_together(&q, 1, &(algsurf_i_rays_hits){.state = &found});
     if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(surface, extent, ray, &q.options, state);
     *state = (algsurf_hit_state)found;

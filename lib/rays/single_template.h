@@ -115,7 +115,7 @@ static void next_bracket(single_ray *s) {
     for (;;) {
         s->k.open = less(numbered(), all_lanes(1));
         s->k.hit = s->k.doubtful = no_lane();
-        (void)isolate_known(&s->k, n, s->e, &from);
+        (void)isolate_known_often(&s->k, n, s->e, &from);
         if (!any(s->k.doubtful) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->e);

@@ -147,4 +147,11 @@ APART int isolate_known(packet *k, int n, const lanes *e, const lanes *from) {
     return isolate_known_n(k, n, e, *from);
 }
 
+/* The same, compiled for common degrees: for single rays and polynomials, which are all that they do. */
+APART int isolate_known_often(packet *k, int n, const lanes *e, const lanes *from) {
+    int counted = 0;
+    FOR_DEGREE(n, counted = isolate_known_n(k, N, e, *from))
+    return counted;
+}
+
 #endif

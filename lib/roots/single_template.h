@@ -120,7 +120,7 @@ int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi
     while (*count < most && from[0] < 1) {
         k.open = less(numbered(), all_lanes(1));
         k.hit = no_lane();
-        *counted += isolate_known(&k, n, e, &from);
+        *counted += isolate_known_often(&k, n, e, &from);
         if (any(k.doubtful)) return 0;
         if (!any(k.hit)) return 1;
         if (!set_bracket(&s, &k, *count ? b[*count - 1].hi : lo, b + *count)) return 0;

@@ -1,0 +1,94 @@
+/* test_single.c - hits of one ray in one lane: the first has the bits of the packets, and all methods agree.
+ *
+ * Roots themselves are judged in test_intersect and its kin: the public calls go this way.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "catalogue.h"
+#include "exact.h"
+#include "rays/kernel.h"
+
+#define SEED 20261122u
+enum { RAYS = 60 };
+
+/* What a ray meets, by the packets; 0: they leave it undecided. */
+static int first_of_packet(const algsurf_i_rays_job *job, algsurf_hit *hit) {
+    uint8_t state = ALGSURF_LANE_MISS;
+    const algsurf_i_rays_hits to = {&state,
+                                    &hit->t,
+                                    &hit->t_lo,
+                                    &hit->t_hi,
+                                    {hit->position, hit->position + 1, hit->position + 2},
+                                    {hit->normal, hit->normal + 1, hit->normal + 2}};
+    memset(hit, 0, sizeof *hit);
+    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))(job, 1, &to);
+    hit->state = state;
+    return state != ALGSURF_LANE_DOUBTFUL;
+}
+
+static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *job, int *decided) {
+    algsurf_hit first, all[ALGSURF_MAX_DEGREE], other[ALGSURF_MAX_DEGREE];
+    int n = algsurf_i_rays_single(job, NULL, entry->degree, all), known = first_of_packet(job, &first);
+    if (n < 0) return;
+    ++*decided;
+    if (!known || n == 0) {
+        assert_true(known && first.state == ALGSURF_MISS);
+        return;
+    }
+    assert_memory_equal(&first, all, sizeof first);
+    for (int i = 0; i < n; i++) {
+        assert_true(all[i].t_lo <= all[i].t && all[i].t <= all[i].t_hi);
+        if (i > 0) assert_true(all[i - 1].t < all[i].t && all[i - 1].t_hi <= all[i].t_hi);
+    }
+    for (int m = ALGSURF_METHOD_DEFAULT; m <= ALGSURF_METHOD_REGULA_FALSI; m++) {
+        const algsurf_refine_options how = {sizeof how, (algsurf_method)m, 0, 0};
+        assert_int_equal(algsurf_i_rays_single(job, &how, entry->degree, other), n);
+        for (int i = 0; i < n; i++) {
+            assert_true(!job->bounded || (all[i].t_lo == other[i].t_lo && all[i].t_hi == other[i].t_hi));
+            assert_true(m == ALGSURF_METHOD_REGULA_FALSI || /* which may stop early, see refine.h */
+                        fabs(all[i].t - other[i].t) <= 1e-9 * fabs(all[i].t));
+            assert_true(other[i].t_lo <= other[i].t && other[i].t <= other[i].t_hi);
+        }
+        assert_int_equal(algsurf_i_rays_single(job, &how, 1, other), 1);
+    }
+}
+
+static void test_rays(void **state) {
+    (void)state;
+    uint64_t random = SEED;
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        algsurf_surface *s = NULL;
+        int decided = 0;
+        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        for (int i = 0; i < RAYS; i++) {
+            double origin[3], direction[3], near = 0, far = INFINITY;
+            for (int k = 0; k < 3; k++) {
+                origin[k] = entry->extent.centre[k] + 3 * entry->extent.size[0] * exact_random_unit(&random);
+                direction[k] = entry->extent.centre[k] - origin[k] +
+                               0.5 * entry->extent.size[0] * exact_random_unit(&random);
+            }
+            const algsurf_i_rays_job job = {.surface = s,
+                                            .extent = &entry->extent,
+                                            .origin = {origin, origin + 1, origin + 2},
+                                            .direction = {direction, direction + 1, direction + 2},
+                                            .t_min = &near,
+                                            .t_max = &far,
+                                            .bounded = i % 8 > 0};
+            judge_ray(entry, &job, &decided);
+        }
+        assert_true(decided > RAYS / 2);
+        algsurf_surface_free(s);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rays)};
+    return cmocka_run_group_tests_name("single", tests, NULL, NULL);
+}
