@@ -4,8 +4,9 @@
  * and say what the oracle for hits (exact_hits.h) says: how many roots, where, of which multiplicity, and
  * from which side.  Each demands a minimum of what it is made for, so that it cannot become empty.
  *
- * Breaks caught, each tried: a face's sign taken for negative at a root it shares, a multiplicity from the
- * squarefree part alone, the root at a piece's left end reported twice, packets that do not hand doubt on.
+ * Breaks caught, each tried: a root on the extent's surface left out, a multiplicity from the squarefree part
+ * alone, a side without regard to it, a packet's multiplicity not written, an overflown end of the extent
+ * taken for one without end.
  *
  *     test_decided [rounds [seed]]     default: 1 and 59
  */
@@ -379,6 +380,37 @@ static void test_exponents(void **state) {
     end(120, 30, 30, 0, 0);
 }
 
+/* Where a ray meets its extent beyond the largest double, in t: roots there, and none. */
+static void test_beyond_doubles(void **state) {
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+        double size;
+        int count;
+    } rows[] = {
+        {"z - 1", {{0, 0, 0x1p570}, {0, 0, 0x1p-1074}, -INFINITY, INFINITY}, 0x1p344, 1},
+        {"z - 1", {{0, 0, -0x1p570}, {0, 0, 0x1p-1074}, 0, INFINITY}, 0x1p344, 1},
+        {"z - 0x1p500", {{0, 0, -0x1p570}, {0, 0, 0x1p-1074}, 0, INFINITY}, 0x1p344, 0},
+        {"z - 1", {{0, 0, 0x1p570}, {0, 0, 0x1p-1074}, 0, INFINITY}, 0x1p344, 0},
+        {"(z - 0x1p300)(z - 1)", {{0, 0, 0}, {0, 0, 0x1p-1000}, 0, INFINITY}, 0x1p200, 1},
+        {"(z + 0x1p300)(z - 1)", {{0, 0, 0}, {0, 0, 0x1p-1000}, -INFINITY, INFINITY}, 0x1p200, 1},
+        {"(z - 0x1p200)^2", {{0, 0, 0}, {0, 0, 0x1p-1000}, 0, INFINITY}, 0x1p200, 1},
+    };
+    (void)begin("beyond doubles");
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows * 2; i++) {
+        double size = rows[i / 2].size;
+        const algsurf_extent extent = {
+            i % 2 ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {size, size, size}};
+        set_equation(rows[i / 2].equation);
+        c.ray = rows[i / 2].ray;
+        decide(&extent);
+        assert_int_equal(answer.count, rows[i / 2].count);
+        done();
+    }
+    end(14, 10, 4, 2, 0);
+}
+
 /* ---- the unit sphere in itself ---- */
 
 /* Does the line meet the unit sphere?  (o.d)^2 >= d.d (o.o - 1), over the integers. */
@@ -583,6 +615,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_rays_within),
         cmocka_unit_test(test_degrees),
         cmocka_unit_test(test_exponents),
+        cmocka_unit_test(test_beyond_doubles),
         cmocka_unit_test(test_picture_of_itself),
         cmocka_unit_test(test_far_exponents),
         cmocka_unit_test(test_powers_of_a_sphere),

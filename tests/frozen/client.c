@@ -73,7 +73,7 @@ static void check_rays(const algsurf_surface *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
-    o.tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT;
+    o.tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT, o.max_memory = 1 << 20;
     for (size_t size = UNIT; size <= sizeof o; size += UNIT) {
         algsurf_hit hit, hits[2];
         algsurf_hit_state state = ALGSURF_MISS;
@@ -82,6 +82,7 @@ static void check_rays(const algsurf_surface *s) {
         CHECK(algsurf_intersect_first(s, &extent, &along_x, options, &hit) == ALGSURF_OK);
         CHECK(hit.state == ALGSURF_HIT && hit.reason == ALGSURF_OK && near(hit.t, 3) &&
               near(hit.normal[0], -1));
+        CHECK(hit.multiplicity == 1 && hit.side == 1);
         CHECK(hit.t_lo <= 3 && 3 <= hit.t_hi && near(hit.position[0], -1));
         CHECK(algsurf_intersect_all(s, NULL, &along_x, options, hits, 2, &count) == ALGSURF_OK);
         CHECK(count == 2 && near(hits[0].t, 3) && near(hits[1].t, 5));
@@ -95,31 +96,36 @@ static void check_packets(const algsurf_surface *s) {
     const unsigned char active[] = {1, 1};
     unsigned char state[2];
     double t[2], t_lo[2], t_hi[2], position[3][2], normal[3][2];
+    int multiplicity[2];
+    signed char side[2];
     BLANK(algsurf_ray_packet, rays);
     BLANK(algsurf_hit_packet, hits);
     rays.count = 2, rays.t_min = near_end, rays.t_max = far_end, rays.active = active;
     rays.origin[0] = ox, rays.origin[1] = oy, rays.origin[2] = oz;
     rays.direction[0] = dx, rays.direction[1] = dy, rays.direction[2] = dz;
     hits.state = state, hits.t = t, hits.t_lo = t_lo, hits.t_hi = t_hi;
+    hits.multiplicity = multiplicity, hits.side = side;
     for (int i = 0; i < 3; i++) hits.position[i] = position[i], hits.normal[i] = normal[i];
     for (size_t size = offsetof(algsurf_ray_packet, t_min); size <= sizeof rays; size += UNIT) {
         const algsurf_ray_packet *given = at_edge(&rays, size);
         memset(state, 9, sizeof state);
-        CHECK(algsurf_intersect_packet(
-                  s, NULL, given, NULL,
-                  &(algsurf_hit_packet){
-                      sizeof hits, state, t, t_lo, t_hi, {NULL, NULL, NULL}, {NULL, NULL, NULL}}) ==
-              ALGSURF_OK);
+        CHECK(
+            algsurf_intersect_packet(
+                s, NULL, given, NULL,
+                &(algsurf_hit_packet){
+                    sizeof hits, state, t, t_lo, t_hi, {NULL, NULL, NULL}, {NULL, NULL, NULL}, NULL, NULL}) ==
+            ALGSURF_OK);
         CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS && near(t[0], 3));
         CHECK(algsurf_occluded_packet(s, NULL, given, NULL, state) == ALGSURF_OK && state[0] == ALGSURF_HIT);
     }
     rays.size = sizeof rays;
     for (size_t size = offsetof(algsurf_hit_packet, t); size <= sizeof hits; size += UNIT) {
         memset(state, 9, sizeof state);
-        memset(normal, 0, sizeof normal);
+        memset(normal, 0, sizeof normal), memset(side, 0, sizeof side);
         CHECK(algsurf_intersect_packet(s, NULL, &rays, NULL, at_edge(&hits, size)) == ALGSURF_OK);
         CHECK(state[0] == ALGSURF_HIT && state[1] == ALGSURF_MISS);
         CHECK(near(normal[0][0], size > offsetof(algsurf_hit_packet, normal) ? -1 : 0));
+        CHECK(side[0] == (size > offsetof(algsurf_hit_packet, side)));
     }
 }
 
