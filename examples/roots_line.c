@@ -70,7 +70,7 @@ static roots_row refined(const double *c, int degree, const algsurf_bracket *b, 
     } else {
         root.root = algsurf_interval_mid(re);
     }
-    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->most == 1, 1};
+    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->multiplicity == 1, 1};
 }
 
 /* An exact root is simple where the derivative certainly does not vanish; else its multiplicity is open. */

@@ -29,7 +29,7 @@ static inline _Noreturn void isolate_fail(const char *what, const double *c, con
     if (r) exact_print_doubles("r", r, n + 1);
     for (int i = 0; i < a->count; i++)
         fprintf(stderr, "  kind %d sign %d most %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign,
-                a->b[i].most, (int)a->b[i].status, a->b[i].lo, a->b[i].hi);
+                a->b[i].multiplicity, (int)a->b[i].status, a->b[i].lo, a->b[i].hi);
     fail_msg("%s: degree %d on [%a, %a], status %d", what, n, lo, hi, (int)a->status);
     abort();
 }
@@ -49,7 +49,7 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
             return "no bracket";
         if (b->kind == ALGSURF_ROOT_EXACT && !(b->lo == b->hi)) return "not one point";
         if (b->kind != ALGSURF_ROOT_BRACKET && b->sign != 0) return "a sign where there is none";
-        if (b->most < 1) return "an entry without roots";
+        if (b->multiplicity < 1) return "an entry without roots";
         if (reason == ALGSURF_OK) reason = b->status;
         decided += isolate_decided(b);
     }
@@ -72,7 +72,7 @@ static inline const char *isolate_truth(const exact_sturm *s, double lo, double 
         int inside = exact_count_roots(s, b->lo, b->hi);
         if (b->kind == ALGSURF_ROOT_BRACKET && inside != 1) return "not one root in a bracket";
         if (b->kind == ALGSURF_ROOT_EXACT && inside != 1) return "no root at an exact one";
-        if (inside > b->most) return "more roots than at most";
+        if (inside > b->multiplicity) return "more roots than at most";
         int shared = i > 0 && b[-1].hi == b->lo && isfinite(b->lo) && exact_is_root(s, b->lo);
         roots += inside - shared;
     }

@@ -9,7 +9,6 @@
 #include <time.h>
 
 #include "isolate_case.h"
-#include "roots/isolate_impl.h"
 
 static isolate_answer answer;
 
@@ -270,33 +269,6 @@ static void test_roots_between_doubles(void **state) {
     }
 }
 
-/* A root within a unit in the last place of its cell's end has a bracket that reaches into the next cell: it
- * stays where that holds one root, certainly elsewhere, and is taken back where that is open. */
-static void test_loose_bracket(void **state) {
-    (void)state;
-    const double c[] = {6, -6, -1, 1},
-                 root = 0x1.3988e1409212ep+1; /* (x - 1)(x^2 - 6), sqrt 6 = root + 0.45 ulp */
-    const double next = nextafter(root, 3);
-    const algsurf_i_coefficients p = {c, NULL, 3, 0};
-    const algsurf_i_stretch all = {-16, 16, 4};
-    const algsurf_i_piece piece = {0, {-1, 0}, {1, 0}, 0, 0};
-    const algsurf_dd end = {ldexp(next, -4), 0}, near = {0.125, 0}, far = {0.25, 0}, after = {0.1875, 0};
-    algsurf_i_cell with_root = {&piece, ALGSURF_ROOT_BRACKET, -1, 1, 0, 0, near, end, 0, -1, 1};
-    algsurf_i_cell touching = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, end, far, 0, 1, 1};
-    algsurf_i_cell apart = {&piece, ALGSURF_ROOT_UNDECIDED, 0, 2, 0, 0, after, far, 0, 1, 1};
-    algsurf_bracket b[3];
-    algsurf_i_brackets found = {b, 0, 3, 0, 0};
-    assert_true(algsurf_i_add_cell(&found, &p, &all, &with_root));
-    assert_true(found.loose && b[0].kind == ALGSURF_ROOT_BRACKET && b[0].lo == root && b[0].hi == next);
-    assert_true(algsurf_i_add_cell(&found, &p, &all, &apart));
-    assert_true(!found.loose && found.count == 2 && b[0].kind == ALGSURF_ROOT_BRACKET);
-    found.count = 0;
-    assert_true(algsurf_i_add_cell(&found, &p, &all, &with_root));
-    assert_true(algsurf_i_add_cell(&found, &p, &all, &touching));
-    assert_true(!found.loose && found.count == 1 && b[0].kind == ALGSURF_ROOT_UNDECIDED);
-    assert_true(b[0].lo == root && b[0].hi >= 4 && b[0].most == 3);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ghosts_and_losses), cmocka_unit_test(test_multiple_root),
@@ -305,7 +277,6 @@ int main(void) {
         cmocka_unit_test(test_mignotte),          cmocka_unit_test(test_close_pairs),
         cmocka_unit_test(test_clusters),          cmocka_unit_test(test_bounded_work),
         cmocka_unit_test(test_degenerate),        cmocka_unit_test(test_roots_between_doubles),
-        cmocka_unit_test(test_loose_bracket),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -194,7 +194,7 @@ static void test_zero_polynomial_in_a_box(void **state) {
             assert_int_equal(answer.status, ALGSURF_UNDECIDED_ZERO);
             assert_int_equal(answer.count, 1);
             assert_true(answer.b[0].lo == ends[k][0] && answer.b[0].hi == ends[k][1]);
-            assert_int_equal(answer.b[0].most, n > 0 ? n : 1);
+            assert_int_equal(answer.b[0].multiplicity, n > 0 ? n : 1);
         }
     const double almost[] = {-2, 0}, radius[] = {0x1.fffffffffffffp+0, 0};
     for (int n = 0; n <= 1; n++) {

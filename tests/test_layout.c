@@ -41,7 +41,7 @@ static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and
     AT(algsurf_real_root, multiplicity, 24), AT(algsurf_real_root, sign, 28),
     SIZE(algsurf_bracket, 32),
     AT(algsurf_bracket, lo, 0), AT(algsurf_bracket, hi, 8), AT(algsurf_bracket, kind, 16),
-    AT(algsurf_bracket, sign, 20), AT(algsurf_bracket, most, 24), AT(algsurf_bracket, status, 28),
+    AT(algsurf_bracket, sign, 20), AT(algsurf_bracket, multiplicity, 24), AT(algsurf_bracket, status, 28),
     GROWS(algsurf_refine_options, 24),
     AT(algsurf_refine_options, size, 0), AT(algsurf_refine_options, method, 8),
     AT(algsurf_refine_options, max_iterations, 12), AT(algsurf_refine_options, tolerance, 16),

@@ -21,15 +21,19 @@ enum { RAYS = 60 };
 /* What a ray meets, by the packets; 0: they leave it undecided. */
 static int first_of_packet(const algsurf_i_rays_job *job, algsurf_hit *hit) {
     uint8_t state = ALGSURF_LANE_MISS;
-    const algsurf_i_rays_hits to = {&state,
-                                    &hit->t,
-                                    &hit->t_lo,
-                                    &hit->t_hi,
-                                    {hit->position, hit->position + 1, hit->position + 2},
-                                    {hit->normal, hit->normal + 1, hit->normal + 2}};
+    int8_t side = 0;
+    const algsurf_i_rays_hits to = {.state = &state,
+                                    .side = &side,
+                                    .t = &hit->t,
+                                    .t_lo = &hit->t_lo,
+                                    .t_hi = &hit->t_hi,
+                                    .position = {hit->position, hit->position + 1, hit->position + 2},
+                                    .normal = {hit->normal, hit->normal + 1, hit->normal + 2}};
     memset(hit, 0, sizeof *hit);
     algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))(job, 1, &to);
     hit->state = state;
+    hit->multiplicity = state == ALGSURF_LANE_HIT;
+    hit->side = side;
     return state != ALGSURF_LANE_DOUBTFUL;
 }
 

@@ -96,7 +96,7 @@ typedef struct algsurf_i_picture {
     double reach;             /* how far it reaches from its centre along the view */
     const algsurf_i_kernel *kernel;
     const algsurf_i_picture_kernel *code; /* for that kernel */
-    algsurf_i_packets *packets; /* null: every ray by itself */
+    algsurf_i_packets *packets;           /* null: every ray by itself */
     uint8_t *pixels;
     size_t stride;
     double *hits;    /* or null */

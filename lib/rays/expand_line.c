@@ -4,8 +4,8 @@
  * itself, one for the product, one for the sum of the two products, and the scheme one more for the
  * next coefficient: 4 (i+j+k); joining rows and levels costs at most 3 more.  The same scheme on
  * magnitudes, M_k, bounds what these roundings multiply, so |error of q_k| <= gamma M_k with
- * gamma = (4 n + 8) ALGSURF_U, which leaves room for higher orders and the rounding of M_k itself; coefficients
- * with an error of their own add it to gamma.
+ * gamma = (4 n + 8) ALGSURF_U, which leaves room for higher orders and the rounding of M_k itself;
+ * coefficients with an error of their own add it to gamma.
  */
 #include <math.h>
 

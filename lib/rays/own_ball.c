@@ -16,7 +16,8 @@ static void add_product(algsurf_limb *sum, int factor, double a, double b, doubl
     int ea, eb, ec;
     algsurf_limb product[4] = {algsurf_z_odd_part(a, &ea), 0, 0, 0}, next[4] = {0};
     algsurf_limb mb = algsurf_z_odd_part(b, &eb), mc = algsurf_z_odd_part(c, &ec);
-    int shift = ea + eb + ec + LOW + (abs(factor) == 2), negative = (a < 0) ^ (b < 0) ^ (c < 0) ^ (factor < 0);
+    int shift = ea + eb + ec + LOW + (abs(factor) == 2),
+        negative = (a < 0) ^ (b < 0) ^ (c < 0) ^ (factor < 0);
     algsurf_z_add_product(next, 4, product, 4, mb, 0);
     algsurf_z_zero(product, 4);
     algsurf_z_add_product(product, 4, next, 4, mc, 0);

@@ -4,8 +4,9 @@
 #include "algsurf/ray.h"
 #include "../surface/impl.h"
 
-/* Is the surface exactly the sphere that bounds the extent?  Then the extent cuts nothing off, whatever contains it
- * may stand in its place, and rays need not be compared with an edge on which all their roots lie. */
+/* Is the surface exactly the sphere that bounds the extent?  Then the extent cuts nothing off, whatever
+ * contains it may stand in its place, and rays need not be compared with an edge on which all their roots
+ * lie. */
 int algsurf_i_is_own_ball(const algsurf_surface *surface, const algsurf_extent *extent);
 
 /* The extent, or in *wider a ball twice as large where the surface is its own. */

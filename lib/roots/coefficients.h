@@ -11,8 +11,8 @@ typedef struct algsurf_i_coefficients {
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);
 
-/* The certain sign of p at x, finite: -1, +1, 0 for an exact zero, or ALGSURF_SIGN_UNKNOWN where radii hide it (or
- * there is no memory to tell). */
+/* The certain sign of p at x, finite: -1, +1, 0 for an exact zero, or ALGSURF_SIGN_UNKNOWN where radii hide
+ * it (or there is no memory to tell). */
 #define ALGSURF_SIGN_UNKNOWN 2
 int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x);
 

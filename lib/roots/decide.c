@@ -1,7 +1,8 @@
 /* decide.c - from doubles to integers, and the walks of exact.c and exact_radii.c over them.
  *
  * Infinite ends of an interval for polynomials with radii: a root is beyond the largest double T only if
- * |c_n| - r_n <= sum of (|c_k| + r_k) T^(k-n) over k < n; what may be there is an undecided place of its own. */
+ * |c_n| - r_n <= sum of (|c_k| + r_k) T^(k-n) over k < n; what may be there is an undecided place of its own.
+ */
 #include "decide.h"
 
 #include <float.h>
@@ -16,8 +17,8 @@ static algsurf_real_root root_of(const algsurf_exact_root *root) {
     return (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
 }
 
-static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi, int most,
-                           algsurf_real_root *roots, int *count, int *cells) {
+static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
+                           int most, algsurf_real_root *roots, int *count, int *cells) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
     int found = ALGSURF_EXACT_END;
@@ -39,8 +40,9 @@ algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, do
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (algsurf_exact_from_doubles(&memory, c, degree, unit, &p))
-        status = p.degree < 1 ? ALGSURF_OK
-                              : walk(&memory, &p, unit, lo, hi, first_only ? 1 : capacity, roots, count, cells);
+        status = p.degree < 1
+                     ? ALGSURF_OK
+                     : walk(&memory, &p, unit, lo, hi, first_only ? 1 : capacity, roots, count, cells);
     algsurf_memory_release(&memory, begin);
     return status;
 }
@@ -59,7 +61,8 @@ static int may_be_beyond(const algsurf_i_coefficients *p) {
     return 0;
 }
 
-/* Both in integers with one power of two: p and the radii are parts of one polynomial of twice as many coefficients. */
+/* Both in integers with one power of two: p and the radii are parts of one polynomial of twice as many
+ * coefficients. */
 static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int unit, algsurf_zpoly *centre,
                        algsurf_zpoly *radius) {
     int least = ALGSURF_Z_NO_BIT;
@@ -77,7 +80,8 @@ static algsurf_bracket bracket_of(const algsurf_exact_range *range, int degree) 
         return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_EXACT, 0, degree, ALGSURF_OK};
     if (range->sign_lo)
         return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_BRACKET, range->sign_lo, 1, ALGSURF_OK};
-    return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_UNDECIDED, 0, degree, ALGSURF_UNDECIDED_MULTIPLE};
+    return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_UNDECIDED,
+                             0,         degree,    ALGSURF_UNDECIDED_MULTIPLE};
 }
 
 static void add_beyond(algsurf_bracket *b, int capacity, int *count, double lo, double hi, int degree) {
@@ -85,7 +89,7 @@ static void add_beyond(algsurf_bracket *b, int capacity, int *count, double lo, 
     if (*count < capacity) {
         b[(*count)++] = beyond;
     } else {
-        b[*count - 1] = (algsurf_bracket){b[*count - 1].lo, hi, ALGSURF_ROOT_UNDECIDED, 0, degree,
+        b[*count - 1] = (algsurf_bracket){b[*count - 1].lo,       hi, ALGSURF_ROOT_UNDECIDED, 0, degree,
                                           ALGSURF_UNDECIDED_RANGE};
     }
 }
@@ -97,7 +101,8 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     algsurf_zpoly centre, radius;
     algsurf_exact_range found[ALGSURF_MAX_POLY_DEGREE];
     double from = fmax(lo, -DBL_MAX), to = fmin(hi, DBL_MAX);
-    int n = 0, beyond = (from > lo || to < hi) && may_be_beyond(p), unit = algsurf_exact_piece_of(from, to).unit;
+    int n = 0, beyond = (from > lo || to < hi) && may_be_beyond(p),
+        unit = algsurf_exact_piece_of(from, to).unit;
     *count = 0;
     if (p->degree < 1) return ALGSURF_OK;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);

@@ -9,14 +9,15 @@
 /* What deciding one polynomial may allocate, in bytes. */
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
-/* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing order:
- * all of them, or the first. `capacity` entries are written at most; the degree always suffices.  cells: null, or
- * receives how many intervals had their variations counted.
- * Returns OK or E_NO_MEMORY.  Stack: 20 KiB. */
+/* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing
+ * order: all of them, or the first. `capacity` entries are written at most; the degree always suffices.
+ * cells: null, or receives how many intervals had their variations counted. Returns OK or E_NO_MEMORY. Stack:
+ * 20 KiB. */
 algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
                                       algsurf_real_root *roots, int capacity, int *count, int *cells);
 
-/* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most `capacity`
+/* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
+ * `capacity`
  * >= 1, in order (the last one covers what there is no room for).  OK or E_NO_MEMORY. */
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
                                        algsurf_bracket *brackets, int capacity, int *count);

@@ -72,7 +72,8 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
                                 double *where) {
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
     int found = 0;
-    algsurf_status status = algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
+    algsurf_status status =
+        algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
     if (status < 0 && status != ALGSURF_E_ZERO) return status;
     if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_ROOT_UNDECIDED)) {
         *state = ALGSURF_FIRST_ROOT_UNCERTAIN;
@@ -81,7 +82,8 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     }
     *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
     if (!found) return ALGSURF_OK;
-    status = algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found); /* as narrow as the radii allow */
+    status =
+        algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found); /* as narrow as the radii allow */
     if (found) *where = 0.5 * b[1].lo + 0.5 * b[1].hi;
     return status;
 }

@@ -1,9 +1,10 @@
 /* isolate.c - roots of a polynomial in an interval of the line: the public calls.
  *
- * Doubles come first, one polynomial in one lane (single_template.h): a finite interval, moderate degree, roots not
- * far smaller than the interval.  What they leave undecided goes to integers (decide.c), or, where coefficients
- * are known to radii only, to integers with envelopes (exact_radii.c): those brackets that the doubles were sure of
- * are kept, so that the first root is the same whether the others are looked for or not. */
+ * Doubles come first, one polynomial in one lane (single_template.h): a finite interval, moderate degree,
+ * roots not far smaller than the interval.  What they leave undecided goes to integers (decide.c), or, where
+ * coefficients are known to radii only, to integers with envelopes (exact_radii.c): those brackets that the
+ * doubles were sure of are kept, so that the first root is the same whether the others are looked for or not.
+ */
 #include "algsurf/isolate.h"
 
 #include <math.h>
@@ -36,7 +37,8 @@ static int has_small_roots(const task *t) {
 /* [lo,hi] in a lane; returns 0 when that leaves something undecided. */
 static int walk_lane(task *t) {
     int most = t->first_only ? 1 : t->capacity;
-    if (!(t->lo < t->hi) || t->p.degree == 0 || t->p.degree > ALGSURF_MAX_DEGREE || has_small_roots(t)) return 0;
+    if (!(t->lo < t->hi) || t->p.degree == 0 || t->p.degree > ALGSURF_MAX_DEGREE || has_small_roots(t))
+        return 0;
     if (!(fmax(fabs(t->lo), fabs(t->hi)) > 0x1p-900 && t->hi - t->lo < 0x1p1000)) return 0;
     return algsurf_i_roots_single(&t->p, t->lo, t->hi, most, t->b, &t->count, &t->counted);
 }
@@ -57,16 +59,16 @@ static void add_root(task *t, const algsurf_real_root *root) {
 static algsurf_status walk_integers(task *t) {
     algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
     int found = 0, most = t->first_only ? 1 : t->p.degree;
-    algsurf_status status = algsurf_i_decide_roots(t->p.c, t->p.degree, begin_of_rest(t), t->hi, t->first_only,
-                                                   roots, most, &found, &t->counted);
+    algsurf_status status = algsurf_i_decide_roots(t->p.c, t->p.degree, begin_of_rest(t), t->hi,
+                                                   t->first_only, roots, most, &found, &t->counted);
     for (int i = 0; i < found && t->count < t->capacity; i++) add_root(t, roots + i);
     return status;
 }
 
 static algsurf_status walk_envelopes(task *t) {
     int found = 0;
-    algsurf_status status =
-        algsurf_i_decide_ranges(&t->p, begin_of_rest(t), t->hi, t->b + t->count, t->capacity - t->count, &found);
+    algsurf_status status = algsurf_i_decide_ranges(&t->p, begin_of_rest(t), t->hi, t->b + t->count,
+                                                    t->capacity - t->count, &found);
     t->count += found;
     if (t->first_only && t->count > 1) t->count = 1;
     return status;

@@ -31,10 +31,10 @@ typedef struct algsurf_i_roots_kernel {
     int (*good)(const algsurf_i_polys_job *job, size_t count);
 } algsurf_i_roots_kernel;
 
-/* Brackets of the roots of p, of degree 1 to ALGSURF_MAX_DEGREE, in a finite interval lo < hi, in order, at most `most`;
- * each with its ends at doubles of certain sign, and no root before it but in those before.  Returns 1 when
- * these are all, or as many as wanted; 0: what comes after them is undecided.  Adds the cells counted to
- * counted. */
+/* Brackets of the roots of p, of degree 1 to ALGSURF_MAX_DEGREE, in a finite interval lo < hi, in order, at
+ * most `most`; each with its ends at doubles of certain sign, and no root before it but in those before.
+ * Returns 1 when these are all, or as many as wanted; 0: what comes after them is undecided.  Adds the cells
+ * counted to counted. */
 int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi, int most,
                            algsurf_bracket *brackets, int *count, int *counted);
 

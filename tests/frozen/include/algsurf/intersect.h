@@ -142,8 +142,8 @@ typedef struct algsurf_hit_packet {
 
 /* The first hit of each ray of a packet inside the extent: what algsurf_intersect_first says of it.
  *   rays     any number of them; neighbours that take similar ways cost least
- *   options  as there, and a kernel; methods other than the default, a limit of iterations, and degrees
- *            above 20 take the rays one by one; a tolerance is met, but saves nothing
+ *   options  as there, and a kernel; methods other than the default and a limit of iterations take
+ *            the rays one by one; a tolerance is met, but saves nothing
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and

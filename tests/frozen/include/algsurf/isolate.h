@@ -58,8 +58,8 @@ typedef struct algsurf_bracket {
     double lo, hi;         /* in the unit of the caller's interval; may be infinite when undecided */
     int kind;              /* an algsurf_root_kind */
     int sign;              /* of p at lo, -1 or +1, for a bracket; 0 otherwise */
-    int most;              /* roots in it, counted with multiplicity, are at most this, >= 1 (of a
-                              polynomial that is not zero) */
+    int multiplicity;      /* of the root; undecided, and for coefficients with radii: the roots in it, counted
+                              with multiplicity, are at most this, >= 1 */
     algsurf_status status; /* ALGSURF_OK, or why it is undecided */
 } algsurf_bracket;
 
