@@ -15,6 +15,7 @@
 #include "../simd/kernel.h"
 #include "../base/options.h"
 #include "own_ball.h"
+#include "ranges.h"
 #include "ray_impl.h"
 #include "../base/vec.h"
 
@@ -135,30 +136,20 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
     set_normal(&q, x, hit->normal);
 }
 
-/* Where nothing is decided: the tier does not go to integers, or the coefficients are known to an error only.
- */
-static void set_undecided(const algsurf_ray *chord, algsurf_status reason, algsurf_hit *hit) {
-    double middle = 0.5 * chord->t_min + 0.5 * chord->t_max, t = chord->t_min;
-    if (isfinite(middle)) t = middle;
-    if (!isfinite(t)) t = isfinite(chord->t_max) ? chord->t_max : 0;
-    *hit = (algsurf_hit){
-        .state = ALGSURF_UNCERTAIN, .reason = reason, .t = t, .t_lo = chord->t_min, .t_hi = chord->t_max};
+/* A place where a hit may be. */
+static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_status reason,
+                          algsurf_hit *hit) {
+    double middle = 0.5 * lo + 0.5 * hi, t = isfinite(middle) ? middle
+                                             : isfinite(lo)   ? lo
+                                             : isfinite(hi)   ? hi
+                                                              : 0;
+    *hit = (algsurf_hit){.state = ALGSURF_UNCERTAIN, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
     for (int i = 0; i < 3; i++)
-        hit->position[i] = fmin(fmax(fma(t, chord->direction[i], chord->origin[i]), -DBL_MAX), DBL_MAX);
-}
-
-static int goes_to_integers(const algsurf_surface *surface, const algsurf_intersect_options *options) {
-    return options->tier != ALGSURF_TIER_BOUNDED && surface->error == 0;
+        hit->position[i] = fmin(fmax(fma(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
 }
 
 static size_t memory_limit(const algsurf_intersect_options *options) {
     return options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
-}
-
-/* What becomes of an undecided place is the caller's choice. */
-static int counts_undecided(const algsurf_intersect_options *options, int *state) {
-    *state = options->doubt == ALGSURF_DOUBT_HIT ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
-    return options->doubt != ALGSURF_DOUBT_MISS;
 }
 
 /* Has the caller chosen how brackets are refined? */
@@ -184,62 +175,102 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
     return algsurf_i_rays_single(&job, chooses_method(o) ? &how : NULL, most, hits);
 }
 
-/* The roots as hits: at most `capacity` of them, the surface's degree at least. */
-static ALGSURF_NOINLINE algsurf_status hits_of(const algsurf_surface *surface, const algsurf_extent *extent,
-                                               const algsurf_ray *ray,
-                                               const algsurf_intersect_options *options, algsurf_i_want want,
-                                               algsurf_hit *hits, int capacity, int *count) {
+/* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
+ * FIRST. */
+
+/* Exact coefficients: all is decided. */
+static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface,
+                                                  const algsurf_extent *extent, const algsurf_ray *ray,
+                                                  const algsurf_intersect_options *options,
+                                                  algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
     algsurf_status status =
         algsurf_i_exact_roots(surface, extent, ray, want, memory_limit(options), roots, most, count);
-    if (status != ALGSURF_OK) return status;
-    if (*count > capacity) return ALGSURF_E_ARGUMENT;
-    for (int i = 0; i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
-    return ALGSURF_OK;
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
+    return status;
 }
 
-/* The one entry of a ray that stays undecided, if it meets the extent and the caller wants it. */
-static int undecided_hit(const algsurf_extent *extent, const algsurf_ray *ray,
-                         const algsurf_intersect_options *options, algsurf_hit *hit) {
+/* Coefficients with an error: what that hides is undecided.  FIRST is among all. */
+static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *surface,
+                                                      const algsurf_extent *extent, const algsurf_ray *ray,
+                                                      const algsurf_intersect_options *options,
+                                                      algsurf_hit *hits, int *count) {
+    algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
+    algsurf_status status = algsurf_i_exact_ranges(surface, extent, ray, memory_limit(options), range, count);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
+        double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
+        const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
+        if (range[i].side)
+            make_hit(surface, ray, &root, hits + i);
+        else
+            set_undecided(ray, lo, hi, range[i].reason, hits + i);
+    }
+    return status;
+}
+
+/* The bounded tier goes no further: one entry, if the ray meets the extent. */
+static void hit_undecided(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_hit *hit,
+                          int *count) {
     algsurf_ray chord;
     algsurf_i_edges edges;
-    int state;
-    if (!algsurf_i_extent_bracket(extent, ray, &chord, &edges) || !counts_undecided(options, &state))
-        return 0;
-    set_undecided(&chord, ALGSURF_UNDECIDED_MULTIPLE, hit);
-    hit->state = state;
-    return 1;
+    *count = algsurf_i_extent_bracket(extent, ray, &chord, &edges);
+    if (*count) set_undecided(ray, chord.t_min, chord.t_max, ALGSURF_UNDECIDED_MULTIPLE, hit);
+}
+
+/* What becomes of undecided places is the caller's choice. */
+static void settle_undecided(algsurf_doubt doubt, algsurf_hit *hits, int *count) {
+    int kept = 0;
+    for (int i = 0; i < *count; i++) {
+        int undecided = hits[i].state == ALGSURF_UNCERTAIN;
+        if (undecided && doubt == ALGSURF_DOUBT_MISS) continue;
+        hits[kept] = hits[i];
+        if (undecided && doubt == ALGSURF_DOUBT_HIT) hits[kept].state = ALGSURF_HIT;
+        kept++;
+    }
+    *count = kept;
+}
+
+/* The hits of a ray that lanes left undecided. */
+static algsurf_status decide(const algsurf_surface *surface, const algsurf_extent *extent,
+                             const algsurf_ray *ray, const algsurf_intersect_options *options,
+                             algsurf_i_want want, algsurf_hit *hits, int *count) {
+    algsurf_status status = ALGSURF_OK;
+    if (options->tier == ALGSURF_TIER_BOUNDED)
+        hit_undecided(extent, ray, hits, count);
+    else if (surface->error > 0)
+        status = hits_in_ranges(surface, extent, ray, options, hits, count);
+    else
+        status = hits_exact(surface, extent, ray, options, want, hits, count);
+    if (status != ALGSURF_OK) return status;
+    settle_undecided(options->doubt, hits, count);
+    for (int i = 0; options->tier == ALGSURF_TIER_FAST && i < *count; i++)
+        hits[i].t_lo = hits[i].t_hi = hits[i].t;
+    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
                                          const algsurf_ray *ray, const algsurf_intersect_options *options,
                                          algsurf_hit *hit) {
-    algsurf_hit found;
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
-    int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, &found) : -1;
-    if (count < 0 && goes_to_integers(surface, options)) /* where no method is chosen, packets have tried */
-        status = hits_of(surface, extent, ray, options, ALGSURF_WANT_FIRST, &found, 1, &count);
-    else if (count < 0)
-        count = undecided_hit(extent, ray, options, &found);
+    /* where no method is chosen, packets have tried */
+    int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, found) : -1;
+    if (count < 0) status = decide(surface, extent, ray, options, ALGSURF_WANT_FIRST, found, &count);
     if (status != ALGSURF_OK) return status;
     if (count)
-        *hit = found;
+        *hit = found[0];
     else
         set_miss(hit);
     return ALGSURF_OK;
 }
 
-/* At most one hit for each degree, but at least one: into `found`. */
+/* Room in `found` for one hit for each degree, but at least one. */
 static algsurf_status find_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                const algsurf_ray *ray, const algsurf_intersect_options *options,
                                algsurf_hit *found, int *count) {
     *count = hits_in_lane(surface, extent, ray, options, surface->degree, found);
-    if (*count >= 0) return ALGSURF_OK;
-    if (goes_to_integers(surface, options))
-        return hits_of(surface, extent, ray, options, ALGSURF_WANT_ALL, found, ALGSURF_MAX_DEGREE, count);
-    *count = undecided_hit(extent, ray, options, found);
-    return ALGSURF_OK;
+    return *count >= 0 ? ALGSURF_OK : decide(surface, extent, ray, options, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -274,16 +305,12 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
 algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
                                   algsurf_hit_state *state) {
-    algsurf_i_ray_root root;
-    algsurf_hit unused;
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    if (!goes_to_integers(surface, options)) {
-        *state =
-            undecided_hit(extent, ray, options, &unused) ? (algsurf_hit_state)unused.state : ALGSURF_MISS;
-        return ALGSURF_OK;
-    }
-    algsurf_status status = algsurf_i_exact_roots(surface, extent, ray, ALGSURF_WANT_ANY,
-                                                  memory_limit(options), &root, 1, &count);
-    if (status == ALGSURF_OK) *state = count ? ALGSURF_HIT : ALGSURF_MISS;
-    return status;
+    algsurf_status status = decide(surface, extent, ray, options, ALGSURF_WANT_ANY, found, &count);
+    if (status != ALGSURF_OK) return status;
+    *state = count ? ALGSURF_UNCERTAIN : ALGSURF_MISS;
+    for (int i = 0; i < count; i++)
+        if (found[i].state == ALGSURF_HIT) *state = ALGSURF_HIT;
+    return ALGSURF_OK;
 }

@@ -1,0 +1,20 @@
+/* ranges.h - a ray and a surface whose coefficients are known to an error only, in integers. */
+#ifndef ALGSURF_RANGES_H
+#define ALGSURF_RANGES_H
+#include "intersect_impl.h"
+
+/* Where hits are, or may be: in [lo,hi]. */
+typedef struct algsurf_i_ray_range {
+    double lo, hi;
+    int side; /* 0: undecided; else each polynomial of the set has one simple root there, and this
+                 sign before it */
+    algsurf_status reason; /* why it is undecided */
+} algsurf_i_ray_range;
+
+/* All of them along a checked ray in the extent (null: all of space), in order; at most ALGSURF_MAX_DEGREE.
+ * Beyond the largest double nothing is looked for.  OK or E_NO_MEMORY.  Stack, limit: as
+ * algsurf_i_exact_roots. */
+algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algsurf_extent *extent,
+                                      const algsurf_ray *ray, size_t limit,
+                                      algsurf_i_ray_range ranges[ALGSURF_MAX_DEGREE], int *count);
+#endif
