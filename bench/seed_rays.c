@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "seed_bare.h"
 
 static const double FAR = 0x1p-34; /* a thousand times as far as any of the seven surfaces needs */
 
@@ -59,6 +60,18 @@ static void prove_root(seed_ray *ray, int degree, const char *name) {
     cli_fail(CLI_BROKEN, "%s: no root is proved to be near %.17g", name, ray->root);
 }
 
+/* The bracket that the paper's halving finds, if it is proved to hold the first root and no other: the library
+ * splits where it expects to gain most, and false position would not show what it is known for. */
+static void take_half(seed_ray *ray, int degree) {
+    double lo, hi;
+    int before = 1, inside = 0;
+    if (!seed_bare_isolate(ray->c, degree, &lo, &hi)) return;
+    if (algsurf_count_roots(ray->c, NULL, degree, -1, lo, &before) != ALGSURF_OK || before > 0) return;
+    if (algsurf_count_roots(ray->c, NULL, degree, lo, hi, &inside) != ALGSURF_OK || inside != 1) return;
+    ray->lo = lo;
+    ray->hi = hi;
+}
+
 static void isolate(seed_view *view, seed_ray *ray) {
     algsurf_bracket bracket;
     int found, degree = view->entry->degree;
@@ -70,6 +83,7 @@ static void isolate(seed_view *view, seed_ray *ray) {
     view->bracketed++;
     ray->lo = bracket.lo;
     ray->hi = bracket.hi;
+    take_half(ray, degree);
     prove_root(ray, degree, view->entry->name);
 }
 

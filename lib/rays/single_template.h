@@ -80,8 +80,8 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
         refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
     if (any(s->k.doubtful)) return 0;
     find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, &s->k, &hit);
-    if (any(s->k.doubtful)) {
-        if (!s->how) return 0;
+    if (!s->how && any(s->k.doubtful)) return 0;
+    if (any(s->k.doubtful) || (s->how && s->how->tolerance > 0)) { /* a tolerance is to be seen */
         s->k.doubtful = no_lane();
         hit_as_it_is(s, 2 * v - 1, &hit);
     }
