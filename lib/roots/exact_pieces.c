@@ -10,6 +10,7 @@
  *
  * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1) one term is larger than all others together, there is
  * none: |c_m u^m| >= 2^(B_m - 1 + e m), and the n others are below n 2^(max B_k + (e+1) k). */
+#include <float.h>
 #include <math.h>
 
 #include "exact.h"
@@ -130,8 +131,8 @@ void algsurf_exact_pieces_begin(algsurf_exact_walk *walk) {
         root_bounds(&walk->p, walk->zeros, &least, &most);
         s->least = least + walk->unit;
         s->most = most + walk->unit;
-        if (bounded && ilogb(fmax(fabs(lo), fabs(hi))) + 1 < s->most)
-            s->most = ilogb(fmax(fabs(lo), fabs(hi))) + 1; /* 2^most > all t */
+        double farthest = bounded ? fmax(fmax(fabs(lo), fabs(hi)), 0x1p-1074) : DBL_MAX;
+        if (ilogb(farthest) + 1 < s->most && bounded) s->most = ilogb(farthest) + 1; /* 2^most > all t */
         int near = walk->zeros == 0 && s->most - s->least <= NOT_FAR;
         if (near && s->most <= 1023 && s->most >= -1074) {
             double reach = power_of_two(s->most);
