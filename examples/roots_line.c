@@ -58,11 +58,18 @@ static double certain_end(const double *c, int degree, double from, double limit
     return limit;
 }
 
+/* Between neighbouring doubles: nothing to refine; one of them is infinite beyond the range of double. */
+static roots_row narrow(const algsurf_bracket *b) {
+    double value = isfinite(b->lo) ? b->lo : b->hi;
+    return (roots_row){{value, 0}, {{b->lo, b->hi}, {0, 0}}, b->multiplicity, 1};
+}
+
 /* A bracket made narrow. */
 static roots_row refined(const double *c, int degree, const algsurf_bracket *b, double tolerance) {
     const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
     algsurf_interval re = {b->lo, b->hi};
     algsurf_root root;
+    if (nextafter(b->lo, b->hi) == b->hi) return narrow(b);
     if (algsurf_refine_poly(c, degree, b->lo, b->hi, &options, &root) == ALGSURF_OK) {
         if (root.value == 0) root.lo = root.hi = root.root;
         re = (algsurf_interval){certain_end(c, degree, root.lo, b->lo, b->sign),
@@ -70,23 +77,11 @@ static roots_row refined(const double *c, int degree, const algsurf_bracket *b, 
     } else {
         root.root = algsurf_interval_mid(re);
     }
-    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->multiplicity == 1, 1};
+    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->multiplicity, 1};
 }
 
-/* An exact root is simple where the derivative certainly does not vanish; else its multiplicity is open. */
-static roots_row exact(const double *c, int degree, double t) {
-    double d[ROOTS_MAX_FIELDS] = {0}, r[ROOTS_MAX_FIELDS] = {0};
-    for (int k = 1; k <= degree; k++) {
-        d[k - 1] = k * c[k];
-        r[k - 1] = DBL_EPSILON * fabs(d[k - 1]) + DBL_TRUE_MIN;
-    }
-    int simple = degree > 0 && certain_sign(d, r, degree - 1, t) != 0;
-    return (roots_row){{t, 0}, {{t, t}, {0, 0}}, simple, 1};
-}
-
-static roots_row undecided(const algsurf_bracket *b) {
-    algsurf_interval re = {b->lo, b->hi};
-    return (roots_row){{algsurf_interval_mid(re), 0}, {re, {0, 0}}, 0, 0};
+static roots_row exact(const algsurf_bracket *b) {
+    return (roots_row){{b->lo, 0}, {{b->lo, b->lo}, {0, 0}}, b->multiplicity, 1};
 }
 
 int roots_real(size_t line, const roots_polynomial *p, const roots_interval *where, double tolerance,
@@ -104,8 +99,6 @@ int roots_real(size_t line, const roots_polynomial *p, const roots_interval *whe
         algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, b, ROOTS_MAX_FIELDS, &count);
     if (status < 0) return refused(line, status);
     for (int i = 0; i < count; i++)
-        rows[i] = b[i].kind == ALGSURF_ROOT_BRACKET ? refined(c, p->degree, &b[i], tolerance)
-                  : b[i].kind == ALGSURF_ROOT_EXACT ? exact(c, p->degree, b[i].lo)
-                                                    : undecided(&b[i]);
+        rows[i] = b[i].kind == ALGSURF_ROOT_EXACT ? exact(&b[i]) : refined(c, p->degree, &b[i], tolerance);
     return count;
 }

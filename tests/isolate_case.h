@@ -1,4 +1,9 @@
-/* isolate_case.h - judges what isolate says about one polynomial and one interval. */
+/* isolate_case.h - judges what isolate says about one polynomial and one interval.
+ *
+ * Without radii each root must be decided: the k-th entry is the k-th root by Sturm's chain, with its
+ * multiplicity and the sign before it.  The chains of p and of the greatest common divisors of p and p', of
+ * that and its derivative, and so on, tell multiplicities: a root of multiplicity m is a root of m of them.
+ */
 #ifndef ISOLATE_CASE_H
 #define ISOLATE_CASE_H
 #include <setjmp.h>
@@ -28,22 +33,28 @@ static inline _Noreturn void isolate_fail(const char *what, const double *c, con
     exact_print_doubles("c", c, n + 1);
     if (r) exact_print_doubles("r", r, n + 1);
     for (int i = 0; i < a->count; i++)
-        fprintf(stderr, "  kind %d sign %d most %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign,
+        fprintf(stderr, "  kind %d sign %d multiplicity %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign,
                 a->b[i].multiplicity, (int)a->b[i].status, a->b[i].lo, a->b[i].hi);
     fail_msg("%s: degree %d on [%a, %a], status %d", what, n, lo, hi, (int)a->status);
     abort();
 }
 
-/* What the three calls say must agree with each other, be in order and in the interval.  (A later root that
- * needs double-double may give the first one another bracket.) */
+static inline int isolate_same_place(const algsurf_bracket *a, const algsurf_bracket *b) {
+    return a->kind == ALGSURF_ROOT_BRACKET && b->kind == ALGSURF_ROOT_BRACKET && a->lo == b->lo &&
+           a->hi == b->hi;
+}
+
+/* What the three calls say must agree with each other, be in order and in the interval. */
 static inline const char *isolate_form(const double *c, const double *r, int n, double lo, double hi,
                                        isolate_answer *a) {
     int found = -1, roots = -1, decided = 0;
     algsurf_status reason = ALGSURF_OK;
     for (int i = 0; i < a->count; i++) {
         const algsurf_bracket *b = a->b + i;
-        double before = i > 0 ? b[-1].hi : lo;
-        if (!(b->lo >= before && b->hi <= hi && b->lo <= b->hi)) return "out of order, or of the interval";
+        int shares = !r && i > 0 && isolate_same_place(b - 1, b);
+        if (!(b->lo >= lo && b->hi <= hi && b->lo <= b->hi)) return "out of the interval";
+        if (i > 0 && !shares && !(b->lo >= b[-1].hi)) return "out of order";
+        if (i > 0 && b[-1].lo == b->hi) return "one point twice";
         if (isolate_decided(b) != (b->status == ALGSURF_OK) || b->status < 0) return "status of an entry";
         if (b->kind == ALGSURF_ROOT_BRACKET && !(b->lo < b->hi && b->sign * b->sign == 1))
             return "no bracket";
@@ -57,14 +68,13 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
     algsurf_status status = algsurf_isolate_first(c, r, n, lo, hi, &a->first, &found);
     if (found != (a->count > 0)) return "first and all disagree";
     if (found && status != a->first.status) return "status of the first";
-    if (found && (a->first.kind != a->b[0].kind || a->first.sign != a->b[0].sign))
-        return "first is not the first of all";
-    if (found && !(a->first.lo <= a->b[0].hi && a->b[0].lo <= a->first.hi)) return "first is elsewhere";
+    if (found && memcmp(&a->first, a->b, sizeof a->first) != 0) return "first is not the first of all";
     if (algsurf_count_roots(c, r, n, lo, hi, &roots) != a->status || roots != decided) return "count differs";
     return NULL;
 }
 
-/* Are the claims true of the polynomial s, and all its roots in [lo,hi] in the entries? */
+/* With radii: are the claims true of s, one of the polynomials, and all its roots in [lo,hi] in the entries?
+ */
 static inline const char *isolate_truth(const exact_sturm *s, double lo, double hi, const isolate_answer *a) {
     int roots = 0;
     for (int i = 0; i < a->count; i++) {
@@ -91,7 +101,7 @@ static inline int isolate_sign(const double *c, int n, double x) {
     return (c[n] > 0) == (x > 0 || n % 2 == 0) ? 1 : -1;
 }
 
-/* The signs a bracket tells, for the polynomial with exactly these coefficients. */
+/* The signs a bracket tells, for the middle of a set. */
 static inline const char *isolate_signs(const double *c, int n, const isolate_answer *a) {
     for (int i = 0; i < a->count; i++) {
         const algsurf_bracket *b = a->b + i;
@@ -102,17 +112,131 @@ static inline const char *isolate_signs(const double *c, int n, const isolate_an
     return NULL;
 }
 
+/* ---- without radii ---- */
+
+/* Chains of p (number 0) and of the common divisors, until they are constant. */
+typedef struct isolate_chains {
+    int count;
+    exact_sturm s[ALGSURF_MAX_POLY_DEGREE + 1];
+} isolate_chains;
+
+/* p, of degree n > 0, becomes the greatest common divisor of p and p'; returns its degree. */
+static inline int isolate_divisor(mpz_t *p, int n) {
+    mpz_t *q = malloc((size_t)(n + 1) * sizeof *q), *a = p, *b = q;
+    for (int k = 0; k <= n; k++) mpz_init(q[k]);
+    for (int k = 1; k <= n; k++) mpz_mul_ui(q[k - 1], p[k], (unsigned long)k);
+    int da = n, db = n - 1;
+    while (db >= 0) { /* the pair a, b becomes b, a mod b */
+        exact_primitive(b, db);
+        int rest = exact_remainder(a, da, b, db);
+        mpz_t *t = a;
+        a = b, b = t, da = db, db = rest;
+    }
+    for (int k = 0; a != p && k <= n; k++) mpz_swap(p[k], q[k]);
+    for (int k = da + 1; k <= n; k++) mpz_set_ui(p[k], 0);
+    for (int k = 0; k <= n; k++) mpz_clear(q[k]);
+    free(q);
+    return da;
+}
+
+static inline void isolate_chains_of(const double *c, int n, isolate_chains *chains) {
+    mpz_t *p = malloc((size_t)(n + 1) * sizeof *p);
+    for (int k = 0; k <= n; k++) mpz_init(p[k]);
+    (void)exact_integers(p, c, n);
+    int degree = exact_degree(p, n);
+    for (chains->count = 0; degree > 0 || chains->count == 0; degree = isolate_divisor(p, degree)) {
+        chains->s[chains->count++] = exact_sturm_of(p, degree);
+        if (degree == 0) break;
+    }
+    for (int k = 0; k <= n; k++) mpz_clear(p[k]);
+    free(p);
+}
+
+static inline void isolate_chains_clear(isolate_chains *chains) {
+    for (int i = 0; i < chains->count; i++) exact_sturm_clear(chains->s + i);
+}
+
+/* Roots in the open interval (lo,hi). */
+static inline int isolate_between(const exact_sturm *s, double lo, double hi) {
+    int at_lo = isfinite(lo) && exact_is_root(s, lo), at_hi = isfinite(hi) && exact_is_root(s, hi);
+    return exact_count_roots(s, lo, hi) - at_lo - at_hi;
+}
+
+/* The sign of p just after x: that of the first derivative which does not vanish there. */
+static inline int isolate_sign_after(const double *c, int n, double x) {
+    if (!isfinite(x)) return isolate_sign(c, n, x);
+    mpz_t *p = malloc((size_t)(n + 1) * sizeof *p);
+    int sign = 0;
+    for (int k = 0; k <= n; k++) mpz_init(p[k]);
+    (void)exact_integers(p, c, n);
+    for (int d = n; d >= 0 && (sign = exact_integers_sign(p, d, x)) == 0; d--)
+        for (int k = 1; k <= d; k++) mpz_mul_ui(p[k - 1], p[k], (unsigned long)k);
+    for (int k = 0; k <= n; k++) mpz_clear(p[k]);
+    free(p);
+    return sign;
+}
+
+/* One root at a double. */
+static inline const char *isolate_exact_entry(const isolate_chains *chains, const algsurf_bracket *b) {
+    int multiplicity = 0;
+    if (!isfinite(b->lo)) return "an exact root at infinity";
+    for (int i = 0; i < chains->count; i++) multiplicity += exact_is_root(chains->s + i, b->lo);
+    if (multiplicity == 0) return "no root at an exact one";
+    return multiplicity != b->multiplicity ? "multiplicity of an exact root" : NULL;
+}
+
+/* `count` entries with the same ends: as many roots between these. */
+static inline const char *isolate_brackets(const double *c, int n, const isolate_chains *chains,
+                                           const algsurf_bracket *b, int count) {
+    int all = 0, sum = 0, sign = isolate_sign_after(c, n, b->lo);
+    int neighbours = nextafter(b->lo, INFINITY) == b->hi;
+    for (int i = 0; i < chains->count; i++) all += isolate_between(chains->s + i, b->lo, b->hi);
+    for (int i = 0; i < count; i++) {
+        if (b[i].sign != sign) return "sign before a root";
+        if (b[i].multiplicity % 2) sign = -sign;
+        sum += b[i].multiplicity;
+    }
+    if (isolate_between(chains->s, b->lo, b->hi) != count) return "not as many roots as brackets";
+    if (sum != all) return "multiplicity";
+    if (neighbours) return NULL;
+    if (count != 1 || b->multiplicity != 1) return "a wide bracket of a root that is multiple, or not alone";
+    if (isolate_sign(c, n, b->lo) != b->sign || isolate_sign(c, n, b->hi) != -b->sign)
+        return "signs at the ends of a wide bracket";
+    return NULL;
+}
+
+/* Each root of p in [lo,hi] has its entry. */
+static inline const char *isolate_decisions(const double *c, int n, double lo, double hi,
+                                            const isolate_answer *a) {
+    static isolate_chains chains;
+    const char *wrong = NULL;
+    isolate_chains_of(c, n, &chains);
+    for (int i = 0, next; !wrong && i < a->count; i = next) {
+        for (next = i + 1; next < a->count && isolate_same_place(a->b + i, a->b + next);) next++;
+        switch (a->b[i].kind) {
+        case ALGSURF_ROOT_EXACT:
+            wrong = isolate_exact_entry(&chains, a->b + i);
+            break;
+        case ALGSURF_ROOT_BRACKET:
+            wrong = isolate_brackets(c, n, &chains, a->b + i, next - i);
+            break;
+        default:
+            wrong = "undecided";
+        }
+    }
+    if (!wrong && exact_count_roots(chains.s, lo, hi) != a->count) wrong = "another number of roots";
+    isolate_chains_clear(&chains);
+    return wrong;
+}
+
 /* All of this for exact coefficients, not all zero; the answer is handed out for more questions. */
 static inline void isolate_judge(const double *c, int n, double lo, double hi, isolate_answer *a) {
     memset(a, 0, sizeof *a);
     a->count = -1;
     a->status = algsurf_isolate_all(c, NULL, n, lo, hi, a->b, ALGSURF_MAX_POLY_DEGREE + 1, &a->count);
-    if (a->status < 0 || a->count < 0) isolate_fail("refused", c, NULL, n, lo, hi, a);
-    exact_sturm s = exact_sturm_of_doubles(c, n);
+    if (a->status != ALGSURF_OK || a->count < 0) isolate_fail("refused", c, NULL, n, lo, hi, a);
     const char *wrong = isolate_form(c, NULL, n, lo, hi, a);
-    if (!wrong) wrong = isolate_truth(&s, lo, hi, a);
-    if (!wrong) wrong = isolate_signs(c, n, a);
-    exact_sturm_clear(&s);
+    if (!wrong) wrong = isolate_decisions(c, n, lo, hi, a);
     if (wrong) isolate_fail(wrong, c, NULL, n, lo, hi, a);
 }
 

@@ -73,7 +73,7 @@ static void test_boxes(void **state) {
     int decided = 0, rounds = 1200, undecided = 0;
     for (int i = 0; i < rounds; i++) {
         double c[21], r[21], ends[4] = {-1.5, 2, -INFINITY, INFINITY};
-        int n = 1 + exact_random_int(&seed, 12), bits = 5 + exact_random_int(&seed, 50);
+        int n = 1 + exact_random_int(&seed, 12), bits = 1 + exact_random_int(&seed, 50);
         for (int k = 0; k <= n; k++) {
             c[k] = exact_random_wide(&seed, -3, 3);
             r[k] = exact_random_int(&seed, 3) ? ldexp(fabs(exact_random_unit(&seed)), -bits) : 0.0;
@@ -131,11 +131,15 @@ static void test_far_radii(void **state) {
 static void test_sizes_that_overlap(void **state) {
     (void)state;
     uint64_t seed = SEED;
-    const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0.9, 0}, line[2] = {-0x1p600, 0x1p-600}, none[2] = {0, 0};
+    const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0.9, 0}, line[2] = {-0x1p600, 0x1p-600}, none[2] = {0, 0},
+                 some[2] = {0, 0x1p-599};
     judge_box(&seed, c, r, 2, -INFINITY, INFINITY);
     assert_true(answer.count > 0);
     judge_box(&seed, line, none, 1, 0, INFINITY);
-    assert_true(answer.status > 0 && answer.count == 1 && answer.b[0].hi == INFINITY);
+    assert_true(answer.status == ALGSURF_OK && answer.count == 1);
+    assert_true(answer.b[0].lo == DBL_MAX && answer.b[0].hi == INFINITY);
+    judge_box(&seed, line, some, 1, 0, INFINITY); /* a leading coefficient that may vanish */
+    assert_true(answer.status == ALGSURF_UNDECIDED_RANGE && answer.b[answer.count - 1].hi == INFINITY);
     judge_box(&seed, line, none, 1, 0, DBL_MAX);
     assert_int_equal(answer.count, 0);
 }
@@ -148,6 +152,10 @@ static void test_one_point_of_a_box(void **state) {
     assert_int_equal(answer.status, ALGSURF_UNDECIDED_ZERO);
     judge_box(&seed, c, r, 1, 1.5, 1.5);
     assert_int_equal(answer.count, 0);
+    for (int k = -1; k <= 1; k++) { /* the same point as an end, and within */
+        judge_box(&seed, c, r, 1, fmin(1, 1 + k), fmax(1, 1 + k));
+        assert_true(answer.status > 0 && answer.count == 1);
+    }
 }
 
 /* Sets with members whose roots are below the least double, or all of an interval that is hardly longer, or 0

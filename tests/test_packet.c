@@ -369,7 +369,7 @@ static void test_counts(void **unused) {
 /* t^n + 2 t^(n-1) - sign: one root about -2, off by 2^-(n-1) or somewhat more. */
 enum { HIGH = 511 };
 
-static void check_wide(int n, double sign, double from, double to, int *bracketed) {
+static void check_wide(int n, double sign, double from, double to) {
     static double one[HIGH + 1];
     static const double *rows[HIGH + 1];
     for (int k = 0; k <= n; k++) one[k] = k == n ? 1 : k == n - 1 ? 2 : k == 0 ? -sign : 0, rows[k] = one + k;
@@ -381,7 +381,6 @@ static void check_wide(int n, double sign, double from, double to, int *brackete
     assert_int_equal(algsurf_first_roots(&p, NULL, &state, &root), ALGSURF_OK);
     assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
     assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, &b, &found), ALGSURF_OK);
-    *bracketed += b.kind == ALGSURF_ROOT_BRACKET && b.lo < 8 * b.hi;
     /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
     double room = 0x1p-52 * fabs(root) + (n <= 20 ? 1e-12 * (to - from) : 0);
     double left = fmax(root - room, b.lo), right = fmin(root + room, b.hi);
@@ -395,13 +394,11 @@ static void check_wide(int n, double sign, double from, double to, int *brackete
 static void test_wide_intervals(void **unused) {
     (void)unused;
     static const int high[] = {4, 9, 19, 20, 21, 24, 29, 40, 63, 130, 255, 511};
-    int wide = 0;
     for (size_t i = 0; i < sizeof high / sizeof *high; i++)
         for (int e = 2; e <= 1000; e = e < 100 ? e + 14 : e + 100)
             for (int f = -100; f <= 1000; f += 300)
                 for (int sign = -1; sign <= 1; sign += 2)
-                    check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f), &wide);
-    assert_true(wide > 100);
+                    check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f));
 }
 
 static void test_tolerance(void **unused) {

@@ -1,7 +1,7 @@
 /* algsurf/packet.h - the first roots of many real polynomials of one degree, side by side.
  *
  * What isolate.h and refine.h do for one polynomial, the packet code of this processor does here for
- * several at once.  A polynomial that it would have to doubt is handed to algsurf_isolate_first. */
+ * several at once.  A polynomial that it would have to doubt is decided alone, in integers. */
 #ifndef ALGSURF_PACKET_H
 #define ALGSURF_PACKET_H
 #include <stddef.h>
@@ -26,10 +26,10 @@ typedef struct algsurf_poly_packet {
 /* What is known of the first root. */
 typedef enum algsurf_first_root_state {
     ALGSURF_FIRST_ROOT_NONE = 0,     /* no root in the interval: verified; root is +inf */
-    ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one, and it lies in a bracket that isolates the first one:
-                                        verified */
-    ALGSURF_FIRST_ROOT_UNCERTAIN = 2 /* beyond double-double; root is where it is in doubt: none is before,
-                                        but for the width of the place in doubt */
+    ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one: verified */
+    ALGSURF_FIRST_ROOT_UNCERTAIN = 2 /* not the same for all polynomials within the radii, or zero throughout,
+                                        or no memory; root is where it is in doubt: none is before, but for
+                                        the width of the place in doubt (+inf without memory) */
 } algsurf_first_root_state;
 
 /* How first roots are found. */
@@ -47,17 +47,18 @@ typedef struct algsurf_first_roots_options {
  *   root     for each polynomial; null: not asked for
  * Neither may overlap the input.
  * Guarantee: a state other than UNCERTAIN is verified, and is what algsurf_isolate_first says.  (With
- * radii, or with a root so close to 0 that no double is between, one may be verified where the single call
- * stays undecided.)  A multiple root is UNCERTAIN, unless it is at 0 or at an end; so is a polynomial that is
- * zero throughout.  The root stays in the bracket that isolates the first one; where in it is approximate, by
- * the default tolerance to 1e-12 of the interval and the rounding of the root itself: what double cannot tell
- * to that is refined in double-double.  The bits of an answer depend on its polynomial only, not on the
- * kernel, the other polynomials or their number.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
- * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
- * deciding; nothing is written then.
+ * radii, one may be verified where the single call stays undecided.)  Without radii, only a polynomial that
+ * is zero throughout is UNCERTAIN.  Multiple roots are found like others.  The root is that of a bracket
+ * which isolates the first one; where in it is approximate, by the default tolerance to 1e-12 of the interval
+ * and the rounding of the root itself; where integers decide, it is one of the two doubles around the root.
+ * The bits of an answer depend on its polynomial only, not on the kernel, the other polynomials or their
+ * number. Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad
+ * size, tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
+ * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNCERTAIN for want of memory;
+ * the other answers stand.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
- * is handed on costs the single calls, some microseconds; so do all above degree 20.  No allocation.
+ * is decided alone takes 2 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
+ * 1 GiB at most, and give it back.
  * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
                                                const algsurf_first_roots_options *options,

@@ -31,6 +31,13 @@ static int exact_sign(const algsurf_i_coefficients *p, double x) {
     return done ? sign : ALGSURF_SIGN_UNKNOWN;
 }
 
+/* Do the polynomials within the radii differ? */
+static int has_radii(const algsurf_i_coefficients *p) {
+    for (int k = 0; p->r && k <= p->degree; k++)
+        if (p->r[k] > 0) return 1;
+    return 0;
+}
+
 int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     double value, bound, c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
     if (x == 0 && (!p->r || p->r[0] == 0 || fabs(p->c[0]) > p->r[0])) return (p->c[0] > 0) - (p->c[0] < 0);
@@ -43,5 +50,5 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     }
     algsurf_status status = algsurf_poly_eval_compensated(c, r, p->degree, ldexp(x, -unit), &value, &bound);
     if (status == ALGSURF_OK && fabs(value) > bound) return value > 0 ? 1 : -1;
-    return p->r ? ALGSURF_SIGN_UNKNOWN : exact_sign(p, x);
+    return has_radii(p) ? ALGSURF_SIGN_UNKNOWN : exact_sign(p, x);
 }

@@ -1,7 +1,8 @@
 /* decide.c - from doubles to integers, and the walks of exact.c and exact_radii.c over them.
  *
- * Infinite ends of an interval for polynomials with radii: a root is beyond the largest double T only if
- * |c_n| - r_n <= sum of (|c_k| + r_k) T^(k-n) over k < n; what may be there is an undecided place of its own.
+ * For polynomials with radii the interval is first cut where no root can be: |t| <= 2 max |c_k /
+ * c_n|^(1/(n-k)) for all roots (Fujiwara 1916), with the largest |c_k| and the least |c_n| of the set.  Where
+ * that is beyond the largest double, or c_n may vanish, what is beyond it is an undecided place of its own.
  */
 #include "decide.h"
 
@@ -49,16 +50,21 @@ algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, do
 
 /* ---- radii ---- */
 
-/* May some polynomial of the set have roots beyond the largest double? */
-static int may_be_beyond(const algsurf_i_coefficients *p) {
-    int n = p->degree, spare = 10; /* the sum of at most 512 terms, and roundings */
+static int quotient_up(int a, int b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }
+
+/* An exponent e so that |t| <= 2^e for all roots of the set; above 1023 if there is none.  |c_k| is below
+ * 2^(i+2), i the exponent of the larger one of |c_k| and r_k; the difference that is least |c_n|, rounded, is
+ * at most twice too large. */
+static int root_bound(const algsurf_i_coefficients *p) {
+    int n = p->degree, bound = -1000;
     double lead = fabs(p->c[n]) - p->r[n];
-    if (!(lead > 0)) return 1;
+    if (!(lead > 0)) return 1024;
     for (int k = 0; k < n; k++) {
-        double size = fabs(p->c[k]) + p->r[k];
-        if (size > 0 && ilogb(size) + 1 + spare - 1023 * (n - k) >= ilogb(lead)) return 1;
+        double size = fmax(fabs(p->c[k]), p->r[k]);
+        int e = size > 0 ? quotient_up(ilogb(size) + 3 - ilogb(lead), n - k) : bound;
+        if (e > bound) bound = e;
     }
-    return 0;
+    return bound + 1;
 }
 
 /* Both in integers with one power of two: p and the radii are parts of one polynomial of twice as many
@@ -75,50 +81,71 @@ static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int u
            algsurf_exact_from_doubles_above(m, p->r, p->degree, unit, least, radius);
 }
 
-static algsurf_bracket bracket_of(const algsurf_exact_range *range, int degree) {
-    if (range->lo == range->hi)
-        return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_EXACT, 0, degree, ALGSURF_OK};
-    if (range->sign_lo)
-        return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_BRACKET, range->sign_lo, 1, ALGSURF_OK};
-    return (algsurf_bracket){range->lo, range->hi, ALGSURF_ROOT_UNDECIDED,
-                             0,         degree,    ALGSURF_UNDECIDED_MULTIPLE};
+/* A range's bracket.  With lo = hi, a root only where all of the set vanish. */
+static algsurf_bracket bracket_of(const algsurf_i_coefficients *p, const algsurf_exact_range *range) {
+    algsurf_bracket b = {range->lo, range->hi, ALGSURF_ROOT_UNDECIDED,
+                         0,         p->degree, ALGSURF_UNDECIDED_MULTIPLE};
+    if (b.lo == b.hi && algsurf_i_sign_at(p, b.lo) == 0) {
+        b.kind = ALGSURF_ROOT_EXACT;
+        b.status = ALGSURF_OK;
+    } else if (b.lo == b.hi) {
+        b.status = ALGSURF_UNDECIDED_ZERO;
+    } else if (range->sign_lo) {
+        b = (algsurf_bracket){b.lo, b.hi, ALGSURF_ROOT_BRACKET, range->sign_lo, 1, ALGSURF_OK};
+    }
+    return b;
 }
 
-static void add_beyond(algsurf_bracket *b, int capacity, int *count, double lo, double hi, int degree) {
-    const algsurf_bracket beyond = {lo, hi, ALGSURF_ROOT_UNDECIDED, 0, degree, ALGSURF_UNDECIDED_RANGE};
-    if (*count < capacity) {
-        b[(*count)++] = beyond;
-    } else {
-        b[*count - 1] = (algsurf_bracket){b[*count - 1].lo,       hi, ALGSURF_ROOT_UNDECIDED, 0, degree,
-                                          ALGSURF_UNDECIDED_RANGE};
+static algsurf_bracket beyond(double lo, double hi, int degree) {
+    return (algsurf_bracket){lo, hi, ALGSURF_ROOT_UNDECIDED, 0, degree, ALGSURF_UNDECIDED_RANGE};
+}
+
+/* Appends an entry; undecided ones that touch become one, and the last one takes what there is no room for.
+ */
+static void add(algsurf_bracket *b, int capacity, int *count, const algsurf_bracket *entry, int degree) {
+    algsurf_bracket *last = b + *count - 1;
+    int touch = *count > 0 && last->hi == entry->lo && last->kind == ALGSURF_ROOT_UNDECIDED &&
+                entry->kind == ALGSURF_ROOT_UNDECIDED;
+    if (!touch && *count < capacity) {
+        b[(*count)++] = *entry;
+        return;
     }
+    algsurf_status status = last->status != ALGSURF_OK ? last->status : entry->status;
+    if (status == ALGSURF_OK) status = ALGSURF_UNDECIDED_MULTIPLE;
+    *last = (algsurf_bracket){last->lo, entry->hi, ALGSURF_ROOT_UNDECIDED, 0, degree, status};
+}
+
+/* The ranges in [from,to], which is finite. */
+static algsurf_status find_ranges(const algsurf_i_coefficients *p, double from, double to,
+                                  algsurf_exact_range *found, int capacity, int *count) {
+    algsurf_limb block[STACK_WORDS];
+    algsurf_memory memory;
+    algsurf_zpoly centre, radius;
+    int unit = algsurf_exact_piece_of(from, to).unit;
+    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    int done = in_integers(&memory, p, unit, &centre, &radius) &&
+               algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, from, to, found, capacity, count);
+    algsurf_memory_release(&memory, begin);
+    return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
 
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
                                        algsurf_bracket *brackets, int capacity, int *count) {
-    algsurf_limb block[STACK_WORDS];
-    algsurf_memory memory;
-    algsurf_zpoly centre, radius;
     algsurf_exact_range found[ALGSURF_MAX_POLY_DEGREE];
-    double from = fmax(lo, -DBL_MAX), to = fmin(hi, DBL_MAX);
-    int n = 0, beyond = (from > lo || to < hi) && may_be_beyond(p),
-        unit = algsurf_exact_piece_of(from, to).unit;
     *count = 0;
     if (p->degree < 1) return ALGSURF_OK;
-    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    int done = in_integers(&memory, p, unit, &centre, &radius) &&
-               algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, from, to, found, capacity, &n);
-    algsurf_memory_release(&memory, begin);
-    if (!done) return ALGSURF_E_NO_MEMORY;
-    if (beyond && from > lo) add_beyond(brackets, capacity, count, lo, from, p->degree);
+    int n = 0, bound = root_bound(p), open = bound > 1023;
+    double most = open ? DBL_MAX : ldexp(1, bound), from = fmax(lo, -most), to = fmin(hi, most);
+    if (from > to) return ALGSURF_OK;
+    const algsurf_bracket below = beyond(lo, from, p->degree), above = beyond(to, hi, p->degree);
+    algsurf_status status = find_ranges(p, from, to, found, capacity, &n);
+    if (status != ALGSURF_OK) return status;
+    if (open && from > lo) add(brackets, capacity, count, &below, p->degree);
     for (int i = 0; i < n; i++) {
-        algsurf_bracket b = bracket_of(found + i, p->degree);
-        if (*count < capacity)
-            brackets[(*count)++] = b;
-        else
-            add_beyond(brackets, capacity, count, b.lo, b.hi, p->degree);
+        algsurf_bracket b = bracket_of(p, found + i);
+        add(brackets, capacity, count, &b, p->degree);
     }
-    if (beyond && to < hi) add_beyond(brackets, capacity, count, to, hi, p->degree);
+    if (open && to < hi) add(brackets, capacity, count, &above, p->degree);
     return ALGSURF_OK;
 }

@@ -76,13 +76,13 @@ static int most_variations(const part *c, int *known) {
 
 /* ---- what is found ---- */
 
-/* Appends a range within [lo,hi]; undecided ones that touch become one. */
+/* Appends a range within [lo,hi]; ranges that overlap, and undecided ones that touch, become one. */
 static void append(side *s, double lo, double hi, int sign) {
     algsurf_exact_range *last = s->found + s->count - 1;
     lo = fmax(lo, s->lo), hi = fmin(hi, s->hi);
     if (lo > hi) return;
-    int touches = s->count > 0 && sign == 0 && last->sign_lo == 0 && lo <= last->hi;
-    if (touches || s->count == s->capacity) {
+    int joins = s->count > 0 && (lo < last->hi || (lo == last->hi && sign == 0 && last->sign_lo == 0));
+    if (joins || s->count == s->capacity) {
         last->hi = hi > last->hi ? hi : last->hi;
         last->sign_lo = 0;
     } else {
@@ -138,20 +138,19 @@ static int shrink(const side *s, double first, double last, int before, double *
     return 1;
 }
 
-/* Is the root in the range asked for?  Decided at its ends; unknown signs there leave it undecided. */
+/* Is the root in the range asked for?  Decided at its ends.  Signs there that are not those on both sides of
+ * the root leave it undecided: unknown ones, or those beyond another root, where an end is no double. */
 static int append_root(side *s, double lo, double hi, int before) {
-    int sign;
-    if (lo < s->lo && hi >= s->lo) {
-        if (!sign_at(s, s->lo, &sign)) return 0;
-        if (sign == -before) return 1;
-        if (sign != before && sign != 0) before = 0;
-    }
-    if (before && hi > s->hi && lo <= s->hi) {
-        if (!sign_at(s, s->hi, &sign)) return 0;
-        if (sign == before) return 1;
-        if (sign != -before && sign != 0) before = 0;
-    }
-    append(s, lo, hi, before);
+    int at_lo, at_hi;
+    double from = fmax(lo, s->lo), to = fmin(hi, s->hi);
+    if (from > to) return 1;
+    if (!sign_at(s, from, &at_lo) || !sign_at(s, to, &at_hi)) return 0;
+    if (from > lo && at_lo == -before) return 1;
+    if (to < hi && at_hi == before) return 1;
+    if (at_lo == 0 && from > lo && from < hi) to = from; /* in the cell: its root, of all polynomials */
+    if (at_hi == 0 && to > lo && to < hi) from = to;
+    int shown = from < to ? at_lo == before && at_hi == -before : at_lo == 0 || at_hi == 0;
+    append(s, from, to, shown ? before : 0);
     return 1;
 }
 

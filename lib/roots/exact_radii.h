@@ -5,11 +5,11 @@
 #include "exact.h"
 
 /* Where roots are.
- * - sign_lo 1 or -1: every polynomial of the set has exactly one root in [lo,hi], a simple one, and the sign
- *   sign_lo before it, unless the root is lo itself.  hi - lo is as small as doubles and radii allow.
+ * - sign_lo 1 or -1, lo < hi: every polynomial of the set has exactly one root in (lo,hi), a simple one, the
+ *   sign sign_lo at lo and the other one at hi.  hi - lo is as small as doubles and radii allow.
  * - sign_lo 0: undecided; [lo,hi] holds any number of roots, not the same for all polynomials of the set.
- * With lo = hi: a root of all of them, of unknown multiplicity.  A root that is on both sides of 0, for
- * different polynomials, is undecided. */
+ * With lo = hi: a root of all of them or of some; their signs there tell.  A root that is on both sides of 0,
+ * for different polynomials, is undecided. */
 typedef struct algsurf_exact_range {
     double lo, hi;
     int sign_lo;

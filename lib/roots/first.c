@@ -1,7 +1,7 @@
 /* first.c - many polynomials: checked, solved side by side, and what stays in doubt one by one.
  *
  * The packet code (first_template.h) writes the answers it is sure of, and ALGSURF_LANE_DOUBTFUL as state of
- * the others.  Those are isolated alone, and refined in double-double: they are the ill-conditioned ones. */
+ * the others.  Those are decided alone, in integers: they are the ill-conditioned ones. */
 #include "algsurf/packet.h"
 
 #include <math.h>
@@ -82,6 +82,7 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     }
     *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
     if (!found) return ALGSURF_OK;
+    *where = 0.5 * b[0].lo + 0.5 * b[0].hi;
     status =
         algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found); /* as narrow as the radii allow */
     if (found) *where = 0.5 * b[1].lo + 0.5 * b[1].hi;
