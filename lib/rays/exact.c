@@ -22,6 +22,7 @@ typedef struct query {
     const algsurf_surface *surface;
     const algsurf_extent *extent;
     const algsurf_ray *ray;
+    const algsurf_i_exact_eye *eye;
     algsurf_ray chord;
     algsurf_i_edges edges;
     int unit;
@@ -144,15 +145,19 @@ static algsurf_status decide(query *q, algsurf_i_want want) {
     q->unit = isfinite(q->chord.t_min) && isfinite(q->chord.t_max)
                   ? algsurf_exact_piece_of(q->chord.t_min, q->chord.t_max).unit
                   : unit_without_ends(q->surface, q->ray);
-    if (!algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, NULL)) return ALGSURF_E_NO_MEMORY;
+    int made = q->eye ? algsurf_i_exact_eye_form(&q->memory, q->eye, d, q->unit, &p, NULL)
+                      : algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, NULL);
+    if (!made) return ALGSURF_E_NO_MEMORY;
     return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_extent *extent,
-                                     const algsurf_ray *ray, algsurf_i_want want, size_t limit,
-                                     algsurf_i_ray_root *roots, int capacity, int *count) {
+                                     const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                                     algsurf_i_want want, size_t limit, algsurf_i_ray_root *roots,
+                                     int capacity, int *count) {
     algsurf_limb block[STACK_WORDS];
-    query q = {.surface = surface, .extent = extent, .ray = ray, .roots = roots, .capacity = capacity};
+    query q = {
+        .surface = surface, .extent = extent, .ray = ray, .eye = eye, .roots = roots, .capacity = capacity};
     algsurf_memory_begin(&q.memory, block, STACK_WORDS, limit);
     algsurf_memory_mark begin = algsurf_memory_here(&q.memory);
     algsurf_status status = decide(&q, want);

@@ -181,12 +181,13 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
 /* Exact coefficients: all is decided. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface,
                                                   const algsurf_extent *extent, const algsurf_ray *ray,
+                                                  const algsurf_i_exact_eye *eye,
                                                   const algsurf_intersect_options *options,
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
     algsurf_status status =
-        algsurf_i_exact_roots(surface, extent, ray, want, memory_limit(options), roots, most, count);
+        algsurf_i_exact_roots(surface, extent, ray, eye, want, memory_limit(options), roots, most, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
     return status;
 }
@@ -233,15 +234,16 @@ static void settle_undecided(algsurf_doubt doubt, algsurf_hit *hits, int *count)
 
 /* The hits of a ray that lanes left undecided. */
 static algsurf_status decide(const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_ray *ray, const algsurf_intersect_options *options,
-                             algsurf_i_want want, algsurf_hit *hits, int *count) {
+                             const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                             const algsurf_intersect_options *options, algsurf_i_want want, algsurf_hit *hits,
+                             int *count) {
     algsurf_status status = ALGSURF_OK;
     if (options->tier == ALGSURF_TIER_BOUNDED)
         hit_undecided(extent, ray, hits, count);
     else if (surface->error > 0)
         status = hits_in_ranges(surface, extent, ray, options, hits, count);
     else
-        status = hits_exact(surface, extent, ray, options, want, hits, count);
+        status = hits_exact(surface, extent, ray, eye, options, want, hits, count);
     if (status != ALGSURF_OK) return status;
     settle_undecided(options->doubt, hits, count);
     for (int i = 0; options->tier == ALGSURF_TIER_FAST && i < *count; i++)
@@ -250,13 +252,13 @@ static algsurf_status decide(const algsurf_surface *surface, const algsurf_exten
 }
 
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                         algsurf_hit *hit) {
+                                         const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                                         const algsurf_intersect_options *options, algsurf_hit *hit) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
     int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, found) : -1;
-    if (count < 0) status = decide(surface, extent, ray, options, ALGSURF_WANT_FIRST, found, &count);
+    if (count < 0) status = decide(surface, extent, ray, eye, options, ALGSURF_WANT_FIRST, found, &count);
     if (status != ALGSURF_OK) return status;
     if (count)
         *hit = found[0];
@@ -270,7 +272,8 @@ static algsurf_status find_all(const algsurf_surface *surface, const algsurf_ext
                                const algsurf_ray *ray, const algsurf_intersect_options *options,
                                algsurf_hit *found, int *count) {
     *count = hits_in_lane(surface, extent, ray, options, surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK : decide(surface, extent, ray, options, ALGSURF_WANT_ALL, found, count);
+    return *count >= 0 ? ALGSURF_OK
+                       : decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -307,7 +310,7 @@ algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_
                                   algsurf_hit_state *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    algsurf_status status = decide(surface, extent, ray, options, ALGSURF_WANT_ANY, found, &count);
+    algsurf_status status = decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_UNCERTAIN : ALGSURF_MISS;
     for (int i = 0; i < count; i++)

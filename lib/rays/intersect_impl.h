@@ -2,6 +2,7 @@
 #ifndef ALGSURF_INTERSECT_IMPL_H
 #define ALGSURF_INTERSECT_IMPL_H
 #include "algsurf/intersect.h"
+#include "../surface/exact_eye.h"
 #include "expand_impl.h"
 #include "ray_impl.h"
 
@@ -23,10 +24,10 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
 int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_extent *extent);
 
 /* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
- * floating-point environment: OK or E_NO_MEMORY. */
+ * floating-point environment: OK or E_NO_MEMORY.  eye: null, or P about the origin (exact.h). */
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                         algsurf_hit *hit);
+                                         const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                                         const algsurf_intersect_options *options, algsurf_hit *hit);
 algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
                                   algsurf_hit_state *state);

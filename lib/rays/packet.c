@@ -149,6 +149,32 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     hit->t_hi = ray->t_max;
 }
 
+enum { SHARED_BY = 8, EYE_WORDS = 1024 }; /* rays that pay for an eye; its memory before any is allocated */
+
+/* Do SHARED_BY or more rays that are left alone begin at the same point? */
+static int share_origin(const query *q, const unsigned char *state) {
+    size_t count = 0, first = 0;
+    for (size_t i = 0; i < q->rays.count; i++) {
+        if (!left_alone(q, state, i)) continue;
+        if (count++ == 0) first = i;
+        for (int k = 0; k < 3; k++)
+            if (q->rays.origin[k][i] != q->rays.origin[k][first]) return 0;
+    }
+    return count >= SHARED_BY;
+}
+
+/* P about the rays' common origin, if that makes forms cheaper: it fills a sparse surface. */
+static const algsurf_i_exact_eye *make_eye(const query *q, const unsigned char *state, algsurf_memory *m,
+                                           algsurf_i_exact_eye *eye) {
+    size_t first = 0;
+    if (q->options.tier == ALGSURF_TIER_BOUNDED || q->surface->error > 0 || !share_origin(q, state))
+        return NULL;
+    while (!left_alone(q, state, first)) first++;
+    const double origin[3] = {q->rays.origin[0][first], q->rays.origin[1][first], q->rays.origin[2][first]};
+    if (!algsurf_i_exact_eye_make(m, q->surface, origin, eye)) return NULL;
+    return eye->count <= 3 * q->surface->term_count ? eye : NULL;
+}
+
 static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
                                              const algsurf_ray_packet *rays,
                                              const algsurf_intersect_options *options,
@@ -169,6 +195,12 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         .normal = {known.normal[0], known.normal[1], known.normal[2]},
     };
     solve_together(&q, 0, &hits);
+    algsurf_limb block[EYE_WORDS];
+    algsurf_memory memory;
+    algsurf_i_exact_eye eye;
+    algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    const algsurf_i_exact_eye *shared = make_eye(&q, hits.state, &memory, &eye);
     for (size_t i = 0; i < q.rays.count; i++) {
         if (!left_alone(&q, hits.state, i)) {
             set_simple(&q, &known, i);
@@ -176,7 +208,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         }
         algsurf_ray ray = ray_of(&q.rays, i);
         algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, &q.options, &hit);
+        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, shared, &q.options, &hit);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -184,6 +216,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         store_hit(&hits, i, &hit);
         if (known.multiplicity) known.multiplicity[i] = hit.multiplicity;
     }
+    algsurf_memory_release(&memory, begin);
     return status;
 }
 
@@ -220,7 +253,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     };
     solve_together(&q, 0, &hits);
     if (state == ALGSURF_LANE_DOUBTFUL)
-        return algsurf_i_intersect_first(surface, extent, ray, &q.options, hit);
+        return algsurf_i_intersect_first(surface, extent, ray, NULL, &q.options, hit);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;
