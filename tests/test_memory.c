@@ -366,13 +366,19 @@ static void test_certified_picture(void **state) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation("(x^8 + y^8 + z^8 - 1)^2", NULL, 0, &s, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL), ALGSURF_OK);
     assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(stage, &extent), ALGSURF_OK);
     assert_int_equal(draw_small(&small_reference), ALGSURF_OK);
     assert_true(small_reference.stats.hits > WIDTH * HEIGHT / 90);
     int refused = refuse_each(render_small);
     assert_true(refused > 0);
+    /* rays that are not decided for want of memory do not keep the others from being drawn */
+    const algsurf_intersect_options poor = {.size = sizeof poor, .max_memory = 1};
+    static small_picture p;
+    assert_int_equal(algsurf_scene_set_intersect(stage, &poor), ALGSURF_OK);
+    assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
+    assert_true(p.stats.rays == small_reference.stats.rays && p.stats.uncertain > 0 && p.pixels[0][0] != 0xa5);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
 }

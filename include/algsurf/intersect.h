@@ -88,12 +88,14 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  *   options  null: certified tier, default method, full accuracy
  * Guarantee: see algsurf_tier.  With the default method and tolerance |t - exact| is within a few
  * u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit
- * in the last place where integers decided. Returns OK also for a miss and for uncertain: the state is in
- * hit. Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin,
- * direction), E_NO_MEMORY. A ray's answer has the same bits alone as in a packet (algsurf_intersect_packet),
- * by whatever kernel. Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 10 to 100
- * microseconds for degrees 2 to 10, and more where numbers are of very different sizes; 20 KiB of stack, and
- * allocation only beyond degree 10 or so.  Since 1.0. */
+ * in the last place where integers decided.  A ray's answer has the same bits alone as in a packet
+ * (algsurf_intersect_packet), by whatever kernel.
+ * Returns OK also for a miss and for uncertain: the state is in hit.
+ * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction),
+ * E_NO_MEMORY.
+ * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
+ * degrees 2 to 10, and more where numbers are of very different sizes.  40 KiB of stack; integers allocate
+ * only beyond degree 10 or so.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
@@ -102,11 +104,11 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
 /* All hits, in increasing t, each once with its multiplicity.  (A ray in the surface has one, at its begin.)
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
  *   count           how many were written, uncertain ones included
- * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Guarantee: that of the
- * first hit, for each; what is not in an entry is no hit.  The first entry and algsurf_intersect_first agree
- * in what they prove, in t up to its rounding (see there), but not in t_lo and t_hi; of a ray thousands of
- * natural units long that call may decide what is uncertain here.  Cost: 0.3 to 3 microseconds for the first
- * of them, for degrees 2 to 10, and about as much for each of the others.  Since 1.0. */
+ * Guarantee: that of the first hit, for each; what is not in an entry is no hit.  The first entry is the hit
+ * of algsurf_intersect_first; its t, t_lo and t_hi may differ where one of the calls went to integers.
+ * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Cost: 0.3 to 3 microseconds
+ * for the first of them, for degrees 2 to 10, and about as much for each of the others, unless integers
+ * decide.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  const algsurf_ray *ray,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
@@ -136,8 +138,8 @@ typedef struct algsurf_hit_packet {
     unsigned char *state;            /* an algsurf_hit_state each; not null */
     double *t, *t_lo, *t_hi;         /* along the ray as given */
     double *position[3], *normal[3]; /* x, y, z */
-    int *multiplicity;
-    signed char *side;
+    int *multiplicity;               /* as in algsurf_hit */
+    signed char *side;               /* likewise */
 } algsurf_hit_packet;
 
 /* The first hit of each ray of a packet inside the extent: what algsurf_intersect_first says of it.
@@ -147,10 +149,11 @@ typedef struct algsurf_hit_packet {
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
- * options; E_ARGUMENT (null, or a size that is none).  In any case nothing is written.
+ * options; E_ARGUMENT (null, or a size that is none): nothing is written.  E_NO_MEMORY: the rays that could
+ * not be decided for want of memory are uncertain from end to end, all others are answered.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
- * side by side.  A single call is added for a ray too close to call in double, one without end, and one that
- * is several thousand times as long as the surface is large.  No allocation.
+ * side by side.  The cost of a single call is added for a ray that doubles leave undecided, one without end,
+ * and one that is several thousand times as long as the surface is large.
  * Source: values at Chebyshev's nodes, turned to the Bernstein basis; Descartes' rule; Newton's method; all
  * for several rays at once.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,

@@ -142,8 +142,9 @@ typedef struct algsurf_render_stats {
  * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
- * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY,
- * E_THREAD (no locks to be had).
+ * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY (to draw
+ * at all; or, when single rays could not be decided for want of it, everything else is drawn, they count as
+ * uncertain, and stats is written), E_THREAD (no locks to be had).
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
  * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some

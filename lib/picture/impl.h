@@ -62,6 +62,7 @@ typedef struct algsurf_i_trail {
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
     uint64_t rays, hits, uncertain, shadow_rays, iterations, single_rays;
+    uint64_t without_memory; /* packets of rays of which some could not be decided for want of memory */
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
 
@@ -160,9 +161,9 @@ void algsurf_i_count_samples(algsurf_i_picture *picture);
 void algsurf_i_place_samples(algsurf_i_picture *picture);
 
 /* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
- * point's colour whatever the share. */
+ * point's colour whatever the share.  The rays shot are added to the tally. */
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
-                                        uint64_t *shadow_rays);
+                                        algsurf_i_tally *tally);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
  * for each.  threads_used receives how many could be had. */

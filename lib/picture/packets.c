@@ -97,7 +97,8 @@ static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pix
     };
     algsurf_status status =
         algsurf_intersect_packet(scene->surface, &scene->extent, &rays, &scene->intersect, &hits);
-    if (status < 0) return status;
+    if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
+    tally->without_memory += status < 0;
     for (size_t i = 0; i < d->count; i++) {
         algsurf_ray ray;
         algsurf_hit hit = {.state = state[i], .t = t[i]};

@@ -96,7 +96,7 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     const algsurf_scene *scene = picture->scene;
     double begun = algsurf_i_render_clock();
     if (picture->shadows) {
-        algsurf_status status = algsurf_i_render_shadows(picture, line, &tally->shadow_rays);
+        algsurf_status status = algsurf_i_render_shadows(picture, line, tally);
         if (status != ALGSURF_OK) return status;
         double now = algsurf_i_render_clock();
         tally->shadow_s += now - begun;

@@ -44,14 +44,15 @@ typedef struct batch {
     double *share[BATCH]; /* of each group */
     size_t end[BATCH];    /* where its rays end */
     int groups;
-    uint64_t rays; /* sent so far */
+    uint64_t rays;           /* sent so far */
+    uint64_t without_memory; /* packets of which some could not be decided for want of it */
 } batch;
 
 static void begin_batch(batch *b, const algsurf_i_picture *picture) {
     b->picture = picture;
     b->count = 0;
     b->groups = 0;
-    b->rays = 0;
+    b->rays = b->without_memory = 0;
     for (int i = 0; i < BATCH; i++) b->t_max[i] = 1;
 }
 
@@ -65,7 +66,8 @@ static algsurf_status send(batch *b) {
                                      .t_max = b->t_max};
     algsurf_status status =
         algsurf_occluded_packet(scene->surface, &scene->extent, &rays, &scene->intersect, state);
-    if (status < 0) return status;
+    if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
+    b->without_memory += status < 0;
     size_t i = 0;
     for (int g = 0; g < b->groups; g++) {
         int seen = 0;
@@ -148,7 +150,7 @@ static algsurf_status add_point(batch *b, const algsurf_i_points *points, int i,
 }
 
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
-                                        uint64_t *shadow_rays) {
+                                        algsurf_i_tally *tally) {
     int lights = picture->light_count;
     batch b;
     begin_batch(&b, picture);
@@ -163,6 +165,7 @@ algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsur
         const algsurf_light *light = &picture->lights[i % lights];
         line->visible[i] /= light->samples_u * light->samples_v;
     }
-    *shadow_rays += b.rays;
+    tally->shadow_rays += b.rays;
+    tally->without_memory += b.without_memory;
     return ALGSURF_OK;
 }

@@ -52,6 +52,7 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->shadow_rays += more->shadow_rays;
     total->iterations += more->iterations;
     total->single_rays += more->single_rays;
+    total->without_memory += more->without_memory;
     total->expand_s += more->expand_s;
     total->solve_s += more->solve_s;
     total->point_s += more->point_s;
