@@ -97,9 +97,9 @@ int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsu
 /* The next root, in increasing order. */
 int algsurf_exact_next(algsurf_exact_walk *walk, algsurf_exact_root *root);
 
-/* The sign of q, a polynomial in the same u of degree at most 2, not positive from above (degree 2: its
- * leading coefficient is negative), at the root last reported: -1, 0 or 1 in *sign.  Returns 0 when there is
- * no memory. */
+/* The sign of q at the root last reported, -1, 0 or 1, in *sign.  q is a polynomial in the same u: constant,
+ * linear, or concave, that is, of degree 2 with a negative leading coefficient.  Returns 0 when there is no
+ * memory. */
 int algsurf_exact_sign_at_root(algsurf_exact_walk *walk, const algsurf_exact_root *root,
                                const algsurf_zpoly *q, int *sign);
 
