@@ -51,6 +51,16 @@ static int is_constant(double coefficient, double a, const double centre[3], dou
     return algsurf_z_sign(sum, WIDTH) == 0;
 }
 
+/* Far from equal, in double?  Then there is no need of integers.  (NaN, of numbers too large, is not far.) */
+static int is_far(double constant, double a, const double centre[3], double radius) {
+    double sum = constant, size = fabs(constant) + fabs(a) * radius * radius;
+    for (int i = 0; i < 3; i++) {
+        sum -= a * centre[i] * centre[i];
+        size += fabs(a) * centre[i] * centre[i];
+    }
+    return fabs(sum + a * radius * radius) > 0x1p-40 * size;
+}
+
 int algsurf_i_is_own_ball(const algsurf_surface *s, const algsurf_extent *extent) {
     double square[3] = {0, 0, 0}, linear[3] = {0, 0, 0}, constant = 0;
     if (!extent || extent->kind != ALGSURF_EXTENT_SPHERE || s->degree != 2 || s->error > 0) return 0;
@@ -64,6 +74,7 @@ int algsurf_i_is_own_ball(const algsurf_surface *s, const algsurf_extent *extent
         if (degree == 2) square[axis] = t->a;
     }
     if (square[0] != square[1] || square[0] != square[2]) return 0;
+    if (is_far(constant, square[0], extent->centre, extent->size[0])) return 0;
     for (int i = 0; i < 3; i++)
         if (!is_linear(linear[i], square[0], extent->centre[i])) return 0;
     return is_constant(constant, square[0], extent->centre, extent->size[0]);
