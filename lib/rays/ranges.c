@@ -56,17 +56,6 @@ static int make_forms(algsurf_memory *m, const algsurf_surface *s, const algsurf
     return scaled(m, p, common - scale, p) && scaled(m, radius, common - radius_scale, radius);
 }
 
-/* p with room for the radii's degree: the ray may be one along which p's degree drops, but not that of all.
- */
-static int same_degree(algsurf_memory *m, const algsurf_zpoly *p, int degree, algsurf_zpoly *q) {
-    *q = *p;
-    if (p->degree >= degree) return 1;
-    if (!algsurf_zpoly_new(m, degree, p->degree < 0 ? 1 : p->width, q)) return 0;
-    for (int k = 0; k <= p->degree; k++)
-        algsurf_z_copy(algsurf_zpoly_at(q, k), q->width, algsurf_zpoly_at(p, k), p->width);
-    return 1;
-}
-
 static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const algsurf_term *spread,
                               const algsurf_ray *ray, const algsurf_ray *chord, const algsurf_i_edges *edges,
                               algsurf_i_ray_range *ranges, int *count) {
@@ -74,7 +63,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
     int unit = algsurf_exact_piece_of(lo, hi).unit, found = 0;
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
-    if (!make_forms(m, s, spread, ray, unit, &p, &radius) || !same_degree(m, &p, radius.degree, &p) ||
+    if (!make_forms(m, s, spread, ray, unit, &p, &radius) ||
         !algsurf_exact_radii_isolate(m, &p, &radius, unit, lo, hi, range, ALGSURF_MAX_DEGREE, &found))
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {

@@ -241,9 +241,11 @@ static int make_envelope(algsurf_memory *m, const algsurf_zpoly *p, const algsur
                          int upper, algsurf_zpoly *envelope) {
     int bits = algsurf_zpoly_bits(p), more = algsurf_zpoly_bits(radius);
     int w = algsurf_z_width((bits > more ? bits : more) + 2);
-    if (!algsurf_zpoly_copy(m, p, w, envelope)) return 0;
-    for (int k = 0; k <= p->degree; k++) {
+    int n = p->degree > radius->degree ? p->degree : radius->degree;
+    if (!algsurf_zpoly_new(m, n, w, envelope)) return 0;
+    for (int k = 0; k <= n; k++) {
         algsurf_limb *c = algsurf_zpoly_at(envelope, k);
+        if (k <= p->degree) algsurf_z_copy(c, w, algsurf_zpoly_at(p, k), p->width);
         if (mirrored && k % 2) algsurf_z_negate(c, w);
         if (k > radius->degree) continue;
         if (upper)

@@ -16,9 +16,9 @@ typedef struct algsurf_exact_range {
 } algsurf_exact_range;
 
 /* The roots t = 2^unit u in [lo,hi], lo <= hi finite, of the polynomials p + e, |e_k| <= radius_k.  Radius
- * has p's degree at most and no negative coefficients.  Outside of the ranges found, which are in order and
- * at most `capacity` >= 1, no polynomial of the set has a root in [lo,hi]; when there is no room for more,
- * ranges are joined to undecided ones.  Returns 0 when there is no memory; nothing of it is kept. */
+ * has no negative coefficients; its degree may be above p's.  Outside of the ranges found, which are in order
+ * and at most `capacity` >= 1, no polynomial of the set has a root in [lo,hi]; when there is no room for
+ * more, ranges are joined to undecided ones.  Returns 0 when there is no memory; nothing of it is kept. */
 int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
                                 int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
                                 int *count);
