@@ -93,8 +93,4 @@ static inline int algsurf_dd_sign(algsurf_dd a) {
     return (a.hi > 0) - (a.hi < 0) + (a.hi == 0) * ((a.lo > 0) - (a.lo < 0));
 }
 
-static inline int algsurf_dd_less(algsurf_dd a, algsurf_dd b) {
-    return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
-}
-
 #endif

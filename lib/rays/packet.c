@@ -1,11 +1,10 @@
 /* packet.c - first hits and occlusion, of one ray or of many: checked, solved by the packet code,
- * and what stays in doubt one by one.
+ * and what they leave undecided one by one.
  *
  * The packet code (packet_template.h) reads the caller's arrays and writes the answers it is sure of; of the
- * others it writes ALGSURF_LANE_DOUBTFUL as state.  Those rays then take the scalar way (intersect.c), and so
- * do all rays of calls the packet code is not made for.  A single ray is a packet of one: no answer depends
- * on what else is in a packet, so a ray has the same bits alone as in company, and even with all lanes but
- * one idle it is done in half the time of the scalar way. */
+ * others it writes ALGSURF_LANE_DOUBTFUL as state.  Those rays go on to intersect.c, and so do all rays of
+ * calls that the packet code is not made for.  A single ray is a packet of one: no answer depends on what
+ * else is in a packet, so a ray has the same bits alone as in company. */
 #include <math.h>
 
 #include "../base/fpenv.h"

@@ -26,9 +26,9 @@
  * number by 2^-1074, is multiplied by 2^280 and the matrix's entries, below 2^12, at most, and there are
  * fewer than 2^22 of them: UNDERFLOW is more.
  *
- * Error of the ends.  The scalar path clips with roundings of its own.  Both are within `off` of the exact
- * chord, t_c - h and t_c + h within u (|t_c| + h) of this one.  The sum goes to packet.blur: where p keeps
- * its sign that far about both ends, both chords have the same roots. */
+ * Error of the ends.  The computed chord is within `off` of the exact one, t_c - h and t_c + h within
+ * u (|t_c| + h) of the computed one.  The sum goes to packet.blur: where p keeps its sign that far about both
+ * ends, both chords have the same roots. */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
 #include "../roots/radii_template.h"

@@ -120,14 +120,6 @@ int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3]
     return fmax(fabs(gradient[0]), fmax(fabs(gradient[1]), fabs(gradient[2]))) > 0x1p8 * bound;
 }
 
-/* By the mean value theorem P moves by at most reach times its derivatives' magnitudes at |x| + reach. */
-int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]) {
-    jet m = magnitudes(s, fabs(x[0]) + reach[0], fabs(x[1]) + reach[1], fabs(x[2]) + reach[2]);
-    double moved = m.x * reach[0] + m.y * reach[1] + m.z * reach[2], value = value_only(s, x[0], x[1], x[2]);
-    double bound = bound_factor(s) * m.v + (1 + 0x1p-20) * moved;
-    return value > bound ? 1 : value < -bound ? -1 : 0;
-}
-
 /* A number with an error bound. */
 typedef struct bounded {
     double value, bound;

@@ -70,10 +70,6 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
  */
 int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]);
 
-/* P's sign at all points within `reach` of x in each coordinate, natural units; 0 when it may change there.
- */
-int algsurf_i_surface_sign_near(const algsurf_surface *s, const double x[3], const double reach[3]);
-
 /* The gradient at a complex point, same units. */
 typedef struct algsurf_i_complex {
     double re, im;

@@ -35,7 +35,7 @@ typedef enum algsurf_coherence {
 
 /* A scene showing a surface with defaults: extent all of space, a pinhole camera at (4,3,2.5) looking
  * at the origin with z up and a field of view of 30 degrees, a warm outside and a cool inside, white
- * background, standard quality, 1 sample a pixel, standard tier, real space, coherence by neighbours (for
+ * background, standard quality, 1 sample a pixel, certified tier, real space, coherence by neighbours (for
  * complex space), and, until lights are set, two area lights of 5x5 samples that follow camera and
  * extent: above left and above right of what is shown, on the viewer's side, some 8 radii from its centre
  * (all of space: the radius that fills the picture at the origin).  The surface is borrowed: it must
