@@ -5,8 +5,8 @@
  * coefficients of P along rays, then those of cells 1 to DEEP cuts deep, as the walk cuts them; and cells of
  * polynomials that are known exactly, whose radii come from the cuts alone.
  *
- * Breaks tried, each caught: a 32nd of the radius from powers (a 16th is not: it is that generous), a cut that
- * adds no radius, or n u / 4 of the coefficients instead of 8 n u, signs counted the wrong way round.
+ * Breaks tried, each caught: a 32nd of the radius from powers (a 16th is not: it is that generous), a cut
+ * that adds no radius, or n u / 4 of the coefficients instead of 8 n u, signs counted the wrong way round.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -107,8 +107,10 @@ static void judge(const exact_form *f, const lanes *w, const lanes *e, int lane,
 }
 
 /* Cuts the form in both lanes at the same places, again and again, and judges every part that is kept. */
-static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, uint64_t *random, const char *what) {
+static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, int own, uint64_t *random, const char *what) {
     int n = f[0].n;
+    lanes largest = all_lanes(0);
+    for (int j = 0; j <= n; j++) largest = larger(largest, absolute(w[j]));
     mpq_t ratio;
     mpq_init(ratio);
     for (int depth = 1; depth <= DEEP; depth++) {
@@ -116,7 +118,8 @@ static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, uint64_t *random
         double place = depth % 3 == 0 ? 0.5 : 0.5 + (0.5 - 0.5 / n) * exact_random_unit(random);
         double at = ldexp(floor(ldexp(place, 30)), -30);
         int right = exact_random_unit(random) > 0;
-        widen(w, e, n);
+        widen(w, e, n, own, 8 * n * 0x1p-53 * largest);
+        for (int j = 0; j <= n && !own; j++) e[j] = e[0];
         if (depth % 2) {
             split(w, left, n, all_lanes(at), all_lanes(1 - at));
             split(e, left_e, n, all_lanes(at), all_lanes(1 - at));
@@ -124,6 +127,7 @@ static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, uint64_t *random
             split_shares(w, left, n, all_lanes(at), all_lanes(1 - at));
             split_shares(e, left_e, n, all_lanes(at), all_lanes(1 - at));
         }
+        for (int j = 0; j <= n && !own; j++) e[j] = left_e[j] = e[0];
         for (int j = 0; j <= n && !right; j++) w[j] = left[j], e[j] = left_e[j];
         exact_set(ratio, at);
         for (int l = 0; l < LANES; l++) {
@@ -198,7 +202,7 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     }
     coefficients_from_powers(s, &line, n, b, e);
     for (int l = 0; l < LANES; l++) judge(&f[l], b, e, l, 0, "rays");
-    judge_cuts(f, b, e, random, "cells of rays");
+    judge_cuts(f, b, e, 1, random, "cells of rays");
     for (int l = 0; l < LANES; l++) form_clear(&f[l]);
     algsurf_surface_free(s);
 }
@@ -228,7 +232,7 @@ static void test_cuts(void **state) {
                     exact_set(f[l].b[j], b[j][l]);
                 }
             }
-            judge_cuts(f, b, e, &random, "exact coefficients");
+            judge_cuts(f, b, e, repeat % 2, &random, "exact coefficients");
             for (int l = 0; l < LANES; l++) form_clear(&f[l]);
         }
     for (int depth = 1; depth <= DEEP; depth++) assert_true(worst[depth] > 0.01);
@@ -258,7 +262,8 @@ static void test_count(void **state) {
         }
         for (int flip = 0; flip < 2; flip++) {
             for (int j = 0; j <= N && flip; j++) w[j] = -w[j];
-            descartes c = known_variations(w, e, N);
+            assert_int_equal(bits(negative(take_sign(w, N, ~no_lane()))), flip ? 3 : 0);
+            signs c = count_signs(w, e, N, 1);
             assert_int_equal(bits(c.none), none ? 3 : 0);
             assert_int_equal(bits(c.one), one ? 3 : 0);
         }

@@ -147,7 +147,7 @@ INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u
     lanes x = absolute(u) + absolute(job->view->alpha * u) + (fabs(job->view->beta[0]) + job->view->noise);
     lanes radius = all_lanes(0);
     for (int i = n; job->bounded && i >= 0; i--) radius = radius * x + job->row->radius[i];
-    k->radius = radius;
+    k->e[0] = radius;
 }
 
 /* What of the segment's range is the chord. */
@@ -204,28 +204,28 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
     double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
     lanes z = all_lanes(0);
     packet k;
-    descartes whole;
     k.open = s->open[i];
     k.doubtful = s->chords[i].doubtful;
-    k.hit = k.open & ~k.open;
+    k.hit = no_lane();
     cut->count = 0;
     if (any(k.open)) {
         coefficients(job, s, s->sights[i].u, &k, n);
-        whole = variations(k.b, n);
-        k.open &= ~(whole.none & less(k.radius, whole.least));
+        begin(&k, n, 0);
+        leave_undecided(&k, ~ends_known(k.b, k.e, n, 0, all_lanes(0)));
+        k.open &= ~k.s.none;
     }
     int last_open = bits(k.open) >> (LANES - 1) & 1;
     if (any(k.open)) {
         guess g = guess_from(t, s, i * LANES % BLOCK);
         search_chord(s, s->chords + i, &k);
-        begin(&k, n, job->bounded);
+        bound_errors(&k, n, 0, job->bounded);
         if (t->known) {
             follow(&k, n, &g);
         } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {
             cuts_in_segment(s, &t->empty, cut);
             skirt(&k, n, cut);
         }
-        if (any(k.open)) isolate(&k, n, &whole, job->bounded, cut);
+        if (any(k.open)) isolate(&k, n, cut);
         if (any(k.hit)) {
             refine(&k, n, &g, tolerance, &z);
             z = s->lo + s->length * z;

@@ -8,8 +8,8 @@
  * Two ways lead to Bernstein coefficients.  Up to ALGSURF_MAX_NODE_DEGREE P is evaluated at the surface's
  * nodes v_i, and a matrix turns the values into coefficients (surface/nodes.c), which share one error radius.
  * Lanes that this leaves undecided, and all lanes of higher degrees, take powers of v (powers_template.h) and
- * a radius for each coefficient (roots/radii_template.h): the nodes' matrix amplifies rounding by a factor
- * that doubles with each degree, powers do not.
+ * a radius for each coefficient (roots/descartes_template.h): the nodes' matrix amplifies rounding by a
+ * factor that doubles with each degree, powers do not.
  *
  * Error of the coefficients from nodes.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme
  * on them.  M, h d, v_i h d and the sum are rounded: 3 roundings to each of at most n coordinates in a term,
@@ -31,7 +31,7 @@
  * ends, both chords have the same roots. */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
-#include "../roots/radii_template.h"
+#include "../roots/packet_template.h"
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
 #include "kernel.h"
@@ -228,14 +228,14 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
     const algsurf_surface *s = job->surface;
     lanes x[3];
     coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
-    k->radius = all_lanes(0);
+    k->e[0] = all_lanes(0);
     if (!job->bounded) return;
     for (int i = 0; i < 3; i++) {
         lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
         x[i] = s->stride[i] == 2 ? reach * reach : reach;
     }
     double factor = (10 * n + 20) * 0x1p-53 + s->error;
-    k->radius = factor * s->amplification * surface_magnitude(s, x) + UNDERFLOW;
+    k->e[0] = factor * s->amplification * surface_magnitude(s, x) + UNDERFLOW;
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
@@ -251,74 +251,71 @@ INLINE void set_chords(const ray_lanes *r, lanes middle, lanes half, double most
     k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most_reach));
     k->doubtful |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->doubtful;
-    k->start = all_lanes(-1); /* all of [0,1] is searched, and decide_at_once looks at its ends */
+    k->start = all_lanes(-1); /* all of [0,1] is searched, and solve_chords looks at its ends */
     k->stop = all_lanes(2);
-}
-
-/* Closes lanes whose coefficients all have one sign, those where the sign at an end is in doubt, and for
- * `any` those with different signs at the ends. */
-INLINE void decide_at_once(packet *k, int n, const descartes *c, int bounded, int only_whether) {
-    lanes ends = smaller(absolute(k->b[0]), absolute(k->b[n])), error = k->radius;
-    if (bounded) error += 2 * n * k->blur * k->largest;
-    mask unsure = k->open & ~less(error, ends);
-    k->doubtful |= unsure;
-    k->open &= ~(unsure | (c->none & less(error, c->least)));
-    if (only_whether) {
-        k->hit = k->open & negative((words)k->b[0] ^ (words)k->b[n]);
-        k->open &= ~k->hit;
-    }
 }
 
 /* What p changes by within blur of an end where the last coefficients are b, then next, known to e, next_e.
  * There p' = n sum B_j(x) (b_(j+1) - b_j) with |x| <= blur < 2^-16: the first B is below 1 + 2^-10 and the
  * others together below 2 n blur. */
 INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e, lanes next_e) {
-    lanes slope = absolute(next - b) + (e + next_e) + 4 * n * k->blur * (k->largest + k->radius);
+    lanes slope = absolute(next - b) + (e + next_e) + 4 * n * k->blur * k->largest;
     return (1 + 0x1p-9) * n * k->blur * slope;
 }
 
-/* Ends and brackets of open lanes from powers, with a radius for each coefficient. */
-APART void decide_known(const algsurf_surface *s, const chord_line *line, packet *k, int n, lanes *e,
-                        int only_whether) {
-    lanes *b = k->b, from = all_lanes(0);
-    coefficients_from_powers(s, line, n, b, e);
-    k->radius = e[0];
-    for (int j = 1; j <= n; j++) k->radius = larger(k->radius, e[j]);
-    begin(k, n, 1);
-    lanes near = e[0] + change_at_end(k, n, b[0], b[1], e[0], e[1]);
-    lanes far = e[n] + change_at_end(k, n, b[n], b[n - 1], e[n], e[n - 1]);
+/* The first roots of open lanes; for `any` a change of sign from end to end is enough.  Undecided are those
+ * whose sign at an end of the chord is not known. */
+INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int own) {
+    const lanes *b = k->b, *e = k->e;
+    int bounded = own || job->bounded;
+    cell *c = &k->at;
+    begin(k, n, own);
+    bound_errors(k, n, own, bounded);
+    lanes near = e[0], far = radius_of(e, n, own);
+    if (bounded) {
+        near += change_at_end(k, n, b[0], b[1], e[0], radius_of(e, 1, own));
+        far += change_at_end(k, n, b[n], b[n - 1], far, radius_of(e, n - 1, own));
+    }
     leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
-    if (only_whether) {
-        k->hit |= k->open & negative((words)b[0] ^ (words)b[n]);
+    k->open &= ~k->s.none;
+    if (job->any) {
+        k->hit = k->open & negative((words)c->w[n]);
         k->open &= ~k->hit;
     }
-    if (any(k->open)) (void)isolate_known(k, n, e, &from);
+    if (!any(k->open)) return;
+    if (own)
+        isolate_known(k, n);
+    else
+        isolate(k, n, NULL);
+}
+
+/* By powers, with a radius for each coefficient. */
+APART void decide_from_powers(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    coefficients_from_powers(job->surface, line, n, k->b, k->e);
+    solve_chords(job, k, n, 1);
 }
 
 /* Lanes that nodes and one radius for all coefficients left undecided. */
-APART void decide_again(const algsurf_surface *s, const chord_line *line, packet *k, mask which, int n,
-                        int only_whether) {
+APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, packet *k, mask which, int n) {
     packet again;
-    lanes e[ALGSURF_MAX_DEGREE + 1];
     again.open = which;
-    again.doubtful = again.hit = no_lane();
+    again.doubtful = no_lane();
+    again.start = k->start;
+    again.stop = k->stop;
     again.blur = k->blur;
-    decide_known(s, line, &again, n, e, only_whether);
+    decide_from_powers(job, line, &again, n);
     k->doubtful = (k->doubtful & ~which) | again.doubtful;
-    close(k, n, again.hit, again.w, again.p, again.q);
+    close(k, n, again.hit, &again.at);
 }
 
 INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
                               int block) {
-    cuts not_kept;
     mask opened = k->open;
     set_coefficients(job, line, k, n, block);
-    begin(k, n, job->bounded);
-    descartes whole = variations(k->b, n);
-    decide_at_once(k, n, &whole, job->bounded, job->any);
-    if (any(k->open)) isolate(k, n, &whole, job->bounded, &not_kept);
+    solve_chords(job, k, n, 0);
     mask again = opened & k->doubtful;
-    if (job->bounded && any(again)) decide_again(job->surface, line, k, again, n, job->any);
+    if (job->bounded && any(again)) decide_again(job, line, k, again, n);
 }
 
 INLINE void store_lanes(double *p, lanes a, unsigned which) {
@@ -367,13 +364,13 @@ INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which,
 INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half, lanes v,
                       packet *k, lanes_hit *hit) {
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
-    lanes far = 2 * LONGEST_LAST_STEP * half * (k->q - k->p);
+    lanes far = 2 * LONGEST_LAST_STEP * half * (k->at.q - k->at.p);
     lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
     lanes pad = 0x1p-50 * (absolute(middle) + half), unit = all_lanes(ldexp(1, job->surface->unit));
-    hit->t_lo =
-        choose(at_most(k->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * k->p - 1) - pad));
-    hit->t_hi =
-        choose(at_most(all_lanes(1), k->q), r->far, smaller(r->far, middle + half * (2 * k->q - 1) + pad));
+    hit->t_lo = choose(at_most(k->at.p, all_lanes(0)), r->near,
+                       larger(r->near, middle + half * (2 * k->at.p - 1) - pad));
+    hit->t_hi = choose(at_most(all_lanes(1), k->at.q), r->far,
+                       smaller(r->far, middle + half * (2 * k->at.q - 1) + pad));
     hit->t = t + (low + step);
     mask sound = at_most(absolute(step), far);
     sound &= at_most(hit->t_lo - pad, hit->t) & at_most(hit->t, hit->t_hi + pad);
@@ -422,12 +419,11 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         k.hit = no_lane();
         if (any(k.open)) {
             chord_line line;
-            lanes e[ALGSURF_MAX_DEGREE + 1];
             set_chords(&r, middle, half, reach, &line, &k);
             if (block)
                 decide_from_nodes(job, &line, &k, n, block);
             else
-                decide_known(job->surface, &line, &k, n, e, job->any);
+                decide_from_powers(job, &line, &k, n);
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);
@@ -439,7 +435,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
             if (which >> l & 1)
                 hits->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
                                                         ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
-        unsigned below = bits(negative((words)k.w[0]));
+        unsigned below = bits(negative(k.at.side));
         for (int l = 0; hits->side && l < left; l++)
             if (which >> l & found >> l & 1) hits->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
         if (!job->any) store_hits(job, &k, &hit, hits, at, which);

@@ -1,7 +1,7 @@
 /* single_template.h - the hits of one ray, all of them or some, in the first of two lanes.
  *
  * The first bracket is that of the packets (packet_template.h), so that its hit has the same bits.  From its
- * end on the walk of radii_template.h goes for the next one: with the coefficients that there are, and where
+ * end on the walk goes for the next one: with the coefficients that there are, and where
  * these leave it undecided, with those from powers. */
 #ifndef ALGSURF_RAYS_SINGLE_TEMPLATE_H
 #define ALGSURF_RAYS_SINGLE_TEMPLATE_H
@@ -15,7 +15,6 @@ typedef struct single_ray {
     chord_line line;
     lanes middle, half;
     packet k;
-    lanes e[ALGSURF_MAX_DEGREE + 1];
     int from_powers;
 } single_ray;
 
@@ -24,7 +23,7 @@ static double bracket_value(double x, void *data) {
     const single_ray *s = data;
     double b[ALGSURF_MAX_DEGREE + 1];
     int n = s->job->surface->node_degree;
-    for (int j = 0; j <= n; j++) b[j] = s->k.w[j][0];
+    for (int j = 0; j <= n; j++) b[j] = s->k.at.w[j][0];
     for (int i = 1; i <= n; i++)
         for (int j = 0; j <= n - i; j++) b[j] = (1 - x) * b[j] + x * b[j + 1];
     return b[0];
@@ -34,7 +33,7 @@ static double bracket_value(double x, void *data) {
 static void bracket_powers(const single_ray *s, double *c) {
     int n = s->job->surface->node_degree;
     double binomial = 1;
-    for (int j = 0; j <= n; j++) c[j] = s->k.w[j][0];
+    for (int j = 0; j <= n; j++) c[j] = s->k.at.w[j][0];
     for (int i = 1; i <= n; i++)
         for (int j = n; j >= i; j--) c[j] -= c[j - 1];
     for (int k = 1; k <= n; k++) {
@@ -45,7 +44,7 @@ static void bracket_powers(const single_ray *s, double *c) {
 
 /* The root in the bracket by the caller's method, in the packet's [0,1]. */
 static double refine_single(const single_ray *s) {
-    double width = s->k.q[0] - s->k.p[0], c[ALGSURF_MAX_DEGREE + 1];
+    double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
     algsurf_refine_options how = *s->how;
     algsurf_root root = {.root = 0.5};
     how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * width);
@@ -53,7 +52,7 @@ static double refine_single(const single_ray *s) {
     if (how.method != ALGSURF_METHOD_DEFAULT ||
         algsurf_refine_poly(c, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
         (void)algsurf_refine_function(bracket_value, (void *)s, 0, 1, &how, &root);
-    return s->k.p[0] + width * root.root;
+    return s->k.at.p[0] + width * root.root;
 }
 
 /* The hit where a method has stopped too far from the root for the last step. */
@@ -88,7 +87,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     to->state = ALGSURF_HIT;
     to->reason = ALGSURF_OK;
     to->multiplicity = 1;
-    to->side = s->k.w[0][0] < 0 ? -1 : 1;
+    to->side = s->k.at.side[0] ? -1 : 1;
     to->t = hit.t[0];
     to->t_lo = s->job->bounded ? hit.t_lo[0] : to->t;
     to->t_hi = s->job->bounded ? hit.t_hi[0] : to->t;
@@ -101,24 +100,24 @@ static void first_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
     if (!s->job->surface->nodes) {
         s->from_powers = 1;
-        decide_known(s->job->surface, &s->line, &s->k, n, s->e, 0);
+        decide_from_powers(s->job, &s->line, &s->k, n);
         return;
     }
     FOR_DEGREE(n, decide_from_nodes(s->job, &s->line, &s->k, N, N < MOST_NODES ? N + 1 : BLOCK_OF_NODES))
-    for (int j = 0; j <= n; j++) s->e[j] = s->k.radius;
+    for (int j = 1; j <= n; j++) s->k.e[j] = s->k.e[0];
 }
 
 /* The next one. */
 static void next_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
-    lanes from = s->k.q;
+    lanes from = s->k.at.q;
     for (;;) {
-        s->k.open = less(numbered(), all_lanes(1));
-        s->k.hit = s->k.doubtful = no_lane();
-        (void)isolate_known_often(&s->k, n, s->e, &from);
+        next(&s->k, n, from);
+        isolate_known_often(&s->k, n);
         if (!any(s->k.doubtful) || s->from_powers) return;
         s->from_powers = 1;
-        coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->e);
+        coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);
+        bound_errors(&s->k, n, 1, 1);
     }
 }
 
@@ -142,7 +141,7 @@ int algsurf_i_rays_single(const algsurf_i_rays_job *job, const algsurf_refine_op
         if (any(s.k.doubtful)) return -1;
         if (!any(s.k.hit)) return count;
         if (!make_hit(&s, hits + count)) return -1;
-        if (++count == most || s.k.q[0] >= 1) return count;
+        if (++count == most || s.k.at.q[0] >= 1) return count;
         next_bracket(&s);
     }
 }

@@ -134,19 +134,12 @@ INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
 /* Rows of numbers, with room for what store_chosen writes behind them. */
 #define ROW (POLYS + 8)
 
-/* Cells to be split: as in roots/packet_template.h parts [p,q] of [0,1], at multiples of 2^-40, with
- * Bernstein coefficients w.  There is no root left of p, none right of `limit`, and surely w[0] > 0. */
+/* Cells of descartes_template.h to be split, with one radius; cut_error is what a cut adds to it. */
 typedef struct cells {
     int count;
     double id[ROW], p[ROW], q[ROW], limit[ROW], error[ROW], cut_error[ROW];
     double w[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW];
 } cells;
-
-typedef struct cell {
-    lanes id, p, q, limit;
-    lanes error, cut_error; /* of w; what a cut adds */
-    lanes w[ALGSURF_MAX_POLYS_DEGREE + 1];
-} cell;
 
 /* Parts [begin,end] of [-1,1] with one root. */
 typedef struct brackets {
@@ -178,30 +171,14 @@ INLINE lanes gather(const double *p, const int *id) {
 
 INLINE unsigned first_lanes(int count) { return count >= LANES ? (1u << LANES) - 1 : (1u << count) - 1; }
 
-/* Descartes' count of coefficients known to `error`: no variation, or one, whatever the signs that are not
- * known. */
-typedef struct signs {
-    mask none, one;
-} signs;
-
-/* For w[0] > error. */
-INLINE signs count_signs(const lanes *w, int n, lanes error) {
-    words low = {0}, mixed = low; /* a coefficient so far may be negative; one after it may be positive */
-    for (int j = 1; j <= n; j++) {
-        mixed |= low & ~(words)(w[j] + error);
-        low |= (words)(w[j] - error);
-    }
-    return (signs){~negative(low), ~negative(mixed) & negative((words)(w[n] + error))};
-}
-
-INLINE void add_cells(cells *to, const cell *s, unsigned chosen, int n) {
+INLINE void add_cells(cells *to, const cell *s, lanes id, lanes cut_error, unsigned chosen, int n) {
     int i = to->count;
-    store_chosen(to->id + i, s->id, chosen);
+    store_chosen(to->id + i, id, chosen);
     store_chosen(to->p + i, s->p, chosen);
     store_chosen(to->q + i, s->q, chosen);
     store_chosen(to->limit + i, s->limit, chosen);
-    store_chosen(to->error + i, s->error, chosen);
-    store_chosen(to->cut_error + i, s->cut_error, chosen);
+    store_chosen(to->error + i, s->e[0], chosen);
+    store_chosen(to->cut_error + i, cut_error, chosen);
     for (int j = 0; j <= n; j++) store_chosen(to->w + j * ROW + i, s->w[j], chosen);
     to->count += __builtin_popcount(chosen);
 }
@@ -218,9 +195,9 @@ INLINE lanes crossing(const lanes *w, int n) {
     return (place + before / (before - after)) * (1.0 / n);
 }
 
-INLINE void add_brackets(brackets *to, const cell *s, unsigned chosen, int n) {
+INLINE void add_brackets(brackets *to, const cell *s, lanes id, unsigned chosen, int n) {
     int i = to->count;
-    store_chosen(to->id + i, s->id, chosen);
+    store_chosen(to->id + i, id, chosen);
     store_chosen(to->begin + i, 2 * s->p - 1, chosen);
     store_chosen(to->end + i, 2 * s->q - 1, chosen);
     store_chosen(to->near + i, 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
@@ -237,105 +214,67 @@ INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which) {
 INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int room, int n) {
     centred p;
     cell s;
+    lanes largest = all_lanes(0), id = numbered() + i;
     centre(job, at, room, &p, n);
     centred_to_bernstein(job->basis, p.d, s.w, n);
-    words sign = (words)s.w[0] & (words)all_lanes(-0.0);
-    lanes largest = all_lanes(0);
+    s.side = take_sign(s.w, n, ~no_lane());
     for (int k = 0; k <= n; k++) {
-        store(block->d + k * ROW + i, (lanes)((words)p.d[k] ^ sign));
-        s.w[k] = (lanes)((words)s.w[k] ^ sign);
+        store(block->d + k * ROW + i, (lanes)((words)p.d[k] ^ s.side));
         largest = larger(largest, absolute(s.w[k]));
     }
     store(block->radius + i, p.radius);
-    s.error = p.radius;
-    s.cut_error = (8 * n * 0x1p-53) * (largest + p.radius);
-    s.id = numbered() + i;
+    s.e[0] = p.radius;
     s.p = all_lanes(0);
     s.q = s.limit = all_lanes(1);
-    mask ends = p.sound & less(p.radius, smaller(s.w[0], absolute(s.w[n])));
-    signs whole = count_signs(s.w, n, p.radius);
+    mask ends = p.sound & ends_known(s.w, s.e, n, 0, s.p);
+    signs whole = count_signs(s.w, s.e, n, 0);
     store(block->v + i, choose(ends, all_lanes(NOWHERE), all_lanes(IN_DOUBT)));
     unsigned some = bits(ends & ~whole.none) & first_lanes(room), one = bits(whole.one) & some;
-    if (one) add_brackets(&block->hits, &s, one, n);
-    add_cells(&block->open, &s, some & ~one, n);
-}
-
-/* Where to split a cell, as a ratio: as split_point. */
-INLINE lanes dip(const lanes *w, int n, int round) {
-    lanes zero = all_lanes(0), a = zero, b = zero, c = all_lanes(1), place = all_lanes(0.5 * n);
-    if (round % 4 == 3) return all_lanes(0.5);
-    for (int j = n - 1; j >= 1; j--) {
-        mask here = less(w[j], smaller(w[j + 1], zero));
-        a = choose(here, w[j - 1], a);
-        b = choose(here, w[j], b);
-        c = choose(here, w[j + 1], c);
-        place = choose(here, all_lanes(j), place);
-    }
-    return (place + 0.5 * (a - c) / (a - 2 * b + c)) * (1.0 / n);
+    if (one) add_brackets(&block->hits, &s, id, one, n);
+    add_cells(&block->open, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
 }
 
 /* The cells of `which` lanes become what is left to search of the whole interval. */
-INLINE void restart(const algsurf_i_polys_job *job, const poly_block *block, cell *s, mask which, int n) {
-    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], w[ALGSURF_MAX_POLYS_DEGREE + 1],
-        left[ALGSURF_MAX_POLYS_DEGREE + 1];
-    lanes one = all_lanes(1);
-    int id[LANES];
-    to_index(s->id, id);
-    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, id);
-    centred_to_bernstein(job->basis, d, w, n);
-    split(w, left, n, s->q, one - s->q);
-    mask cut = less(s->limit, all_lanes(1 - CLOSE_TO_END));
-    for (int j = 0; j <= n; j++) s->w[j] = choose(which, w[j], s->w[j]);
-    lanes end = choose(cut, s->limit, 0.5 * s->q + 0.5);
-    split(w, left, n, end - s->q, one - end);
-    for (int j = 0; j <= n; j++) s->w[j] = choose(which & cut, left[j], s->w[j]);
-    s->error = choose(which, gather(block->radius, id) + 2 * s->cut_error, s->error);
-    s->p = choose(which, s->q, s->p);
-    s->q = choose(which, choose(cut, end, one), s->q);
+INLINE void go_on(const algsurf_i_polys_job *job, const poly_block *block, cell *s, lanes id, lanes cut_error,
+                  mask which, int n) {
+    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
+    int index[LANES];
+    to_index(id, index);
+    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, index);
+    radius = gather(block->radius, index);
+    centred_to_bernstein(job->basis, d, b, n);
+    cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
 }
 
 /* Splits each cell and keeps the first part that may hold a root. */
-INLINE void divide_cells(const algsurf_i_polys_job *job, poly_block *block, int n, int round) {
+INLINE void divide_cells(const algsurf_i_polys_job *job, poly_block *block, int n, int turn) {
     cells *all = &block->open;
     int waiting = all->count;
     all->count = 0;
     for (int i = 0; i < waiting; i += LANES) {
         cell s;
-        lanes left[ALGSURF_MAX_POLYS_DEGREE + 1];
+        signs c;
         unsigned room = first_lanes(waiting - i);
-        s.id = load(all->id + i);
+        lanes id = load(all->id + i), cut_error = load(all->cut_error + i);
         s.p = load(all->p + i);
         s.q = load(all->q + i);
         s.limit = load(all->limit + i);
-        s.cut_error = load(all->cut_error + i);
-        s.error = load(all->error + i) + s.cut_error;
+        s.e[0] = load(all->error + i);
+        s.side = (words)all_lanes(0);
         for (int j = 0; j <= n; j++) s.w[j] = load(all->w + j * ROW + i);
-        lanes length = s.q - s.p, at = floor40(s.p + dip(s.w, n, round) * length);
-        mask unsure = at_most(length, all_lanes(NARROWEST));
-        split(s.w, left, n, at - s.p, s.q - at);
-        words low_left = {0}, low_right = {0};
-        for (int j = 1; j <= n; j++) {
-            low_left |= (words)(left[j] - s.error);
-            low_right |= (words)(s.w[j] - s.error);
-        }
-        mask go_right = ~negative(low_left), crosses = less(left[n], -s.error);
-        unsure |= ~(crosses | at_most(s.error, left[n]));
-        mask last = crosses | (~negative(low_right) & at_most(s.limit, s.q));
-        s.limit = choose(last & ~go_right, at, s.limit);
-        for (int j = 0; j <= n; j++) s.w[j] = choose(go_right, s.w[j], left[j]);
-        s.p = choose(go_right, at, s.p);
-        s.q = choose(go_right, s.q, at);
-        signs c = count_signs(s.w, n, s.error);
+        mask unsure = at_most(s.q - s.p, all_lanes(NARROWEST));
+        unsure |=
+            divide(&s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c);
         mask again = c.none & less(s.q, s.limit);
-        unsure |= again & less(all_lanes(1 - CLOSE_TO_END), s.q);
         if (bits(again) & room) {
-            restart(job, block, &s, again, n);
-            c = count_signs(s.w, n, s.error);
+            go_on(job, block, &s, id, cut_error, again, n);
+            unsure |= again & ~ends_known(s.w, s.e, n, 0, all_lanes(0));
+            c = count_signs(s.w, s.e, n, 0);
         }
         unsigned doubts = bits(unsure) & room, hits = bits(c.one) & room & ~doubts;
-        if (doubts) leave_in_doubt(block, s.id, doubts);
-        if (hits) add_brackets(&block->hits, &s, hits, n);
-        add_cells(all, &s, room & ~bits(c.none) & ~hits & ~doubts, n);
+        if (doubts) leave_in_doubt(block, id, doubts);
+        if (hits) add_brackets(&block->hits, &s, id, hits, n);
+        add_cells(all, &s, id, cut_error, room & ~bits(c.none) & ~hits & ~doubts, n);
     }
 }
 
@@ -452,11 +391,11 @@ INLINE void finish(const algsurf_i_polys_job *job, const poly_block *block, size
 INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
 
 INLINE void solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
-    int round = 0;
+    int turn = 0;
     block->open.count = block->hits.count = 0;
     for (int i = 0; i < count; i += LANES)
         classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
-    for (; block->open.count > 0 && round < MOST_TURNS; round++) divide_cells(job, block, n, round);
+    for (; block->open.count > 0 && turn < MOST_TURNS; turn++) divide_cells(job, block, n, turn);
     for (int i = 0; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
     for (int i = 0; i < block->hits.count && !job->root; i++) block->v[(int)block->hits.id[i]] = 0;
     for (int i = 0; i < block->hits.count && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);

@@ -1,187 +1,86 @@
-/* packet_template.h - the first root of each lane's polynomial: Descartes' rule on Bernstein coefficients,
- * then a bracketed Newton iteration.
+/* packet_template.h - the first root of each lane's polynomial: the walk over the cells of
+ * descartes_template.h, then a bracketed iteration.
  *
- * It is the walk of walk_template.h for many polynomials at once.  A cell is a part [p,q] of [0,1] with
- * its Bernstein coefficients w; what lies left of p, from `start` on, is known to hold no root.  Cells are
- * split at multiples of 2^-40, so that positions are exact.  A lane whose cell is exhausted goes on with its
- * polynomial cut at the place it has reached.  A sign is used only beyond the error radius; a lane that would
- * need another leaves as doubtful, and so does one that does not come to an end.
- *
- * Error bounds as there: a cut adds at most 8 n u max|b|. */
+ * Only the part [start,stop] of [0,1] is searched, its ends known up to `blur`.  A lane whose cell is
+ * exhausted goes on with its polynomial cut at the place it has reached.  A lane that would need a sign that
+ * is not known leaves as doubtful, and so does one that does not come to an end. */
 #ifndef ALGSURF_ROOTS_PACKET_TEMPLATE_H
 #define ALGSURF_ROOTS_PACKET_TEMPLATE_H
-#include "../simd/lanes.h"
-#include "algsurf/status.h"
+#include "descartes_template.h"
 
-#define MOST_TURNS 120
-#define NARROWEST 0x1p-36
 #define CLOSE_TO_END 0x1p-10 /* no cuts where they tell, for split() */
-#define SHORT_STEP 0x1p-14   /* of Newton's method: longer ones do not tell what is missing */
+#define SHORT_STEP 0x1p-14   /* of an iteration: longer ones do not tell what is missing */
 
 /* What is known of LANES polynomials, and what was found. */
 typedef struct packet {
-    lanes b[ALGSURF_MAX_DEGREE + 1];       /* over [0,1] */
-    lanes start, stop;                     /* part of [0,1] searched, multiples of 2^-40 */
-    lanes radius;                          /* bound on the error of b */
-    lanes blur;                            /* bound on the error of start and stop */
-    lanes largest;                         /* max|b| */
-    lanes cut_error;                       /* 8 n u max|b| */
-    mask open;                             /* lanes still to be solved */
-    mask hit, doubtful;                    /* lanes solved: the others have no root */
-    lanes p, q, w[ALGSURF_MAX_DEGREE + 1]; /* the cell; of a hit: the bracket */
+    lanes b[ALGSURF_MAX_DEGREE + 1]; /* over [0,1] */
+    lanes e[ALGSURF_MAX_DEGREE + 1]; /* radii: one for all, or each its own */
+    lanes start, stop;               /* part of [0,1] searched, multiples of 2^-40 */
+    lanes blur;                      /* bound on the error of start and stop */
+    lanes largest;                   /* max|b| */
+    lanes cut_error;                 /* 8 n u max|b| */
+    mask open;                       /* lanes still to be solved */
+    mask hit, doubtful;              /* lanes solved: the others have no root */
+    cell at;                         /* of a hit: the bracket */
+    signs s;                         /* the cell's count */
+    int counted;                     /* cells whose variations were counted, of all lanes together */
 } packet;
 
-/* Descartes' count for a cell. */
-typedef struct descartes {
-    mask none, one; /* no variation of sign, one variation */
-    lanes least;    /* the least magnitude: the count holds if that exceeds the error */
-} descartes;
-
-INLINE descartes variations(const lanes *w, int n) {
-    words once = {0}, twice = {0};
-    lanes least = absolute(w[0]);
-    for (int j = 1; j <= n; j++) {
-        words change = (words)w[j - 1] ^ (words)w[j];
-        twice |= once & change;
-        once |= change;
-        least = smaller(least, absolute(w[j]));
-    }
-    mask some = negative(once);
-    return (descartes){~some, some & ~negative(twice), least};
+INLINE void leave_undecided(packet *k, mask which) {
+    k->doubtful |= k->open & which;
+    k->open &= ~which;
 }
 
-/* w becomes the part right of the ratio, left the part left of it: de Casteljau's scheme, for any ratio in
- * [0,1]. */
-INLINE void split_at(lanes *w, lanes *left, int n, lanes ratio) {
-    lanes rest = 1 - ratio;
-    left[0] = w[0];
-    for (int i = 1; i <= n; i++) {
-        for (int j = 0; j <= n - i; j++) w[j] = rest * w[j] + ratio * w[j + 1];
-        left[i] = w[0];
-    }
+/* To be called once b and e are known: the cell is [0,1]. */
+INLINE void begin(packet *k, int n, int own) {
+    cell *c = &k->at;
+    for (int j = 0; j <= n; j++) c->w[j] = k->b[j];
+    for (int j = 0; j <= (own ? n : 0); j++) c->e[j] = k->e[j];
+    c->side = take_sign(c->w, n, ~no_lane());
+    c->p = all_lanes(0);
+    c->q = c->limit = all_lanes(1);
+    k->s = count_signs(c->w, c->e, n, own);
+    k->counted = 1;
+    k->hit = no_lane();
 }
 
-/* The same for a cell cut between lengths `before` and `behind`, before <= 2^10 behind, at two thirds of the
- * cost: level i is kept in units of (behind/(before + behind))^i, so that each sum is one multiplication and
- * one addition.  If the lengths are exact, the quotient and the share have error u each: every level adds 3 u
- * max|w|, its unit 2 u. */
-INLINE void split(lanes *w, lanes *left, int n, lanes before, lanes behind) {
-    lanes quotient = before / behind, share = behind / (before + behind), unit = all_lanes(1);
-    left[0] = w[0];
-    UNROLLED
-    for (int i = 1; i <= n; i++) {
-        UNROLLED
-        for (int j = 0; j <= n - i; j++) w[j] += quotient * w[j + 1];
-        w[n - i + 1] *= unit;
-        unit *= share;
-        left[i] = unit * w[0];
-    }
-    w[0] = left[n];
-}
-
-/* To be called once b and radius are known. */
-INLINE void begin(packet *k, int n, int bounded) {
+/* Before any cut; `bounded` 0: no rounding error is accounted for. */
+INLINE void bound_errors(packet *k, int n, int own, int bounded) {
+    lanes radius = k->e[0];
     k->largest = absolute(k->b[0]);
     for (int j = 1; j <= n; j++) k->largest = larger(k->largest, absolute(k->b[j]));
-    k->cut_error = (bounded ? 8 * n * 0x1p-53 : 0) * (k->largest + k->radius);
-    k->p = all_lanes(0);
-    k->q = all_lanes(1);
-    for (int j = 0; j <= n; j++) k->w[j] = k->b[j];
-    k->hit = k->open & ~k->open;
+    for (int j = 1; own && j <= n; j++) radius = larger(radius, k->e[j]);
+    k->largest += radius;
+    k->cut_error = (bounded ? 8 * n * 0x1p-53 : 0) * k->largest;
 }
 
-/* Where `which`: the cell [from, to], cut from the whole polynomial. */
-INLINE void cut_cell(packet *k, int n, mask which, lanes from, lanes to) {
-    lanes left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1];
-    for (int j = 0; j <= n; j++) right[j] = k->b[j];
-    if (any(which & less(all_lanes(0), from))) split_at(right, left, n, from);
-    if (any(which & less(to, all_lanes(1)))) {
-        split_at(right, left, n, (to - from) / (1 - from));
-        for (int j = 0; j <= n; j++) right[j] = left[j];
-    }
-    for (int j = 0; j <= n; j++) k->w[j] = choose(which, right[j], k->w[j]);
-    k->p = choose(which, from, k->p);
-    k->q = choose(which, to, k->q);
+/* What a polynomial can change by within `blur` of a point: |p'| <= 2 n max|b|. */
+INLINE lanes end_error(const packet *k, int n) { return 2 * n * k->blur * k->largest; }
+
+/* The cells [from,to] of `which` open lanes, and their count of signs. */
+INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to) {
+    cut_cell(&k->at, k->b, k->e, n, own, k->cut_error, which, from, to);
+    leave_undecided(k, which & ~ends_known(k->at.w, k->at.e, n, own, all_lanes(0)));
+    k->s = count_signs(k->at.w, k->at.e, n, own);
+    k->counted++;
 }
-
-/* A search for first brackets. */
-typedef struct search {
-    lanes error; /* of w */
-    lanes limit; /* nothing is to be found beyond */
-    lanes turns; /* splits so far */
-    descartes c; /* of w */
-} search;
-
-/* Where to split the cells: where the control polygon, seen from the sign at the left end, first dips below
- * zero and turns, at the vertex of the parabola through its three coefficients.  That is near where the
- * polynomial comes closest to zero, or is beyond it: so either both parts soon have no variation, or the left
- * one has one.  Every third time in the middle, so that cells do shrink. */
-INLINE lanes split_point(const packet *k, const search *s, int n) {
-    words sign = (words)k->w[0] & (words)all_lanes(-0.0);
-    lanes a = all_lanes(0), b = a, c = a, place = a, before = absolute(k->w[0]);
-    lanes here = (lanes)((words)k->w[1] ^ sign);
-    mask found = no_lane();
-    for (int j = 1; j < n; j++) {
-        lanes next = (lanes)((words)k->w[j + 1] ^ sign);
-        mask dip = less(here, all_lanes(0)) & less(here, next) & ~found;
-        found |= dip;
-        place = choose(dip, all_lanes(j), place);
-        a = choose(dip, before, a);
-        b = choose(dip, here, b);
-        c = choose(dip, next, c);
-        before = here;
-        here = next;
-    }
-    /* turns 2, 5, 8 ...: what turns/3 is above the nearest whole number is 0, 1/3 or -1/3 */
-    lanes third = s->turns * (1 / 3.0), over = third - ((third + 0x1.8p52) - 0x1.8p52);
-    lanes vertex = (place + 0.5 * (a - c) / (a - 2 * b + c)) * (1.0 / n);
-    lanes at = choose(found & less(all_lanes(-0.2), over), vertex, all_lanes(0.5));
-    return floor40(k->p + at * (k->q - k->p));
-}
-
-/* What a polynomial can change by between a computed end and the true one. */
-INLINE lanes end_error(const packet *k, int n) { return 2 * n * k->blur * (k->largest + k->radius); }
 
 /* Brackets that are not surely inside [start, stop] are cut to it, the ends being known to blur only. */
-INLINE void cut_to_ends(packet *k, int n, mask across, search *s, int bounded) {
-    lanes from = larger(k->p, k->start), to = smaller(k->q, k->stop);
+INLINE void cut_to_ends(packet *k, int n, int own, mask across) {
+    cell *c = &k->at;
+    lanes from = larger(c->p, k->start), to = smaller(c->q, k->stop);
     mask beyond = across & ~less(from, to); /* wholly outside: as good as empty */
     across &= ~beyond;
-    cut_cell(k, n, across, from, to);
-    lanes ends = smaller(absolute(k->w[0]), absolute(k->w[n]));
-    s->error = choose(across, k->radius + 2 * k->cut_error, s->error);
-    mask unsure = across & ~less(s->error + (bounded ? end_error(k, n) : all_lanes(0)), ends);
-    k->doubtful |= unsure;
-    k->open &= ~unsure;
-    s->c = variations(k->w, n);
-    s->c.none |= beyond;
-    s->c.one &= ~beyond;
+    enter(k, n, own, across, from, to);
+    leave_undecided(k, across & ~ends_known(c->w, c->e, n, own, end_error(k, n)));
+    k->s.none |= beyond;
+    k->s.one &= ~beyond;
     /* What is left is inside.  Where an end is sure, |p| there exceeds what it can change by within blur: so
      * between `to` and a stop no further than blur there is nothing. */
     k->start = choose(across, all_lanes(-1), k->start);
     mask at_stop = across & at_most(k->stop - k->blur, to);
-    s->limit = choose(at_stop, to, s->limit);
+    c->limit = choose(at_stop, to, c->limit);
     k->stop = choose(at_stop, all_lanes(2), k->stop);
-}
-
-/* Splits the cells of open lanes and keeps the first part that may hold a root. */
-INLINE void divide(packet *k, int n, search *s) {
-    lanes left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1], at = split_point(k, s, n);
-    for (int j = 0; j <= n; j++) right[j] = k->w[j];
-    split(right, left, n, at - k->p, k->q - at);
-    s->error = choose(k->open, s->error + k->cut_error, s->error);
-    s->turns += 1;
-    descartes l = variations(left, n), r = variations(right, n);
-    mask go_right = k->open & ((l.none & less(s->error, l.least)) | at_most(at, k->start));
-    mask go_left = k->open & ~go_right;
-    mask last = at_most(s->limit, k->q) & r.none & less(s->error, r.least);
-    s->limit = choose(go_left & (last | at_most(k->stop, at)), at, s->limit);
-    for (int j = 0; j <= n; j++) k->w[j] = choose(go_right, right[j], choose(go_left, left[j], k->w[j]));
-    k->p = choose(go_right, at, k->p);
-    k->q = choose(go_left, at, k->q);
-    s->c.none = (go_right & r.none) | (go_left & l.none);
-    s->c.one = (go_right & r.one) | (go_left & l.one);
-    s->c.least = choose(go_right, r.least, l.least);
 }
 
 #define MOST_CUTS 4
@@ -199,52 +98,49 @@ INLINE void add_cut(cuts *c, double at) {
 
 /* Open lanes that have no root, as the same cuts show, are closed. */
 INLINE void skirt_n(packet *k, int n, const cuts *c) {
-    lanes left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1], error = k->radius;
+    lanes left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1], error = k->e[0];
     mask empty = k->open;
     double from = 0;
     for (int j = 0; j <= n; j++) right[j] = k->b[j];
+    take_sign(right, n, k->open);
     for (int i = 0; i < c->count; i++) {
         split(right, left, n, all_lanes(c->at[i] - from), all_lanes(1 - c->at[i]));
         from = c->at[i];
         error += k->cut_error;
-        descartes l = variations(left, n);
-        empty &= l.none & less(error, l.least);
+        empty &= count_signs(left, &error, n, 0).none;
         if (!any(empty)) return;
     }
-    descartes r = variations(right, n);
-    k->open &= ~(empty & r.none & less(error, r.least));
+    k->open &= ~(empty & count_signs(right, &error, n, 0).none);
 }
 
-/* The first bracket of each open lane, in p, q, w, from the cell it has, with its count; and the cuts it took
- * in the last lane, if that is open.  Not bounded: no rounding error is accounted for. */
-INLINE void isolate_n(packet *k, int n, descartes c, int bounded, cuts *last) {
-    search s = {k->radius, all_lanes(1), all_lanes(0), c};
-    int kept = bits(k->open) >> (LANES - 1) & 1;
+/* The first bracket of each open lane, from its cell on; and the cuts of the last lane, if that is open. */
+INLINE void isolate_n(packet *k, int n, int own, cuts *last) {
+    cell *c = &k->at;
+    int kept = last && bits(k->open) >> (LANES - 1) & 1, turn = 0;
     if (kept) last->count = 0;
     while (any(k->open)) {
-        double reached = k->p[LANES - 1];
-        mask unsure = ~less(s.error, s.c.least) | at_most(k->q - k->p, all_lanes(NARROWEST)) |
-                      at_most(all_lanes(MOST_TURNS), s.turns);
-        k->doubtful |= k->open & unsure;
-        k->open &= ~unsure;
-        mask one = k->open & s.c.one;
-        mask inside = one & at_most(k->start + k->blur, k->p) & at_most(k->q, k->stop - k->blur);
+        double reached = c->p[LANES - 1];
+        mask one = k->open & k->s.one;
+        mask inside = one & at_most(k->start + k->blur, c->p) & at_most(c->q, k->stop - k->blur);
         k->hit |= inside;
         k->open &= ~inside;
-        mask across = one & ~inside, again = k->open & s.c.none & less(k->q, smaller(s.limit, k->stop));
-        k->open &= ~s.c.none | again;
+        mask across = one & ~inside, again = k->open & k->s.none & less(c->q, smaller(c->limit, k->stop));
+        k->open &= ~k->s.none | again;
         if (any(across)) {
-            cut_to_ends(k, n, across, &s, bounded);
+            cut_to_ends(k, n, own, across);
         } else if (any(again)) {
-            cut_cell(k, n, again, k->q, s.limit);
-            s.error = choose(again, k->radius + 2 * k->cut_error, s.error);
-            s.c = variations(k->w, n);
-        } else if (any(k->open)) {
-            divide(k, n, &s);
+            enter(k, n, own, again, c->q, c->limit);
+        } else {
+            mask stuck = at_most(c->q - c->p, all_lanes(NARROWEST));
+            leave_undecided(k, turn < MOST_TURNS ? stuck : k->open);
+            if (!any(k->open)) break;
+            leave_undecided(
+                k, divide(c, n, own, k->cut_error, k->open, k->start, k->blur, k->stop, turn++, &k->s));
+            k->counted += 2;
         }
-        if (kept && k->p[LANES - 1] > reached) add_cut(last, k->p[LANES - 1]);
+        if (kept && c->p[LANES - 1] > reached) add_cut(last, c->p[LANES - 1]);
     }
-    if (kept && s.limit[LANES - 1] < 1) add_cut(last, s.limit[LANES - 1]);
+    if (kept && c->limit[LANES - 1] < 1) add_cut(last, c->limit[LANES - 1]);
 }
 
 /* Where the first root is expected: `near` it, within `reach`. */
@@ -275,17 +171,22 @@ INLINE jet jet_at(const lanes *w, int n, lanes x) {
     return (jet){rest * b[0] + x * b[1], n * (b[1] - b[0]), bend};
 }
 
-/* Has the polynomial at x the sign it has at 0, and by more than `margin`? */
-INLINE mask same_sign_at(const lanes *w, int n, lanes x, lanes margin) {
-    lanes f = jet_at(w, n, x).f;
-    return ~negative((words)f ^ (words)w[0]) & less(margin, absolute(f));
+/* The first lane goes on from an end of a cell. */
+INLINE void next(packet *k, int n, lanes from) {
+    k->open = less(numbered(), all_lanes(1));
+    k->hit = k->doubtful = no_lane();
+    k->counted = 0;
+    k->at.limit = all_lanes(1);
+    enter(k, n, 1, k->open, from, k->at.limit);
 }
 
-/* The brackets found in w, p, q of some lanes. */
-INLINE void close(packet *k, int n, mask found, const lanes *w, lanes p, lanes q) {
-    for (int j = 0; j <= n; j++) k->w[j] = choose(found, w[j], k->w[j]);
-    k->p = choose(found, p, k->p);
-    k->q = choose(found, q, k->q);
+/* The lanes `found` have their bracket: as `part`. */
+INLINE void close(packet *k, int n, mask found, const cell *part) {
+    cell *c = &k->at;
+    for (int j = 0; j <= n; j++) c->w[j] = choose(found, part->w[j], c->w[j]);
+    c->p = choose(found, part->p, c->p);
+    c->q = choose(found, part->q, c->q);
+    c->side = (words)choose(found, (lanes)part->side, (lanes)c->side);
     k->hit |= found;
     k->open &= ~found;
 }
@@ -293,31 +194,33 @@ INLINE void close(packet *k, int n, mask found, const lanes *w, lanes p, lanes q
 /* Open lanes whose first root is where it is expected: one variation up to a little beyond it, and none
  * before `start`; or none up to a little before it, and one from there.  They are closed as hits. */
 INLINE void follow_n(packet *k, int n, const guess *g) {
-    lanes right[ALGSURF_MAX_DEGREE + 1], left[ALGSURF_MAX_DEGREE + 1];
-    lanes zero = all_lanes(0), end = floor40(g->near + g->reach), error = k->radius + k->cut_error;
+    lanes right[ALGSURF_MAX_DEGREE + 1], error = k->e[0] + k->cut_error;
+    lanes zero = all_lanes(0), end = floor40(g->near + g->reach);
+    cell part = {.p = zero, .side = (words)zero};
     mask tried = k->open & g->known & less(end, k->stop - k->blur) & less(k->start + k->blur, end);
-    tried &= less(end, all_lanes(1 - CLOSE_TO_END));
+    tried &= less(end, all_lanes(1 - CLOSE_TO_END)) & less(error, absolute(k->b[0]));
     if (!any(tried)) return;
     for (int j = 0; j <= n; j++) right[j] = k->b[j];
-    end = choose(tried, end, all_lanes(0.5));
-    split(right, left, n, end, 1 - end);
-    descartes l = variations(left, n);
-    mask found = tried & l.one & less(error, l.least);
+    part.side = take_sign(right, n, tried);
+    part.q = end = choose(tried, end, all_lanes(0.5));
+    split(right, part.w, n, end, 1 - end);
+    mask found = tried & count_signs(part.w, &error, n, 0).one;
     if (any(found)) {
         lanes x = choose(found, k->start / end, zero);
-        found &= same_sign_at(left, n, x, error + k->cut_error + end_error(k, n));
-        close(k, n, found, left, zero, end);
+        found &= less(error + k->cut_error + end_error(k, n), jet_at(part.w, n, x).f);
+        close(k, n, found, &part);
     }
     lanes begin = floor40(g->near - g->reach);
     tried &= ~found & less(k->start + k->blur, begin);
     if (!any(tried)) return;
-    begin = choose(tried, begin, 0.5 * end);
+    part.p = begin = choose(tried, begin, 0.5 * end);
     error += k->cut_error;
-    for (int j = 0; j <= n; j++) right[j] = left[j];
-    split(right, left, n, begin, end - begin);
-    l = variations(left, n);
-    descartes r = variations(right, n);
-    close(k, n, tried & l.none & r.one & less(error, smaller(l.least, r.least)), right, begin, end);
+    for (int j = 0; j <= n; j++) right[j] = part.w[j];
+    split(right, part.w, n, begin, end - begin);
+    tried &= count_signs(part.w, &error, n, 0).none & less(error, right[0]);
+    tried &= count_signs(right, &error, n, 0).one;
+    for (int j = 0; j <= n; j++) part.w[j] = right[j];
+    close(k, n, tried, &part);
 }
 
 /* The roots of the hits as numbers in [0,1]: Chebyshev's iteration (Traub, Iterative Methods for the Solution
@@ -325,13 +228,14 @@ INLINE void follow_n(packet *k, int n, const guess *g) {
  * and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is about 2 s r^2: it ends when twice
  * that is below tolerance, and r so small that it tells that. */
 INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance) {
-    lanes width = k->q - k->p, lo = all_lanes(0), hi = all_lanes(1);
-    lanes x = k->w[0] / (k->w[0] - k->w[n]), expected = (g->near - k->p) / width;
+    const cell *c = &k->at;
+    lanes width = c->q - c->p, lo = all_lanes(0), hi = all_lanes(1);
+    lanes x = c->w[0] / (c->w[0] - c->w[n]), expected = (g->near - c->p) / width;
     x = choose(g->known & less(lo, expected) & less(expected, hi), expected, x);
     mask moving = k->hit;
     for (int round = 0; any(moving); round++) {
-        jet at = jet_at(k->w, n, x);
-        mask before = ~negative((words)at.f ^ (words)k->w[0]); /* the root is further right */
+        jet at = jet_at(c->w, n, x);
+        mask before = ~negative((words)at.f); /* the root is further right */
         lo = choose(before, x, lo);
         hi = choose(before, hi, x);
         lanes inverse = 1 / at.slope, newton = at.f * inverse, ratio = newton * (at.bend * inverse);
@@ -347,7 +251,7 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance) {
             break;
         }
     }
-    return k->p + width * x;
+    return c->p + width * x;
 }
 
 /* ---- the steps, compiled for the most common degrees and for all others ---- */
@@ -393,8 +297,17 @@ APART void follow(packet *k, int n, const guess *g){FOR_DEGREE(n, follow_n(k, N,
 
 APART void skirt(packet *k, int n, const cuts *c){FOR_DEGREE(n, skirt_n(k, N, c))}
 
-APART void isolate(packet *k, int n, const descartes *c, int bounded,
-                   cuts *last){FOR_DEGREE(n, isolate_n(k, N, *c, bounded, last))}
+/* One radius. */
+APART void isolate(packet *k, int n, cuts *last){FOR_DEGREE(n, isolate_n(k, N, 0, last))}
+
+/* Radii of their own. */
+APART void isolate_known(packet *k, int n) {
+    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    isolate_n(k, n, 1, NULL);
+}
+
+/* The same, compiled for common degrees: for single rays and polynomials, which are all that they do. */
+APART void isolate_known_often(packet *k, int n){FOR_DEGREE(n, isolate_n(k, N, 1, NULL))}
 
 APART void refine(packet *k, int n, const guess *g, double tolerance, lanes *at) {
     FOR_DEGREE(n, *at = refine_n(k, N, g, tolerance))

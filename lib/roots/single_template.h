@@ -1,4 +1,4 @@
-/* single_template.h - all roots of one polynomial: the walk of radii_template.h in one lane, again and again
+/* single_template.h - all roots of one polynomial: the walk of packet_template.h in one lane, again and again
  * from the last bracket's end.  (Packets of two: a lone double is no faster.)
  *
  * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, as in
@@ -22,7 +22,7 @@
 #include "../base/eft.h"
 #include "coefficients.h"
 #include "kernel.h"
-#include "radii_template.h"
+#include "packet_template.h"
 
 /* One polynomial over [0,1], and where it came from. */
 typedef struct single {
@@ -93,10 +93,10 @@ static int set_end(const single *s, double at, double least, int sign, double *e
 }
 
 static int set_bracket(const single *s, const packet *k, double least, algsurf_bracket *b) {
-    int sign = k->w[0][0] > 0 ? 1 : -1;
+    int sign = k->at.side[0] ? -1 : 1;
     *b = (algsurf_bracket){s->lo, s->hi, ALGSURF_ROOT_BRACKET, sign, 1, ALGSURF_OK};
-    if (k->p[0] > 0 && !set_end(s, k->p[0], least, sign, &b->lo)) return 0;
-    if (k->q[0] < 1 && !set_end(s, k->q[0], b->lo, -sign, &b->hi)) return 0;
+    if (k->at.p[0] > 0 && !set_end(s, k->at.p[0], least, sign, &b->lo)) return 0;
+    if (k->at.q[0] < 1 && !set_end(s, k->at.q[0], b->lo, -sign, &b->hi)) return 0;
     return b->lo < b->hi;
 }
 
@@ -104,30 +104,31 @@ int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi
                            algsurf_bracket *b, int *count, int *counted) {
     single s = {.p = p, .lo = lo, .hi = hi};
     packet k;
-    lanes e[ALGSURF_MAX_DEGREE + 1], from = all_lanes(0);
     int n = p->degree;
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
     *count = 0;
     set_single(&s);
     k.open = less(numbered(), all_lanes(1));
-    k.doubtful = k.hit = no_lane();
+    k.doubtful = no_lane();
+    k.start = all_lanes(-1);
+    k.stop = all_lanes(2);
+    k.blur = all_lanes(0);
     for (int j = 0; j <= n; j++) {
         k.b[j] = all_lanes(s.b[j]);
-        e[j] = all_lanes(s.error);
+        k.e[j] = all_lanes(s.error);
     }
-    k.radius = all_lanes(s.error);
     begin(&k, n, 1);
-    while (*count < most && from[0] < 1) {
-        k.open = less(numbered(), all_lanes(1));
-        k.hit = no_lane();
-        *counted += isolate_known_often(&k, n, e, &from);
+    bound_errors(&k, n, 1, 1);
+    leave_undecided(&k, ~ends_known(k.b, k.e, n, 1, all_lanes(0)));
+    for (;;) {
+        isolate_known_often(&k, n);
+        *counted += k.counted;
         if (any(k.doubtful)) return 0;
         if (!any(k.hit)) return 1;
         if (!set_bracket(&s, &k, *count ? b[*count - 1].hi : lo, b + *count)) return 0;
-        ++*count;
-        from = k.q;
+        if (++*count == most || k.at.q[0] >= 1) return 1;
+        next(&k, n, k.at.q);
     }
-    return 1;
 }
 
 #endif
