@@ -154,9 +154,9 @@ static inline const char *intersect_agree(const intersect_answer *a) {
 }
 
 /* |t - exact root| in units of what rounding P's input at the hit can do, u S(X)/|p'(t)|, for a hit that
- * isolates its root. */
+ * isolates its root.  width: null, or receives t_hi - t_lo in the same units. */
 static inline double intersect_error(const intersect_case *c, exact_line *line, const exact_sturm *s,
-                                     const algsurf_hit *h) {
+                                     const algsurf_hit *h, double *width) {
     double lo = h->t_lo, hi = h->t_hi, reach = fabs(h->t) * 0.5 + 1e-3;
     lo = fmax(lo, h->t - reach), hi = fmin(hi, h->t + reach);
     if (exact_count_roots(s, lo, hi) != 1) return exact_count_roots(s, h->t_lo, h->t_hi) == 1 ? 1e300 : 0;
@@ -174,7 +174,9 @@ static inline double intersect_error(const intersect_case *c, exact_line *line, 
     }
     exact_line_clear(&magnitudes);
     mpq_clear(q);
-    return fabs(h->t - root) / (0x1p-53 * (size / fabs(slope) + fabs(root)) + 0x1p-90);
+    double unit = 0x1p-53 * (size / fabs(slope) + fabs(root)) + 0x1p-90;
+    if (width) *width = (h->t_hi - h->t_lo) / unit;
+    return fabs(h->t - root) / unit;
 }
 
 /* ---- what is decided, against the oracle ---- */

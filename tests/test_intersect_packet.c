@@ -463,7 +463,7 @@ static int judge_exactly(int i, double *error) {
         if (!wrong) wrong = intersect_truth(&c, &s, &answer);
         if (!wrong) wrong = intersect_agree(&answer);
         if (wrong) intersect_fail(wrong, &c, &answer);
-        *error = hit.state == ALGSURF_HIT ? intersect_error(&c, &line, &s, &hit) : 0;
+        *error = hit.state == ALGSURF_HIT ? intersect_error(&c, &line, &s, &hit, NULL) : 0;
         if (*error > 1000) intersect_fail("far from the root", &c, &answer);
     }
     exact_sturm_clear(&s), exact_line_clear(&line);

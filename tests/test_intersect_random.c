@@ -2,7 +2,8 @@
  *
  * Breaks caught, each tried: a sign used inside its bound, an undecided cell taken for a hit, an interval
  * moved off its root, the final Newton step left out, the middle of the chord without its rounding error, a
- * first hit in doubt that swallows the hit behind it, an ever-uncertain tier.
+ * first hit in doubt that swallows the hit behind it, an ever-uncertain tier; the isolating interval for
+ * [t_lo,t_hi].
  */
 #include "intersect_case.h"
 
@@ -50,7 +51,7 @@ static int in_the_surface(void) {
 
 static void judge_family(int rounds, int most_degree, int bits, int small, int least_certain) {
     uint64_t seed = SEED;
-    int done = 0, certain = 0, hits = 0, precise = 0, measured = 0;
+    int done = 0, certain = 0, hits = 0, precise = 0, narrow = 0, measured = 0;
     for (int i = 0; i < rounds; i++) {
         if (i % 4 == 0) {
             algsurf_surface_free(c.surface);
@@ -67,17 +68,18 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
         if (answer.first.state == ALGSURF_HIT && i % 8 == 0) {
             exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
             exact_sturm s = exact_sturm_of(line.c, c.degree);
-            double error = intersect_error(&c, &line, &s, &answer.first);
-            measured++, precise += error < 8;
+            double width = HUGE_VAL, error = intersect_error(&c, &line, &s, &answer.first, &width);
+            measured++, precise += error < 8, narrow += width <= 6 * (5 * c.degree + 8) + 8;
             if (error > 1000) intersect_fail("far from the root", &c, &answer);
             exact_sturm_clear(&s), exact_line_clear(&line);
         }
     }
     algsurf_surface_free(c.surface);
     c.surface = NULL;
-    if (hits * 5 < done || certain * 100 < done * least_certain || precise * 100 < measured * 99)
-        fail_msg("seed %u: %d rays, %d certain, %d hits, %d of %d precise", SEED, done, certain, hits,
-                 precise, measured);
+    if (hits * 5 < done || certain * 100 < done * least_certain || precise * 100 < measured * 99 ||
+        narrow * 100 < measured * 97)
+        fail_msg("seed %u: %d rays, %d certain, %d hits, of %d %d precise, %d in a narrow interval", SEED,
+                 done, certain, hits, measured, precise, narrow);
 }
 
 static void test_low_degrees(void **state) {

@@ -50,9 +50,10 @@ typedef struct algsurf_hit {
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
     double t;         /* approximate, along the ray as given; uncertain: where it is in doubt */
     double t_lo, t_hi;  /* encloses the hit, and no other hit is before it: neighbouring doubles, or t alone,
-                           where integers decided; where doubles did, the interval that isolates it;
-                           uncertain: no hit is before t_lo, it is open whether one is in
-                           [t_lo, t_hi]; fast tier: both are t */
+                           where integers decided; where doubles did, what rounding P there leaves open, some
+                           100 units in the last place for moderate surfaces, or, where that has not been
+                           shown, the interval that isolates the hit; uncertain: no hit is before t_lo, it is
+                           open whether one is in [t_lo, t_hi]; fast tier: both are t */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
                            a point shortly before it on the ray; all 0 where there is none either (a ray

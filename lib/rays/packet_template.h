@@ -359,24 +359,58 @@ INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which,
     }
 }
 
+/* [t_lo,t_hi] around t, narrower than the bracket where the signs of P itself show it.
+ *
+ * P(X(t)) at a double t is off by at most E: `along` rounds X once, but for 2^-100 (|o| + |t d|), which 2^-30
+ * |o| in the magnitudes takes in, as 2^-30 |h d| does the way from x to the ends; each of at most n
+ * coordinates in a term brings that rounding and that of its square, the scheme 3 n + 3 more
+ * (surface/eval.c): (5 n + 3) u S, taken as (5 n + 8).  The ends are put where |P| is about 3 E, hence where
+ * the computed value exceeds E: then its sign is P's, and if it is the one that the bracket has on that side,
+ * the root, the only one in the bracket, lies between. */
+INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, const packet *k,
+                   const lanes x[3], lanes slope, lanes_hit *hit) {
+    lanes reach[3], end[3][PAIR], p[PAIR];
+    for (int i = 0; i < 3; i++) {
+        reach[i] = absolute(x[i]) + 0x1p-30 * (absolute(r->origin[i]) + absolute(half * r->direction[i]));
+        if (s->stride[i] == 2) reach[i] *= reach[i];
+    }
+    double share = (5 * s->degree + 8) * 0x1p-53 + s->error;
+    lanes error = share * surface_magnitude(s, reach) + UNDERFLOW;
+    lanes pad = 3 * error / absolute(slope) + 0x1p-52 * absolute(hit->t),
+          t[PAIR] = {hit->t - pad, hit->t + pad};
+    for (int m = 0; m < PAIR; m++)
+        for (int i = 0; i < 3; i++) {
+            end[i][m] = along(r->origin[i], all_lanes(0), t[m], r->direction[i]);
+            if (s->stride[i] == 2) end[i][m] *= end[i][m];
+        }
+    surface_values(s, PAIR, (const lanes *const[]){end[0], end[1], end[2]}, p);
+    mask close = less(pad, 0x1p-32 * half); /* so that reach is enough */
+    mask before = close & less(error, (lanes)((words)p[0] ^ k->at.side));
+    mask behind = close & less((lanes)((words)p[1] ^ k->at.side), -error);
+    hit->t_lo = choose(before, larger(hit->t_lo, t[0]), hit->t_lo);
+    hit->t_hi = choose(behind, smaller(hit->t_hi, t[1]), hit->t_hi);
+}
+
 /* From roots v of the polynomials, -1 <= v <= 1, to hits.  A point is kept as t + low: where the origin is
  * far, the rounding of t alone is too much. */
 INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half, lanes v,
-                      packet *k, lanes_hit *hit) {
+                      int ends, packet *k, lanes_hit *hit) {
+    const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
-    lanes far = 2 * LONGEST_LAST_STEP * half * (k->at.q - k->at.p);
+    lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
     lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
     lanes pad = 0x1p-50 * (absolute(middle) + half), unit = all_lanes(ldexp(1, job->surface->unit));
-    hit->t_lo = choose(at_most(k->at.p, all_lanes(0)), r->near,
-                       larger(r->near, middle + half * (2 * k->at.p - 1) - pad));
-    hit->t_hi = choose(at_most(all_lanes(1), k->at.q), r->far,
-                       smaller(r->far, middle + half * (2 * k->at.q - 1) + pad));
+    hit->t_lo =
+        choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));
+    hit->t_hi =
+        choose(at_most(all_lanes(1), c->q), r->far, smaller(r->far, middle + half * (2 * c->q - 1) + pad));
     hit->t = t + (low + step);
     mask sound = at_most(absolute(step), far);
     sound &= at_most(hit->t_lo - pad, hit->t) & at_most(hit->t, hit->t_hi + pad);
     k->doubtful |= k->hit & ~sound;
     k->hit &= sound;
     hit->t = smaller(larger(hit->t, hit->t_lo), hit->t_hi);
+    if (ends) narrow(job->surface, r, half, k, x[0], dot(gradient, r->direction), hit);
     make_unit(gradient);
     for (int i = 0; i < 3; i++) {
         hit->position[i] = (x[0][i] + step * r->direction[i]) * unit;
@@ -427,7 +461,8 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);
-                find_hits(job, &r, middle, half, 2 * v - 1, &k, &hit);
+                find_hits(job, &r, middle, half, 2 * v - 1, job->bounded && (hits->t_lo || hits->t_hi), &k,
+                          &hit);
             }
         }
         unsigned found = bits(k.hit), doubts = bits(k.doubtful);

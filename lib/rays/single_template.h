@@ -71,6 +71,7 @@ static void hit_as_it_is(single_ray *s, lanes v, lanes_hit *hit) {
 /* The bracket's hit; 0: it is undecided. */
 static int make_hit(single_ray *s, algsurf_hit *to) {
     const guess nowhere = {.known = no_lane()};
+    int wide = s->how && s->how->tolerance > 0; /* what is asked for is to be seen */
     lanes v;
     lanes_hit hit;
     if (s->how)
@@ -78,9 +79,9 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
     if (any(s->k.doubtful)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, s->job->bounded && !wide, &s->k, &hit);
     if (!s->how && any(s->k.doubtful)) return 0;
-    if (any(s->k.doubtful) || (s->how && s->how->tolerance > 0)) { /* a tolerance is to be seen */
+    if (any(s->k.doubtful) || wide) {
         s->k.doubtful = no_lane();
         hit_as_it_is(s, 2 * v - 1, &hit);
     }
