@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "decided_beside.h"
 #include "decided_report.h"
 #include "results.h"
 
@@ -16,7 +17,7 @@ enum { MOST_RAYS = 10000, NAMED = 2 };
 
 typedef struct bench_options {
     const char *extra; /* a plain argument, which this program does not take */
-    const char *output;
+    const char *output, *beside;
     int rays, seed, quick;
 } bench_options;
 
@@ -28,6 +29,10 @@ static const cli_option options_table[] = {
     {"--seed", "S", "of the random surfaces and rays, default 1", cli_set_int, FIELD(seed), 0, 1000000000},
     {"--output", "FOLDER", "gets decided.csv and decided.svg; made if there is none", cli_set_text,
      FIELD(output), 0, 0},
+    {"--beside", "FILE",
+     "another edition of the library, asked the same in turn; the script bench/beside\n"
+     "makes the file, and calls this program",
+     cli_set_text, FIELD(beside), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -50,6 +55,13 @@ static const char legend[] =
     "  us50%    CPU time of a ray, microseconds, median of the rays; 10%, 90%: their spread\n"
     "  lanes    of a clear ray, by doubles alone; -: they do not decide it\n"
     "  times    us50% in units of that\n";
+
+static const char legend_beside[] =
+    "  beside   us50% of the other edition, certified tier, asked in turn with this one\n"
+    "  ratio    its time of a ray in units of this edition's, median of the rays; above 1: this one is "
+    "faster\n"
+    "  undec%   share of the rays that the other edition does not decide\n"
+    "  wrong%   share that it answers wrongly: no hit, or one elsewhere\n";
 
 /* ---- judgement ---- */
 
@@ -83,7 +95,7 @@ static int judge(const example *e, size_t i) {
     if (hit.multiplicity != e->multiplicity) refuse(e, i, "a hit of another multiplicity");
     if ((hit.side == 0) != (hit.multiplicity == 0)) refuse(e, i, "a side where there is none, or none");
     if (!(hit.t_lo <= hit.t && hit.t <= hit.t_hi)) refuse(e, i, "t outside of its interval");
-    if (!(fabs(hit.t - e->t[i]) <= 1e-3 * fabs(e->t[i]))) refuse(e, i, "a hit elsewhere");
+    if (!example_hit_at(e, i, hit.t)) refuse(e, i, "a hit elsewhere");
     if (open && hit.t_hi > nextafter(hit.t_lo, INFINITY)) refuse(e, i, "an interval wider than it must be");
     if (!open && by_doubles.state != ALGSURF_HIT) refuse(e, i, "no hit by doubles");
     judge_all(e, i);
@@ -92,41 +104,83 @@ static int judge(const example *e, size_t i) {
 
 /* ---- time ---- */
 
+/* Who is asked. */
+typedef enum way { CERTIFIED, LANES, OTHER, WAYS } way;
+
 typedef struct task {
     const example *example;
+    const beside_edition *other; /* null: none */
+    algsurf_surface *others_surface;
     size_t ray;
-    algsurf_intersect_options options;
 } task;
 
-static void ask(void *data) {
-    task *w = data;
+static void ask(const task *w, algsurf_tier tier) {
+    const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
     const example *e = w->example;
     algsurf_hit hit;
-    (void)algsurf_intersect_first(e->equation, &e->extent, &e->ray[w->ray], &w->options, &hit);
+    (void)algsurf_intersect_first(e->equation, &e->extent, &e->ray[w->ray], &options, &hit);
 }
 
-/* Microseconds of each ray, sorted. */
-static double *take_times(const example *e, algsurf_tier tier) {
-    task w = {e, 0, {.size = sizeof w.options, .tier = tier}};
-    double *us = calloc(e->count, sizeof *us);
-    if (!us) cli_no_memory();
-    for (; w.ray < e->count; w.ray++) us[w.ray] = 1e6 * measure_call(ask, &w);
-    measure_sort(us, e->count);
-    return us;
+static void ask_certified(void *data) { ask(data, ALGSURF_TIER_CERTIFIED); }
+static void ask_lanes(void *data) { ask(data, ALGSURF_TIER_BOUNDED); }
+static void ask_other(void *data) {
+    const task *w = data;
+    double t;
+    (void)w->other->first(w->others_surface, &w->example->extent, &w->example->ray[w->ray], &t);
 }
 
-static finding examine(const example *e) {
-    finding f = {.surface = e->surface, .degree = e->degree, .kind = e->kind, .rays = e->count, .lanes = NAN};
+/* Microseconds of each ray, of each way that has room for them.  They take turns at each ray, since a
+ * processor's clock drifts; a call before fills the caches. */
+static void take_times(task *w, double *us[WAYS]) {
+    static void (*const asks[WAYS])(void *) = {ask_certified, ask_lanes, ask_other};
+    for (w->ray = 0; w->ray < w->example->count; w->ray++)
+        for (int k = 0; k < WAYS; k++) {
+            if (!us[k]) continue;
+            asks[k](w);
+            us[k][w->ray] = 1e6 * measure_call(asks[k], w);
+        }
+}
+
+static double *make_room(size_t count) {
+    double *values = calloc(count, sizeof *values);
+    if (!values) cli_no_memory();
+    return values;
+}
+
+/* Of the rays' ratios, NaN where a way was not asked. */
+static double median_ratio(const double *us, const double *by, size_t count) {
+    if (!us || !by) return NAN;
+    double *ratio = make_room(count);
+    for (size_t i = 0; i < count; i++) ratio[i] = us[i] / by[i];
+    measure_sort(ratio, count);
+    double median = measure_quantile(ratio, count, 0.5);
+    free(ratio);
+    return median;
+}
+
+static finding examine(const example *e, const beside_edition *other) {
+    finding f = {.surface = e->surface, .degree = e->degree, .kind = e->kind, .rays = e->count};
+    task w = {.example = e, .other = other};
     for (size_t i = 0; i < e->count; i++) f.open += (size_t)judge(e, i);
-    double *us = take_times(e, ALGSURF_TIER_CERTIFIED);
-    f.us = measure_quantile(us, e->count, 0.5);
-    f.us_low = measure_quantile(us, e->count, 0.1);
-    f.us_high = measure_quantile(us, e->count, 0.9);
-    free(us);
-    if (e->kind != KIND_CLEAR || f.open > 0) return f;
-    us = take_times(e, ALGSURF_TIER_BOUNDED);
-    f.lanes = measure_quantile(us, e->count, 0.5);
-    free(us);
+    if (other) {
+        w.others_surface = beside_surface(other, e);
+        beside_judge(other, e, w.others_surface, &f.undecided, &f.wrong);
+    }
+    const int asked[WAYS] = {1, e->kind == KIND_CLEAR && f.open == 0, other != NULL};
+    double *us[WAYS] = {NULL};
+    for (int k = 0; k < WAYS; k++)
+        if (asked[k]) us[k] = make_room(e->count);
+    take_times(&w, us);
+    f.ratio = median_ratio(us[OTHER], us[CERTIFIED], e->count);
+    for (int k = 0; k < WAYS; k++)
+        if (asked[k]) measure_sort(us[k], e->count);
+    f.us = measure_quantile(us[CERTIFIED], e->count, 0.5);
+    f.us_low = measure_quantile(us[CERTIFIED], e->count, 0.1);
+    f.us_high = measure_quantile(us[CERTIFIED], e->count, 0.9);
+    f.lanes = asked[LANES] ? measure_quantile(us[LANES], e->count, 0.5) : NAN;
+    f.beside = asked[OTHER] ? measure_quantile(us[OTHER], e->count, 0.5) : NAN;
+    for (int k = 0; k < WAYS; k++) free(us[k]);
+    if (other) other->surface_free(w.others_surface);
     return f;
 }
 
@@ -135,38 +189,39 @@ static finding examine(const example *e) {
 static const int degrees[] = {2, 4, 6, 8, 10, 16, 20, 32};
 enum { DEGREES = sizeof degrees / sizeof *degrees, MOST_FINDINGS = DEGREES * KINDS + 2 * NAMED };
 
-static size_t run_random(const bench_options *o, finding *f) {
+static size_t run_random(const bench_options *o, const beside_edition *other, finding *f) {
     size_t count = 0;
     for (int d = 0; d < DEGREES; d++)
         for (int which = 0; which < KINDS; which++, count++) {
             example e;
             example_random(&e, degrees[d], (kind)which, (size_t)o->rays, o->seed);
-            f[count] = examine(&e);
+            f[count] = examine(&e, other);
             if (which != KIND_CLEAR) f[count].lanes = f[count - (size_t)which].lanes;
             example_free(&e);
         }
     return count;
 }
 
-static size_t run_named(const bench_options *o, finding *f) {
+static size_t run_named(const bench_options *o, const beside_edition *other, finding *f) {
     static const char *const names[NAMED] = {"barth", "barth-decic"};
     size_t count = 0;
     for (int s = 0; s < NAMED; s++)
         for (int which = KIND_CLEAR; which <= KIND_END; which++, count++) {
             example e;
             example_named(&e, names[s], (kind)which, (size_t)o->rays, o->seed);
-            f[count] = examine(&e);
+            f[count] = examine(&e, other);
             if (which != KIND_CLEAR) f[count].lanes = f[count - 1].lanes;
             example_free(&e);
         }
     return count;
 }
 
-static void print_head(const bench_options *o) {
+static void print_head(const bench_options *o, const beside_edition *other) {
     char machine[512];
     measure_machine(machine, sizeof machine);
-    printf("%smachine: %s\nkernel: %s\nrays: %d of a surface\nseed: %d\n", legend, machine,
-           algsurf_kernel_name(0), o->rays, o->seed);
+    printf("%s%smachine: %s\nkernel: %s\nrays: %d of a surface\nseed: %d\n", legend,
+           other ? legend_beside : "", machine, algsurf_kernel_name(0), o->rays, o->seed);
+    if (other) printf("beside: %s\n", other->name);
 }
 
 int main(int argc, char **argv) {
@@ -175,12 +230,14 @@ int main(int argc, char **argv) {
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     if (o.rays == 0) o.rays = o.quick ? 8 : 64;
+    const beside_edition *other = o.beside ? beside_load(o.beside) : NULL;
     if (o.output) results_folder(o.output); /* before the work */
-    size_t count = run_random(&o, f);
-    count += run_named(&o, f + count);
-    if (o.output) report_files(f, count, o.output);
-    print_head(&o);
-    report_table(f, count);
+    const char *name = other ? other->name : NULL;
+    size_t count = run_random(&o, other, f);
+    count += run_named(&o, other, f + count);
+    if (o.output) report_files(f, count, name, o.output);
+    print_head(&o, other);
+    report_table(f, count, name);
     cli_finish_output();
     return 0;
 }

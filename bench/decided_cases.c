@@ -343,6 +343,8 @@ void example_named(example *e, const char *name, kind which, size_t count, int s
     }
 }
 
+int example_hit_at(const example *e, size_t i, double t) { return fabs(t - e->t[i]) <= 1e-3 * fabs(e->t[i]); }
+
 void example_free(example *e) {
     algsurf_surface_free(e->equation);
     free(e->ray);

@@ -40,6 +40,9 @@ void example_random(example *e, int degree, kind which, size_t count, int seed);
  * hit it, at a place where the sign of P changes. */
 void example_named(example *e, const char *name, kind which, size_t count, int seed);
 
+/* Is that where the first hit of ray i is? */
+int example_hit_at(const example *e, size_t i, double t);
+
 void example_free(example *e);
 
 #endif
