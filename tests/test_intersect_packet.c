@@ -525,7 +525,7 @@ static int doubts(const algsurf_extent *extent, int any) {
     int count = 0;
     for (int k = 0; k < 3; k++) job.origin[k] = p.origin[k], job.direction[k] = p.direction[k];
     job.t_min = p.t_min, job.t_max = p.t_max;
-    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))(&job, MOST, &hits);
+    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(&job, MOST, &hits);
     for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_DOUBTFUL;
     return count;
 }

@@ -30,16 +30,37 @@ static int first_of_packet(const algsurf_i_rays_job *job, algsurf_hit *hit) {
                                     .position = {hit->position, hit->position + 1, hit->position + 2},
                                     .normal = {hit->normal, hit->normal + 1, hit->normal + 2}};
     memset(hit, 0, sizeof *hit);
-    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))(job, 1, &to);
+    algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(job, 1, &to);
     hit->state = state;
     hit->multiplicity = state == ALGSURF_LANE_HIT;
     hit->side = side;
     return state != ALGSURF_LANE_DOUBTFUL;
 }
 
+/* By the code for single rays of every kernel: the same bits. */
+static int all_of(const algsurf_i_rays_job *given, const algsurf_refine_options *how, int most,
+                  algsurf_hit *hits) {
+    algsurf_i_rays_job job = *given;
+    algsurf_hit other[ALGSURF_MAX_DEGREE];
+    const algsurf_i_kernel *kernel;
+    int n = 0;
+    for (int i = 0; (kernel = algsurf_i_kernel_at(i)); i++) {
+        memset(other, 0, sizeof other);
+        job.of_one = algsurf_i_rays_kernel_for(kernel)->of_one;
+        int count = algsurf_i_ray_kernel_for(kernel)->all(&job, how, most, i == 0 ? hits : other);
+        if (i == 0) n = count;
+        assert_int_equal(count, n);
+        for (int k = 0; i > 0 && k < n; k++) {
+            assert_memory_equal(&hits[k].t, &other[k].t, sizeof *hits - offsetof(algsurf_hit, t));
+            assert_int_equal(hits[k].side, other[k].side);
+        }
+    }
+    return n;
+}
+
 static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *job, int *decided) {
     algsurf_hit first, all[ALGSURF_MAX_DEGREE], other[ALGSURF_MAX_DEGREE];
-    int n = algsurf_i_rays_single(job, NULL, entry->degree, all), known = first_of_packet(job, &first);
+    int n = all_of(job, NULL, entry->degree, all), known = first_of_packet(job, &first);
     if (n < 0) return;
     ++*decided;
     if (!known || n == 0) {
@@ -53,14 +74,14 @@ static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *jo
     }
     for (int m = ALGSURF_METHOD_DEFAULT; m <= ALGSURF_METHOD_REGULA_FALSI; m++) {
         const algsurf_refine_options how = {sizeof how, (algsurf_method)m, 0, 0};
-        assert_int_equal(algsurf_i_rays_single(job, &how, entry->degree, other), n);
+        assert_int_equal(all_of(job, &how, entry->degree, other), n);
         for (int i = 0; i < n; i++) {
             assert_true(!job->bounded || (all[i].t_lo <= other[i].t_hi && other[i].t_lo <= all[i].t_hi));
             assert_true(m == ALGSURF_METHOD_REGULA_FALSI || /* which may stop early, see refine.h */
                         fabs(all[i].t - other[i].t) <= 1e-9 * fabs(all[i].t));
             assert_true(other[i].t_lo <= other[i].t && other[i].t <= other[i].t_hi);
         }
-        assert_int_equal(algsurf_i_rays_single(job, &how, 1, other), 1);
+        assert_int_equal(all_of(job, &how, 1, other), 1);
     }
 }
 

@@ -163,16 +163,18 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
     const double *x = ray->origin, *d = ray->direction;
     algsurf_extent wider;
     const algsurf_extent *extent = algsurf_i_without_own_ball(surface, given, &wider);
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o->kernel);
     const algsurf_i_rays_job job = {.surface = surface,
                                     .extent = extent,
                                     .origin = {x, x + 1, x + 2},
                                     .direction = {d, d + 1, d + 2},
                                     .t_min = &ray->t_min,
                                     .t_max = &ray->t_max,
-                                    .bounded = o->tier != ALGSURF_TIER_FAST};
+                                    .bounded = o->tier != ALGSURF_TIER_FAST,
+                                    .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance};
     if (!algsurf_i_rays_fit(surface, extent)) return -1;
-    return algsurf_i_rays_single(&job, chooses_method(o) ? &how : NULL, most, hits);
+    return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
 }
 
 /* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want

@@ -20,6 +20,9 @@ typedef struct algsurf_i_rays_job {
     const unsigned char *active; /* null: all */
     int any;                     /* 1: whether there is a root, not where: only states are written */
     int bounded;                 /* 0: signs as computed, and t_lo = t_hi = t (the fast tier) */
+    /* Not null: there is one ray, and its Bernstein coefficients come from here (of a surface with nodes, for
+     * the chord middle + v half). */
+    void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
 } algsurf_i_rays_job;
 
 /* What is found of each ray, as in algsurf_hit; any array may be null, but state. */
@@ -29,20 +32,29 @@ typedef struct algsurf_i_rays_hits {
     double *t, *t_lo, *t_hi, *position[3], *normal[3];
 } algsurf_i_rays_hits;
 
-/* Answers the active rays among the first `count`.  Of a doubtful ray only the state means something. */
-typedef void algsurf_i_rays_kernel(const algsurf_i_rays_job *job, size_t count,
-                                   const algsurf_i_rays_hits *hits);
+typedef struct algsurf_i_rays_kernel {
+    /* Answers the active rays among the first `count`.  Of a doubtful ray only the state means something. */
+    void (*solve)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
+    /* For the job of a single ray, which is solved by the baseline's code: nodes side by side instead of
+     * rays. The same bits.  Null: nothing would be gained. */
+    void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
+} algsurf_i_rays_kernel;
 
-algsurf_i_rays_kernel algsurf_i_rays_avx512, algsurf_i_rays_avx2, algsurf_i_rays_baseline;
+extern const algsurf_i_rays_kernel algsurf_i_rays_avx512, algsurf_i_rays_avx2, algsurf_i_rays_baseline;
 
-/* The first hits of the job's one ray, at most `most` >= 1, in order, by the caller's method (null: the first
- * of them has the bits of the kernels); or -1: it is undecided.  hits has room for the surface's degree, or
- * `most`.
- */
-int algsurf_i_rays_single(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
-                          algsurf_hit *hits);
+/* The code for the job's one ray: packets of two, of which one lane is idle. */
+typedef struct algsurf_i_ray_kernel {
+    /* As solve of the packets, for count 1. */
+    void (*first)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
+    /* The first hits, at most `most` >= 1, in order, by the caller's method (null: the first of them has the
+     * bits of the packets); or -1: it is undecided.  hits has room for the surface's degree, or `most`. */
+    int (*all)(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most, algsurf_hit *hits);
+} algsurf_i_ray_kernel;
+
+extern const algsurf_i_ray_kernel algsurf_i_ray_avx512, algsurf_i_ray_avx2, algsurf_i_ray_baseline;
 
 /* The code for a kernel. */
-algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel);
+const algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel);
+const algsurf_i_ray_kernel *algsurf_i_ray_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

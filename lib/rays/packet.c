@@ -20,7 +20,7 @@ typedef struct query {
     algsurf_extent wider;
     algsurf_ray_packet rays;
     algsurf_intersect_options options;
-    algsurf_i_rays_kernel *solve; /* null: every ray by itself */
+    const algsurf_i_kernel *kernel; /* null: every ray by itself */
 } query;
 
 const char *algsurf_kernel_name(int index) {
@@ -91,18 +91,20 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
     int fits = q->options.method == ALGSURF_METHOD_DEFAULT && q->options.max_iterations == 0 &&
                algsurf_i_rays_fit(surface, q->extent);
-    q->solve = fits ? algsurf_i_rays_kernel_for(algsurf_i_kernel_find(q->options.kernel)) : NULL;
+    q->kernel = fits ? algsurf_i_kernel_find(q->options.kernel) : NULL;
     return ALGSURF_OK;
 }
 
-/* The states of active rays; of certain hits everything. */
-static void solve_together(const query *q, int any, const algsurf_i_rays_hits *hits) {
+/* The states of active rays; of certain hits everything.  A ray that is alone is solved by the baseline's
+ * code: the bits are the same, and idle lanes cost less. */
+static void solve_together(const query *q, int any, int alone, const algsurf_i_rays_hits *hits) {
     const algsurf_ray_packet *rays = &q->rays;
-    if (!q->solve) {
+    if (!q->kernel) {
         for (size_t i = 0; i < rays->count; i++)
             if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_DOUBTFUL;
         return;
     }
+    const algsurf_i_rays_kernel *code = algsurf_i_rays_kernel_for(q->kernel);
     const algsurf_i_rays_job job = {
         .surface = q->surface,
         .extent = q->extent,
@@ -113,8 +115,12 @@ static void solve_together(const query *q, int any, const algsurf_i_rays_hits *h
         .active = rays->active,
         .any = any,
         .bounded = q->options.tier != ALGSURF_TIER_FAST,
+        .of_one = alone ? code->of_one : NULL,
     };
-    q->solve(&job, rays->count, hits);
+    if (alone)
+        algsurf_i_ray_kernel_for(q->kernel)->first(&job, 1, hits);
+    else
+        code->solve(&job, rays->count, hits);
 }
 
 static int left_alone(const query *q, const unsigned char *state, size_t i) {
@@ -193,7 +199,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         .position = {known.position[0], known.position[1], known.position[2]},
         .normal = {known.normal[0], known.normal[1], known.normal[2]},
     };
-    solve_together(&q, 0, &hits);
+    solve_together(&q, 0, 0, &hits);
     algsurf_limb block[EYE_WORDS];
     algsurf_memory memory;
     algsurf_i_exact_eye eye;
@@ -240,7 +246,6 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
-    if (q.solve) q.solve = algsurf_i_rays_baseline; /* the bits are the same, and idle lanes cost less */
     const algsurf_i_rays_hits hits = {
         .state = &state,
         .side = &side,
@@ -250,7 +255,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
         .position = {found.position, found.position + 1, found.position + 2},
         .normal = {found.normal, found.normal + 1, found.normal + 2},
     };
-    solve_together(&q, 0, &hits);
+    solve_together(&q, 0, 1, &hits);
     if (state == ALGSURF_LANE_DOUBTFUL)
         return algsurf_i_intersect_first(surface, extent, ray, NULL, &q.options, hit);
     found.state = state;
@@ -290,7 +295,7 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     algsurf_status status = prepare(&q, surface, extent, rays, options);
     if (status != ALGSURF_OK) return status;
     if (!state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, 1, &(algsurf_i_rays_hits){.state = state});
+    solve_together(&q, 1, 0, &(algsurf_i_rays_hits){.state = state});
     for (size_t i = 0; i < q.rays.count; i++) {
         if (!left_alone(&q, state, i)) continue;
         algsurf_ray ray = ray_of(&q.rays, i);
@@ -321,8 +326,7 @@ static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
-    if (q.solve) q.solve = algsurf_i_rays_baseline; /* the bits are the same, and idle lanes cost less */
-    solve_together(&q, 1, &(algsurf_i_rays_hits){.state = &found});
+    solve_together(&q, 1, 1, &(algsurf_i_rays_hits){.state = &found});
     if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(surface, extent, ray, &q.options, state);
     *state = (algsurf_hit_state)found;
     return ALGSURF_OK;

@@ -3,6 +3,6 @@
 
 #include "../simd/avx2.h"
 #ifdef LANES
-#include "packet_template.h"
+#include "kernel_template.h"
 #endif
 #include "../simd/end.h"

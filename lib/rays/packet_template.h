@@ -215,11 +215,55 @@ INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle
     for (int m = 0; m <= n; m += block)
         surface_values(s, block, (const lanes *const[]){x[0] + m, x[1] + m, x[2] + m}, p + m);
     for (int j = 0; j <= n; j++) {
-        const double *w = s->to_bernstein + j * (n + 1);
+        const double *w = s->to_bernstein + j;
         lanes sum = w[0] * p[0];
-        for (int m = 1; m <= n; m++) sum += w[m] * p[m];
+        for (int m = 1; m <= n; m++) sum += w[m * ALGSURF_NODE_STRIDE] * p[m];
         b[j] = sum;
     }
+}
+
+#define VECTORS ((ALGSURF_NODE_STRIDE + LANES - 1) / LANES)
+
+/* The same for one chord, nodes and then coefficients side by side. */
+INLINE void coefficients_of_one_n(const algsurf_surface *s, const double middle[3], const double half[3],
+                                  double *b, int vectors) {
+    lanes x[3][VECTORS], p[VECTORS], sum[VECTORS];
+    double value[VECTORS * LANES];
+    int n = s->node_degree;
+    if (n >= vectors * LANES) __builtin_unreachable();
+    for (int i = 0; i < 3; i++)
+        for (int v = 0; v < vectors; v++) {
+            x[i][v] = middle[i] + load(s->nodes + v * LANES) * half[i];
+            if (s->stride[i] == 2) x[i][v] *= x[i][v];
+        }
+    surface_values(s, vectors, (const lanes *const[]){x[0], x[1], x[2]}, p);
+    for (int v = 0; v < vectors; v++) {
+        store(value + v * LANES, p[v]);
+        sum[v] = load(s->to_bernstein + v * LANES) * value[0];
+    }
+    for (int m = 1; m <= n; m++)
+        for (int v = 0; v < vectors; v++)
+            sum[v] += load(s->to_bernstein + m * ALGSURF_NODE_STRIDE + v * LANES) * value[m];
+    for (int v = 0; v < vectors; v++) store(b + v * LANES, sum[v]);
+}
+
+/* b has room for ALGSURF_NODE_STRIDE. */
+APART void coefficients_of_one(const algsurf_surface *s, const double middle[3], const double half[3],
+                               double *b) {
+    int vectors = s->node_degree / LANES + 1;
+    if (vectors == 1)
+        coefficients_of_one_n(s, middle, half, b, 1);
+    else if (vectors == 2)
+        coefficients_of_one_n(s, middle, half, b, 2);
+    else
+        coefficients_of_one_n(s, middle, half, b, VECTORS < 4 ? VECTORS : 4);
+}
+
+INLINE void set_coefficients_of_one(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
+    double middle[3], half[3], b[ALGSURF_NODE_STRIDE];
+    for (int i = 0; i < 3; i++) middle[i] = line->middle[i][0], half[i] = line->half[i][0];
+    job->of_one(job->surface, middle, half, b);
+    for (int j = 0; j <= n; j++) k->b[j] = all_lanes(b[j]);
 }
 
 /* b from nodes, and one radius for all of them. */
@@ -227,7 +271,10 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
                              int block) {
     const algsurf_surface *s = job->surface;
     lanes x[3];
-    coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
+    if (LANES == 2 && job->of_one)
+        set_coefficients_of_one(job, line, k, n);
+    else
+        coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
     k->e[0] = all_lanes(0);
     if (!job->bounded) return;
     for (int i = 0; i < 3; i++) {
@@ -477,7 +524,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
     }
 }
 
-void KERNEL(algsurf_i_rays)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
+APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
     int n = job->surface->node_degree;
     if (!job->surface->nodes) {
         solve_rays_n(job, count, hits, n, 0);

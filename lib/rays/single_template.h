@@ -122,8 +122,8 @@ static void next_bracket(single_ray *s) {
     }
 }
 
-int algsurf_i_rays_single(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
-                          algsurf_hit *hits) {
+static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most,
+                    algsurf_hit *hits) {
     single_ray s = {.job = job, .how = how};
     int count = 0;
     double scale = ldexp(1, -job->surface->unit);
@@ -146,5 +146,7 @@ int algsurf_i_rays_single(const algsurf_i_rays_job *job, const algsurf_refine_op
         next_bracket(&s);
     }
 }
+
+const algsurf_i_ray_kernel KERNEL(algsurf_i_ray) = {.first = solve_rays, .all = all_hits};
 
 #endif

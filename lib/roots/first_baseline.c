@@ -3,4 +3,3 @@
 
 #include "../simd/baseline.h"
 #include "first_template.h"
-#include "single_template.h"

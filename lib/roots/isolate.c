@@ -40,7 +40,7 @@ static int walk_lane(task *t) {
     if (!(t->lo < t->hi) || t->p.degree == 0 || t->p.degree > ALGSURF_MAX_DEGREE || has_small_roots(t))
         return 0;
     if (!(fmax(fabs(t->lo), fabs(t->hi)) > 0x1p-900 && t->hi - t->lo < 0x1p1000)) return 0;
-    return algsurf_i_roots_single(&t->p, t->lo, t->hi, most, t->b, &t->count, &t->counted);
+    return algsurf_i_roots_single_fastest()(&t->p, t->lo, t->hi, most, t->b, &t->count, &t->counted);
 }
 
 /* The interval from where the lane's last bracket ends. */

@@ -1,8 +1,14 @@
-/* kernel.c - the table of kernels for first roots. */
+/* kernel.c - the tables of kernels for roots. */
 #include "kernel.h"
 
 const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel) {
     static const algsurf_i_roots_kernel *const table[ALGSURF_KERNELS] =
         ALGSURF_KERNEL_TABLE(&algsurf_i_roots);
     return table[kernel->index];
+}
+
+algsurf_i_roots_single *algsurf_i_roots_single_fastest(void) {
+    static algsurf_i_roots_single *const table[ALGSURF_KERNELS] =
+        ALGSURF_KERNEL_TABLE(algsurf_i_roots_single);
+    return table[algsurf_i_kernel_find(NULL)->index];
 }

@@ -35,12 +35,15 @@ typedef struct algsurf_i_roots_kernel {
  * most `most`; each with its ends at doubles of certain sign, and no root before it but in those before.
  * Returns 1 when these are all, or as many as wanted; 0: what comes after them is undecided.  Adds the cells
  * counted to counted. */
-int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi, int most,
-                           algsurf_bracket *brackets, int *count, int *counted);
+typedef int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi, int most,
+                                   algsurf_bracket *brackets, int *count, int *counted);
+algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx2,
+    algsurf_i_roots_single_baseline;
 
 extern const algsurf_i_roots_kernel algsurf_i_roots_avx512, algsurf_i_roots_avx2, algsurf_i_roots_baseline;
 
-/* The code for a kernel. */
+/* The code for a kernel; the fastest for single polynomials. */
+algsurf_i_roots_single *algsurf_i_roots_single_fastest(void);
 const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

@@ -100,8 +100,8 @@ static int set_bracket(const single *s, const packet *k, double least, algsurf_b
     return b->lo < b->hi;
 }
 
-int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi, int most,
-                           algsurf_bracket *b, int *count, int *counted) {
+int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, double hi, int most,
+                                   algsurf_bracket *b, int *count, int *counted) {
     single s = {.p = p, .lo = lo, .hi = hi};
     packet k;
     int n = p->degree;

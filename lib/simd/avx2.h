@@ -1,7 +1,11 @@
-/* avx2.h - packets of four for AVX2, to be included before a template; nothing on other processors.
- * The includer ends with end.h. */
+/* avx2.h - packets of four for AVX2, or of two if the includer defines PACKETS_OF_TWO, to be included before
+ * a template; nothing on other processors.  The includer ends with end.h. */
 #if defined(__x86_64__)
+#if defined(PACKETS_OF_TWO)
+#define LANES 2
+#else
 #define LANES 4
+#endif
 #define KERNEL(name) name##_avx2
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)

@@ -1,7 +1,11 @@
-/* avx512.h - packets of eight for AVX-512, to be included before a template; nothing on other processors.
- * The includer ends with end.h. */
+/* avx512.h - packets of eight for AVX-512, or of two if the includer defines PACKETS_OF_TWO, to be included
+ * before a template; nothing on other processors.  The includer ends with end.h. */
 #if defined(__x86_64__)
+#if defined(PACKETS_OF_TWO)
+#define LANES 2
+#else
 #define LANES 8
+#endif
 #define KERNEL(name) name##_avx512
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)

@@ -43,10 +43,12 @@ struct algsurf_surface {
     /* For packets of rays, null for degree 0.  Polynomials along a ray have Bernstein coefficients of degree
      * node_degree over [-1,1].  Row j of from_powers makes coefficient j of the coefficients of v^k, with
      * entries off by 3 u.  Up to ALGSURF_MAX_NODE_DEGREE there are node_degree + 1 nodes, too, and
-     * to_bernstein does it with the values there: its entries are off by (3 node_degree + 4) u. */
+     * to_bernstein does it with the values there: coefficient j of the value at node i at i
+     * ALGSURF_NODE_STRIDE
+     * + j, off by (3 node_degree + 4) u; what is behind the last node and coefficient is 0. */
     int node_degree; /* at least degree */
     double *tables, *from_powers, *nodes, *to_bernstein;
-    double amplification; /* the largest sum of |entries| in a row of to_bernstein */
+    double amplification; /* the largest sum of |entries| of to_bernstein for one coefficient */
     double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
     double clear_reach;   /* the largest reach over which rounding from nodes stays below 2^-12 */
 };
@@ -54,6 +56,7 @@ struct algsurf_surface {
 /* Rounding of values at nodes counts amplification times, which doubles with each degree, that of powers
  * once; and from degree 13 on powers are faster, too. */
 #define ALGSURF_MAX_NODE_DEGREE 12
+#define ALGSURF_NODE_STRIDE 16
 
 /* A surface from checked terms, in the standard environment. */
 algsurf_status algsurf_i_surface_make(const algsurf_term *terms, size_t count, double error, double rounding,

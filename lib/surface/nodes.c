@@ -30,8 +30,8 @@ static void set_nodes(double *node, int n) {
     }
 }
 
-/* Column i: the Bernstein coefficients of L_i. */
-static void set_column(const double *node, double *matrix, int n, int i) {
+/* The Bernstein coefficients of L_i. */
+static void set_column(const double *node, double *column, int n, int i) {
     double c[ALGSURF_MAX_NODE_DEGREE + 1] = {1}, below = 1, binomial = 1;
     for (int m = 0, degree = 0; m <= n; m++) {
         if (m == i) continue;
@@ -42,7 +42,7 @@ static void set_column(const double *node, double *matrix, int n, int i) {
         below *= 0.5 * (node[i] - node[m]);
     }
     for (int j = 0; j <= n; j++) {
-        matrix[j * (n + 1) + i] = c[j] / (binomial * below);
+        column[j] = c[j] / (binomial * below);
         binomial = binomial * (n - j) / (j + 1);
     }
 }
@@ -67,10 +67,10 @@ static void set_powers(double *matrix, int n) {
 static void set_nodes_and_matrix(algsurf_surface *s) {
     int n = s->node_degree;
     set_nodes(s->nodes, n);
-    for (int i = 0; i <= n; i++) set_column(s->nodes, s->to_bernstein, n, i);
+    for (int i = 0; i <= n; i++) set_column(s->nodes, s->to_bernstein + i * ALGSURF_NODE_STRIDE, n, i);
     for (int j = 0; j <= n; j++) {
         double sum = 0;
-        for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[j * (n + 1) + i]);
+        for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[i * ALGSURF_NODE_STRIDE + j]);
         s->amplification = fmax(s->amplification, sum);
     }
     /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
@@ -80,8 +80,9 @@ static void set_nodes_and_matrix(algsurf_surface *s) {
 int algsurf_i_surface_set_tables(algsurf_surface *s) {
     if (s->degree < 1) return 1;
     int n = s->degree == 1 || (s->degree > 3 && s->degree < 10) ? s->degree + s->degree % 2 : s->degree;
-    size_t side = (size_t)n + 1, with_nodes = n <= ALGSURF_MAX_NODE_DEGREE ? side * (side + 1) : 0;
-    s->tables = malloc((side * side + with_nodes) * sizeof *s->tables);
+    size_t side = (size_t)n + 1,
+           with_nodes = n <= ALGSURF_MAX_NODE_DEGREE ? (side + 1) * ALGSURF_NODE_STRIDE : 0;
+    s->tables = calloc(side * side + with_nodes, sizeof *s->tables);
     if (!s->tables) return 0;
     s->node_degree = n;
     s->from_powers = s->tables;
@@ -89,7 +90,7 @@ int algsurf_i_surface_set_tables(algsurf_surface *s) {
     s->most_reach = exp2(280.0 / (n < 20 ? 20 : n));
     if (with_nodes) {
         s->to_bernstein = s->tables + side * side;
-        s->nodes = s->to_bernstein + side * side;
+        s->nodes = s->to_bernstein + side * ALGSURF_NODE_STRIDE;
         set_nodes_and_matrix(s);
     }
     return 1;

@@ -1,0 +1,5 @@
+/* single_baseline.c - single rays, for every processor. */
+#include "kernel.h"
+
+#include "../simd/baseline.h"
+#include "single_template.h"

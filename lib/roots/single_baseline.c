@@ -1,0 +1,5 @@
+/* single_baseline.c - single polynomials, for every processor. */
+#include "kernel.h"
+
+#include "../simd/baseline.h"
+#include "single_template.h"
