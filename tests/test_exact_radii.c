@@ -8,8 +8,8 @@
  * Breaks caught, each tried: cells with more than one variation taken for one root, unknown signs in the
  * chains left out, roots at left ends forgotten, a reflection without signs, one envelope for both, roots
  * beyond the ends not dropped, ranges not joined at 0 or when there is no room, a bracket's end a double too
- * far in, a halving without its last shift, a slope's sign taken for one side of 0 only, ends of one sign
- * taken for a root, innermost or outermost pieces left out, terms of one sign forgotten in an annulus. */
+ * far in, a halving without its last shift, derivatives with roots or ends of one sign taken for a root,
+ * innermost or outermost pieces left out, an annulus judged by its wrong end or by some of its terms. */
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>

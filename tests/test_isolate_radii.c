@@ -247,6 +247,10 @@ static void test_nothing_far_out(void **state) {
     assert_true(answer.status == ALGSURF_OK && answer.b[0].lo == DBL_MAX && answer.b[0].hi == INFINITY);
     judge_box(&seed, far, some, 1, 0, DBL_MAX);
     assert_int_equal(answer.count, 0);
+    for (int side = -1; side <= 1; side += 2) { /* infinity is no root */
+        judge_box(&seed, c, r, 2, side * HUGE_VAL, side * HUGE_VAL);
+        assert_int_equal(answer.count, 0);
+    }
 }
 
 /* Cells of integers are counted, too. */

@@ -87,7 +87,7 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     algsurf_zpoly centre, radius;
     int unit = unit_of(lo, hi);
     *count = 0;
-    if (p->degree < 1) return ALGSURF_OK;
+    if (p->degree < 1 || lo == HUGE_VAL || hi == -HUGE_VAL) return ALGSURF_OK;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     int done =

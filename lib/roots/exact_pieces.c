@@ -30,6 +30,7 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     for (;; piece.unit++) {
         double a = floor(ldexp(lo, -piece.unit)), b = floor(ldexp(hi, -piece.unit)) + 1;
         if (lo < 0 && a == 0) a = -1; /* ldexp has underflown to -0 */
+        if (hi < 0 && b == 1) b = 0;
         if (b - a > 16) continue;
         while (b - a > (double)(1 << piece.length)) piece.length++;
         piece.at = (int64_t)(b <= 0 ? b - (double)(1 << piece.length) : a);
