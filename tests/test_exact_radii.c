@@ -1,14 +1,16 @@
 /* test_exact_radii.c - polynomials known up to radii: what is said of all of them, asked of some, by Sturm
  * chains.
  *
- * Members of the set: both envelopes, the middle, and random ones with errors at the ends of their radii.
- * Where no range is, no member has a root; a decided range has one root of each, with the sign before it that
- * was given.
+ * Members of the set: both envelopes, the middle, and random ones with errors at the ends of their radii and
+ * between.  Where no range is, no member has a root; a decided range has one root of each, with the sign
+ * before it that was given.
  *
  * Breaks caught, each tried: cells with more than one variation taken for one root, unknown signs in the
  * chains left out, roots at left ends forgotten, a reflection without signs, one envelope for both, roots
  * beyond the ends not dropped, ranges not joined at 0 or when there is no room, a bracket's end a double too
- * far in, a halving without its last shift. */
+ * far in, a halving without its last shift, derivatives with roots or ends of one sign taken for a root,
+ * innermost or outermost pieces left out, an annulus judged by its wrong end or by some of its terms. */
+#include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,7 +27,7 @@
 enum { MOST = 80 };
 
 static uint64_t stack[400];
-static long decided, undecided, exact_points;
+static long decided, undecided, exact_points, about_zero, beyond;
 
 typedef struct set {
     exact_zpoly *p, *radius, *member;
@@ -75,8 +77,8 @@ static void judge(set *s, uint64_t *seed) {
     algsurf_memory m;
     algsurf_zpoly p = exact_to_zpoly(s->p, 0, 0), radius = exact_to_zpoly(s->radius, 0, 0);
     algsurf_memory_begin(&m, stack, 400, (size_t)1 << 28);
-    assert_true(
-        algsurf_exact_radii_isolate(&m, &p, &radius, 0, s->lo, s->hi, s->found, s->capacity, &s->count));
+    assert_true(algsurf_exact_radii_isolate(&m, &p, &radius, 0, s->lo, s->hi, s->found, s->capacity,
+                                            &s->count, NULL));
     assert_true(m.at == stack && m.allocated == 0 && s->count <= s->capacity);
     for (int i = 0; i < s->count; i++) {
         if (!(s->found[i].lo <= s->found[i].hi) || s->found[i].lo < s->lo || s->found[i].hi > s->hi ||
@@ -84,14 +86,17 @@ static void judge(set *s, uint64_t *seed) {
             failed(s, "order", i);
         decided += s->found[i].sign_lo != 0, undecided += s->found[i].sign_lo == 0;
         exact_points += s->found[i].lo == s->found[i].hi;
+        about_zero += s->found[i].sign_lo != 0 && s->found[i].lo < 0 && s->found[i].hi > 0;
+        beyond += s->found[i].sign_lo != 0 && isinf(s->found[i].lo + s->found[i].hi);
     }
-    for (int kind = 0; kind < 7; kind++) {
+    for (int kind = 0; kind < 9; kind++) {
         s->member->n = s->p->n;
         for (int k = 0; k <= s->p->n; k++) {
             int e = kind < 3 ? kind - 1 : kind == 3 ? (k % 2 ? 1 : -1) : exact_random_int(seed, 3) - 1;
-            mpz_set(s->member->c[k], s->p->c[k]);
-            if (e > 0 && k <= s->radius->n) mpz_add(s->member->c[k], s->member->c[k], s->radius->c[k]);
-            if (e < 0 && k <= s->radius->n) mpz_sub(s->member->c[k], s->member->c[k], s->radius->c[k]);
+            e = kind < 6 ? 8 * e : exact_random_int(seed, 17) - 8;
+            mpz_mul_si(s->member->c[k], s->p->c[k], 8);
+            if (e > 0 && k <= s->radius->n) mpz_addmul_ui(s->member->c[k], s->radius->c[k], (unsigned)e);
+            if (e < 0 && k <= s->radius->n) mpz_submul_ui(s->member->c[k], s->radius->c[k], (unsigned)-e);
         }
         exact_zpoly_trim(s->member);
         judge_member(s);
@@ -119,6 +124,18 @@ static void random_interval(uint64_t *seed, set *s) {
     if (exact_random_int(seed, 5) == 0) a = floor(a);
     if (exact_random_int(seed, 10) == 0) b = a;
     s->lo = fmin(a, b), s->hi = fmax(a, b);
+    if (exact_random_int(seed, 5) == 0) s->lo = exact_random_int(seed, 3) ? -HUGE_VAL : -DBL_MAX;
+    if (exact_random_int(seed, 5) == 0) s->hi = exact_random_int(seed, 3) ? HUGE_VAL : DBL_MAX;
+}
+
+/* Roots of sizes far apart, down to the least doubles and up to beyond the largest. */
+static void spread_sizes(uint64_t *seed, set *s) {
+    int most = exact_random_int(seed, 3) ? 100 : 3000;
+    for (int k = 0; k <= s->p->n; k++) {
+        unsigned up = (unsigned)exact_random_int(seed, most);
+        mpz_mul_2exp(s->p->c[k], s->p->c[k], up);
+        if (k <= s->radius->n) mpz_mul_2exp(s->radius->c[k], s->radius->c[k], up);
+    }
 }
 
 /* p = product of (q t - a) with few bits, or random; radii of 0, of a few bits, or of as many as p has. */
@@ -143,20 +160,24 @@ static void make_set(uint64_t *seed, set *s) {
         mpz_abs(s->radius->c[k], s->radius->c[k]);
         if (none || exact_random_int(seed, 4) == 0) mpz_set_ui(s->radius->c[k], 0);
     }
+    if (exact_random_int(seed, 3) == 0) mpz_fdiv_q_2exp(s->p->c[0], s->radius->c[0], 1);
+    if (exact_random_int(seed, 4) == 0) mpz_set(s->p->c[s->radius->n], s->radius->c[s->radius->n]);
+    if (exact_random_int(seed, 4) == 0) spread_sizes(seed, s);
+    exact_zpoly_trim(s->p);
 }
 
 static void test_sets(void **state) {
     (void)state;
     uint64_t seed = SEED;
     set *s = set_new();
-    for (int i = 0; i < 1500; i++) {
+    for (int i = 0; i < 3000; i++) {
         s->round = i;
         make_set(&seed, s);
         random_interval(&seed, s);
         s->capacity = i % 7 ? MOST : 1 + i % 3;
         judge(s, &seed);
     }
-    assert_true(decided > 600 && undecided > 300 && exact_points > 20);
+    assert_true(decided > 600 && undecided > 250 && exact_points > 20 && about_zero > 30 && beyond > 2);
     set_free(s);
 }
 
@@ -192,6 +213,24 @@ static void test_tight(void **state) {
     set_free(s);
 }
 
+/* A little memory is enough where roots may be of any size. */
+static void test_little_memory(void **state) {
+    (void)state;
+    uint64_t seed = SEED + 3;
+    set *s = set_new();
+    exact_random_zpoly(&seed, s->p, 12, 60);
+    exact_zpoly_constant(s->radius, 1);
+    s->radius->n = 12;
+    for (int k = 0; k <= 12; k += 12) mpz_set_ui(s->p->c[k], 0), mpz_set_ui(s->radius->c[k], 1);
+    algsurf_zpoly p = exact_to_zpoly(s->p, 0, 0), radius = exact_to_zpoly(s->radius, 0, 0);
+    algsurf_memory m;
+    algsurf_memory_begin(&m, stack, 400, 200000);
+    assert_true(
+        algsurf_exact_radii_isolate(&m, &p, &radius, 0, -DBL_MAX, DBL_MAX, s->found, MOST, &s->count, NULL));
+    free(p.c), free(radius.c);
+    set_free(s);
+}
+
 static void test_memory(void **state) {
     (void)state;
     uint64_t seed = SEED + 2;
@@ -203,7 +242,7 @@ static void test_memory(void **state) {
     for (size_t limit = 0; !done; limit += 64, refused += !done) {
         algsurf_memory m;
         algsurf_memory_begin(&m, stack, 10, limit);
-        done = algsurf_exact_radii_isolate(&m, &p, &radius, 0, -3, 3, s->found, MOST, &s->count);
+        done = algsurf_exact_radii_isolate(&m, &p, &radius, 0, -3, 3, s->found, MOST, &s->count, NULL);
         assert_true(m.at == stack && m.allocated == 0);
     }
     assert_true(refused > 20);
@@ -213,6 +252,6 @@ static void test_memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets), cmocka_unit_test(test_tight),
-                                       cmocka_unit_test(test_memory)};
+                                       cmocka_unit_test(test_memory), cmocka_unit_test(test_little_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -170,9 +170,7 @@ static void test_least_numbers(void **state) {
         {{0, 1, 0}, {5, 0, 0}, 0, 0x1p-1073},
         {{0, 1, 0}, {5, 0, 0}, -0x1p-1074, 0x1p-1074},
         {{0, 1, 1e5}, {0, 1, 0}, -1, 1},
-        {{0, 1, 1e5}, {0, 1, 0}, 0, 1},
         {{0, 1, 1e5}, {0, 1, 0}, -1, 0},
-        {{0, 1e5, 1}, {0x1p-1060, 0, 0}, -1, 1},
         {{1, 0, 0}, {0, 0x1p-1060, 0}, -INFINITY, INFINITY},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -186,6 +184,84 @@ static void test_least_numbers(void **state) {
     assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
     judge_box(&seed, c, r, 1, 0, 0);
     assert_int_equal(answer.status, ALGSURF_OK);
+    const double touching[] = {0, 1, 1e5}, touch[] = {0, 1, 0}; /* the other root is not right of 0 */
+    judge_box(&seed, touching, touch, 2, 0, 1);
+    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    const double least[] = {0, 1e5, 1}, below[] = {0x1p-1060, 0, 0}; /* a root below the least double */
+    judge_box(&seed, least, below, 2, -1, 1);
+    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_true(answer.b[0].lo == -0x1p-1074 && answer.b[0].hi == 0x1p-1074 && answer.b[0].sign == -1);
+}
+
+/* A simple root that is on either side of 0, or of a power of two, as coefficients are. */
+static void test_root_on_either_side(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double line[] = {0, 1}, narrow[4] = {1e-9};
+    judge_box(&seed, line, narrow, 1, -1, 1);
+    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_int_equal(answer.count, 1);
+    assert_true(answer.b[0].kind == ALGSURF_ROOT_BRACKET && answer.b[0].sign == -1);
+    assert_true(answer.b[0].lo < -1e-9 && answer.b[0].lo > -1.1e-9);
+    assert_true(answer.b[0].hi > 1e-9 && answer.b[0].hi < 1.1e-9);
+    judge_box(&seed, line, narrow, 1, 0, 1); /* not for all of them */
+    assert_int_equal(answer.status, ALGSURF_UNDECIDED_MULTIPLE);
+    const double half[] = {1, 1}, touch[] = {1, 0}; /* the root in [-2,0] */
+    judge_box(&seed, half, touch, 1, -INFINITY, INFINITY);
+    assert_true(answer.status == ALGSURF_OK && answer.b[0].hi == 0x1p-1074);
+    const double cube[] = {0, 0, 0, 1}; /* not simple for one of the set */
+    judge_box(&seed, cube, narrow, 3, -1, 1);
+    assert_true(answer.status > 0);
+    for (int i = 0; i < 400; i++) { /* (x - root) times a polynomial without roots near it */
+        double c[9], r[9], root = i % 2 ? 0 : ldexp(i % 4 ? 1 : -1, exact_random_int(&seed, 9) - 4);
+        int n = 1 + exact_random_int(&seed, 7), bits = 12 + exact_random_int(&seed, 40);
+        c[0] = 1, c[n] = 0;
+        for (int k = 1; k < n; k++) c[k] = ldexp(exact_random_unit(&seed), -6 * k - 3);
+        for (int k = n; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - root * (k < n ? c[k] : 0);
+        for (int k = 0; k <= n; k++) r[k] = ldexp(fabs(exact_random_unit(&seed)), -bits - 8 * k);
+        judge_box(&seed, c, r, n, root - 2, root + 2);
+        if (answer.status != ALGSURF_OK || answer.count != 1 ||
+            !(answer.b[0].lo < root && root < answer.b[0].hi))
+            isolate_fail("not decided", c, r, n, root - 2, root + 2, &answer);
+    }
+}
+
+/* The leading coefficient may vanish, and signs exclude what would be far out. */
+static void test_nothing_far_out(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    const double c[] = {-1, 1, 0.5},
+                 r[] = {0, 0, 0.5}; /* a root on the right, perhaps another one far left */
+    judge_box(&seed, c, r, 2, -0.5, INFINITY);
+    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_int_equal(answer.count, 1);
+    judge_box(&seed, c, r, 2, -INFINITY, INFINITY);
+    assert_int_equal(answer.status, ALGSURF_UNDECIDED_RANGE);
+    assert_true(answer.count == 2 && answer.b[0].lo == -INFINITY && answer.b[0].hi < -1);
+    const double even[] = {1, 0, 1, 0, 1e-30}, open[] = {0.5, 0.5, 0.5, 0, 1e-30};
+    judge_box(&seed, even, open, 4, -INFINITY, INFINITY);
+    assert_int_equal(answer.count, 0);
+    const double far[] = {-0x1p600, 0x1p-600}, some[] = {0x1p580, 0x1p-620}; /* certain, and beyond DBL_MAX */
+    judge_box(&seed, far, some, 1, 0, INFINITY);
+    assert_true(answer.status == ALGSURF_OK && answer.b[0].lo == DBL_MAX && answer.b[0].hi == INFINITY);
+    judge_box(&seed, far, some, 1, 0, DBL_MAX);
+    assert_int_equal(answer.count, 0);
+    for (int side = -1; side <= 1; side += 2) { /* infinity is no root */
+        judge_box(&seed, c, r, 2, side * HUGE_VAL, side * HUGE_VAL);
+        assert_int_equal(answer.count, 0);
+    }
+}
+
+/* Cells of integers are counted, too. */
+static void test_counted(void **state) {
+    (void)state;
+    const double c[] = {-1, 1, 0.5}, r[] = {0, 0, 0.5};
+    algsurf_bracket first;
+    int found = 0, intervals = 0;
+    assert_int_equal(algsurf_isolate_first_counted(c, r, 2, -0.5, INFINITY, &first, &found, &intervals),
+                     ALGSURF_OK);
+    assert_true(found == 1 && intervals > 0);
 }
 
 /* A set with the zero polynomial among its members: the whole interval, undecided; with a constant that only
@@ -255,10 +331,17 @@ static void test_environment(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes),         cmocka_unit_test(test_box_decides_where_it_can),
-        cmocka_unit_test(test_far_radii),     cmocka_unit_test(test_one_point_of_a_box),
-        cmocka_unit_test(test_least_numbers), cmocka_unit_test(test_zero_polynomial_in_a_box),
-        cmocka_unit_test(test_environment),   cmocka_unit_test(test_sizes_that_overlap),
+        cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_box_decides_where_it_can),
+        cmocka_unit_test(test_far_radii),
+        cmocka_unit_test(test_one_point_of_a_box),
+        cmocka_unit_test(test_least_numbers),
+        cmocka_unit_test(test_zero_polynomial_in_a_box),
+        cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_sizes_that_overlap),
+        cmocka_unit_test(test_root_on_either_side),
+        cmocka_unit_test(test_nothing_far_out),
+        cmocka_unit_test(test_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

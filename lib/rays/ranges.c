@@ -64,7 +64,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
     if (!make_forms(m, s, spread, ray, unit, &p, &radius) ||
-        !algsurf_exact_radii_isolate(m, &p, &radius, unit, lo, hi, range, ALGSURF_MAX_DEGREE, &found))
+        !algsurf_exact_radii_isolate(m, &p, &radius, unit, lo, hi, range, ALGSURF_MAX_DEGREE, &found, NULL))
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {
         int inside = !edges->extent || (range[i].lo >= edges->inner_lo && range[i].hi <= edges->inner_hi);

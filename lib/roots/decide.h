@@ -17,9 +17,9 @@ algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, do
                                       algsurf_real_root *roots, int capacity, int *count, int *cells);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
- * `capacity`
- * >= 1, in order (the last one covers what there is no room for).  OK or E_NO_MEMORY. */
+ * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or
+ * E_NO_MEMORY. */
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
-                                       algsurf_bracket *brackets, int capacity, int *count);
+                                       algsurf_bracket *brackets, int capacity, int *count, int *cells);
 
 #endif

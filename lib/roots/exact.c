@@ -3,10 +3,7 @@
  * A piece is half open: a root at its left end is its own, one at its right end belongs to the next piece.
  * The same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are
  * leading zeros, and it is reported before the open cell is looked at, where zeros do not count.
- *
- * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
- * half goes on top of its right half, and what has no root is given back at once.  At most n cells wait,
- * since variations of disjoint cells add up to at most n. */
+ * At most n cells wait, since variations of disjoint cells add up to at most n. */
 #include "exact.h"
 
 #include <math.h>
@@ -14,15 +11,18 @@
 /* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three. */
 enum { ASK_AFTER = 5, ZOOM_AFTER = 2 };
 
+static void begin_pieces(algsurf_exact_walk *walk) {
+    algsurf_exact_pieces_begin(&walk->pieces, &walk->p, &walk->p, 1, walk->unit, walk->lo, walk->hi);
+}
+
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
-    size_t words = (size_t)(p->degree + 1) * ((sizeof *walk->waiting + 7) / 8);
-    walk->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
+    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1);
     walk->bottom = walk->top = algsurf_memory_here(m);
-    algsurf_exact_pieces_begin(walk);
-    return walk->waiting != NULL;
+    begin_pieces(walk);
+    return done;
 }
 
 void algsurf_exact_end(algsurf_exact_walk *walk) { algsurf_memory_release(walk->memory, walk->begin); }
@@ -45,9 +45,9 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
     if (!walk->s || !algsurf_zpoly_multiplicities(m, &walk->p, walk->s, &parts)) return -1;
     walk->parts = parts;
     walk->bottom = walk->top = algsurf_memory_here(m);
-    walk->active = walk->waiting_count = 0;
+    walk->cells.active = walk->cells.count = 0;
     walk->skip = walk->passed;
-    algsurf_exact_pieces_begin(walk);
+    begin_pieces(walk);
     return 1;
 }
 
@@ -104,12 +104,14 @@ static void set_point(const algsurf_exact_walk *walk, const algsurf_limb *N, int
 
 /* The root at the cell's left end. */
 static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    const algsurf_zpoly *b = &walk->cell.b;
+    const algsurf_zpoly *b = &walk->cells.cell.b;
     algsurf_limb *a, *unused;
     int width, r, zeros = 0;
-    walk->cell.left_done = 1;
+    walk->cells.cell.left_done = 1;
     while (algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width) == 0) zeros++;
-    if (!algsurf_exact_cell_ends(walk, &a, &unused, &width, &r)) return 0;
+    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &unused,
+                                 &width, &r))
+        return 0;
     set_point(walk, a, width, r, root);
     if (walk->parts) return 1;
     int after = algsurf_z_sign(algsurf_zpoly_at(b, zeros), b->width);
@@ -120,7 +122,7 @@ static int root_at_left(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 
 /* The root in the cell, which has one variation. */
 static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    const algsurf_zpoly *b = &walk->cell.b;
+    const algsurf_zpoly *b = &walk->cells.cell.b;
     if (!algsurf_exact_refine(walk, walked(walk), root)) return 0;
     if (walk->parts) return 1;
     root->multiplicity = 1;
@@ -129,62 +131,20 @@ static int root_in_cell(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     return 1;
 }
 
-/* ---- cells ---- */
-
-static int begin_piece(algsurf_exact_walk *walk) {
-    if (!algsurf_exact_cell_whole(walk->memory, &walk->local, walk->piece.at, walk->piece.length,
-                                  &walk->cell))
-        return 0;
-    walk->counted++;
-    walk->active = 1;
-    walk->used_up = 0;
-    return 1;
-}
-
-/* The cell is done with: the next one that waits, if any. */
-static void next_cell(algsurf_exact_walk *walk) {
-    algsurf_memory_release(walk->memory, walk->cell.begin);
-    walk->active = walk->waiting_count > 0;
-    if (walk->active) walk->cell = walk->waiting[--walk->waiting_count];
-}
-
-static int begins_with_root(const algsurf_exact_cell *cell) {
-    return !cell->left_done && algsurf_z_sign(cell->b.c, cell->b.width) == 0;
-}
-
-/* Halves the cell; what may have roots is kept. */
-static int halve(algsurf_exact_walk *walk) {
-    algsurf_exact_cell left;
-    if (!algsurf_exact_halve(walk->memory, &walk->cell, &left)) return 0;
-    int at_right = walk->cell.variations > 0 || begins_with_root(&walk->cell);
-    int at_left = left.variations > 0;
-    walk->counted += 2;
-    if (at_left && at_right) {
-        walk->waiting[walk->waiting_count++] = walk->cell;
-        walk->cell = left;
-    } else if (at_left) {
-        algsurf_exact_keep_left(walk->memory, &walk->cell, &left);
-    } else {
-        algsurf_memory_release(walk->memory, left.begin);
-        if (!at_right) next_cell(walk);
-    }
-    return 1;
-}
-
 /* Works on the cell until a root shows or the cells are used up: 1, 0; -1 without memory. */
 static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     int same = 0, before = 0; /* how often a cell kept its variations */
     if (walk->used_up) {
         walk->used_up = 0;
-        next_cell(walk);
+        algsurf_exact_cells_next(&walk->cells);
     }
-    while (walk->active) {
-        algsurf_exact_cell *cell = &walk->cell;
+    while (walk->cells.active) {
+        algsurf_exact_cell *cell = &walk->cells.cell;
         walk->top = algsurf_memory_here(walk->memory);
-        if (begins_with_root(cell)) return root_at_left(walk, root) ? 1 : -1;
+        if (algsurf_exact_begins_with_root(cell)) return root_at_left(walk, root) ? 1 : -1;
         int v = cell->variations;
         if (v == 0) {
-            next_cell(walk);
+            algsurf_exact_cells_next(&walk->cells);
             continue;
         }
         if (v == 1) {
@@ -202,10 +162,10 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             int done;
             if (!algsurf_exact_zoom(walk->memory, cell, v, &done)) return -1;
             same = done ? ZOOM_AFTER - 1 : 0;
-            walk->counted += done;
+            walk->cells.counted += done;
             if (done) continue;
         }
-        if (!halve(walk)) return -1;
+        if (!algsurf_exact_cells_halve(&walk->cells)) return -1;
     }
     return 0;
 }
@@ -216,7 +176,8 @@ static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     if (!N) return 0;
     *N = 0;
     set_point(walk, N, 1, 0, root);
-    root->multiplicity = walk->zeros;
+    while (algsurf_z_sign(algsurf_zpoly_at(&walk->p, root->multiplicity), walk->p.width) == 0)
+        root->multiplicity++;
     return 1;
 }
 
@@ -224,17 +185,17 @@ static int root_at_zero(algsurf_exact_walk *walk, algsurf_exact_root *root) {
 static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
     for (;;) {
         *root = (algsurf_exact_root){.multiplicity = 0};
-        if (walk->active) {
+        if (walk->cells.active) {
             int found = search_cells(walk, root);
             if (found) return found;
             continue;
         }
         algsurf_memory_release(walk->memory, walk->bottom);
         walk->top = walk->bottom;
-        int piece = algsurf_exact_pieces_next(walk, walked(walk));
-        if (piece == 2) return root_at_zero(walk, root) ? 1 : -1;
-        if (piece <= 0) return piece;
-        if (!begin_piece(walk)) return -1;
+        int piece = algsurf_exact_pieces_next(&walk->pieces, &walk->piece);
+        if (piece == ALGSURF_EXACT_ZERO) return root_at_zero(walk, root) ? 1 : -1;
+        if (piece == ALGSURF_EXACT_NO_PIECE) return 0;
+        if (!algsurf_exact_cells_open(&walk->cells, walked(walk), 1, walk->unit, &walk->piece)) return -1;
     }
 }
 

@@ -34,19 +34,16 @@ typedef struct algsurf_exact_root {
     algsurf_exact_place place; /* lives until the next call */
 } algsurf_exact_root;
 
-/* A part of the line: u' in [at, at + 2^length), t = 2^unit u'; 0 <= length <= 5. */
-typedef struct algsurf_exact_piece {
-    int unit, length;
-    int64_t at;
-} algsurf_exact_piece;
-
-/* The pieces that an interval is cut into. */
+/* The pieces that an interval is cut into, for one polynomial or for the envelopes of a set. */
 typedef struct algsurf_exact_pieces {
+    const algsurf_zpoly *below, *above; /* on either side of 0: the polynomial, or both envelopes */
+    int polynomials, unit;
     double lo, hi;      /* of t, finite or not; ends belong to it */
     int scattered;      /* 0: one piece; 1: cut at 0 and powers of two */
-    int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side; side
-                           0: the root at 0 */
-    int least, most;    /* exponents between which roots can be */
+    int least, most;    /* exponents between which a polynomial here can have roots */
+    int merged;         /* of a set: all of these are in the innermost piece on either side of 0 */
+    int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side */
+    double near, far;   /* those of the current one, as doubles: it is inside near <= |t| <= far */
     int done;
 } algsurf_exact_pieces;
 
@@ -58,25 +55,20 @@ typedef struct algsurf_exact_walk {
     int refine;
     algsurf_exact_pieces pieces;
     algsurf_exact_piece piece; /* the current one */
-    algsurf_zpoly local;       /* what is walked, in the piece's unit */
-    int zeros;                 /* multiplicity of the root u = 0 */
     /* squarefree part */
-    int asked;        /* 1: p is squarefree, or parts are there */
-    int parts;        /* 0: p itself is walked; else members of s */
-    algsurf_zpoly *s; /* s[0] is walked */
-    int passed, skip; /* roots so far; of those to be passed over again */
-    /* cells */
-    algsurf_exact_cell *waiting, cell;
-    int waiting_count;
-    int active, used_up;                    /* there is a cell; its root has been reported */
+    int asked;                              /* 1: p is squarefree, or parts are there */
+    int parts;                              /* 0: p itself is walked; else members of s */
+    algsurf_zpoly *s;                       /* s[0] is walked */
+    int passed, skip;                       /* roots so far; of those to be passed over again */
+    algsurf_exact_cells cells;              /* of the piece */
+    int used_up;                            /* the cell's root has been reported */
     algsurf_memory_mark begin, bottom, top; /* before everything; below the piece; above the cell */
-    int counted;                            /* cells whose variations were counted */
 } algsurf_exact_walk;
 
 enum { ALGSURF_EXACT_NO_MEMORY = -1, ALGSURF_EXACT_END = 0, ALGSURF_EXACT_ROOT = 1 };
 
 /* The unit and the single piece that suit an interval of finite ends lo <= hi: [lo, hi] is inside, and hi not
- * at its end. */
+ * at its end.  On one side of 0 if lo and hi are. */
 algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi);
 
 /* A polynomial from doubles, u = 2^-unit t: p(u) = 2^k sum c_j t^j. */
@@ -107,17 +99,25 @@ void algsurf_exact_end(algsurf_exact_walk *walk);
 
 /* ---- shared by the engine's files ---- */
 
-/* exact_pieces.c: the next piece, and f over it in its unit as walk->local; returns 1, or 2 for the root at
- * 0, 0 at the end, -1 without memory. */
-void algsurf_exact_pieces_begin(algsurf_exact_walk *walk);
-int algsurf_exact_pieces_next(algsurf_exact_walk *walk, const algsurf_zpoly *f);
+/* exact_pieces.c: the pieces of [lo,hi] from left to right, for polynomials in u = 2^-unit t: `polynomials`
+ * of them below 0 and as many above. */
+void algsurf_exact_pieces_begin(algsurf_exact_pieces *s, const algsurf_zpoly *below,
+                                const algsurf_zpoly *above, int polynomials, int unit, double lo, double hi);
+enum {
+    ALGSURF_EXACT_NO_PIECE, /* the end */
+    ALGSURF_EXACT_PIECE,    /* roots may be in this one */
+    ALGSURF_EXACT_ZERO,     /* 0 is a root, or one of some polynomials of the set */
+    ALGSURF_EXACT_OPEN      /* envelopes of different signs from `near` to `far`: each point is such a root */
+};
+int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece);
 
 /* exact_refine.c: from the cell with one root of f, whose ends may be other roots, to its place and to
  * doubles. */
 int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root);
-/* The bounds of a cell's interval of u, in the walk's unit: N 2^-r, taken from memory. */
-int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width, int *r);
-/* Sign (and value 2^exponent, or null) of f at t. */
-int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign,
+/* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
+int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
+/* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
+uint64_t algsurf_exact_order_of(double x);
+double algsurf_exact_double_at(uint64_t order);
 #endif

@@ -3,43 +3,61 @@
  * De Casteljau's scheme at 1/2 takes means.  Without the halves it takes sums: after i sums an entry carries
  * the factor 2^i, and a shift by n - i gives all entries of both halves the factor 2^n.  So a halving makes
  * coefficients n bits longer; limbs are added when that is needed, unless a common power of two can be taken
- * out instead. */
+ * out instead.
+ *
+ * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
+ * half goes on top of its right half, and what has no root is given back at once.
+ *
+ * The most variations of a set, by choice of the signs that are not known: each of these as the opposite of
+ * the one before it.  That gains one variation and costs at most one, later; and those at the beginning can
+ * alternate up to the first known sign.  A coefficient that is 0 or positive counts as positive: leaving out
+ * a 0 adds no variation. */
 #include "exact_cell.h"
 
 #include <math.h>
 
-static size_t block_size(int degree, int width, int position_width) {
-    return (size_t)(degree + 1) * (size_t)width + (size_t)position_width;
+/* All coefficients of the cell, as if of one polynomial. */
+static algsurf_zpoly all_of(const algsurf_exact_cell *cell) {
+    algsurf_zpoly all = cell->b;
+    all.degree = cell->polynomials * (cell->b.degree + 1) - 1;
+    return all;
+}
+
+/* Room for the cell's numbers in these widths, at the top of the stack. */
+static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
+    size_t coefficients = (size_t)(all_of(cell).degree + 1) * (size_t)width;
+    algsurf_limb *block = algsurf_memory_take(m, coefficients + (size_t)position_width);
+    if (!block) return 0;
+    cell->b.c = block;
+    cell->b.width = width;
+    cell->position = block + coefficients;
+    cell->position_width = position_width;
+    return 1;
 }
 
 /* The cell in wider coefficients and position.  Its block is the last one taken: it grows where it is, unless
  * it has to move to another block of the stack, where the old numbers stay until they have been copied. */
 static int widen(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
-    const algsurf_limb *old = cell->b.c, *old_position = cell->position;
-    int n = cell->b.degree, old_width = cell->b.width;
+    const algsurf_exact_cell old = *cell;
+    const algsurf_zpoly from = all_of(&old);
     if (cell->begin.last == m->last)
         algsurf_memory_release(m, cell->begin);
     else
         cell->begin = algsurf_memory_here(m);
-    algsurf_limb *block = algsurf_memory_take(m, block_size(n, width, position_width));
-    if (!block) return 0;
-    cell->position = block + (size_t)(n + 1) * (size_t)width;
-    algsurf_z_copy(cell->position, position_width, old_position, cell->position_width);
-    for (int k = n; k >= 0; k--)
-        algsurf_z_copy(block + (size_t)k * (size_t)width, width, old + (size_t)k * (size_t)old_width,
-                       old_width);
-    cell->b.c = block;
-    cell->b.width = width;
-    cell->position_width = position_width;
+    if (!take_block(m, cell, width, position_width)) return 0;
+    algsurf_z_copy(cell->position, position_width, old.position, old.position_width);
+    for (int k = from.degree; k >= 0; k--)
+        algsurf_z_copy(algsurf_zpoly_at(&cell->b, k), width, algsurf_zpoly_at(&from, k), from.width);
     return 1;
 }
 
 static void strip(algsurf_exact_cell *cell) {
-    int zeros = algsurf_zpoly_trailing(&cell->b);
+    const algsurf_zpoly all = all_of(cell);
+    int zeros = algsurf_zpoly_trailing(&all);
     if (zeros > 0 && zeros < ALGSURF_Z_NO_BIT)
-        for (int k = 0; k <= cell->b.degree; k++)
-            algsurf_z_shift_down(algsurf_zpoly_at(&cell->b, k), cell->b.width, zeros);
-    cell->bits = algsurf_zpoly_bits(&cell->b);
+        for (int k = 0; k <= all.degree; k++)
+            algsurf_z_shift_down(algsurf_zpoly_at(&all, k), all.width, zeros);
+    cell->bits = algsurf_zpoly_bits(&all);
 }
 
 /* Room for coefficients of `bits` more bits and a position of one more. */
@@ -53,27 +71,21 @@ static int make_room(algsurf_memory *m, algsurf_exact_cell *cell, int bits) {
     return widen(m, cell, width, position_width + 1);
 }
 
-int algsurf_exact_cell_whole(algsurf_memory *m, const algsurf_zpoly *f, int64_t at, int length,
-                             algsurf_exact_cell *cell) {
-    *cell = (algsurf_exact_cell){.begin = algsurf_memory_here(m), .position_width = 1};
-    if (!algsurf_zpoly_bernstein(m, f, at, length, &cell->b)) return 0;
-    cell->position = algsurf_memory_take(m, 1);
-    if (!cell->position) return 0;
-    cell->position[0] = 0;
-    cell->bits = algsurf_zpoly_bits(&cell->b);
-    cell->variations = algsurf_exact_variations(&cell->b);
-    return 1;
-}
-
-int algsurf_exact_variations(const algsurf_zpoly *b) {
+int algsurf_exact_variations(const algsurf_exact_cell *cell) {
     int last = 0, count = 0;
-    for (int j = 0; j <= b->degree; j++) {
-        int sign = algsurf_z_sign(algsurf_zpoly_at(b, j), b->width);
-        if (sign == 0) continue;
-        count += last != 0 && sign != last;
-        last = sign;
+    for (int j = 0; j <= cell->b.degree; j++) {
+        int lower = algsurf_exact_lower_sign(cell, j), upper = lower;
+        if (cell->polynomials == 2) upper = algsurf_exact_upper_sign(cell, j);
+        if (lower * upper < 0) { /* not known */
+            last = -last;
+            count++;
+        } else if (lower || upper) {
+            int sign = lower ? lower : upper;
+            count += last != 0 && sign != last;
+            last = sign;
+        }
     }
-    return count;
+    return last == 0 && count > 0 ? count - 1 : count;
 }
 
 /* a = from 2^shift, 0 <= shift < 64. */
@@ -141,37 +153,60 @@ static void step_position(algsurf_exact_cell *cell, int bit) {
                           bit / 64);
 }
 
-int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *left) {
+/* The cell becomes its right half, *left its left half, on top of it. */
+static int halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *left) {
     int n = cell->b.degree;
     if (!make_room(m, cell, n)) return 0;
     *left = *cell;
     left->begin = algsurf_memory_here(m);
-    left->b.c = algsurf_memory_take(m, block_size(n, cell->b.width, cell->position_width));
-    if (!left->b.c) return 0;
-    halve_block(left->b.c, cell->b.c, n, cell->b.width);
+    if (!take_block(m, left, cell->b.width, cell->position_width)) return 0;
+    for (int i = 0; i < cell->polynomials; i++) {
+        int first = i * (n + 1);
+        halve_block(algsurf_zpoly_at(&left->b, first), algsurf_zpoly_at(&cell->b, first), n, cell->b.width);
+    }
     left->bits = cell->bits += n;
-    left->variations = algsurf_exact_variations(&left->b);
-    cell->variations = algsurf_exact_variations(&cell->b);
+    left->variations = algsurf_exact_variations(left);
+    cell->variations = algsurf_exact_variations(cell);
     left->depth = ++cell->depth;
     algsurf_z_shift_up(cell->position, cell->position_width, 1);
-    left->position = left->b.c + (size_t)(n + 1) * (size_t)cell->b.width;
     algsurf_z_copy(left->position, left->position_width, cell->position, cell->position_width);
     step_position(cell, cell->fine);
     cell->left_done = 0;
     return 1;
 }
 
-void algsurf_exact_keep_left(algsurf_memory *m, algsurf_exact_cell *cell, const algsurf_exact_cell *left) {
-    algsurf_limb *block = cell->b.c, *position = cell->position;
-    algsurf_memory_mark begin = cell->begin;
-    size_t coefficients = (size_t)(left->b.degree + 1) * (size_t)left->b.width;
-    memcpy(block, left->b.c, coefficients * sizeof *block);
-    memcpy(position, left->position, (size_t)left->position_width * sizeof *position);
+/* The left half, on top of the right one and of the same widths, takes its place. */
+static void keep_left(algsurf_memory *m, algsurf_exact_cell *cell, const algsurf_exact_cell *left) {
+    const algsurf_exact_cell right = *cell;
+    memcpy(right.b.c, left->b.c,
+           (size_t)(left->position + left->position_width - left->b.c) * sizeof *right.b.c);
     *cell = *left;
-    cell->b.c = block;
-    cell->position = position;
-    cell->begin = begin;
+    cell->b.c = right.b.c;
+    cell->position = right.position;
+    cell->begin = right.begin;
     algsurf_memory_release(m, left->begin);
+}
+
+int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
+                            const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
+                            int *width, int *r) {
+    const algsurf_limb one = 1;
+    int shift = cell->depth + cell->fine, w = algsurf_z_width(shift + piece->length + 64 + 2);
+    int up = cell->fine + piece->length;
+    *a = algsurf_memory_take(m, (size_t)w);
+    *b = algsurf_memory_take(m, (size_t)w);
+    algsurf_limb *position = algsurf_memory_take(m, (size_t)w);
+    if (!*a || !*b || !position) return 0;
+    algsurf_z_set(*a, w, piece->at);
+    algsurf_z_shift_up(*a, w, shift);
+    algsurf_z_copy(position, w, cell->position, cell->position_width);
+    algsurf_z_shift_up(position, w, piece->length);
+    algsurf_z_add(*a, position, w);
+    algsurf_z_copy(*b, w, *a, w);
+    algsurf_z_add_product(*b, w, &one, 1, (algsurf_limb)1 << (up & 63), up / 64);
+    *width = w;
+    *r = shift - (piece->unit - unit);
+    return 1;
 }
 
 void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
@@ -181,4 +216,94 @@ void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
         double d = algsurf_z_to_double(algsurf_zpoly_at(&cell->b, j), cell->b.width, &e);
         b[j] = e < most - 900 ? 0 : ldexp(d, e - most);
     }
+}
+
+/* ---- cells of a piece ---- */
+
+int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room) {
+    size_t words = (size_t)room * ((sizeof *cells->waiting + 7) / 8);
+    *cells = (algsurf_exact_cells){.memory = m, .room = room};
+    cells->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
+    return cells->waiting != NULL;
+}
+
+/* f(2^shift u), up to a power of two. */
+static int scaled(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_zpoly *g) {
+    int n = f->degree, up = shift > 0 ? shift : -shift, least = ALGSURF_Z_NO_BIT, most = 0;
+    for (int k = 0; k <= n; k++) {
+        const algsurf_limb *c = algsurf_zpoly_at(f, k);
+        int by = up * (shift > 0 ? k : n - k), low = algsurf_z_trailing(c, f->width);
+        if (low == ALGSURF_Z_NO_BIT) continue;
+        least = low + by < least ? low + by : least;
+        most = algsurf_z_bits(c, f->width) + by > most ? algsurf_z_bits(c, f->width) + by : most;
+    }
+    int width = algsurf_z_width(most - least + 1);
+    if (!algsurf_zpoly_new(m, n, width > f->width ? width : f->width, g)) return 0;
+    for (int k = 0; k <= n; k++) {
+        algsurf_limb *c = algsurf_zpoly_at(g, k);
+        int by = up * (shift > 0 ? k : n - k) - least;
+        algsurf_z_copy(c, g->width, algsurf_zpoly_at(f, k), f->width);
+        if (by > 0) algsurf_z_shift_up(c, g->width, by);
+        if (by < 0) algsurf_z_shift_down(c, g->width, -by);
+    }
+    return 1;
+}
+
+/* f over the piece, in room of its own. */
+static int over_piece(algsurf_memory *m, const algsurf_zpoly *f, int unit, const algsurf_exact_piece *piece,
+                      algsurf_zpoly *b) {
+    algsurf_zpoly local = *f;
+    return (piece->unit == unit || scaled(m, f, piece->unit - unit, &local)) &&
+           algsurf_zpoly_bernstein(m, &local, piece->at, piece->length, b);
+}
+
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int polynomials, int unit,
+                             const algsurf_exact_piece *piece) {
+    algsurf_memory *m = cells->memory;
+    algsurf_exact_cell *cell = &cells->cell;
+    algsurf_memory_mark begin = algsurf_memory_here(m);
+    algsurf_zpoly b[2];
+    int width = 0;
+    for (int i = 0; i < polynomials; i++) {
+        if (!over_piece(m, f + i, unit, piece, b + i)) return 0;
+        width = b[i].width > width ? b[i].width : width;
+    }
+    if (polynomials == 1 && begin.last == m->last) algsurf_memory_release(m, begin); /* b[0] moves down */
+    *cell = (algsurf_exact_cell){.begin = algsurf_memory_here(m), .b = b[0], .polynomials = polynomials};
+    if (!take_block(m, cell, width, 1)) return 0;
+    for (int i = 0; i < polynomials; i++)
+        for (int j = 0; j <= b[i].degree; j++)
+            algsurf_z_copy(algsurf_zpoly_at(&cell->b, i * (b[i].degree + 1) + j), width,
+                           algsurf_zpoly_at(b + i, j), b[i].width);
+    const algsurf_zpoly all = all_of(cell);
+    cell->position[0] = 0;
+    cell->bits = algsurf_zpoly_bits(&all);
+    cell->variations = algsurf_exact_variations(cell);
+    cells->counted++;
+    cells->active = 1;
+    return 1;
+}
+
+void algsurf_exact_cells_next(algsurf_exact_cells *cells) {
+    algsurf_memory_release(cells->memory, cells->cell.begin);
+    cells->active = cells->count > 0;
+    if (cells->active) cells->cell = cells->waiting[--cells->count];
+}
+
+int algsurf_exact_cells_halve(algsurf_exact_cells *cells) {
+    algsurf_exact_cell left;
+    if (!halve(cells->memory, &cells->cell, &left)) return 0;
+    int at_right = cells->cell.variations > 0 || algsurf_exact_begins_with_root(&cells->cell);
+    int at_left = left.variations > 0;
+    cells->counted += 2;
+    if (at_left && at_right) {
+        cells->waiting[cells->count++] = cells->cell;
+        cells->cell = left;
+    } else if (at_left) {
+        keep_left(cells->memory, &cells->cell, &left);
+    } else {
+        algsurf_memory_release(cells->memory, left.begin);
+        if (!at_right) algsurf_exact_cells_next(cells);
+    }
+    return 1;
 }

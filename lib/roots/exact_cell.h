@@ -1,36 +1,77 @@
-/* exact_cell.h - a cell of the exact walk: Bernstein coefficients in integers over a dyadic part of a piece.
- */
+/* exact_cell.h - cells of the exact walks: Bernstein coefficients in integers over dyadic parts of a piece.
+ *
+ * A cell holds one polynomial, or two of the same degree: the lower and the upper envelope of a set of
+ * polynomials (exact_radii.c), whose signs are known where both envelopes have them. */
 #ifndef ALGSURF_EXACT_CELL_H
 #define ALGSURF_EXACT_CELL_H
 #include "../poly/integral.h"
 
+/* A part of the line: u' in [at, at + 2^length), t = 2^unit u'; 0 <= length <= 5. */
+typedef struct algsurf_exact_piece {
+    int unit, length;
+    int64_t at;
+} algsurf_exact_piece;
+
 /* The part [position 2^-(depth+fine), that + 2^-depth] of its piece taken as [0,1].  Coefficients and
  * position are one block of memory, the last one taken. */
 typedef struct algsurf_exact_cell {
-    algsurf_zpoly b; /* up to a positive factor */
+    algsurf_zpoly b; /* up to a positive factor; a second polynomial's coefficients follow the first one's */
+    int polynomials; /* 1 or 2 */
     int bits;        /* |b_j| <= 2^bits */
     algsurf_limb *position;
     int position_width, depth, fine;
-    int variations; /* of sign in b, zeros left out */
+    int variations; /* of sign in b, zeros left out; of a set: the most that any of its polynomials can have
+                     */
     int left_done;  /* b_0 = 0, and the root there has been dealt with */
     algsurf_memory_mark begin;
 } algsurf_exact_cell;
 
-/* The whole of a piece: f over [at, at + 2^length]. */
-int algsurf_exact_cell_whole(algsurf_memory *m, const algsurf_zpoly *f, int64_t at, int length,
-                             algsurf_exact_cell *cell);
+/* The cell in work and, further to the right, those that wait. */
+typedef struct algsurf_exact_cells {
+    algsurf_memory *memory;
+    algsurf_exact_cell cell, *waiting;
+    int active; /* there is a cell in work */
+    int count, room;
+    int counted; /* cells whose variations were counted */
+} algsurf_exact_cells;
 
-/* Variations of sign, zeros left out. */
-int algsurf_exact_variations(const algsurf_zpoly *b);
+/* No cells, and room for `room` that wait. */
+int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room);
 
-/* The cell becomes its right half, *left its left half, on top of it. */
-int algsurf_exact_halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *left);
+/* The whole of a piece becomes the cell: f[0], or f[0] and f[1], polynomials in u = 2^-unit t. */
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int polynomials, int unit,
+                             const algsurf_exact_piece *piece);
 
-/* The left half, on top of the right one, takes its place. */
-void algsurf_exact_keep_left(algsurf_memory *m, algsurf_exact_cell *cell, const algsurf_exact_cell *left);
+/* The cell is done with: the next one that waits, if any. */
+void algsurf_exact_cells_next(algsurf_exact_cells *cells);
 
-/* A step to a cluster of v >= 2 roots: if all roots of the cell are proved to be in a much narrower part of
- * it, the cell becomes that part and *done 1, else *done is 0.  Neither end may be a root. */
+/* Halves the cell; what may have roots is kept, the right half waits for the left one. */
+int algsurf_exact_cells_halve(algsurf_exact_cells *cells);
+
+/* The sign of b_j of the lower and of the upper envelope, which may be the same polynomial. */
+static inline int algsurf_exact_lower_sign(const algsurf_exact_cell *cell, int j) {
+    return algsurf_z_sign(algsurf_zpoly_at(&cell->b, j), cell->b.width);
+}
+static inline int algsurf_exact_upper_sign(const algsurf_exact_cell *cell, int j) {
+    return algsurf_exact_lower_sign(cell, cell->polynomials == 2 ? cell->b.degree + 1 + j : j);
+}
+
+/* May the cell's left end be a root that has not been dealt with, as b_0 is 0 or begins or ends there? */
+static inline int algsurf_exact_begins_with_root(const algsurf_exact_cell *cell) {
+    return !cell->left_done &&
+           (algsurf_exact_lower_sign(cell, 0) == 0 || algsurf_exact_upper_sign(cell, 0) == 0);
+}
+
+int algsurf_exact_variations(const algsurf_exact_cell *cell);
+
+/* The bounds of a cell of the piece in u = 2^-unit t: N 2^-r, taken from memory. */
+int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
+                            const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
+                            int *width, int *r);
+
+/* A step to a cluster of v >= 2 roots of one polynomial: if all roots of the cell are proved to be in a much
+ * narrower part of it, the cell becomes that part and *done 1, else *done is 0.  Neither end may be a root.
+ */
 int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done);
 
 /* The coefficients as doubles, the largest between 1/2 and 1; each is off by 2^-52 of its size, and by

@@ -8,8 +8,15 @@
  * (B_k - B_n + 1) / (n - k)) (Fujiwara 1916: twice the largest |c_k / c_n|^(1/(n-k))); and likewise its
  * inverse, from the coefficients in reverse.
  *
- * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1) one term is larger than all others together, there is
- * none: |c_m u^m| >= 2^(B_m - 1 + e m), and the n others are below n 2^(max B_k + (e+1) k). */
+ * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1), on one side of 0, a term is larger than all those of
+ * the other sign together, there is none.  |c_k u^k| <= 2^(B_k - B_m + 1) |u|^(k-m) |c_m u^m|, where
+ * |u|^(k-m) is largest at one end of the annulus, and the sum of the n others is below 2^bits(n) times the
+ * largest.
+ *
+ * Sets of polynomials lie between two envelopes, for u below 0 and above (exact_radii.c).  Where both have
+ * the same sign, no polynomial of the set has a root; where they have different ones, each point is a root of
+ * some, and there is nothing to be found.  Both hold beyond the roots of the envelopes, and within them, too:
+ * in `most` and `least - 1`, the outermost and the innermost pieces. */
 #include <float.h>
 #include <math.h>
 
@@ -23,9 +30,10 @@ algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     for (;; piece.unit++) {
         double a = floor(ldexp(lo, -piece.unit)), b = floor(ldexp(hi, -piece.unit)) + 1;
         if (lo < 0 && a == 0) a = -1; /* ldexp has underflown to -0 */
+        if (hi < 0 && b == 1) b = 0;
         if (b - a > 16) continue;
-        piece.at = (int64_t)a;
         while (b - a > (double)(1 << piece.length)) piece.length++;
+        piece.at = (int64_t)(b <= 0 ? b - (double)(1 << piece.length) : a);
         return piece;
     }
 }
@@ -56,28 +64,6 @@ int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, i
     return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
 }
 
-/* f(2^shift u), up to a power of two. */
-static int scaled(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_zpoly *g) {
-    int n = f->degree, up = shift > 0 ? shift : -shift, least = ALGSURF_Z_NO_BIT, most = 0;
-    for (int k = 0; k <= n; k++) {
-        const algsurf_limb *c = algsurf_zpoly_at(f, k);
-        int by = up * (shift > 0 ? k : n - k), low = algsurf_z_trailing(c, f->width);
-        if (low == ALGSURF_Z_NO_BIT) continue;
-        least = low + by < least ? low + by : least;
-        most = algsurf_z_bits(c, f->width) + by > most ? algsurf_z_bits(c, f->width) + by : most;
-    }
-    int width = algsurf_z_width(most - least + 1);
-    if (!algsurf_zpoly_new(m, n, width > f->width ? width : f->width, g)) return 0;
-    for (int k = 0; k <= n; k++) {
-        algsurf_limb *c = algsurf_zpoly_at(g, k);
-        int by = up * (shift > 0 ? k : n - k) - least;
-        algsurf_z_copy(c, g->width, algsurf_zpoly_at(f, k), f->width);
-        if (by > 0) algsurf_z_shift_up(c, g->width, by);
-        if (by < 0) algsurf_z_shift_down(c, g->width, -by);
-    }
-    return 1;
-}
-
 static int bits_of(const algsurf_zpoly *p, int k) { return algsurf_z_bits(algsurf_zpoly_at(p, k), p->width); }
 static int is_zero(const algsurf_zpoly *p, int k) {
     return algsurf_z_sign(algsurf_zpoly_at(p, k), p->width) == 0;
@@ -85,105 +71,128 @@ static int is_zero(const algsurf_zpoly *p, int k) {
 
 static int ceiling_of_quotient(int a, int b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }
 
-/* Exponents e with 2^least < |u| < 2^most for all roots u but 0; first: the least power of u. */
-static void root_bounds(const algsurf_zpoly *p, int first, int *least, int *most) {
-    int n = p->degree, above = -ALGSURF_Z_NO_BIT, below = -ALGSURF_Z_NO_BIT;
-    for (int k = first; k <= n; k++) {
-        if (is_zero(p, k)) continue;
-        int top = k < n ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, n) + 1, n - k) : above;
-        int bottom =
-            k > first ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, first) + 1, k - first) : below;
-        above = top > above ? top : above;
-        below = bottom > below ? bottom : below;
-    }
-    *most = above + 1;
-    *least = -(below + 1);
+/* The first coefficient, in steps from `from`, that is not 0; p is not the zero polynomial. */
+static int first_nonzero(const algsurf_zpoly *p, int from, int step) {
+    while (is_zero(p, from)) from += step;
+    return from;
 }
 
-/* Has p no root with 2^e <= |u| <= 2^(e+1)? */
-static int is_bare(const algsurf_zpoly *p, int first, int e) {
-    int best = -ALGSURF_Z_NO_BIT, dominant = -1, spare = algsurf_limb_bits((algsurf_limb)p->degree);
-    for (int k = first; k <= p->degree; k++) {
+/* Widens to exponents e with 2^least < |t| < 2^most for all roots t of p but 0. */
+static void add_root_bounds(const algsurf_zpoly *p, algsurf_exact_pieces *s) {
+    int first = first_nonzero(p, 0, 1), n = first_nonzero(p, p->degree, -1);
+    for (int k = first; k <= n; k++) {
+        if (is_zero(p, k)) continue;
+        int above =
+            k < n ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, n) + 1, n - k) + 1 + s->unit : s->most;
+        int below = k > first
+                        ? s->unit - 1 - ceiling_of_quotient(bits_of(p, k) - bits_of(p, first) + 1, k - first)
+                        : s->least;
+        s->most = above > s->most ? above : s->most;
+        s->least = below < s->least ? below : s->least;
+    }
+}
+
+static int sign_of_term(const algsurf_zpoly *p, int k, int side) {
+    int sign = algsurf_z_sign(algsurf_zpoly_at(p, k), p->width);
+    return side < 0 && k % 2 ? -sign : sign;
+}
+
+/* The sign of p for all 2^e <= |u| <= 2^(e+1) on this side, if one term shows it; else 0. */
+static int sign_by_one_term(const algsurf_zpoly *p, int side, int e) {
+    int best = -ALGSURF_Z_NO_BIT, m = 0, spare = algsurf_limb_bits((algsurf_limb)p->degree);
+    for (int k = 0; k <= p->degree; k++) {
         if (is_zero(p, k) || bits_of(p, k) - 1 + e * k <= best) continue;
         best = bits_of(p, k) - 1 + e * k;
-        dominant = k;
+        m = k;
     }
-    for (int k = first; k <= p->degree; k++)
-        if (k != dominant && !is_zero(p, k) && bits_of(p, k) + (e + 1) * k + spare >= best) return 0;
-    return 1;
+    int sign = sign_of_term(p, m, side);
+    for (int k = 0; k <= p->degree; k++)
+        if (sign_of_term(p, k, side) == -sign && bits_of(p, k) + e * k + (k > m ? k - m : 0) + spare > best)
+            return 0;
+    return sign;
+}
+
+/* The same for the current piece, where it may be one that no root reaches. */
+static int sign_in_piece(const algsurf_exact_pieces *s, const algsurf_zpoly *p, int side, int e) {
+    if (e < s->least) return s->merged ? 0 : sign_of_term(p, first_nonzero(p, 0, 1), side);
+    if (e >= s->most) return sign_of_term(p, first_nonzero(p, p->degree, -1), side);
+    return sign_by_one_term(p, side, e - s->unit);
 }
 
 enum { NOT_FAR = 10 }; /* binary orders of magnitude between the interval and its least root, for one piece */
 
 static double power_of_two(int e) { return ldexp(1, e < -1074 ? -1074 : e > 1023 ? 1023 : e); }
 
-void algsurf_exact_pieces_begin(algsurf_exact_walk *walk) {
-    algsurf_exact_pieces *s = &walk->pieces;
-    const double lo = walk->lo, hi = walk->hi;
-    int least = 0, most = 0;
-    walk->zeros = 0;
-    while (is_zero(&walk->p, walk->zeros)) walk->zeros++;
-    *s = (algsurf_exact_pieces){.lo = lo, .hi = hi};
-    int bounded = isfinite(lo) && isfinite(hi);
-    if (bounded && !(lo <= 0 && hi >= 0) && fmin(fabs(lo), fabs(hi)) > 0x1p-6 * fmax(fabs(lo), fabs(hi)))
-        return;
-    if (walk->zeros < walk->p.degree) {
-        root_bounds(&walk->p, walk->zeros, &least, &most);
-        s->least = least + walk->unit;
-        s->most = most + walk->unit;
-        double farthest = bounded ? fmax(fmax(fabs(lo), fabs(hi)), 0x1p-1074) : DBL_MAX;
-        if (ilogb(farthest) + 1 < s->most && bounded) s->most = ilogb(farthest) + 1; /* 2^most > all t */
-        int near = walk->zeros == 0 && s->most - s->least <= NOT_FAR;
-        if (near && s->most <= 1023 && s->most >= -1074) {
-            double reach = power_of_two(s->most);
-            s->lo = fmax(lo, -reach);
-            s->hi = fmin(hi, reach);
-            s->done = s->lo > s->hi;
-            return;
-        }
-        if (near && s->most > 1023 && bounded) return;
+/* Where the roots are not far from each other, the interval is one piece, or one on either side of 0. */
+static int fits_one_piece(algsurf_exact_pieces *s) {
+    int bounded = isfinite(s->lo) && isfinite(s->hi);
+    if (s->most - s->least > NOT_FAR) return 0;
+    if (s->polynomials > 1) {
+        s->least = s->most;
+        s->merged = 1;
+        return 0;
     }
-    s->scattered = 1;
+    if (is_zero(s->above, 0)) return 0;
+    if (s->most > 1023 || s->most < -1074) return s->most > 1023 && bounded;
+    s->lo = fmax(s->lo, -power_of_two(s->most));
+    s->hi = fmin(s->hi, power_of_two(s->most));
+    s->done = s->lo > s->hi;
+    return 1;
+}
+
+void algsurf_exact_pieces_begin(algsurf_exact_pieces *s, const algsurf_zpoly *below,
+                                const algsurf_zpoly *above, int polynomials, int unit, double lo, double hi) {
+    double nearest = fmin(fabs(lo), fabs(hi)), farthest = fmax(fabs(lo), fabs(hi));
+    *s = (algsurf_exact_pieces){.below = below, .above = above, .polynomials = polynomials, .unit = unit};
+    s->lo = lo, s->hi = hi;
+    if (isfinite(farthest) && !(lo <= 0 && hi >= 0) && nearest > 0x1p-6 * farthest) return;
+    s->least = ALGSURF_Z_NO_BIT, s->most = -ALGSURF_Z_NO_BIT;
+    for (int i = 0; i < polynomials; i++) {
+        add_root_bounds(below + i, s);
+        add_root_bounds(above + i, s);
+    }
+    if (s->least > s->most) s->least = s->most = 0;                                   /* no roots but 0 */
+    int beyond = isfinite(farthest) ? ilogb(fmax(farthest, 0x1p-1074)) + 1 : s->most; /* 2^beyond > all |t| */
+    if (beyond < s->most) s->most = beyond > s->least ? beyond : s->least;
+    s->scattered = !fits_one_piece(s);
     s->side = -1;
-    s->exponent = s->most - 1;
+    s->exponent = s->most;
 }
 
-/* Is nothing of side 2^e <= |t| <= side 2^(e+1) in [lo,hi]? */
-static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
-    double near = e < -1074 ? 0 : power_of_two(e), far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
-    return side > 0 ? far < s->lo || near > s->hi : -far > s->hi || -near < s->lo;
+/* Sets the bounds of a piece; is nothing of it in [lo,hi]? */
+static int is_outside(algsurf_exact_pieces *s, int side, int e) {
+    double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
+    s->near = fmin(near, DBL_MAX);
+    s->far = e + 1 > 1023 || (e >= s->least && e >= s->most) ? HUGE_VAL : power_of_two(e + 1);
+    return side > 0 ? s->far < s->lo || near > s->hi : -s->far > s->hi || -near < s->lo;
 }
 
-/* The next piece in units of powers of two: 1; 2 for the root at 0; 0 at the end. */
-static int next_scattered(algsurf_exact_walk *walk, algsurf_exact_piece *piece) {
-    algsurf_exact_pieces *s = &walk->pieces;
+/* The next piece in units of powers of two. */
+static int next_scattered(algsurf_exact_pieces *s, algsurf_exact_piece *piece) {
     for (;;) {
-        if (s->side < 0 && s->exponent < s->least) {
-            s->side = 0;
-            s->exponent = s->least;
-            if (walk->zeros > 0 && s->lo <= 0 && s->hi >= 0) return 2;
+        if (s->side < 0 && s->exponent < s->least - 1) {
+            s->side = 1;
+            s->exponent = s->least - 1;
+            if (sign_of_term(s->above, 0, 1) * sign_of_term(s->above + s->polynomials - 1, 0, 1) <= 0)
+                return ALGSURF_EXACT_ZERO;
         }
-        if (s->side == 0) s->side = 1;
         int side = s->side, e = s->exponent;
-        if (side > 0 && e >= s->most) return 0;
+        if (side > 0 && e > s->most) return ALGSURF_EXACT_NO_PIECE;
         s->exponent += side;
-        if (is_outside(s, side, e) || is_bare(&walk->p, walk->zeros, e - walk->unit)) continue;
-        *piece = (algsurf_exact_piece){.unit = e, .at = side > 0 ? 1 : -2, .length = 0};
-        return 1;
+        if (is_outside(s, side, e)) continue;
+        const algsurf_zpoly *p = side > 0 ? s->above : s->below;
+        int lower = sign_in_piece(s, p, side, e), upper = sign_in_piece(s, p + s->polynomials - 1, side, e);
+        if (lower != 0 && lower == upper) continue;
+        int inner = e < s->least; /* from 0 to 2^(e+1) */
+        *piece = (algsurf_exact_piece){.unit = e + inner, .at = side > 0 ? 1 - inner : inner - 2};
+        return lower * upper < 0 ? ALGSURF_EXACT_OPEN : ALGSURF_EXACT_PIECE;
     }
 }
 
-int algsurf_exact_pieces_next(algsurf_exact_walk *walk, const algsurf_zpoly *f) {
-    algsurf_exact_pieces *s = &walk->pieces;
-    if (s->scattered) {
-        int found = next_scattered(walk, &walk->piece);
-        if (found != 1) return found;
-    } else {
-        if (s->done) return 0;
-        s->done = 1;
-        walk->piece = algsurf_exact_piece_of(s->lo, s->hi);
-    }
-    walk->local = *f;
-    if (walk->piece.unit == walk->unit) return 1;
-    return scaled(walk->memory, f, walk->piece.unit - walk->unit, &walk->local) ? 1 : -1;
+int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece) {
+    if (s->scattered) return next_scattered(s, piece);
+    if (s->done) return ALGSURF_EXACT_NO_PIECE;
+    s->done = 1;
+    *piece = algsurf_exact_piece_of(s->lo, s->hi);
+    return ALGSURF_EXACT_PIECE;
 }

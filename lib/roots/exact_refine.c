@@ -12,50 +12,28 @@
 #include "algsurf/status.h"
 #include "exact.h"
 
-int algsurf_exact_at_double(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, int *sign,
+int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent) {
     int e;
     algsurf_limb odd = algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
-    return algsurf_zpoly_sign_at(walk->memory, f, &N, 1, odd ? walk->unit - e : 0, sign, value, exponent);
+    return algsurf_zpoly_sign_at(m, f, &N, 1, odd ? unit - e : 0, sign, value, exponent);
 }
 
-int algsurf_exact_cell_ends(algsurf_exact_walk *walk, algsurf_limb **a, algsurf_limb **b, int *width,
-                            int *r) {
-    const algsurf_exact_cell *cell = &walk->cell;
-    const algsurf_exact_piece *piece = &walk->piece;
-    const algsurf_limb one = 1;
-    int shift = cell->depth + cell->fine, w = algsurf_z_width(shift + piece->length + 64 + 2);
-    int up = cell->fine + piece->length;
-    *a = algsurf_memory_take(walk->memory, (size_t)w);
-    *b = algsurf_memory_take(walk->memory, (size_t)w);
-    algsurf_limb *position = algsurf_memory_take(walk->memory, (size_t)w);
-    if (!*a || !*b || !position) return 0;
-    algsurf_z_set(*a, w, piece->at);
-    algsurf_z_shift_up(*a, w, shift);
-    algsurf_z_copy(position, w, cell->position, cell->position_width);
-    algsurf_z_shift_up(position, w, piece->length);
-    algsurf_z_add(*a, position, w);
-    algsurf_z_copy(*b, w, *a, w);
-    algsurf_z_add_product(*b, w, &one, 1, (algsurf_limb)1 << (up & 63), up / 64);
-    *width = w;
-    *r = shift - (piece->unit - walk->unit);
-    return 1;
-}
-
-/* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
 #define SIGN_BIT ((uint64_t)1 << 63)
-static uint64_t order_of(double x) {
+uint64_t algsurf_exact_order_of(double x) {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits & SIGN_BIT ? SIGN_BIT - (bits - SIGN_BIT) : SIGN_BIT + bits;
 }
-static double double_at(uint64_t order) {
+double algsurf_exact_double_at(uint64_t order) {
     uint64_t bits = order < SIGN_BIT ? SIGN_BIT + (SIGN_BIT - order) : order - SIGN_BIT;
     double x;
     memcpy(&x, &bits, sizeof x);
     return x;
 }
-static uint64_t doubles_between(double lo, double hi) { return order_of(hi) - order_of(lo); }
+static uint64_t doubles_between(double lo, double hi) {
+    return algsurf_exact_order_of(hi) - algsurf_exact_order_of(lo);
+}
 static double next_up(double x) { return nextafter(x, HUGE_VAL); }
 static double next_down(double x) { return nextafter(x, -HUGE_VAL); }
 
@@ -67,7 +45,7 @@ typedef struct sample {
 
 static int sample_at(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, sample *s) {
     s->t = t;
-    return algsurf_exact_at_double(walk, f, t, &s->sign, &s->value, &s->exponent);
+    return algsurf_exact_at_double(walk->memory, f, walk->unit, t, &s->sign, &s->value, &s->exponent);
 }
 
 /* Value a over value b. */
@@ -101,7 +79,7 @@ static double place_in_cell(const algsurf_exact_cell *cell, int before) {
 
 /* The root as a double, roughly; NaN or out of range where the cell is. */
 static double first_guess(const algsurf_exact_walk *walk, int before) {
-    const algsurf_exact_cell *cell = &walk->cell;
+    const algsurf_exact_cell *cell = &walk->cells.cell;
     int e;
     double position = algsurf_z_to_double(cell->position, cell->position_width, &e);
     double begin = ldexp(position, e - cell->depth - cell->fine);
@@ -129,7 +107,7 @@ static int close_in(algsurf_exact_walk *walk, const algsurf_zpoly *f, double gue
     for (int round = 0; doubles_between(lo->t, hi->t) > 1; round++) {
         uint64_t width = doubles_between(lo->t, hi->t);
         if (slow >= 3 || isnan(x)) {
-            x = double_at(order_of(lo->t) + width / 2);
+            x = algsurf_exact_double_at(algsurf_exact_order_of(lo->t) + width / 2);
             slow = 0;
         }
         if (!(x > lo->t)) x = next_up(lo->t);
@@ -247,9 +225,11 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
 int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
     algsurf_limb *a, *b;
     int width, r, before = 0, point = 0, done;
-    const algsurf_zpoly *cell = &walk->cell.b;
+    const algsurf_zpoly *cell = &walk->cells.cell.b;
     for (int j = 0; before == 0; j++) before = algsurf_z_sign(algsurf_zpoly_at(cell, j), cell->width);
-    if (!algsurf_exact_cell_ends(walk, &a, &b, &width, &r)) return 0;
+    if (!algsurf_exact_cell_ends(walk->memory, &walk->cells.cell, &walk->piece, walk->unit, &a, &b, &width,
+                                 &r))
+        return 0;
     if (algsurf_z_sign(cell->c, cell->width) == 0 ||
         algsurf_z_sign(algsurf_zpoly_at(cell, cell->degree), cell->width) == 0) {
         while ((done = part_from_ends(walk, f, before, a, b, &width, &r, &point)) == 2) {

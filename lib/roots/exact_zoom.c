@@ -87,7 +87,7 @@ static int settle(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cel
     for (int j = 0; zeros > 0 && zeros < ALGSURF_Z_NO_BIT && j <= n; j++)
         algsurf_z_shift_down(algsurf_zpoly_at(&part->b, j), part->b.width, zeros);
     part->bits = algsurf_zpoly_bits(&part->b);
-    part->variations = algsurf_exact_variations(&part->b);
+    part->variations = algsurf_exact_variations(part);
     if (cell->begin.last == m->last && part->begin.last == m->last) {
         int width = algsurf_z_width(part->bits + n + 1);
         if (width > part->b.width) width = part->b.width;

@@ -83,8 +83,8 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
     if (!found) return ALGSURF_OK;
     *where = 0.5 * b[0].lo + 0.5 * b[0].hi;
-    status =
-        algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found); /* as narrow as the radii allow */
+    status = algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found,
+                                     NULL); /* as narrow as the radii allow */
     if (found) *where = 0.5 * b[1].lo + 0.5 * b[1].hi;
     return status;
 }

@@ -68,7 +68,7 @@ static algsurf_status walk_integers(task *t) {
 static algsurf_status walk_envelopes(task *t) {
     int found = 0;
     algsurf_status status = algsurf_i_decide_ranges(&t->p, begin_of_rest(t), t->hi, t->b + t->count,
-                                                    t->capacity - t->count, &found);
+                                                    t->capacity - t->count, &found, &t->counted);
     t->count += found;
     if (t->first_only && t->count > 1) t->count = 1;
     return status;
