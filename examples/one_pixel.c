@@ -167,7 +167,7 @@ static algsurf_hit show_hit(const algsurf_surface *surface, const algsurf_ray *r
     algsurf_hit hit;
     check(algsurf_intersect_first(surface, &BALL, ray, NULL, &hit));
     printf("\n[hit]\nstate      %s\n", hit.state == ALGSURF_HIT ? "hit" : "other");
-    printf("t          %.12f in [%.10f, %.10f]\n", hit.t, hit.t_lo, hit.t_hi);
+    printf("t          %.12f in t + [%.1e, %.1e]\n", hit.t, hit.t_lo - hit.t, hit.t_hi - hit.t);
     print_vector("position", hit.position);
     print_vector("normal", hit.normal);
     return hit;
