@@ -1,9 +1,10 @@
 /* isolate.c - roots of a polynomial in an interval of the line: the public calls.
  *
- * Doubles come first, one polynomial in one lane (single_template.h): a finite interval, moderate degree,
- * roots not far smaller than the interval.  What they leave undecided goes to integers (decide.c), or, where
- * coefficients are known to radii only, to integers with envelopes (exact_radii.c): those brackets that the
- * doubles were sure of are kept, so that the first root is the same whether the others are looked for or not.
+ * Doubles come first, one polynomial in one lane (single_template.h): moderate degree, and roots not far
+ * smaller than the interval, which is cut where no root can be beyond.  What they leave undecided goes to
+ * integers (decide.c), or, where coefficients are known to radii only, to integers with envelopes
+ * (exact_radii.c): those brackets that the doubles were sure of are kept, so that the first root is the same
+ * whether the others are looked for or not.
  */
 #include "algsurf/isolate.h"
 
@@ -24,23 +25,51 @@ typedef struct task {
     int counted; /* intervals whose variations were counted */
 } task;
 
-enum { SMALLER = 8 }; /* binary orders by which roots may be smaller than the interval, on average */
-
-/* Are there roots so much smaller than the interval that halving it as a whole would waste digits? */
-static int has_small_roots(const task *t) {
-    double largest = 0, most = fmax(fabs(t->lo), fabs(t->hi)), power = 1;
-    if (t->lo > 0 || t->hi < 0) return 0;
-    for (int k = 0; k <= t->p.degree; k++, power *= most) largest = fmax(largest, fabs(t->p.c[k]) * power);
-    return !(fabs(t->p.c[0]) >= ldexp(largest, -SMALLER * t->p.degree));
+/* An exponent e so that all roots are below 2^e: |t| <= 2 max |c_k / c_n|^(1/(n-k)) (Fujiwara 1916).  |c_k| +
+ * r_k is below 2^(i+2), i the exponent of the larger one; |c_n| - r_n, rounded, is at most twice too large.
+ * Above 1023 when there is none. */
+static int root_bound(const algsurf_i_coefficients *p) {
+    int n = p->degree, bound = -1000, radii = p->r != NULL;
+    double lead = fabs(p->c[n]) - (radii ? p->r[n] : 0);
+    if (!(lead > 0)) return 1024;
+    int least = ilogb(lead) - radii;
+    for (int k = 0; k < n; k++) {
+        double size = radii ? fmax(fabs(p->c[k]), p->r[k]) : fabs(p->c[k]);
+        if (!(size > 0)) continue;
+        int e = ilogb(size) + 1 + radii - least;
+        if (e > (n - k) * bound) bound = e > 0 ? (e + n - k - 1) / (n - k) : -(-e / (n - k));
+    }
+    return bound + 1;
 }
 
-/* [lo,hi] in a lane; returns 0 when that leaves something undecided. */
+/* [from,to] in a lane, as far as it is asked for; returns 0 when that leaves something undecided. */
+static int walk_piece(task *t, double from, double to) {
+    int most = (t->first_only ? 1 : t->capacity) - t->count, found = 0;
+    double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
+    if (lo >= hi || most == 0) return 1;
+    if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
+    int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, &t->counted);
+    t->count += found;
+    return done;
+}
+
+enum { SPREAD = 24, MOST_PIECES = 16 }; /* binary digits that one piece may lose; on one side of 0 */
+
+/* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces of which
+ * that about 0 ends at the geometric mean of the roots. */
 static int walk_lane(task *t) {
-    int most = t->first_only ? 1 : t->capacity;
-    if (!(t->lo < t->hi) || t->p.degree == 0 || t->p.degree > ALGSURF_MAX_DEGREE || has_small_roots(t))
-        return 0;
-    if (!(fmax(fabs(t->lo), fabs(t->hi)) > 0x1p-900 && t->hi - t->lo < 0x1p1000)) return 0;
-    return algsurf_i_roots_single_fastest()(&t->p, t->lo, t->hi, most, t->b, &t->count, &t->counted);
+    int n = t->p.degree;
+    double size = fmax(fabs(t->lo), fabs(t->hi));
+    if (!(t->lo < t->hi) || n == 0 || n > ALGSURF_MAX_DEGREE || t->p.c[0] == 0 || t->p.c[n] == 0) return 0;
+    int bound = size < 0x1p900 ? ilogb(size) + 1 : root_bound(&t->p);
+    int mean = (ilogb(t->p.c[0]) - ilogb(t->p.c[n])) / n, step = SPREAD > n ? SPREAD / n : 1;
+    if (bound > 900 || mean < -900 || bound - mean > MOST_PIECES * step) return 0;
+    if ((bound - mean) * n <= SPREAD) return walk_piece(t, -ldexp(1, bound), ldexp(1, bound));
+    int done = 1, e = bound;
+    for (; done && e > mean + step; e -= step) done = walk_piece(t, -ldexp(1, e), -ldexp(1, e - step));
+    done = done && walk_piece(t, -ldexp(1, e), ldexp(1, e));
+    for (; done && e < bound; e += step) done = walk_piece(t, ldexp(1, e), ldexp(1, e + step));
+    return done;
 }
 
 /* The interval from where the lane's last bracket ends. */
