@@ -236,19 +236,50 @@ static void test_capacity(void **state) {
     assert_int_equal(k, 1);
 }
 
+/* Quadratics have a way of their own.  Roots by a quadratic's exact discriminant and ends, over wide numbers
+ * and where rounding nearly hides them. */
+static void test_quadratics(void **state) {
+    (void)state;
+    uint64_t seed = 77;
+    int two = 0, none = 0;
+    for (int i = 0; i < 60000; i++) {
+        int n = 1 + (i % 8 > 0), wide = i % 3 == 0 ? 300 : 2, k = 0;
+        double c[3], lo = exact_random_wide(&seed, -wide, wide), hi = exact_random_wide(&seed, -wide, wide);
+        for (int j = 0; j <= n; j++) c[j] = exact_random_wide(&seed, -wide, wide);
+        if (i % 4 == 1 && n == 2) { /* about (t - lo)^2, or with a root about an end */
+            c[1] = -2 * lo * c[2], c[0] = c[2] * lo * lo * (1 + (exact_random_int(&seed, 9) - 4) * 0x1p-52);
+            lo -= 1 + exact_random_unit(&seed), hi = lo + 2;
+        }
+        if (lo > hi) lo = -lo, hi = -hi;
+        if (!(lo < hi)) continue;
+        algsurf_bracket b[2];
+        assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, 2, &k), ALGSURF_OK);
+        exact_sturm s = exact_sturm_of_doubles(c, n);
+        int all = exact_count_roots(&s, lo, hi), held = 0;
+        for (int j = 0; j < k; j++) held += exact_count_roots(&s, b[j].lo, b[j].hi);
+        if (k != all || held != k)
+            fail_msg("seed 77, %d: %a %a %a on [%a, %a]: %d brackets, %d roots", i, c[0], c[1],
+                     n > 1 ? c[2] : 0, lo, hi, k, all);
+        two += k == 2, none += k == 0;
+        exact_sturm_clear(&s);
+    }
+    assert_true(two > 2000 && none > 2000);
+}
+
 /* Intervals that Descartes' rule looks at.  Catches: a walk that is not counted, or counted twice; a
  * multiple root that is halved to the last bit before the greatest common divisor is asked. */
 static void test_counted(void **state) {
     (void)state;
-    const double none[] = {1, 0, 1}, one[] = {-0.9, 1}, two[] = {0.665, -1.65, 1}, dyadic[] = {-0.25, 0, 1};
+    const double none[] = {0.3, 0.1, 3, 1}, two[] = {1.995, -4.285, 1.35, 1}; /* (t^2 + 0.1)(t + 3), ... */
+    const double one[] = {-0.9, 1}, dyadic[] = {-0.25, 0, 1};
     const double twice[] = {0.140625, -0.75, 1}; /* (t - 3/8)^2 */
     algsurf_bracket b, plain;
     int found, as_plain, n = 77;
-    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 2, -1, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 0 && n == 3); /* the whole, both halves */
+    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 3, -1, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 0 && n == 5); /* the whole, two halves, two quarters */
     assert_int_equal(algsurf_isolate_first_counted(one, NULL, 1, 0, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 1 && n == 1);
-    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 0.5, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 1 && n == 1); /* signs at the ends are a look at the whole */
+    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 3, 0.5, 1, &b, &found, &n), ALGSURF_OK);
     assert_true(found == 1 && n == 3); /* the same, and the left half's root is the first */
     assert_int_equal(algsurf_isolate_first_counted(dyadic, NULL, 2, 0.5, 0.5, &b, &found, &n), ALGSURF_OK);
     assert_true(found == 1 && b.kind == ALGSURF_ROOT_EXACT);
@@ -277,6 +308,7 @@ int main(void) {
         cmocka_unit_test(test_one_point),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_capacity),
+        cmocka_unit_test(test_quadratics),
         cmocka_unit_test(test_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,6 +15,7 @@
 #include "coefficients.h"
 #include "decide.h"
 #include "kernel.h"
+#include "quadratic.h"
 
 typedef struct task {
     algsurf_i_coefficients p;
@@ -48,6 +49,13 @@ static int walk_piece(task *t, double from, double to) {
     double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
     if (lo >= hi || most == 0) return 1;
     if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
+    algsurf_bracket two[2];
+    if (t->p.degree <= 2 && !t->p.r &&
+        algsurf_i_quadratic_isolate(t->p.c, t->p.degree, lo, hi, two, &found)) {
+        for (int i = 0; i < found && i < most; i++) t->b[t->count++] = two[i];
+        t->counted++;
+        return 1;
+    }
     int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, &t->counted);
     t->count += found;
     return done;
