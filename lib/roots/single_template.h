@@ -9,8 +9,10 @@
  * are at most S together.  The shift costs n + 1 sums, and for each factor m a product and m's own rounding,
  * for each factor h as much: 3n + 1.  Horner's rule costs two sums in each of n steps, a product, a binomial
  * and the division: 2n + 4.  So b_j is off by (5n + 5) u S; the bound (7n + 16) u S takes in the higher
- * orders and the rounding of S.  Numbers are scaled first: M to at most 1, the largest c_k M^k to about 1;
- * what underflow changes then is below 2^-900.
+ * orders and the rounding of S.  Numbers that are not moderate are scaled first: M to at most 1, the largest
+ * c_k M^k to about 1; what underflow changes then is below 2^-900.  Moderate ones have S and M^n within
+ * 2^+-300, so that nothing is above 2^600 on the way, and what underflow changes is below 2^-700, hence below
+ * 2^-300 u S.
  *
  * Ends of brackets.  The end of a cell is lo + (hi - lo) p, p a multiple of 2^-40.  Where that is a double,
  * the walk knows the sign there.  Elsewhere a double nearby is taken, left of either end by more than its
@@ -31,20 +33,32 @@ typedef struct single {
     double b[ALGSURF_MAX_DEGREE + 1], error;
 } single;
 
+/* d_k before the shift: c_k, or scaled; returns S, and the same sum over the radii. */
+static double scale_coefficients(const single *s, int unit, int common, double most, double *d,
+                                 double *spread) {
+    const algsurf_i_coefficients *p = s->p;
+    double size = 0;
+    *spread = 0;
+    for (int k = p->degree; k >= 0; k--) {
+        int e = k * unit - common;
+        d[k] = e == 0 ? p->c[k] : ldexp(p->c[k], e);
+        size = size * most + fabs(d[k]);
+        if (p->r) *spread = *spread * most + ldexp(p->r[k], e);
+    }
+    return size;
+}
+
 /* d_k of the head comment; returns S, and the same sum over the radii. */
 static double shift_to_middle(const single *s, double *d, double *spread) {
-    const algsurf_i_coefficients *p = s->p;
-    int n = p->degree, unit;
-    (void)frexp(fmax(fabs(s->lo), fabs(s->hi)), &unit);
-    int common = algsurf_i_common_exponent(p, unit);
-    double lo = ldexp(s->lo, -unit), hi = ldexp(s->hi, -unit), most = fmax(fabs(lo), fabs(hi));
-    double m = 0.5 * lo + 0.5 * hi, h = 0.5 * hi - 0.5 * lo, power = 1, size = 0;
-    for (int k = 0; k <= n; k++) d[k] = ldexp(p->c[k], k * unit - common);
-    *spread = 0;
-    for (int k = n; k >= 0; k--) {
-        size = size * most + fabs(d[k]);
-        if (p->r) *spread = *spread * most + ldexp(p->r[k], k * unit - common);
+    int n = s->p->degree, unit = 0;
+    double lo = s->lo, hi = s->hi, most = fmax(fabs(lo), fabs(hi));
+    double size = scale_coefficients(s, 0, 0, most, d, spread);
+    if (!(most > 0x1p-4 && most < 0x1p4 && size > 0x1p-300 && size < 0x1p300)) {
+        (void)frexp(most, &unit);
+        lo = ldexp(lo, -unit), hi = ldexp(hi, -unit), most = ldexp(most, -unit);
+        size = scale_coefficients(s, unit, algsurf_i_common_exponent(s->p, unit), most, d, spread);
     }
+    double m = 0.5 * lo + 0.5 * hi, h = 0.5 * hi - 0.5 * lo, power = 1;
     for (int i = 0; i < n && m != 0; i++)
         for (int k = n - 1; k >= i; k--) d[k] += m * d[k + 1];
     for (int k = 1; k <= n; k++) {
