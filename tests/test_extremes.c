@@ -292,42 +292,42 @@ static void judge_sweep(int which, limits most) {
 
 static void test_distance(void **state) {
     (void)state;
-    judge_sweep(0, (limits){2, 40, 1, 8});
+    judge_sweep(0, (limits){0, 40, 1, 8});
 }
 
 static void test_scale(void **state) {
     (void)state;
-    judge_sweep(1, (limits){75, 40, 1, 8});
+    judge_sweep(1, (limits){0, 40, 1, 8});
 }
 
 static void test_gap(void **state) {
     (void)state;
-    judge_sweep(2, (limits){60, 40, 50, 8});
+    judge_sweep(2, (limits){57, 40, 50, 8});
 }
 
 static void test_degree(void **state) {
     (void)state;
-    judge_sweep(3, (limits){35, 50, 40, 8});
+    judge_sweep(3, (limits){34, 50, 40, 8});
 }
 
 static void test_singular(void **state) {
     (void)state;
-    judge_sweep(4, (limits){40, 40, 40, 8});
+    judge_sweep(4, (limits){42, 40, 40, 8});
 }
 
 static void test_extent(void **state) {
     (void)state;
-    judge_sweep(5, (limits){47, 40, 10, 8});
+    judge_sweep(5, (limits){1, 40, 10, 8});
 }
 
 static void test_spread(void **state) {
     (void)state;
-    judge_sweep(6, (limits){82, 20, 50, 100});
+    judge_sweep(6, (limits){75, 20, 50, 100});
 }
 
 static void test_leading(void **state) {
     (void)state;
-    judge_sweep(7, (limits){52, 40, 5, 8});
+    judge_sweep(7, (limits){50, 40, 5, 8});
 }
 
 int main(int argc, char **argv) {

@@ -7,6 +7,8 @@
  * neighbours, a mask or a count not looked at, rays not checked, a kernel that doubts everything, an
  * environment left as the caller's, a single call with other bits than a packet.
  */
+#include <float.h>
+
 #include "intersect_case.h"
 
 #include "catalogue.h"
@@ -107,7 +109,7 @@ static double t_bound(const algsurf_ray *ray, const algsurf_hit *hit) {
     for (int k = 0; k < 3; k++) longest = fmax(longest, fabs(ray->direction[k]));
     for (int k = 0; k < 3; k++) slope += gradient[k] * (ray->direction[k] / longest);
     for (int k = 0; k < 3; k++) size = fmax(size, fabs(ray->origin[k]) / longest);
-    return slope == 0 ? INFINITY : 4 * bound / fabs(slope) / longest + 0x1p-50 * size;
+    return slope == 0 ? INFINITY : 4 * bound / fabs(slope) / longest + 0x1p-50 * size + 0x1p-1074;
 }
 
 /* The normal is the gradient's direction, where the gradient is not mostly cancelled. */
@@ -806,6 +808,87 @@ static void test_scales(void **state) {
     assert_true(tallied.hits * 2 > tallied.rays);
 }
 
+/* Directions 2^k times as long, in the bounded tier: t is 2^-k times as large, all else has the same bits. */
+static void test_lengths(void **state) {
+    (void)state;
+    const int lengths[] = {-700, -300, -101, 101, 300, 700};
+    const algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_BOUNDED};
+    uint64_t seed = SEED;
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        algsurf_surface *s;
+        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        surface = s;
+        for (int k = 0; k < 6; k++) {
+            for (int i = 0; i < MOST; i++) {
+                algsurf_ray ray = make_ray(&seed, &entry->extent, i % 3 ? OUTSIDE : PARTS);
+                put_ray(&p, i, &ray);
+            }
+            q = p;
+            for (int i = 0; i < MOST; i++) {
+                for (int j = 0; j < 3; j++) q.direction[j][i] = ldexp(p.direction[j][i], lengths[k]);
+                q.t_min[i] = ldexp(p.t_min[i], -lengths[k]), q.t_max[i] = ldexp(p.t_max[i], -lengths[k]);
+            }
+            assert_int_equal(ask(&p, 0, MOST, &entry->extent, &options), ALGSURF_OK);
+            assert_int_equal(ask(&q, 0, MOST, &entry->extent, &options), ALGSURF_OK);
+            for (int i = 0; i < MOST; i++) {
+                algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
+                scaled.t = ldexp(scaled.t, lengths[k]);
+                scaled.t_lo = ldexp(scaled.t_lo, lengths[k]), scaled.t_hi = ldexp(scaled.t_hi, lengths[k]);
+                if (plain.state != ALGSURF_UNCERTAIN && memcmp(&plain, &scaled, sizeof plain) != 0)
+                    packet_fail("another length", &q, i, &plain);
+            }
+        }
+        algsurf_surface_free(s);
+    }
+}
+
+/* Directions, and ends, that underflow or overflow where t is measured in the surface's unit. */
+static void test_out_of_range(void **state) {
+    (void)state;
+    const double ends[] = {0, 0x1p-1074, 0x1p-1022, 0x1p-900, 0x1p900, DBL_MAX, INFINITY};
+    const double lengths[] = {0x1p-1070, 0x1p-1023, 0x1p-1020, 1, 0x1p1021, 0x1p1023};
+    enum { ENDS_COUNT = sizeof ends / sizeof ends[0], LENGTHS_COUNT = sizeof lengths / sizeof lengths[0] };
+    uint64_t seed = SEED;
+    tallied = (tally){0};
+    for (int k = -800; k <= 800; k += 400) {
+        double size = ldexp(1.2, k / 2);
+        const algsurf_extent extents[] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {size, 0, 0}},
+                                          {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}}};
+        const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 1, 1, 1}, {0, 0, 0, -ldexp(1, k)}};
+        algsurf_surface *s;
+        assert_int_equal(algsurf_surface_from_terms(terms, 4, &s), ALGSURF_OK);
+        surface = s;
+        for (int i = 0; i < ENDS_COUNT * ENDS_COUNT; i++) {
+            for (int j = 0; j < LENGTHS_COUNT; j++) {
+                algsurf_ray ray = ray_from(&seed, extents, i % 3 ? 4 : 0.5);
+                double longest = 0;
+                for (int l = 0; l < 3; l++) longest = fmax(longest, fabs(ray.direction[l]));
+                for (int l = 0; l < 3; l++) ray.direction[l] = ray.direction[l] / longest * lengths[j];
+                ray.t_min = (i + j) % 2 ? ends[i / ENDS_COUNT] : -ends[i / ENDS_COUNT];
+                ray.t_max = ends[i % ENDS_COUNT];
+                put_ray(&p, j, &ray);
+            }
+            judge_all(LENGTHS_COUNT, &extents[i % 2], ALGSURF_TIER_CERTIFIED);
+        }
+        algsurf_surface_free(s);
+    }
+    assert_true(tallied.hits > 100 && tallied.misses > 100);
+}
+
+/* t is subnormal, and not a double: it is between two. */
+static void test_subnormal(void **state) {
+    (void)state;
+    const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 1, 1, 1}};
+    const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
+    algsurf_surface *s;
+    algsurf_hit hit;
+    assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
+    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &hit), ALGSURF_OK);
+    assert_int_equal(hit.state, ALGSURF_HIT);
+    assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
+    algsurf_surface_free(s);
+}
+
 /* Extents far larger or smaller than the surface, and far away. */
 static void test_odd_extents(void **state) {
     (void)state;
@@ -865,6 +948,9 @@ int main(void) {
         cmocka_unit_test(test_kernel_names),
         cmocka_unit_test(test_options),
         cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_lengths),
+        cmocka_unit_test(test_out_of_range),
+        cmocka_unit_test(test_subnormal),
         cmocka_unit_test(test_odd_extents),
         cmocka_unit_test(test_environments),
     };

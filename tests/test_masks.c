@@ -87,7 +87,7 @@ static void draw(const view *v, int tier) {
     assert_int_equal(algsurf_render(scene, &o, bytes, 3 * WIDTH, hits[tier], &stats), ALGSURF_OK);
     algsurf_scene_free(scene);
     seen.uncertain += (long)stats.uncertain, seen.rays += (long)stats.rays;
-    if (stats.uncertain > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 2)) {
+    if (stats.uncertain > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
         seen.wrong++;
         fprintf(stderr, "%s, view %d, tier %d: %ld pixels uncertain\n", v->name, v->number, (int)tiers[tier],
                 (long)stats.uncertain);

@@ -10,7 +10,7 @@
 #include "algsurf/surface.h"
 
 /* Rays in any order, in the caller's units, all numbers finite but t_min and t_max; directions are not 0.
- * The surface has nodes and a unit within 2^+-900; in that unit the extent's sizes are within 2^+-100, its
+ * The surface has nodes and a unit within 2^+-800; in that unit the extent's sizes are within 2^+-100, its
  * centre is below 2^100. */
 typedef struct algsurf_i_rays_job {
     const algsurf_surface *surface;

@@ -70,7 +70,7 @@ static algsurf_status check_rays(const algsurf_ray_packet *rays) {
 }
 
 int algsurf_i_rays_fit(const algsurf_surface *s, const algsurf_extent *extent) {
-    if (!s->tables || s->unit < -900 || s->unit > 900) return 0;
+    if (!s->tables || s->unit < -800 || s->unit > 800) return 0;
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
     for (int i = 0; i < 3; i++) {
         double size = ldexp(extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0], -s->unit);

@@ -1,9 +1,11 @@
 /* packet_template.h - rays in any order, LANES at once: the chord inside the extent, the polynomial along it,
  * its first root (roots/packet_template.h), the point there.
  *
- * Everything is in natural units, but t is the caller's.  The chord [near, far] has the middle t_c and half
- * the length h, both doubles; its points are X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle
- * M = o + t_c d comes from double-double: a far origin costs no digits.
+ * Everything is in natural units, and directions are divided by a power of two, so that their largest
+ * component is in [1,2): rays and surfaces of any size are alike.  The caller's t is t_unit times ours.  The
+ * chord [near, far] has the middle t_c and half the length h, both doubles; its points are
+ * X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle M = o + t_c d comes from double-double: a far
+ * origin costs no digits.
  *
  * Two ways lead to Bernstein coefficients.  Up to ALGSURF_MAX_NODE_DEGREE P is evaluated at the surface's
  * nodes v_i, and a matrix turns the values into coefficients (surface/nodes.c), which share one error radius.
@@ -28,7 +30,13 @@
  *
  * Error of the ends.  The computed chord is within `off` of the exact one, t_c - h and t_c + h within
  * u (|t_c| + h) of the computed one.  The sum goes to packet.blur: where p keeps its sign that far about both
- * ends, both chords have the same roots. */
+ * ends, both chords have the same roots.
+ *
+ * Scaling of t.  A t_min or t_max that underflows is off by 2^-1074, which changes P by less than UNDERFLOW;
+ * one that overflows is beyond all chords.  On the way out underflow moves t_lo and t_hi by 2^-1074, less
+ * than 2^-100 h where LEAST_CHORD holds.  Both have room for that: a bracket's ends 2^-52 h, and where signs
+ * of P show them, such a move is 2^-70 of the magnitudes there at most, which changes P by far less than the
+ * 5 u S that its error has to spare (narrow). */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
 #include "../roots/packet_template.h"
@@ -40,8 +48,10 @@
 #include "powers_template.h"
 
 #define SPLITTER 0x1.0000002p27 /* 2^27 + 1 */
-#define LEAST_SIZE 0x1p-100     /* of directions: what underflows in them then is far below UNDERFLOW */
-#define MOST_SIZE 0x1p100
+#define FARTHEST 0x1p100        /* origin, in natural units */
+#define LEAST_UNIT 0x1p-800     /* of the caller's t: ours is below 2^141, so no t overflows */
+#define MOST_UNIT 0x1p800
+#define LEAST_CHORD 0x1p-900      /* half of it, in the caller's t */
 #define FARTHEST_ORIGIN 0x1p40    /* in radii of the extent: beyond, double-double is not enough */
 #define MOST_BLUR 0x1p-16         /* above, the bound on p' holds no more */
 #define ROOT_ERROR 0x1p-44        /* in chords: the step on P itself is to be the last one */
@@ -53,6 +63,8 @@
 /* LANES rays in natural units. */
 typedef struct ray_lanes {
     lanes origin[3], direction[3];
+    double unit;     /* the natural one in the caller's */
+    lanes t_unit;    /* the caller's t where ours is 1, a power of two */
     lanes near, far; /* ends of the chord */
     lanes off;       /* how far another computation may place them */
     mask open, doubtful;
@@ -94,13 +106,18 @@ INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, size_t at, int count, 
     ray_lanes r;
     for (int i = 0; i < 3; i++) {
         r.origin[i] = scale * load_some(job->origin[i] + at, count);
-        r.direction[i] = scale * load_some(job->direction[i] + at, count);
+        r.direction[i] = load_some(job->direction[i] + at, count);
     }
-    r.near = job->t_min ? load_some(job->t_min + at, count) : all_lanes(0);
-    r.far = job->t_max ? load_some(job->t_max + at, count) : all_lanes(HUGE_VAL);
+    lanes shrink = scale_of(r.direction);
+    for (int i = 0; i < 3; i++) r.direction[i] *= shrink;
+    r.unit = 1 / scale;
+    r.t_unit = shrink * r.unit;
+    lanes inverse = (lanes)(0x7fe0000000000000u - (words)r.t_unit);
+    mask plain = less(all_lanes(LEAST_UNIT), r.t_unit) & less(r.t_unit, all_lanes(MOST_UNIT));
+    plain &= less(largest_of(r.origin), all_lanes(FARTHEST));
+    r.near = job->t_min ? inverse * load_some(job->t_min + at, count) : all_lanes(0);
+    r.far = job->t_max ? inverse * load_some(job->t_max + at, count) : all_lanes(HUGE_VAL);
     r.off = all_lanes(0);
-    lanes size = largest_of(r.direction), most = all_lanes(MOST_SIZE);
-    mask plain = less(all_lanes(LEAST_SIZE), size) & less(size, most) & less(largest_of(r.origin), most);
     r.open = active_lanes(job->active ? job->active + at : NULL, count);
     r.doubtful = r.open & ~plain;
     r.open &= plain;
@@ -375,7 +392,7 @@ INLINE void store_lanes(double *p, lanes a, unsigned which) {
     }
 }
 
-/* What becomes of the lanes' hits. */
+/* What becomes of the lanes' hits, with the caller's t. */
 typedef struct lanes_hit {
     lanes t, t_lo, t_hi, position[3], normal[3];
 } lanes_hit;
@@ -446,7 +463,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
     lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
     lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
-    lanes pad = 0x1p-50 * (absolute(middle) + half), unit = all_lanes(ldexp(1, job->surface->unit));
+    lanes pad = 0x1p-50 * (absolute(middle) + half);
     hit->t_lo =
         choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));
     hit->t_hi =
@@ -454,13 +471,17 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     hit->t = t + (low + step);
     mask sound = at_most(absolute(step), far);
     sound &= at_most(hit->t_lo - pad, hit->t) & at_most(hit->t, hit->t_hi + pad);
+    sound &= less(all_lanes(LEAST_CHORD), half * r->t_unit);
     k->doubtful |= k->hit & ~sound;
     k->hit &= sound;
     hit->t = smaller(larger(hit->t, hit->t_lo), hit->t_hi);
     if (ends) narrow(job->surface, r, half, k, x[0], dot(gradient, r->direction), hit);
+    hit->t *= r->t_unit;
+    hit->t_lo *= r->t_unit;
+    hit->t_hi *= r->t_unit;
     make_unit(gradient);
     for (int i = 0; i < 3; i++) {
-        hit->position[i] = (x[0][i] + step * r->direction[i]) * unit;
+        hit->position[i] = (x[0][i] + step * r->direction[i]) * r->unit;
         hit->normal[i] = gradient[i];
     }
 }

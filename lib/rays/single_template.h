@@ -47,7 +47,7 @@ static double refine_single(const single_ray *s) {
     double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
     algsurf_refine_options how = *s->how;
     algsurf_root root = {.root = 0.5};
-    how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * width);
+    how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);
     if (how.method != ALGSURF_METHOD_DEFAULT ||
         algsurf_refine_poly(c, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
@@ -57,15 +57,15 @@ static double refine_single(const single_ray *s) {
 
 /* The hit where a method has stopped too far from the root for the last step. */
 static void hit_as_it_is(single_ray *s, lanes v, lanes_hit *hit) {
-    lanes x[PAIR][3], unit = all_lanes(ldexp(1, s->job->surface->unit)), low, normal[3];
-    hit->t = exact_sum(s->middle, s->half * v, &low);
+    lanes x[PAIR][3], low, normal[3];
+    lanes t = exact_sum(s->middle, s->half * v, &low);
     for (int i = 0; i < 3; i++)
-        x[0][i] = along(s->ray.origin[i], low * s->ray.direction[i], hit->t, s->ray.direction[i]);
+        x[0][i] = along(s->ray.origin[i], low * s->ray.direction[i], t, s->ray.direction[i]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
     make_unit(normal);
-    hit->t = smaller(larger(hit->t, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * unit, hit->normal[i] = normal[i];
+    hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
+    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = normal[i];
 }
 
 /* The bracket's hit; 0: it is undecided. */

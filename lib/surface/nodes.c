@@ -87,7 +87,7 @@ int algsurf_i_surface_set_tables(algsurf_surface *s) {
     s->node_degree = n;
     s->from_powers = s->tables;
     set_powers(s->from_powers, n);
-    s->most_reach = exp2(280.0 / (n < 20 ? 20 : n));
+    s->most_reach = exp2(280.0 / n);
     if (with_nodes) {
         s->to_bernstein = s->tables + side * side;
         s->nodes = s->to_bernstein + side * ALGSURF_NODE_STRIDE;
