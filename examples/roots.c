@@ -11,7 +11,7 @@ typedef struct roots_options {
     const char *extra; /* a plain argument, which this program does not take */
     roots_interval real;
     double tolerance;
-    int tsv;
+    int rounded, tsv;
 } roots_options;
 
 static void set_interval(const cli_option *option, const char *value, void *field) {
@@ -39,8 +39,13 @@ static const cli_option options_table[] = {
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
      "half width wanted of an enclosure with --real, default 0: as narrow as the\n"
-     "rounding of the polynomial's values allows; without --real it always is",
+     "rounding of the polynomial's values allows; without --real, or where\n"
+     "coefficients do not fit doubles, it always is",
      cli_set_tolerance, FIELD(tolerance)},
+    {"--coefficients", "exact|rounded",
+     "decimals are exact (default), or rounded to doubles: verified is then said\n"
+     "of the rounded polynomial",
+     cli_set_coefficients, FIELD(rounded)},
     {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
@@ -49,18 +54,20 @@ static const cli_program program = {
     .synopsis = "[options]",
     .about = "Reads polynomials from standard input, one a line, as coefficients p_0 p_1 ... p_n\n"
              "separated by blanks, each \"re\" or \"re,im\", decimal or hexadecimal, at most 513; '#'\n"
-             "starts a comment.  Prints all complex roots: an approximation, a box that encloses it,\n"
-             "how many roots the box holds, and whether that is proved.  Zeros at the end of a line\n"
-             "lower the degree: no root is at infinity.\n"
+             "starts a comment.  Numbers are exact, whatever their length and exponent, up to 9800\n"
+             "decimals from a line's first digit to its last.  Prints all complex roots: an\n"
+             "approximation, a box that is proved to enclose it, and how many roots the box holds: the\n"
+             "multiplicity of one, or a cluster of several.  Zeros at the end of a line lower the\n"
+             "degree: no root is at infinity.\n"
              "The columns of --format tsv: line, index, re, im, re_lo, re_hi, im_lo, im_hi,\n"
-             "multiplicity (- where it is not known), verified (1 or 0; for real roots 0 means:\n"
-             "maybe there is none); a bad line has the index \"error\", and '-' for what does not\n"
-             "exist.  Numbers read back exactly.",
+             "multiplicity, verified (1); a bad line has the index \"error\", and '-' for what does not\n"
+             "exist.  Roots are printed so that they read back exactly.",
     .options = options_table,
     .positional = offsetof(roots_options, extra),
     .examples = "echo '-4 0 3 0 1' | roots\n"
                 "echo '-4 0 3 0 1' | roots --real 0:inf --format tsv\n"
-                "echo '1,2 0 -3.5,0x1p-3' | roots",
+                "echo '1,2 0 -3.5,0x1p-3' | roots\n"
+                "echo '-0.6 1.1 -0.6 0.1' | roots",
 };
 
 /* What every line needs. */
@@ -79,22 +86,18 @@ static void print_columns(size_t line, const roots_row *rows, int count) {
                                    r->box.re.hi, r->box.im.lo, r->box.im.hi};
         printf("%zu\t%d", line, i + 1);
         for (int k = 0; k < 6; k++) printf("\t%.17g", numbers[k]);
-        if (r->multiplicity > 0)
-            printf("\t%d\t%d\n", r->multiplicity, r->verified);
-        else
-            printf("\t-\t%d\n", r->verified);
+        printf("\t%d\t1\n", r->multiplicity);
     }
 }
 
-static void print_root(int index, const roots_row *r) {
+static void print_root(int index, const roots_row *r, int rounded) {
     int real = r->box.im.lo == 0 && r->box.im.hi == 0;
     printf("%5d  %-7s  %.17g", index, real ? "real" : "complex", r->value.re);
     if (!real) printf(" %+.17g i", r->value.im);
     printf("   in [%.17g, %.17g]", r->box.re.lo, r->box.re.hi);
     if (!real) printf(" + [%.17g, %.17g] i", r->box.im.lo, r->box.im.hi);
     if (r->multiplicity > 1) printf(", %d roots", r->multiplicity);
-    if (r->multiplicity == 0 && r->verified) printf(", simple or multiple");
-    puts(r->verified ? ", verified" : ", not verified: maybe none");
+    puts(rounded ? ", verified for the rounded polynomial" : ", verified");
 }
 
 static void print_text(const run *r, size_t line, int count) {
@@ -102,7 +105,7 @@ static void print_text(const run *r, size_t line, int count) {
     printf("line %zu: degree %d", line, r->polynomial.degree);
     if (real->given) printf(", real roots in [%.17g, %.17g]", real->lo, real->hi);
     puts(count > 0 ? "" : ", no roots");
-    for (int i = 0; i < count; i++) print_root(i + 1, &r->rows[i]);
+    for (int i = 0; i < count; i++) print_root(i + 1, &r->rows[i], r->options.rounded);
 }
 
 static void print_error(const run *r, size_t line) {
@@ -125,7 +128,7 @@ static void take_line(run *r, cli_line *line) {
     if (fields == 0) return;
     if (fields < 0)
         cli_complain("line %zu: a NUL byte: not a text", line->number);
-    else if (roots_parse(line->number, field, fields, &r->polynomial))
+    else if (roots_parse(line->number, field, fields, r->options.rounded, &r->polynomial))
         count = solve(r, line->number);
     if (count < 0) {
         r->bad_lines++;
@@ -166,6 +169,7 @@ int main(int argc, char **argv) {
     take_lines(r);
     int bad_lines = r->bad_lines;
     algsurf_root_solver_free(r->solver);
+    free(r->polynomial.limbs);
     free(r);
     return bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

@@ -2,6 +2,7 @@
 #ifndef ROOTS_LINE_H
 #define ROOTS_LINE_H
 #include "cli.h"
+#include "roots_decimal.h"
 
 enum { ROOTS_MAX_FIELDS = ALGSURF_MAX_POLY_DEGREE + 1 };
 
@@ -10,21 +11,29 @@ typedef struct roots_interval {
     int given;
 } roots_interval;
 
+/* The polynomial of a line, times a positive number. */
 typedef struct roots_polynomial {
-    algsurf_complex c[ROOTS_MAX_FIELDS]; /* lowest degree first */
     int degree;                          /* without leading zeros */
+    int real;                            /* all imaginary parts are 0 */
+    algsurf_complex c[ROOTS_MAX_FIELDS]; /* lowest degree first */
+    double r[ROOTS_MAX_FIELDS];          /* how far c is off, */
+    int off;                             /* if it is: then a real polynomial is here, too: */
+    algsurf_integer integer[ROOTS_MAX_FIELDS];
+    roots_decimal part[2 * ROOTS_MAX_FIELDS]; /* as the line has it: re, im */
+    uint64_t *limbs;                          /* of the integers; to be freed */
+    size_t capacity;
 } roots_polynomial;
 
-/* A root or a cluster of roots, or a place that may hold some. */
+/* A root or a cluster of roots: the box is proved to hold so many. */
 typedef struct roots_row {
     algsurf_complex value;
     algsurf_cinterval box;
-    int multiplicity; /* 0: not known */
-    int verified;     /* the box is proved to hold exactly so many roots (a real one, if that is not known) */
+    int multiplicity;
 } roots_row;
 
-/* The polynomial in a line's `count` fields; 0 and a complaint when there is none. */
-int roots_parse(size_t line, char *const *field, int count, roots_polynomial *p);
+/* The polynomial in a line's `count` fields, exactly or with its numbers rounded to doubles; 0 and a
+ * complaint when there is none. */
+int roots_parse(size_t line, char *const *field, int count, int rounded, roots_polynomial *p);
 
 /* All complex roots: at most ALGSURF_MAX_POLY_DEGREE rows.  Returns their number, -1 after a complaint. */
 int roots_all(size_t line, algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows);

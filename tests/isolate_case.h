@@ -30,7 +30,7 @@ static inline int isolate_decided(const algsurf_bracket *b) { return b->kind != 
 
 static inline _Noreturn void isolate_fail(const char *what, const double *c, const double *r, int n,
                                           double lo, double hi, const isolate_answer *a) {
-    exact_print_doubles("c", c, n + 1);
+    if (c) exact_print_doubles("c", c, n + 1);
     if (r) exact_print_doubles("r", r, n + 1);
     for (int i = 0; i < a->count; i++)
         fprintf(stderr, "  kind %d sign %d multiplicity %d status %d [%a, %a]\n", a->b[i].kind, a->b[i].sign,
@@ -116,7 +116,8 @@ static inline const char *isolate_signs(const double *c, int n, const isolate_an
 
 /* Chains of p (number 0) and of the common divisors, until they are constant. */
 typedef struct isolate_chains {
-    int count;
+    mpz_t *p; /* without leading zeros */
+    int degree, count;
     exact_sturm s[ALGSURF_MAX_POLY_DEGREE + 1];
 } isolate_chains;
 
@@ -139,21 +140,33 @@ static inline int isolate_divisor(mpz_t *p, int n) {
     return da;
 }
 
-static inline void isolate_chains_of(const double *c, int n, isolate_chains *chains) {
-    mpz_t *p = malloc((size_t)(n + 1) * sizeof *p);
-    for (int k = 0; k <= n; k++) mpz_init(p[k]);
-    (void)exact_integers(p, c, n);
-    int degree = exact_degree(p, n);
-    for (chains->count = 0; degree > 0 || chains->count == 0; degree = isolate_divisor(p, degree)) {
-        chains->s[chains->count++] = exact_sturm_of(p, degree);
-        if (degree == 0) break;
-    }
-    for (int k = 0; k <= n; k++) mpz_clear(p[k]);
+static inline mpz_t *isolate_integers(int count) {
+    mpz_t *p = malloc((size_t)count * sizeof *p);
+    for (int k = 0; k < count; k++) mpz_init(p[k]);
+    return p;
+}
+
+static inline void isolate_integers_clear(mpz_t *p, int count) {
+    for (int k = 0; k < count; k++) mpz_clear(p[k]);
     free(p);
+}
+
+/* Of p, not zero. */
+static inline void isolate_chains_of(mpz_t *p, int n, isolate_chains *chains) {
+    mpz_t *q = isolate_integers(n + 1);
+    chains->degree = exact_degree(p, n);
+    chains->p = isolate_integers(chains->degree + 1);
+    for (int k = 0; k <= chains->degree; k++) mpz_set(chains->p[k], p[k]), mpz_set(q[k], p[k]);
+    chains->s[0] = exact_sturm_of(q, chains->degree);
+    chains->count = 1;
+    for (int degree = chains->degree; degree > 0 && (degree = isolate_divisor(q, degree)) > 0;)
+        chains->s[chains->count++] = exact_sturm_of(q, degree);
+    isolate_integers_clear(q, n + 1);
 }
 
 static inline void isolate_chains_clear(isolate_chains *chains) {
     for (int i = 0; i < chains->count; i++) exact_sturm_clear(chains->s + i);
+    isolate_integers_clear(chains->p, chains->degree + 1);
 }
 
 /* Roots in the open interval (lo,hi). */
@@ -163,16 +176,14 @@ static inline int isolate_between(const exact_sturm *s, double lo, double hi) {
 }
 
 /* The sign of p just after x: that of the first derivative which does not vanish there. */
-static inline int isolate_sign_after(const double *c, int n, double x) {
-    if (!isfinite(x)) return isolate_sign(c, n, x);
-    mpz_t *p = malloc((size_t)(n + 1) * sizeof *p);
-    int sign = 0;
-    for (int k = 0; k <= n; k++) mpz_init(p[k]);
-    (void)exact_integers(p, c, n);
+static inline int isolate_sign_after(const isolate_chains *chains, double x) {
+    int n = chains->degree, sign = 0;
+    if (!isfinite(x)) return exact_integers_sign(chains->p, n, x);
+    mpz_t *p = isolate_integers(n + 1);
+    for (int k = 0; k <= n; k++) mpz_set(p[k], chains->p[k]);
     for (int d = n; d >= 0 && (sign = exact_integers_sign(p, d, x)) == 0; d--)
         for (int k = 1; k <= d; k++) mpz_mul_ui(p[k - 1], p[k], (unsigned long)k);
-    for (int k = 0; k <= n; k++) mpz_clear(p[k]);
-    free(p);
+    isolate_integers_clear(p, n + 1);
     return sign;
 }
 
@@ -186,9 +197,9 @@ static inline const char *isolate_exact_entry(const isolate_chains *chains, cons
 }
 
 /* `count` entries with the same ends: as many roots between these. */
-static inline const char *isolate_brackets(const double *c, int n, const isolate_chains *chains,
-                                           const algsurf_bracket *b, int count) {
-    int all = 0, sum = 0, sign = isolate_sign_after(c, n, b->lo);
+static inline const char *isolate_brackets(const isolate_chains *chains, const algsurf_bracket *b,
+                                           int count) {
+    int all = 0, sum = 0, sign = isolate_sign_after(chains, b->lo);
     int neighbours = nextafter(b->lo, INFINITY) == b->hi;
     for (int i = 0; i < chains->count; i++) all += isolate_between(chains->s + i, b->lo, b->hi);
     for (int i = 0; i < count; i++) {
@@ -200,43 +211,105 @@ static inline const char *isolate_brackets(const double *c, int n, const isolate
     if (sum != all) return "multiplicity";
     if (neighbours) return NULL;
     if (count != 1 || b->multiplicity != 1) return "a wide bracket of a root that is multiple, or not alone";
-    if (isolate_sign(c, n, b->lo) != b->sign || isolate_sign(c, n, b->hi) != -b->sign)
+    if (exact_integers_sign(chains->p, chains->degree, b->lo) != b->sign ||
+        exact_integers_sign(chains->p, chains->degree, b->hi) != -b->sign)
         return "signs at the ends of a wide bracket";
     return NULL;
 }
 
 /* Each root of p in [lo,hi] has its entry. */
-static inline const char *isolate_decisions(const double *c, int n, double lo, double hi,
+static inline const char *isolate_decisions(const isolate_chains *chains, double lo, double hi,
                                             const isolate_answer *a) {
-    static isolate_chains chains;
     const char *wrong = NULL;
-    isolate_chains_of(c, n, &chains);
     for (int i = 0, next; !wrong && i < a->count; i = next) {
         for (next = i + 1; next < a->count && isolate_same_place(a->b + i, a->b + next);) next++;
         switch (a->b[i].kind) {
         case ALGSURF_ROOT_EXACT:
-            wrong = isolate_exact_entry(&chains, a->b + i);
+            wrong = isolate_exact_entry(chains, a->b + i);
             break;
         case ALGSURF_ROOT_BRACKET:
-            wrong = isolate_brackets(c, n, &chains, a->b + i, next - i);
+            wrong = isolate_brackets(chains, a->b + i, next - i);
             break;
         default:
             wrong = "undecided";
         }
     }
-    if (!wrong && exact_count_roots(chains.s, lo, hi) != a->count) wrong = "another number of roots";
-    isolate_chains_clear(&chains);
+    if (!wrong && exact_count_roots(chains->s, lo, hi) != a->count) wrong = "another number of roots";
     return wrong;
+}
+
+/* Real roots, refined, as the entries they are. */
+static inline const char *isolate_entries(const algsurf_real_root *roots, int count, isolate_answer *a) {
+    a->count = count;
+    for (int i = 0; i < count; i++) {
+        const algsurf_real_root *t = roots + i;
+        int exact = t->lo == t->hi;
+        if (!isfinite(t->value) || (t->value != t->lo && t->value != t->hi)) return "value of a root";
+        if (!exact && nextafter(t->lo, INFINITY) != t->hi) return "not neighbours";
+        if (t->sign * t->sign != 1) return "no sign";
+        if (i > 0 && !(t->lo >= t[-1].hi || (t->lo == t[-1].lo && t->hi == t[-1].hi))) return "out of order";
+        a->b[i] = (algsurf_bracket){.lo = t->lo,
+                                    .hi = t->hi,
+                                    .kind = exact ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET,
+                                    .sign = t->sign,
+                                    .multiplicity = t->multiplicity};
+    }
+    return NULL;
+}
+
+/* What algsurf_real_roots_integers says, with a leading zero where there is room, and that algsurf_real_roots
+ * says the same (c: null, or p times a power of two). */
+static inline const char *isolate_real_roots(const isolate_chains *chains, const double *c, double lo,
+                                             double hi, isolate_answer *a) {
+    static algsurf_integer z[ALGSURF_MAX_POLY_DEGREE + 1];
+    static algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE], same[ALGSURF_MAX_POLY_DEGREE];
+    int n = chains->degree, top = n < ALGSURF_MAX_POLY_DEGREE ? n + 1 : n, count = -1, again = -1;
+    z[top] = (algsurf_integer){NULL, 0};
+    for (int k = 0; k <= n; k++)
+        z[k] = (algsurf_integer){mpz_limbs_read(chains->p[k]),
+                                 mpz_sgn(chains->p[k]) * (int)mpz_size(chains->p[k])};
+    a->status = algsurf_real_roots_integers(z, top, lo, hi, roots, n, &count);
+    if (a->status != ALGSURF_OK) return "integers refused";
+    if (c && (algsurf_real_roots(c, n, lo, hi, same, n, &again) != ALGSURF_OK || again != count ||
+              memcmp(roots, same, (size_t)count * sizeof *roots) != 0))
+        return "other roots from doubles than from integers";
+    const char *wrong = isolate_entries(roots, count, a);
+    if (!wrong) wrong = isolate_decisions(chains, lo, hi, a);
+    for (int i = 0; !wrong && i < count; i++) {
+        int before = isolate_sign_after(chains, roots[i].lo) * (roots[i].multiplicity % 2 ? -1 : 1);
+        if (roots[i].lo == roots[i].hi && roots[i].sign != before) wrong = "sign before an exact root";
+    }
+    return wrong;
+}
+
+/* What algsurf_real_roots_integers says of p, not zero. */
+static inline void isolate_judge_integers(mpz_t *p, int n, double lo, double hi, isolate_answer *a) {
+    static isolate_chains chains;
+    memset(a, 0, sizeof *a);
+    isolate_chains_of(p, n, &chains);
+    const char *wrong = isolate_real_roots(&chains, NULL, lo, hi, a);
+    isolate_chains_clear(&chains);
+    if (!wrong) return;
+    for (int k = 0; k <= n; k++) gmp_fprintf(stderr, "p[%d] = %Zd\n", k, p[k]);
+    isolate_fail(wrong, NULL, NULL, n, lo, hi, a);
 }
 
 /* All of this for exact coefficients, not all zero; the answer is handed out for more questions. */
 static inline void isolate_judge(const double *c, int n, double lo, double hi, isolate_answer *a) {
+    static isolate_chains chains;
     memset(a, 0, sizeof *a);
     a->count = -1;
     a->status = algsurf_isolate_all(c, NULL, n, lo, hi, a->b, ALGSURF_MAX_POLY_DEGREE + 1, &a->count);
     if (a->status != ALGSURF_OK || a->count < 0) isolate_fail("refused", c, NULL, n, lo, hi, a);
     const char *wrong = isolate_form(c, NULL, n, lo, hi, a);
-    if (!wrong) wrong = isolate_decisions(c, n, lo, hi, a);
+    mpz_t *p = isolate_integers(n + 1);
+    (void)exact_integers(p, c, n);
+    isolate_chains_of(p, n, &chains);
+    if (!wrong) wrong = isolate_decisions(&chains, lo, hi, a);
+    static isolate_answer refined;
+    if (!wrong) wrong = isolate_real_roots(&chains, c, lo, hi, &refined);
+    isolate_chains_clear(&chains);
+    isolate_integers_clear(p, n + 1);
     if (wrong) isolate_fail(wrong, c, NULL, n, lo, hi, a);
 }
 

@@ -39,6 +39,8 @@ static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and
     SIZE(algsurf_real_root, 32),
     AT(algsurf_real_root, value, 0), AT(algsurf_real_root, lo, 8), AT(algsurf_real_root, hi, 16),
     AT(algsurf_real_root, multiplicity, 24), AT(algsurf_real_root, sign, 28),
+    SIZE(algsurf_integer, 16),
+    AT(algsurf_integer, limbs, 0), AT(algsurf_integer, length, 8),
     SIZE(algsurf_bracket, 32),
     AT(algsurf_bracket, lo, 0), AT(algsurf_bracket, hi, 8), AT(algsurf_bracket, kind, 16),
     AT(algsurf_bracket, sign, 20), AT(algsurf_bracket, multiplicity, 24), AT(algsurf_bracket, status, 28),
@@ -144,7 +146,7 @@ static const fact numbers[] = { /* those of algsurf_status are in test_status.c 
     NUMBER(ALGSURF_QUALITY_PREVIEW, 0), NUMBER(ALGSURF_QUALITY_STANDARD, 1),
     NUMBER(ALGSURF_QUALITY_FULL, 2),
     NUMBER(ALGSURF_COHERENCE_NONE, 0), NUMBER(ALGSURF_COHERENCE_NEIGHBOURS, 1),
-    NUMBER(ALGSURF_MAX_DEGREE, 64), NUMBER(ALGSURF_MAX_POLY_DEGREE, 512),
+    NUMBER(ALGSURF_MAX_DEGREE, 64), NUMBER(ALGSURF_MAX_POLY_DEGREE, 512), NUMBER(ALGSURF_MAX_LIMBS, 16384),
 };
 /* clang-format on */
 

@@ -23,6 +23,8 @@
  */
 #ifndef ALGSURF_ISOLATE_H
 #define ALGSURF_ISOLATE_H
+#include <stdint.h>
+
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
@@ -50,6 +52,24 @@ typedef struct algsurf_real_root {
  * multiplicities by greatest common divisors (Yun 1976).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
+
+/* An integer of any length, not owned.  Its sign is that of its length, as GMP keeps it: an mpz_t z with
+ * limbs of 64 bits is {mpz_limbs_read(z), mpz_sgn(z) * (int)mpz_size(z)}. */
+typedef struct algsurf_integer {
+    const uint64_t *limbs; /* the magnitude, least significant limb first; zeros may lead */
+    int length; /* how many, negated for a negative integer; 0: the integer 0, `limbs` may be null */
+} algsurf_integer;
+
+/* Largest number of limbs of a coefficient: 2^20 bits, 315,000 decimals. */
+#define ALGSURF_MAX_LIMBS 16384
+
+/* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
+ * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
+ * ones.  Cost: as above for short coefficients; 15 microseconds for degree 8 and 1000 bits.
+ * Since 1.0. */
+ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
+                                                       double hi, algsurf_real_root *roots, int capacity,
+                                                       int *count);
 
 /* What is known of a place. */
 typedef enum algsurf_root_kind {

@@ -1,7 +1,10 @@
-/* decide.c - from doubles to integers, and the walks of exact.c and exact_radii.c over them. */
+/* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact.c and exact_radii.c
+ * over them. */
 #include "decide.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "exact.h"
 #include "exact_radii.h"
@@ -28,22 +31,45 @@ static int unit_of(double lo, double hi) {
     return isfinite(lo) && isfinite(hi) ? algsurf_exact_piece_of(lo, hi).unit : 0;
 }
 
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
-                                      algsurf_real_root *roots, int capacity, int *count, int *cells) {
+static int from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p) {
+    int longest = 0;
+    for (int k = 0; k <= degree; k++)
+        if (abs(c[k].length) > longest) longest = abs(c[k].length);
+    if (!algsurf_zpoly_new(m, degree, longest + 1, p)) return 0;
+    for (int k = 0; k <= degree; k++) {
+        algsurf_limb *a = algsurf_zpoly_at(p, k);
+        if (c[k].length) memcpy(a, c[k].limbs, (size_t)abs(c[k].length) * sizeof *a);
+        if (c[k].length < 0) algsurf_z_negate(a, p->width);
+    }
+    algsurf_zpoly_compact(p);
+    return 1;
+}
+
+/* The first `most` roots of a polynomial from doubles c or, if that is null, from integers z. */
+static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
+                             int most, algsurf_real_root *roots, int *count, int *cells) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
-    int unit = unit_of(lo, hi);
+    int unit = c ? unit_of(lo, hi) : 0;
     *count = 0;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (algsurf_exact_from_doubles(&memory, c, degree, unit, &p))
-        status = p.degree < 1
-                     ? ALGSURF_OK
-                     : walk(&memory, &p, unit, lo, hi, first_only ? 1 : capacity, roots, count, cells);
+    if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p) : from_integers(&memory, z, degree, &p))
+        status = p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, most, roots, count, cells);
     algsurf_memory_release(&memory, begin);
     return status;
+}
+
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
+                                      algsurf_real_root *roots, int capacity, int *count, int *cells) {
+    return decide(c, NULL, degree, lo, hi, first_only ? 1 : capacity, roots, count, cells);
+}
+
+algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
+                                         algsurf_real_root *roots, int capacity, int *count) {
+    return decide(NULL, c, degree, lo, hi, capacity, roots, count, NULL);
 }
 
 /* ---- radii ---- */

@@ -1,4 +1,4 @@
-/* decide.h - the real roots of a polynomial given as doubles, by integers. */
+/* decide.h - the real roots of a polynomial given as doubles or integers, by integers. */
 #ifndef ALGSURF_DECIDE_H
 #define ALGSURF_DECIDE_H
 #include <stddef.h>
@@ -15,6 +15,10 @@
  * 20 KiB. */
 algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
                                       algsurf_real_root *roots, int capacity, int *count, int *cells);
+
+/* The same for integer coefficients. */
+algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
+                                         algsurf_real_root *roots, int capacity, int *count);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
  * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or

@@ -1,27 +1,50 @@
-/* real_roots.c - all real roots of a polynomial, refined, with their multiplicities: the public call. */
+/* real_roots.c - all real roots of a polynomial, refined, with their multiplicities: the public calls. */
 #include <math.h>
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../base/integer.h"
 #include "algsurf/isolate.h"
 #include "decide.h"
 
-static algsurf_status check(const double *c, int degree, double lo, double hi) {
+/* The real roots in [lo,hi] of a polynomial from doubles c or, if that is null, from integers z. */
+typedef struct question {
+    const double *c;
+    const algsurf_integer *z;
+    int degree;
+    double lo, hi;
+} question;
+
+static algsurf_status check_doubles(const question *q) {
     int zero = 1;
-    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !(lo <= hi)) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; k <= degree; k++) {
-        if (!isfinite(c[k])) return ALGSURF_E_NOT_FINITE;
-        zero = zero && c[k] == 0;
+    for (int k = 0; k <= q->degree; k++) {
+        if (!isfinite(q->c[k])) return ALGSURF_E_NOT_FINITE;
+        zero = zero && q->c[k] == 0;
     }
     return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
 }
 
-static ALGSURF_NOINLINE algsurf_status find(const double *c, int degree, double lo, double hi,
-                                            algsurf_real_root *roots, int capacity, int *count) {
+static algsurf_status check_integers(const question *q) {
+    int zero = 1;
+    for (int k = 0; k <= q->degree; k++) {
+        const algsurf_integer *z = q->z + k;
+        if (z->length < -ALGSURF_MAX_LIMBS || z->length > ALGSURF_MAX_LIMBS) return ALGSURF_E_ARGUMENT;
+        if (z->length && !z->limbs) return ALGSURF_E_ARGUMENT;
+        zero = zero && algsurf_z_length(z->limbs, z->length < 0 ? -z->length : z->length) == 0;
+    }
+    return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
+}
+
+static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root *roots, int capacity,
+                                            int *count) {
     algsurf_real_root found[ALGSURF_MAX_POLY_DEGREE];
     int n = 0;
-    algsurf_status status = check(c, degree, lo, hi);
-    if (status == ALGSURF_OK) status = algsurf_i_decide_roots(c, degree, lo, hi, 0, found, degree, &n, NULL);
+    if ((!q->c && !q->z) || q->degree < 0 || q->degree > ALGSURF_MAX_POLY_DEGREE || !(q->lo <= q->hi))
+        return ALGSURF_E_ARGUMENT;
+    algsurf_status status = q->c ? check_doubles(q) : check_integers(q);
+    if (status == ALGSURF_OK)
+        status = q->c ? algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 0, found, q->degree, &n, NULL)
+                      : algsurf_i_decide_integers(q->z, q->degree, q->lo, q->hi, found, q->degree, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(roots, found, (size_t)n * sizeof *roots);
@@ -29,12 +52,23 @@ static ALGSURF_NOINLINE algsurf_status find(const double *c, int degree, double 
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi, algsurf_real_root *roots,
-                                  int capacity, int *count) {
+static algsurf_status answer(const question *q, algsurf_real_root *roots, int capacity, int *count) {
     if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find(c, degree, lo, hi, roots, capacity, count);
+    algsurf_status status = find(q, roots, capacity, count);
     algsurf_fpenv_leave(&saved);
     return status;
+}
+
+algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi, algsurf_real_root *roots,
+                                  int capacity, int *count) {
+    const question q = {c, NULL, degree, lo, hi};
+    return answer(&q, roots, capacity, count);
+}
+
+algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo, double hi,
+                                           algsurf_real_root *roots, int capacity, int *count) {
+    const question q = {NULL, c, degree, lo, hi};
+    return answer(&q, roots, capacity, count);
 }
