@@ -7,12 +7,13 @@
  * radius; what is said of the root that is seen is compared with all roots.
  *
  * Breaks tried, each caught by the test named:
- *   the factor n left out of the radius; the spread left out; 3 for 2^-3 in the proof of disjointness
- *                                                                              discs_hold_their_roots
- *   the guard for small products of distances left out                         wild_ones_are_left
- *   a rival overlooked, an edge of the sector taken for the other one, a twin taken for any root
- *                                                                              seen_root
- *   a lane that moves on when it is done                                       lanes_do_not_mix
+ *   n or the spread left out of the radius, 3 for 2^-3 in the proof of disjointness    discs_hold_their_roots
+ *   the guards of the coefficients left out                                            wild_ones_are_left
+ *   one edge of the sector taken for the other one                                     seen_root
+ *   a rival overlooked                                                                 equal_magnitudes
+ *   a twin taken for any root                                                          two_mirrors
+ *   a lane that moves on when it is done                                               lanes_do_not_mix
+ *   the last step without doubled precision                                            settled_alike
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -353,6 +354,25 @@ static void equal_magnitudes(void **state) {
     assert_int_equal(bits(s.one), 2);
 }
 
+/* A disc whose mirror image meets two others: whose the conjugate is stays open.  With one of them moved
+ * away, the other holds it. */
+static void two_mirrors(void **state) {
+    const algsurf_sector whole = {0, 3.141592653589793};
+    algsurf_i_sector_edges edges;
+    (void)state;
+    assert_true(algsurf_i_sector_edges_of(&whole, &edges));
+    const polynomials q = {.real = 1};
+    const window w = {&edges, 0, all_lanes(0.1), all_lanes(100), all_lanes(0)};
+    roots r = {.x = {all_lanes(3), all_lanes(3.02), all_lanes(2.99)},
+               .y = {all_lanes(1), all_lanes(-1), all_lanes(-1.02)},
+               .radius = {all_lanes(0.05), all_lanes(0.01), all_lanes(0.001)},
+               .apart = at_most(all_lanes(0), all_lanes(0))};
+    r.x[2][1] = 20;
+    seen s = find_seen(&q, 3, &r, &w);
+    assert_int_equal(bits(s.undecided), 1);
+    assert_int_equal(bits(s.one), 2);
+}
+
 /* A lane's bits are the same whoever its neighbours are. */
 static void lanes_do_not_mix(void **state) {
     (void)state;
@@ -409,6 +429,7 @@ int main(void) {
         cmocka_unit_test(wild_ones_are_left),
         cmocka_unit_test(seen_root),
         cmocka_unit_test(equal_magnitudes),
+        cmocka_unit_test(two_mirrors),
         cmocka_unit_test(lanes_do_not_mix),
         cmocka_unit_test(settled_alike),
     };

@@ -8,10 +8,10 @@
  *
  * Error.  What is computed of q_ijk x^i y^j z^k is off by at most so much of |q_ijk| x^i y^j |z|^k
  * (surface/view.c), where x, y are bounds for |z| <= 1.  For |z| >= 1 they grow as |z|, i + j + k <= n, and
- * so the error is at most R max(1,|z|)^n, R the row's radius at the pixel.  The distance of a pixel's ray
- * from the line computed with is linear in w; being at most N at z = -1 and z = 1, it is at most 2 N
- * max(1,|z|) for complex z, and the rounding of L adds less than N: the view's noise is four times as large
- * in complex space.
+ * so the error is at most R max(1,|z|)^n, R the row's radius at the pixel.  A pixel's ray differs from the
+ * line computed with by a vector that is linear in w.  At z = -1 and z = 1 each part of it is at most the
+ * view's noise, and as much again with the rounding of L; so for complex z it is at most 4 noise max(1,|z|):
+ * in complex space the view's noise is four times as large.
  *
  * Doubt.  Lanes that the first discs leave undecided go on for as long as that helps.  What is undecided then
  * is left to the single ray.
