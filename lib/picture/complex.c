@@ -73,8 +73,8 @@ void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int be
     worker->trail.row = row;
 }
 
-algsurf_status algsurf_i_complex_single(const algsurf_i_picture *picture, int x, double sx, double y,
-                                        algsurf_i_line *line, algsurf_i_tally *tally) {
+static algsurf_status solve_alone(const algsurf_i_picture *picture, int x, double sx, double y,
+                                  algsurf_i_line *line, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
     algsurf_ray ray;
     algsurf_hit hit;
@@ -87,4 +87,15 @@ algsurf_status algsurf_i_complex_single(const algsurf_i_picture *picture, int x,
     tally->single_rays++;
     algsurf_i_line_add(line, x, &ray, &hit, tally);
     return ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                          int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+    algsurf_status status = ALGSURF_OK;
+    for (int x = begin; x < end && status == ALGSURF_OK; x++) {
+        if (line->state[x] != ALGSURF_LANE_DOUBTFUL) continue;
+        if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
+        status = solve_alone(picture, x, sx, y, line, tally);
+    }
+    return status;
 }

@@ -24,8 +24,7 @@
 #include "points_template.h"
 #include "row_template.h"
 
-#define OFF_AXIS                                                                                             \
-    0x1p-10 /* two real roots that become a pair need a start off the axis: a fraction of a pixel */
+#define OFF_AXIS 0x1p-10 /* a fraction of a pixel: real roots that become a pair have to leave the axis */
 #define MARGIN_OF_ENDS 0x1p-44 /* of the distance from the eye: where a single ray may clip otherwise */
 #define EITHER_SIDE 0x1p-30    /* rays/complex.c */
 

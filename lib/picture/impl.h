@@ -63,8 +63,9 @@ typedef struct algsurf_i_trail {
     int row; /* whose they are; -1: of no use */
 } algsurf_i_trail;
 
-#define ALGSURF_I_BAND 16 /* rows: one in so many begins without roots from above; they are drawn together   \
-                           */
+#define ALGSURF_I_BAND                                                                                       \
+    16 /* rows: one in so many begins without roots from above; they are drawn together                      \
+        */
 
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
@@ -173,9 +174,9 @@ void algsurf_i_complex_begin_row(const algsurf_i_picture *picture, int row, algs
 void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int begin, int end,
                                algsurf_i_worker *worker);
 
-/* The single ray of pixel x in complex space: its hit goes to the line. */
-algsurf_status algsurf_i_complex_single(const algsurf_i_picture *picture, int x, double sx, double y,
-                                        algsurf_i_line *line, algsurf_i_tally *tally);
+/* The doubtful pixels of a row in complex space, ray by ray: their points go to the line. */
+algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                          int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
 /* Sets light_samples.first; then light_samples.place, for which there is room. */
 void algsurf_i_count_samples(algsurf_i_picture *picture);

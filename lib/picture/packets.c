@@ -137,12 +137,10 @@ static algsurf_status solve_doubtful(const algsurf_i_picture *picture, double y,
     const algsurf_scene *scene = picture->scene;
     doubtful_pixels d = {.count = 0};
     algsurf_status status = ALGSURF_OK;
+    if (scene->complex) return algsurf_i_complex_doubtful(picture, y, sx, begin, end, line, tally);
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
-        if (line->state[x] == ALGSURF_LANE_DOUBTFUL && scene->complex) {
-            if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
-            status = algsurf_i_complex_single(picture, x, sx, y, line, tally);
-        } else if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
+        if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
             algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
             add_pixel(&d, x, &ray);
         }
