@@ -47,9 +47,8 @@
 #define UNDERFLOW 0x1p-550
 #include "powers_template.h"
 
-#define SPLITTER 0x1.0000002p27 /* 2^27 + 1 */
-#define FARTHEST 0x1p100        /* origin, in natural units */
-#define LEAST_UNIT 0x1p-800     /* of the caller's t: ours is below 2^141, so no t overflows */
+#define FARTHEST 0x1p100    /* origin, in natural units */
+#define LEAST_UNIT 0x1p-800 /* of the caller's t: ours is below 2^141, so no t overflows */
 #define MOST_UNIT 0x1p800
 #define LEAST_CHORD 0x1p-900      /* half of it, in the caller's t */
 #define FARTHEST_ORIGIN 0x1p40    /* in radii of the extent: beyond, double-double is not enough */
@@ -69,21 +68,6 @@ typedef struct ray_lanes {
     lanes off;       /* how far another computation may place them */
     mask open, doubtful;
 } ray_lanes;
-
-/* a + *low is exactly a + b. */
-INLINE lanes exact_sum(lanes a, lanes b, lanes *low) {
-    lanes s = a + b, t = s - a;
-    *low = (a - (s - t)) + (b - t);
-    return s;
-}
-
-/* The same for products (Dekker, Veltkamp). */
-INLINE lanes exact_product(lanes a, lanes b, lanes *low) {
-    lanes p = a * b, ta = SPLITTER * a, tb = SPLITTER * b;
-    lanes a_hi = ta - (ta - a), a_lo = a - a_hi, b_hi = tb - (tb - b), b_lo = b - b_hi;
-    *low = ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
-    return p;
-}
 
 /* x + low + t d, rounded once but for a part 2^-100 of the terms. */
 INLINE lanes along(lanes x, lanes low, lanes t, lanes d) {
