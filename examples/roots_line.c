@@ -4,8 +4,7 @@
  * doubles, doubles it is.  Where not, real roots are those of the integers, and complex ones those of all
  * polynomials as near to the doubles as the integers are.
  *
- * From doubles, the real roots are isolated, with proof, and refined, without: the refined bracket's ends are
- * then moved outward until the signs there are certain, so that what is printed as verified is. */
+ * From doubles, the real roots are isolated and refined, with proof. */
 #include "roots_line.h"
 
 #include <float.h>
@@ -155,43 +154,12 @@ int roots_all(size_t line, algsurf_root_solver *solver, const roots_polynomial *
     return count;
 }
 
-/* The sign of sum c_k t^k where it is certain, else 0. */
-static int certain_sign(const double *c, const double *r, int degree, double t) {
-    double value, bound;
-    if (algsurf_poly_eval_compensated(c, r, degree, t, &value, &bound) != ALGSURF_OK) return 0;
-    return (value > bound) - (value < -bound);
-}
-
-/* From a refined end outward to the bracket's own end, in steps that double, until p has that sign. */
-static double certain_end(const double *c, int degree, double from, double limit, int sign) {
-    double step = fabs(limit - from) * DBL_EPSILON, least = 2 * DBL_EPSILON * fabs(from) + DBL_MIN;
-    int side = limit < from ? -1 : 1;
-    step = fmax(fmin(step, least), DBL_TRUE_MIN);
-    for (double t = from; side * t < side * limit; t += side * step, step *= 2)
-        if (certain_sign(c, NULL, degree, t) == sign) return t;
-    return limit;
-}
-
-/* Between neighbouring doubles: nothing to refine; one of them is infinite beyond the range of double. */
-static roots_row narrow(const algsurf_bracket *b) {
-    double value = isfinite(b->lo) ? b->lo : b->hi;
-    return (roots_row){{value, 0}, {{b->lo, b->hi}, {0, 0}}, b->multiplicity};
-}
-
 /* A bracket made narrow. */
 static roots_row refined(const double *c, int degree, const algsurf_bracket *b, double tolerance) {
     const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
-    algsurf_interval re = {b->lo, b->hi};
     algsurf_root root;
-    if (nextafter(b->lo, b->hi) == b->hi) return narrow(b);
-    if (algsurf_refine_poly(c, degree, b->lo, b->hi, &options, &root) == ALGSURF_OK) {
-        if (root.value == 0) root.lo = root.hi = root.root;
-        re = (algsurf_interval){certain_end(c, degree, root.lo, b->lo, b->sign),
-                                certain_end(c, degree, root.hi, b->hi, -b->sign)};
-    } else {
-        root.root = algsurf_interval_mid(re);
-    }
-    return (roots_row){{root.root, 0}, {re, {0, 0}}, b->multiplicity};
+    if (algsurf_refine_poly(c, degree, b->lo, b->hi, &options, &root) == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    return (roots_row){{root.root, 0}, {{root.lo, root.hi}, {0, 0}}, b->multiplicity};
 }
 
 static roots_row exact(const algsurf_bracket *b) {

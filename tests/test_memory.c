@@ -366,7 +366,8 @@ static void test_certified_picture(void **state) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL),
+                     ALGSURF_OK);
     assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(stage, &extent), ALGSURF_OK);
     assert_int_equal(draw_small(&small_reference), ALGSURF_OK);
@@ -378,7 +379,8 @@ static void test_certified_picture(void **state) {
     static small_picture p;
     assert_int_equal(algsurf_scene_set_intersect(stage, &poor), ALGSURF_OK);
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
-    assert_true(p.stats.rays == small_reference.stats.rays && p.stats.uncertain > 0 && p.pixels[0][0] != 0xa5);
+    assert_true(p.stats.rays == small_reference.stats.rays && p.stats.uncertain > 0 &&
+                p.pixels[0][0] != 0xa5);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
 }
@@ -392,6 +394,23 @@ static void test_surface(void **state) {
 static void test_root_solver(void **state) {
     (void)state;
     assert_true(refuse_each(root_solver) > 0);
+}
+
+/* x^40 - x^39 + 2^-1000 x^38 underflows at the lower end. */
+static algsurf_status refine(void) {
+    const double c[41] = {[38] = 0x1p-1000, [39] = -1, [40] = 1};
+    algsurf_root root = {.root = 7};
+    algsurf_status status = algsurf_refine_poly(c, 40, 0x1p-990, 2, NULL, &root);
+    if (status == ALGSURF_OK)
+        assert_true(root.lo == 1 - 0x1p-53 && root.hi == 1);
+    else
+        assert_true(root.root == 7);
+    return status;
+}
+
+static void test_refine(void **state) {
+    (void)state;
+    assert_true(refuse_each(refine) > 0);
 }
 
 static void test_scene_and_render(void **state) {
@@ -461,9 +480,9 @@ static void test_threads(void **state) {
 int main(void) {
     atomic_store(&until_failure, -1);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface),          cmocka_unit_test(test_root_solver),
-        cmocka_unit_test(test_scene_and_render), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_doubtful_rays),
-        cmocka_unit_test(test_certified_picture)};
+        cmocka_unit_test(test_surface),       cmocka_unit_test(test_root_solver),
+        cmocka_unit_test(test_refine),        cmocka_unit_test(test_scene_and_render),
+        cmocka_unit_test(test_threads),       cmocka_unit_test(test_complex_space),
+        cmocka_unit_test(test_doubtful_rays), cmocka_unit_test(test_certified_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,7 +22,7 @@
 #include "algsurf/refine.h"
 
 #define SEED 11u
-#define NEWTON_POINTS 395 /* 393 (refine_newton.c) and the two ends */
+#define NEWTON_POINTS 248 /* 246 (newton.c) and the two ends */
 static const algsurf_method methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT,
                                          ALGSURF_METHOD_BISECTION, ALGSURF_METHOD_REGULA_FALSI};
 
@@ -384,12 +384,12 @@ static void test_newton_is_bounded(void **state) {
         algsurf_status status = algsurf_refine_poly(c, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
         if (status == ALGSURF_E_ARGUMENT) continue; /* no sign change */
         assert_int_equal(status, ALGSURF_OK);
-        int narrow = r.value == 0 || r.hi - r.lo <= 2 * half_width(0, r.root);
+        int narrow = nextafter(nextafter(r.lo, INFINITY), INFINITY) >= r.hi;
         if (!narrow || r.evaluations > NEWTON_POINTS)
             fail_poly("not closed", c, n, ALGSURF_METHOD_DEFAULT, &r);
         done++, points += r.evaluations;
     }
-    assert_true(done > 1000 && points < 44 * done); /* 45.9 when steps are not lengthened */
+    assert_true(done > 1000 && points < 22 * done); /* 51 when steps are not lengthened */
 }
 
 static void test_extreme_polynomials(void **state) {
@@ -564,14 +564,17 @@ static double horner(const double *c, int n, double x) {
 
 /* What a record says is what happened: the ends, the points, their values, the bracket they leave. */
 static void check_record(const record *seen, const double *c, int n, double lo, double hi,
-                         const algsurf_root *r) {
+                         algsurf_method method, const algsurf_root *r) {
     double left = lo, right = hi;
     int found = 0;
     assert_int_equal(seen->calls, r->evaluations);
     assert_true(seen->x[0] == lo && seen->x[1] == hi);
     for (int i = 0; i < seen->calls; i++) {
         double x = seen->x[i];
-        assert_true(seen->value[i] == horner(c, n, x));
+        if (method != ALGSURF_METHOD_DEFAULT)
+            assert_true(seen->value[i] == horner(c, n, x));
+        else
+            assert_int_equal(sign_of(seen->value[i]), exact_poly_sign(c, n, x));
         assert_true(lo <= x && x <= hi);
         found |= x == r->root && seen->value[i] == r->value;
         if (i < 2) continue;
@@ -609,7 +612,7 @@ static void test_observer(void **state) {
             fesetround(FE_TONEAREST);
             assert_int_equal(observed, status);
             assert_memory_equal(&r, &plain, sizeof r);
-            check_record(&seen, c, 5, lo, hi, &r);
+            check_record(&seen, c, 5, lo, hi, methods[m], &r);
         }
     }
     assert_true(polynomials > 50);

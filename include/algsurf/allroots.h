@@ -37,7 +37,7 @@ typedef struct algsurf_enclosure {
  * A multiple root of such a polynomial (all imaginary parts and all radii 0) comes alone in its box, mostly a
  * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
  * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
- * cluster, in a wider box.
+ * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_DEGREE, negative radius), E_NOT_FINITE, E_ZERO,
  * E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its radius).
  * Cost: O(degree^2) times some 10 iterations; about 50 KiB of stack.  No allocation, unless a real polynomial

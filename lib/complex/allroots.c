@@ -69,7 +69,7 @@ static void outermost(const algsurf_i_input *in, double *least, double *largest)
 
 /* The first and the last coefficient balance.  Where an extreme root would then come near the limits of
  * double, the extreme roots do; and when their exponents are too far apart for that, the largest gets the
- * largest start value there is (below 2^1000): a small root out of reach is one box about 0, a large one
+ * largest start value there is (below 2^1010): a small root out of reach is one box about 0, a large one
  * spoils them all. */
 int algsurf_i_roots_unit(const algsurf_i_input *in) {
     int n = in->high - in->low;
@@ -77,8 +77,9 @@ int algsurf_i_roots_unit(const algsurf_i_input *in) {
     double unit = (double)(ilogb(extent(in, 0)) - ilogb(extent(in, n))) / n, least,
            largest; /* neither is 0 */
     outermost(in, &least, &largest);
-    return (int)lround(
-        unit - least < 900 && largest - unit < 900 ? unit : fmax(0.5 * least + 0.5 * largest, largest - 990));
+    return (int)lround(unit - least < 900 && largest - unit < 900
+                           ? unit
+                           : fmax(0.5 * least + 0.5 * largest, largest - 1010));
 }
 
 /* The unit of the variable.  Narrow, if no coefficient then falls 2^500 below the largest, whose exponent is

@@ -34,6 +34,7 @@ static algsurf_cpoly_zero finish(const algsurf_complex *p, const double *r, int 
     algsurf_complex q[ALGSURF_MAX_POLY_DEGREE];
     algsurf_cpoly_zero zero;
     zero.converged = algsurf_i_approximation(p, n, near, options, &zero.value, q, &zero.steps) == ALGSURF_OK;
+    zero.value = (algsurf_complex){zero.value.re + 0.0, zero.value.im + 0.0}; /* no -0 */
     zero.unique = 0;
     zero.verified = algsurf_i_interval_iteration(p, r, n, zero.value, q, options, &zero.box, NULL,
                                                  &zero.unique, &zero.inflations) == ALGSURF_OK;

@@ -21,7 +21,7 @@
 
 algsurf_i_local algsurf_i_in_unit_of(algsurf_i_roots *p, double x, double y) {
     if (p->narrow) return (algsurf_i_local){p->cr, p->ci, p->size, p->radius, 0, 0};
-    int unit = ilogb(fmin(fmax(fmax(fabs(x), fabs(y)), 0x1p-1000), 0x1p1000)), common = -0x7fffffff, n = p->n;
+    int unit = ilogb(fmin(fmax(fmax(fabs(x), fabs(y)), 0x1p-1010), 0x1p1010)), common = -0x7fffffff, n = p->n;
     for (int k = 0; k <= n; k++)
         if (p->size[k] > 0 && ilogb(p->size[k]) + p->shift[k] + k * unit > common)
             common = ilogb(p->size[k]) + p->shift[k] + k * unit;
@@ -52,7 +52,7 @@ void algsurf_i_roots_start(algsurf_i_roots *p) {
         int from = corner[e - 1], m = corner[e] - from;
         double slope = (height[from] - height[corner[e]]) / m;
         if (!(fabs(slope) < limit)) p->narrow = 0;
-        double rho = exp2(fmin(fmax(slope, -1000), 1000));
+        double rho = exp2(fmin(fmax(slope, -1010), 1010));
         p->reach = fmax(p->reach, rho);
         for (int j = 0; j < m; j++, i++) {
             double angle = turn * ((double)j / m + golden * e + 0.11);

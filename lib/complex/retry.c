@@ -8,12 +8,14 @@
  * double-doubles is off by 7 u^2, a sum by 3 u^2, so each part of s z by 10 u^2 |s| |z|, the number by
  * 15 u^2 |s| |z| (sqrt 2, higher orders); adding c costs 2 u^2 of each part.  Earlier errors are multiplied
  * by z along.  Where partial sums cancel this is far below the bound by sum |c_k| |z|^k. */
+#include <float.h>
 #include <math.h>
 
 #include "impl.h"
 
-#define MOVED 2   /* done[i] of a root that was retried */
-#define SWEEPS 40 /* linear convergence at a multiple root: a factor of (k-1)/(k+1) a sweep */
+#define MOVED 2                 /* done[i] of a root that was retried */
+#define SWEEPS 40               /* linear convergence at a multiple root: a factor of (k-1)/(k+1) a sweep */
+#define TURN 2.3999632297286535 /* the golden part of a full turn, in radians */
 
 typedef struct complex_dd {
     algsurf_dd re, im;
@@ -88,6 +90,8 @@ static void attraction(const algsurf_i_roots *p, int i, double scale, double *sr
     }
 }
 
+static int is_tiny(double x, double y) { return fmax(fabs(x), fabs(y)) < DBL_MIN; }
+
 /* One correction; returns 1 when it was below what can be told. */
 static int correct(algsurf_i_roots *p, int i) {
     value v = evaluate(p, i);
@@ -99,6 +103,7 @@ static int correct(algsurf_i_roots *p, int i) {
     double xr = -(pr * qr + pi * qi) / q, xi = -(pi * qr - pr * qi) / q;
     if (!isfinite(xr) || !isfinite(xi)) return 1;
     algsurf_dd x = algsurf_dd_add_d(v.z.re, xr), y = algsurf_dd_add_d(v.z.im, xi);
+    if (is_tiny(x.hi / v.scale, y.hi / v.scale)) return 1; /* out of reach */
     p->x[i] = x.hi / v.scale;
     p->xl[i] = x.lo / v.scale;
     p->y[i] = y.hi / v.scale;
@@ -111,7 +116,7 @@ static int correct(algsurf_i_roots *p, int i) {
 static void disperse(algsurf_i_roots *p) {
     for (int i = 0; i < p->n; i++) {
         if (p->done[i]) continue;
-        double size = fabs(p->x[i]) + fabs(p->y[i]), angle = 1 + 2.3999632297286535 * i;
+        double size = fabs(p->x[i]) + fabs(p->y[i]), angle = 1 + TURN * i;
         for (int j = 0; j < i; j++) {
             if (fabs(p->x[i] - p->x[j]) + fabs(p->y[i] - p->y[j]) > 0x1p-40 * size) continue;
             p->x[i] += 0x1p-38 * size * cos(angle);
@@ -122,7 +127,24 @@ static void disperse(algsurf_i_roots *p) {
     }
 }
 
+/* Roots that are too small for this unit have no digits to iterate with, and as several approximations 0 they
+ * would have no discs and take all others along.  From a small circle, each in its own direction, or from 0
+ * if there is but one, discs enclose them. */
+static void settle_tiny(algsurf_i_roots *p) {
+    int tiny = 0;
+    for (int i = 0; i < p->n; i++) tiny += !p->done[i] && is_tiny(p->x[i], p->y[i]);
+    double radius = tiny > 1 ? 0x1p-1040 : 0; /* still with 34 bits */
+    for (int i = 0; i < p->n; i++) {
+        if (p->done[i] || !is_tiny(p->x[i], p->y[i])) continue;
+        p->done[i] = MOVED;
+        p->x[i] = radius * cos(TURN * i + 0.7);
+        p->y[i] = radius * sin(TURN * i + 0.7);
+        p->xl[i] = p->yl[i] = 0;
+    }
+}
+
 void algsurf_i_roots_retry(algsurf_i_roots *p) {
+    settle_tiny(p);
     disperse(p);
     for (int i = 0; i < p->n; i++) p->retries += !p->done[i];
     for (int sweep = 0, left = 1; sweep < SWEEPS && left; sweep++) {

@@ -15,6 +15,7 @@
 #include "algsurf/poly.h"
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "value.h"
 
 #define RAISE (1.0 + 0x1p-39) /* (1 - u)^-(12 * 512) < 1 + 2^-40, and once more for its own rounding */
 
@@ -35,10 +36,6 @@ static int highest(const double *c, const double *r, int degree) {
     return degree;
 }
 
-typedef struct {
-    double value, bound;
-} bounded;
-
 /* A finished bound: NaN, from 0 * inf or inf - inf, can only follow an overflow. */
 static double raised(double bound) {
     bound = bound * RAISE + 0x1p-1074;
@@ -48,7 +45,7 @@ static double raised(double bound) {
 /* Horner: y <- fl(fl(y t) + c_i).  The error grows as |E| <- |t| |E| + u |product| + u |sum| + r_i + 2^-1075;
  * the bound's own two products may lose 2^-1075 each: 2^-1073 covers the three.  An infinite y makes the
  * bound infinite and, t being neither 0 nor NaN then, stays infinite. */
-static bounded horner(const double *c, const double *r, int degree, double t) {
+static algsurf_i_bounded horner(const double *c, const double *r, int degree, double t) {
     double y = c[degree], size = fabs(t), bound = r ? r[degree] : 0.0;
     for (int i = degree - 1; i >= 0; i--) {
         double product = y * t;
@@ -56,7 +53,7 @@ static bounded horner(const double *c, const double *r, int degree, double t) {
         bound = size * bound + (ALGSURF_U * (fabs(product) + fabs(y)) + 0x1p-1073);
         if (r) bound += r[i];
     }
-    return (bounded){y, raised(bound)};
+    return (algsurf_i_bounded){y, raised(bound)};
 }
 
 /* The power of two that brings the largest coefficient or radius near 1. */
@@ -79,7 +76,7 @@ static double scale_to_one(const double *c, const double *r, int degree) {
  * 2005, section 3), c_i * scale up to 2^-1075, r_i * scale likewise, plus the three of horner: < 2^-1070.
  * The scaling by a power of two keeps errors of products above underflow; it is undone at the end, where
  * value and bound may lose 2^-1075 each. */
-static bounded compensated_horner(const double *c, const double *r, int degree, double t) {
+static algsurf_i_bounded compensated_horner(const double *c, const double *r, int degree, double t) {
     double scale = scale_to_one(c, r, degree), size = fabs(t);
     double y = c[degree] * scale, error = 0.0, bound = (r ? r[degree] * scale : 0.0) + 0x1p-1070;
     for (int i = degree - 1; i >= 0; i--) {
@@ -92,7 +89,14 @@ static bounded compensated_horner(const double *c, const double *r, int degree, 
     }
     double value = y + error;
     bound = raised(bound + ALGSURF_U * fabs(value));
-    return (bounded){value / scale, bound / scale + 0x1p-1073};
+    return (algsurf_i_bounded){value / scale, bound / scale + 0x1p-1073};
+}
+
+algsurf_i_bounded algsurf_i_compensated(const double *c, const double *r, int degree, double t) {
+    degree = highest(c, r, degree);
+    algsurf_i_bounded y = compensated_horner(c, r, degree, t);
+    int overflow = !(y.bound < INFINITY) || !isfinite(y.value); /* two_prod does so earlier than a product */
+    return overflow ? horner(c, r, degree, t) : y;
 }
 
 static algsurf_status ALGSURF_NOINLINE eval(const double *c, const double *r, int degree, double t,
@@ -100,11 +104,8 @@ static algsurf_status ALGSURF_NOINLINE eval(const double *c, const double *r, in
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(t)) return ALGSURF_E_NOT_FINITE;
-    degree = highest(c, r, degree);
-    bounded y = {0.0, INFINITY};
-    if (compensated) y = compensated_horner(c, r, degree, t);
-    int overflow = !(y.bound < INFINITY) || !isfinite(y.value); /* two_prod does so earlier than a product */
-    if (overflow) y = horner(c, r, degree, t);
+    algsurf_i_bounded y =
+        compensated ? algsurf_i_compensated(c, r, degree, t) : horner(c, r, highest(c, r, degree), t);
     *value = y.value;
     *bound = y.bound;
     return ALGSURF_OK;

@@ -17,18 +17,37 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
     return common;
 }
 
-static int exact_sign(const algsurf_i_coefficients *p, double x) {
+/* q at N 2^-r, and Newton's step from there. */
+static int exact_step(algsurf_memory *m, const algsurf_zpoly *q, algsurf_limb N, int r, algsurf_i_value *v) {
+    algsurf_zpoly d;
+    int sign, exponent;
+    double slope;
+    if (!algsurf_zpoly_sign_at(m, q, &N, 1, r, &v->sign, &v->size, &v->exponent)) return 0;
+    if (v->sign == 0) return 1;
+    if (!algsurf_zpoly_derivative(m, q, &d) ||
+        !algsurf_zpoly_sign_at(m, &d, &N, 1, r, &sign, &slope, &exponent))
+        return 0;
+    v->newton = ldexp(-v->size / slope, v->exponent - exponent);
+    return 1;
+}
+
+int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_value *value) {
     algsurf_limb block[512];
     algsurf_memory memory;
     algsurf_zpoly q;
-    int e, sign;
+    int e, low = ALGSURF_Z_NO_BIT;
     algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
+    for (int k = 0; k <= p->degree; k++)
+        if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
+    if (low == ALGSURF_Z_NO_BIT) low = 0;
+    *value = (algsurf_i_value){0};
     algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    int done = algsurf_exact_from_doubles(&memory, p->c, p->degree, 0, &q) &&
-               algsurf_zpoly_sign_at(&memory, &q, &N, 1, odd ? -e : 0, &sign, NULL, NULL);
+    int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
+               exact_step(&memory, &q, N, odd ? -e : 0, value);
+    value->exponent += low;
     algsurf_memory_release(&memory, begin);
-    return done ? sign : ALGSURF_SIGN_UNKNOWN;
+    return done;
 }
 
 /* Do the polynomials within the radii differ? */
@@ -50,5 +69,6 @@ int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
     }
     algsurf_status status = algsurf_poly_eval_compensated(c, r, p->degree, ldexp(x, -unit), &value, &bound);
     if (status == ALGSURF_OK && fabs(value) > bound) return value > 0 ? 1 : -1;
-    return has_radii(p) ? ALGSURF_SIGN_UNKNOWN : exact_sign(p, x);
+    algsurf_i_value exact;
+    return !has_radii(p) && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
 }

@@ -11,6 +11,15 @@ typedef struct algsurf_i_coefficients {
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);
 
+/* A value p(x): its exact sign; size 2^exponent up to a relative error of 2^-52; about -p/p', 0 at a root. */
+typedef struct algsurf_i_value {
+    int sign, exponent;
+    double size, newton;
+} algsurf_i_value;
+
+/* p, without radii, at x, finite.  Returns 0 when there is no memory. */
+int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_value *value);
+
 /* The certain sign of p at x, finite: -1, +1, 0 for an exact zero, or ALGSURF_SIGN_UNKNOWN where radii hide
  * it (or there is no memory to tell). */
 #define ALGSURF_SIGN_UNKNOWN 2

@@ -3,6 +3,7 @@
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "decide.h"
 #include "refine_impl.h"
 
 /* ---- the bracket ---- */
@@ -67,16 +68,15 @@ static algsurf_status search_finish(const algsurf_i_search *s, algsurf_root *res
 
 /* ---- what both entries share ---- */
 
-static algsurf_status prepare(algsurf_i_search *s, double lo, double hi,
-                              const algsurf_refine_options *options, algsurf_method *method) {
+static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options *options,
+                              algsurf_method *method) {
     algsurf_refine_options known = {.size = sizeof known};
     if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
     int number = (int)known.method;
     if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
     if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
     if (!(known.tolerance >= 0) || isinf(known.tolerance)) return ALGSURF_E_ARGUMENT;
-    if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
-    if (lo > hi) return ALGSURF_E_ARGUMENT;
+    s->rounding = 0x1p-51;
     s->tolerance = fmin(known.tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
     s->max_iterations = known.max_iterations ? known.max_iterations : 1000;
     *method = known.method;
@@ -105,8 +105,10 @@ algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo
     if (!f || !result) return ALGSURF_E_ARGUMENT;
     algsurf_i_search s = {.f = f, .data = data};
     algsurf_method method;
-    algsurf_status status = prepare(&s, lo, hi, options, &method);
+    algsurf_status status = prepare(&s, options, &method);
     if (status != ALGSURF_OK) return status;
+    if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
+    if (lo > hi) return ALGSURF_E_ARGUMENT;
     int bracketed = search_start(&s, lo, hi);
     if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
     run(&s, method);
@@ -115,78 +117,92 @@ algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo
 
 /* ---- a polynomial ---- */
 
-typedef struct {
-    const double *c;
-    int degree;
-    double derivative; /* at the last point, from value_and_slope */
-    int exponent;      /* c is the caller's polynomial times 2^exponent */
-    algsurf_function inner;
-    algsurf_refine_observer observe; /* null: nobody looks */
-    void *observer_data;
-} polynomial;
-
 /* Horner's rule.  Coefficients are below 2^500 (balance), so a sum that overflows does so for |t| > 2 and
  * outweighs all that is still to come: the sign of an infinite value is right. */
-static double value(double t, void *data) {
-    const polynomial *p = data;
-    double y = p->c[p->degree];
-    for (int i = p->degree - 1; i >= 0; i--) y = y * t + p->c[i];
-    return y;
-}
-
-static double value_and_slope(double t, void *data) {
-    polynomial *p = data;
-    double y = p->c[p->degree], slope = 0.0;
-    for (int i = p->degree - 1; i >= 0; i--) {
-        slope = slope * t + y;
-        y = y * t + p->c[i];
-    }
-    p->derivative = slope;
+static double plain_value(double t, void *data) {
+    const algsurf_i_polynomial *p = data;
+    double y = p->c[p->given.degree];
+    for (int i = p->given.degree - 1; i >= 0; i--) y = y * t + p->c[i];
     return y;
 }
 
 /* The inner function, watched. */
 static double told(double t, void *data) {
-    const polynomial *p = data;
+    const algsurf_i_polynomial *p = data;
     double y = p->inner(t, data);
-    p->observe(t, ldexp(y, -p->exponent), p->observer_data);
+    p->observe(t, algsurf_i_polynomial_unscaled(p, y), p->observer_data);
     return y;
 }
 
 /* Brings coefficients that are all tiny, or some of them huge, to about 1, so that values neither vanish nor
  * overflow without need. */
-static void balance(polynomial *p, double largest, double *room) {
-    int exponent = 0;
-    (void)frexp(largest, &exponent);
-    if (largest == 0 || (exponent > -500 && exponent < 500)) return;
-    for (int i = 0; i <= p->degree; i++) room[i] = ldexp(p->c[i], -exponent);
+static void balance(algsurf_i_polynomial *p, double *room) {
+    int exponent = algsurf_i_common_exponent(&p->given, 0) + 1;
+    if (exponent < -1074 || (exponent > -500 && exponent < 500)) return;
+    for (int i = 0; i <= p->given.degree; i++) room[i] = ldexp(p->c[i], -exponent);
     p->c = room;
     p->exponent = -exponent;
 }
 
-static algsurf_status ALGSURF_NOINLINE refine_poly(polynomial p, double lo, double hi,
+/* Does a root lie between neighbouring doubles?  Signs tell nothing of two roots, nor of a double one. */
+static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
+    algsurf_real_root root;
+    int count;
+    algsurf_status status =
+        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, 1, &root, 1, &count, NULL);
+    return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
+}
+
+static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
+                                     algsurf_root *result) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_i_polynomial_scale(p, fmin(fmax(fabs(lo), fabs(hi)), DBL_MAX), c, r);
+    s->rounding = 0x1p-53;
+    s->settled = nextafter(lo, hi) == hi;
+    int bracketed = search_start(s, lo, hi);
+    if (!s->nan && !bracketed) {
+        algsurf_status status = s->settled ? find_root_between(p, lo, hi) : ALGSURF_E_ARGUMENT;
+        if (status != ALGSURF_OK) return status;
+    }
+    algsurf_i_refine_newton(s, &p->newton);
+    algsurf_status status = p->no_memory ? ALGSURF_E_NO_MEMORY : search_finish(s, result);
+    if (status == ALGSURF_OK && result->value == 0 && !s->settled) result->lo = result->hi = result->root;
+    return status;
+}
+
+static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
+                                   algsurf_method method, algsurf_root *result) {
+    double room[ALGSURF_MAX_POLY_DEGREE + 1];
+    balance(p, room);
+    int bracketed = search_start(s, lo, hi);
+    if (!s->nan && !bracketed) return ALGSURF_E_ARGUMENT;
+    run(s, method);
+    return search_finish(s, result);
+}
+
+/* Finite ends; or the largest double and infinity, between which the default method has nothing to do. */
+static algsurf_status check_ends(double lo, double hi, algsurf_method method) {
+    int beyond = method == ALGSURF_METHOD_DEFAULT && nextafter(lo, hi) == hi;
+    if (isnan(lo) || isnan(hi) || (isinf(lo) && (isinf(hi) || !beyond)) || (isinf(hi) && !beyond))
+        return ALGSURF_E_NOT_FINITE;
+    return lo <= hi ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
+static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_root *result) {
     algsurf_i_search s = {.data = &p};
     algsurf_method method;
-    algsurf_status status = prepare(&s, lo, hi, options, &method);
+    algsurf_status status = prepare(&s, options, &method);
+    if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
+    for (int i = 0; status == ALGSURF_OK && i <= p.given.degree; i++)
+        if (!isfinite(p.c[i])) status = ALGSURF_E_NOT_FINITE;
     if (status != ALGSURF_OK) return status;
-    double largest = 0.0, room[ALGSURF_MAX_POLY_DEGREE + 1];
-    for (int i = 0; i <= p.degree; i++) {
-        if (!isfinite(p.c[i])) return ALGSURF_E_NOT_FINITE;
-        largest = fabs(p.c[i]) > largest ? fabs(p.c[i]) : largest;
-    }
-    balance(&p, largest, room);
-    p.inner = method == ALGSURF_METHOD_DEFAULT ? value_and_slope : value;
+    p.inner = method == ALGSURF_METHOD_DEFAULT ? algsurf_i_polynomial_certain : plain_value;
     s.f = p.observe ? told : p.inner;
-    int bracketed = search_start(&s, lo, hi);
-    if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
-    if (method == ALGSURF_METHOD_DEFAULT)
-        algsurf_i_refine_newton(&s, &p.derivative);
-    else
-        run(&s, method);
-    status = search_finish(&s, result);
-    if (status >= 0) result->value = ldexp(result->value, -p.exponent);
+    status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
+                                              : refine_plain(&s, &p, lo, hi, method, result);
+    if (status >= 0) result->value = algsurf_i_polynomial_unscaled(&p, result->value);
     return status;
 }
 
@@ -196,7 +212,7 @@ static algsurf_status run_guarded(const double *c, int degree, double lo, double
     if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    polynomial p = {.c = c, .degree = degree, .observe = observe, .observer_data = data};
+    algsurf_i_polynomial p = {.given = {c, NULL, degree}, .c = c, .observe = observe, .observer_data = data};
     algsurf_status status = refine_poly(p, lo, hi, options, result);
     algsurf_fpenv_leave(&saved);
     return status;

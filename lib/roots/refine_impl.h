@@ -9,11 +9,13 @@
 #include <math.h>
 
 #include "algsurf/refine.h"
+#include "coefficients.h"
 
 typedef struct algsurf_i_search {
     algsurf_function f;
     void *data;
     double tolerance; /* wanted half width of the bracket, without the rounding part */
+    double rounding;  /* that, relative to b */
     int max_iterations;
     double a, b, c, fa, fb, fc;
     double x, fx; /* the newest point */
@@ -28,10 +30,11 @@ int algsurf_i_search_step(algsurf_i_search *s, double x);
 /* Neither a zero, nor narrow enough, nor stopped, nor at the limit of iterations? */
 int algsurf_i_search_running(const algsurf_i_search *s);
 
-/* The half width at which the bracket is narrow enough: tolerance + 4u max(|b|, smallest normal). */
+/* The half width at which the bracket is narrow enough: tolerance + rounding * max(|b|, smallest normal),
+ * and at least the smallest double. */
 static inline double algsurf_i_search_tolerance(const algsurf_i_search *s) {
     double size = fabs(s->b);
-    return s->tolerance + 0x1p-51 * (size > DBL_MIN ? size : DBL_MIN);
+    return s->tolerance + fmax(s->rounding * (size > DBL_MIN ? size : DBL_MIN), DBL_TRUE_MIN);
 }
 
 /* (c - b)/2 without overflow. */
@@ -44,7 +47,29 @@ void algsurf_i_refine_brent(algsurf_i_search *s);
 void algsurf_i_refine_bisection(algsurf_i_search *s);
 void algsurf_i_refine_regula_falsi(algsurf_i_search *s);
 
-/* f is a polynomial; *derivative is its derivative at s->x, written whenever f is called. */
-void algsurf_i_refine_newton(algsurf_i_search *s, const double *derivative);
+/* f is a polynomial, its signs are certain; *newton is Newton's step from s->x, -f/f', written whenever f is
+ * called. */
+void algsurf_i_refine_newton(algsurf_i_search *s, const double *newton);
+
+/* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */
+typedef struct algsurf_i_polynomial {
+    algsurf_i_coefficients given; /* the caller's, without radii */
+    const double *c, *r;          /* r: what scaling may have lost, or null */
+    int unit, exponent;
+    double newton; /* Newton's step at the last point: from algsurf_i_polynomial_certain */
+    int no_memory; /* a value could not be told, and is NaN */
+    algsurf_function inner;
+    algsurf_refine_observer observe; /* null: nobody looks */
+    void *observer_data;
+} algsurf_i_polynomial;
+
+/* Scales p, with unit and exponent 0, for |t| <= farthest, into c and r if there is need. */
+void algsurf_i_polynomial_scale(algsurf_i_polynomial *p, double farthest, double *c, double *r);
+
+/* p from a scaled value; what is not zero stays so. */
+double algsurf_i_polynomial_unscaled(const algsurf_i_polynomial *p, double y);
+
+/* The scaled value at t (data: the polynomial), finite or not, with its certain sign; 0 for a root only. */
+double algsurf_i_polynomial_certain(double t, void *data);
 
 #endif
