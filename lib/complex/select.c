@@ -10,8 +10,9 @@
  * come to overlap.  Roots whose boxes now mirror each other by chance then have conjugates in the same two
  * boxes: a third and a fourth candidate with the same magnitudes, which compete.)  A box that meets the axis
  * is nobody's mirror image but its own. */
-#include "algsurf/select.h"
+#include <math.h>
 
+#include "edges.h"
 #include "../poly/interval_public.h"
 #include "../poly/interval_round.h"
 
@@ -25,6 +26,21 @@ static int valid(const algsurf_sector *s) {
 /* The largest double in the sector: a double is beyond sigma + delta if and only if it is above this one. */
 static double end_of(const algsurf_sector *s) {
     return s->sigma + s->delta >= PI_BELOW ? HUGE_VAL : algsurf_i_add_down(s->sigma, s->delta);
+}
+
+/* The unit vector at an angle: libm proposes it, its argument as an interval proves it. */
+static int direction(double angle, double unit[2]) {
+    algsurf_interval arg;
+    unit[0] = cos(angle), unit[1] = sin(angle);
+    const algsurf_cinterval point = {{unit[0], unit[0]}, {unit[1], unit[1]}};
+    return algsurf_cinterval_arg(point, &arg) == ALGSURF_OK && arg.lo >= angle - 0x1p-47 &&
+           arg.hi <= angle + 0x1p-47 && fabs(unit[0] * unit[0] + unit[1] * unit[1] - 1) <= 0x1p-48;
+}
+
+int algsurf_i_sector_edges_of(const algsurf_sector *s, algsurf_i_sector_edges *edges) {
+    double end = end_of(s);
+    *edges = (algsurf_i_sector_edges){{1, 0}, {-1, 0}, s->sigma == 0, end == HUGE_VAL};
+    return direction(s->sigma, edges->begin) && (edges->to_pi || direction(end, edges->end));
 }
 
 /* The box with the imaginary part's magnitude. */

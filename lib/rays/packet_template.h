@@ -39,8 +39,7 @@
 #define UNDERFLOW 0x1p-550
 #include "powers_template.h"
 
-#define SPLITTER 0x1.0000002p27 /* 2^27 + 1 */
-#define LEAST_SIZE 0x1p-100     /* of directions: what underflows in them then is far below UNDERFLOW */
+#define LEAST_SIZE 0x1p-100 /* of directions: what underflows in them then is far below UNDERFLOW */
 #define MOST_SIZE 0x1p100
 #define FARTHEST_ORIGIN 0x1p40    /* in radii of the extent: beyond, double-double is not enough */
 #define MOST_BLUR 0x1p-16         /* above, the bound on p' holds no more */
@@ -57,21 +56,6 @@ typedef struct ray_lanes {
     lanes off;       /* how far another computation may place them */
     mask open, doubtful;
 } ray_lanes;
-
-/* a + *low is exactly a + b. */
-INLINE lanes exact_sum(lanes a, lanes b, lanes *low) {
-    lanes s = a + b, t = s - a;
-    *low = (a - (s - t)) + (b - t);
-    return s;
-}
-
-/* The same for products (Dekker, Veltkamp). */
-INLINE lanes exact_product(lanes a, lanes b, lanes *low) {
-    lanes p = a * b, ta = SPLITTER * a, tb = SPLITTER * b;
-    lanes a_hi = ta - (ta - a), a_lo = a - a_hi, b_hi = tb - (tb - b), b_lo = b - b_hi;
-    *low = ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
-    return p;
-}
 
 /* x + low + t d, rounded once but for a part 2^-100 of the terms. */
 INLINE lanes along(lanes x, lanes low, lanes t, lanes d) {

@@ -183,6 +183,28 @@ INLINE void store_some(double *p, lanes a, int count) {
     }
 }
 
+/* ---- error-free transforms ---- */
+
+/* a + *low is exactly a + b. */
+INLINE lanes exact_sum(lanes a, lanes b, lanes *low) {
+    lanes s = a + b, t = s - a;
+    *low = (a - (s - t)) + (b - t);
+    return s;
+}
+
+/* The same for products (Dekker, Veltkamp: split by 2^27 + 1). */
+INLINE lanes exact_product(lanes a, lanes b, lanes *low) {
+    lanes p = a * b;
+#if X86_LANES == 8
+    *low = _mm512_fmsub_pd(a, b, p);
+#else
+    lanes ta = 0x1.0000002p27 * a, tb = 0x1.0000002p27 * b;
+    lanes a_hi = ta - (ta - a), a_lo = a - a_hi, b_hi = tb - (tb - b), b_lo = b - b_hi;
+    *low = ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
+#endif
+    return p;
+}
+
 /* ---- vectors of three ---- */
 
 INLINE lanes dot(const lanes a[3], const lanes b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

@@ -1,0 +1,437 @@
+/* test_complex_lanes.c - the proofs of complex roots in lanes, judged by arithmetic without rounding.
+ *
+ * The judge.  Numbers have so many bits here that sums and products are exact.  From a disc's centre Newton's
+ * method finds a point z; the disc about it of radius n |p/p'|, with p and p' exact, holds a root (Laguerre).
+ * If it lies in the disc that is claimed to hold a root, the claim is true; as discs are disjoint and as many
+ * as roots, each holds exactly one then.  A root claimed to be real must have an imaginary part below that
+ * radius; what is said of the root that is seen is compared with all roots.
+ *
+ * Breaks tried, each caught by the test named:
+ *   n or the spread left out of the radius, 3 for 2^-3 in the proof of disjointness    discs_hold_their_roots
+ *   the guards of the coefficients left out                                            wild_ones_are_left
+ *   one edge of the sector taken for the other one                                     seen_root
+ *   a rival overlooked                                                                 equal_magnitudes
+ *   a twin taken for any root                                                          two_mirrors
+ *   a lane that moves on when it is done                                               lanes_do_not_mix
+ *   the last step without doubled precision                                            settled_alike
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <string.h>
+
+#include "simd/baseline.h"
+
+#include "complex/lanes_template.h"
+#include "exact.h"
+
+enum { BITS = 16384, Z_BITS = 256 };
+#define FOUND 0x1p-60 /* of the claimed radius: where Newton's method has come near enough */
+
+/* ---- numbers without rounding ---- */
+
+typedef struct point {
+    mpf_t re, im;
+} point;
+
+static void init(point *a) { mpf_init2(a->re, BITS), mpf_init2(a->im, BITS); }
+
+static void clear(point *a) { mpf_clear(a->re), mpf_clear(a->im); }
+
+static void multiply(point *a, const point *b) {
+    mpf_t s, t;
+    mpf_init2(s, BITS), mpf_init2(t, BITS);
+    mpf_mul(s, a->re, b->re), mpf_mul(t, a->im, b->im), mpf_sub(t, s, t);
+    mpf_mul(s, a->re, b->im), mpf_mul(a->im, a->im, b->re), mpf_add(a->im, a->im, s);
+    mpf_set(a->re, t);
+    mpf_clear(s), mpf_clear(t);
+}
+
+static void add(point *a, const point *b) { mpf_add(a->re, a->re, b->re), mpf_add(a->im, a->im, b->im); }
+
+static double magnitude(const point *a) {
+    mpf_t s, t;
+    mpf_init2(s, BITS), mpf_init2(t, BITS);
+    mpf_mul(s, a->re, a->re), mpf_mul(t, a->im, a->im), mpf_add(s, s, t), mpf_sqrt(s, s);
+    double d = mpf_get_d(s);
+    mpf_clear(s), mpf_clear(t);
+    return d;
+}
+
+/* a / b, rounded to Z_BITS. */
+static void divide(point *a, const point *b) {
+    mpf_t square, t;
+    point mate;
+    init(&mate), mpf_init2(square, BITS), mpf_init2(t, BITS);
+    mpf_mul(square, b->re, b->re), mpf_mul(t, b->im, b->im), mpf_add(square, square, t);
+    mpf_set(mate.re, b->re), mpf_neg(mate.im, b->im);
+    multiply(a, &mate);
+    mpf_div(a->re, a->re, square), mpf_div(a->im, a->im, square);
+    mpf_clear(square), mpf_clear(t), clear(&mate);
+}
+
+static void shorten(mpf_t a) {
+    mpf_t t;
+    mpf_init2(t, Z_BITS), mpf_set(t, a), mpf_set(a, t), mpf_clear(t);
+}
+
+/* ---- polynomials ---- */
+
+enum { MOST = 16 };
+
+typedef struct problem {
+    int n, real;
+    double re[MOST + 1], im[MOST + 1], spread;
+    double change; /* of coefficient `which`: the polynomial that is meant; at most spread */
+    int which;
+} problem;
+
+/* p(z), p'(z). */
+static void values(const problem *p, const point *z, point *v, point *d) {
+    mpf_set_d(v->re, 0), mpf_set_d(v->im, 0), mpf_set_d(d->re, 0), mpf_set_d(d->im, 0);
+    point c;
+    init(&c);
+    for (int k = p->n; k >= 0; k--) {
+        multiply(d, z), add(d, v);
+        multiply(v, z);
+        mpf_set_d(c.re, p->re[k]), mpf_set_d(c.im, p->im[k]);
+        add(v, &c);
+        mpf_set_d(c.re, k == p->which ? p->change : 0), mpf_set_d(c.im, 0);
+        add(v, &c);
+    }
+    clear(&c);
+}
+
+/* A root near x + iy; returns the radius of the disc that it is in, if it could be found, at most `enough`.
+ */
+static double find_root(const problem *p, double x, double y, double enough, point *z) {
+    point v, d;
+    double radius = HUGE_VAL;
+    init(&v), init(&d);
+    mpf_set_d(z->re, x), mpf_set_d(z->im, y);
+    for (int k = 0; k < 200; k++) {
+        values(p, z, &v, &d);
+        if (magnitude(&d) == 0) break;
+        divide(&v, &d);
+        radius = 1.001 * p->n * magnitude(&v);
+        if (radius <= enough) break;
+        mpf_sub(z->re, z->re, v.re), mpf_sub(z->im, z->im, v.im);
+        shorten(z->re), shorten(z->im);
+    }
+    clear(&v), clear(&d);
+    return radius;
+}
+
+static polynomials in_lanes(const problem p[LANES]) {
+    polynomials q = {.real = 1, .spread = all_lanes(0)};
+    for (int l = 0; l < LANES; l++) {
+        q.real &= p[l].real;
+        q.spread[l] = p[l].spread;
+        for (int k = 0; k <= p[0].n; k++) q.re[k][l] = p[l].re[k], q.im[k][l] = p[l].im[k];
+    }
+    return q;
+}
+
+static void solve(const polynomials *q, int n, double stop, roots *r) {
+    mask all = at_most(all_lanes(0), all_lanes(0));
+    for (int i = 0; i < n; i++) r->x[i] = r->y[i] = all_lanes(0);
+    set_start(q, n, all, r->x, r->y);
+    (void)iterate(q, n, all, stop, r);
+    prove(q, n, r);
+}
+
+/* The claims about lane l; the roots, as doubles, go to x and y. */
+static void judge(const problem *p, const roots *r, int l, double *x, double *y) {
+    point z, centre;
+    init(&z), init(&centre);
+    for (int i = 0; i < p->n; i++) {
+        double radius = find_root(p, r->x[i][l], r->y[i][l], FOUND * r->radius[i][l], &z);
+        x[i] = mpf_get_d(z.re), y[i] = mpf_get_d(z.im);
+        if (p->real && fabs(r->y[i][l]) <= r->radius[i][l]) assert_true(fabs(y[i]) <= radius);
+        mpf_set_d(centre.re, -r->x[i][l]), mpf_set_d(centre.im, -r->y[i][l]);
+        add(&z, &centre);
+        if (!(magnitude(&z) * (1 + 0x1p-50) + radius <= r->radius[i][l])) {
+            print_error("degree %d, root %d at (%a,%a), disc %a, root found %a away in %a\n", p->n, i,
+                        r->x[i][l], r->y[i][l], r->radius[i][l], magnitude(&z), radius);
+            for (int k = 0; k <= p->n; k++) print_error("  %a %a\n", p->re[k], p->im[k]);
+            fail();
+        }
+    }
+    clear(&z), clear(&centre);
+}
+
+/* ---- cases ---- */
+
+static uint64_t sequence = 0x9e3779b97f4a7c15;
+
+static uint64_t next_bits(void) {
+    sequence ^= sequence << 13, sequence ^= sequence >> 7, sequence ^= sequence << 17;
+    return sequence;
+}
+
+static double uniform(void) { return (double)(int64_t)next_bits() * 0x1p-63; }
+
+static int below(int n) { return (int)(next_bits() >> 33) % n; }
+
+enum { PLAIN, INTEGERS, CLUSTERED, SPARSE, TINY_LEAD, WILD, DOUBLED, KINDS };
+
+/* p times w - z, or for real p and y != 0 times (w - z)(w - conj z). */
+static void times_root(problem *p, double x, double y) {
+    double re[MOST + 3] = {0}, im[MOST + 3] = {0}; /* from p[-2] on */
+    int pair = p->real && y != 0;
+    for (int k = 0; k <= p->n; k++) re[k + 2] = p->re[k], im[k + 2] = p->im[k];
+    p->n += 1 + pair;
+    for (int k = 0; k <= p->n; k++) {
+        double a = k <= p->n - 1 - pair ? re[k + 2] : 0, b = k <= p->n - 1 - pair ? im[k + 2] : 0;
+        p->re[k] = pair ? re[k] - 2 * x * re[k + 1] + (x * x + y * y) * a : re[k + 1] - (x * a - y * b);
+        p->im[k] = pair ? 0 : im[k + 1] - (x * b + y * a);
+    }
+}
+
+static problem random_problem(int n, int kind, int real) {
+    problem p = {.real = real, .re = {1}};
+    if (kind == CLUSTERED || kind == DOUBLED) {
+        double x = uniform(), y = uniform(), apart = kind == DOUBLED ? 0 : ldexp(1, -2 - below(24));
+        while (p.n < n) {
+            int close = p.n < 4;
+            double a = close ? x + apart * uniform() : 2 * uniform(),
+                   b = close ? y + apart * uniform() : uniform();
+            if (kind == DOUBLED && close) a = x, b = 0;
+            times_root(&p, a, real && (p.n + 2 > n || below(2)) ? 0 : b);
+        }
+        return p;
+    }
+    p.n = n;
+    for (int k = 0; k <= n; k++) {
+        int e = kind == WILD ? below(2040) - 1060 : 0;
+        double big = kind == INTEGERS ? 100 : 1;
+        p.re[k] = ldexp(kind == INTEGERS ? rint(big * uniform()) : uniform(), e);
+        p.im[k] = real ? 0 : ldexp(kind == INTEGERS ? rint(big * uniform()) : uniform(), e);
+        if (kind == SPARSE && below(2)) p.re[k] = p.im[k] = 0;
+    }
+    if (kind == TINY_LEAD) {
+        double by = below(3) ? ldexp(1, -below(400)) : 0;
+        p.re[n] *= by, p.im[n] *= by;
+    }
+    return p;
+}
+
+static void add_spread(problem *p) {
+    p->which = below(p->n + 1);
+    p->spread = ldexp(1, -20 - below(40));
+    p->change = below(2) ? p->spread : -p->spread;
+}
+
+/* Random polynomials of all kinds: every claim is true, and most are claimed of kinds that are not hopeless.
+ */
+static void discs_hold_their_roots(void **state) {
+    int proved[KINDS] = {0}, tried[KINDS] = {0};
+    (void)state;
+    for (int round = 0; round < 1500; round++) {
+        problem p[LANES];
+        int n = 1 + below(MOST), kind = round % KINDS, real = below(2), blurred = below(3) == 0;
+        double x[MOST], y[MOST];
+        roots r;
+        for (int l = 0; l < LANES; l++) {
+            p[l] = random_problem(n, kind, real);
+            if (blurred) add_spread(p + l);
+        }
+        polynomials q = in_lanes(p);
+        solve(&q, n, below(2) ? NEAR_STOP : FAR_STOP, &r);
+        for (int l = 0; l < LANES; l++) {
+            tried[kind] += !blurred;
+            if (!(bits(r.apart) >> l & 1)) continue;
+            proved[kind] += !blurred;
+            judge(p + l, &r, l, x, y);
+        }
+    }
+    assert_true(proved[PLAIN] * 20 >= tried[PLAIN] * 19);
+    assert_true(proved[INTEGERS] * 20 >= tried[INTEGERS] * 19);
+    assert_true(proved[CLUSTERED] * 4 >= tried[CLUSTERED] && proved[CLUSTERED] < tried[CLUSTERED]);
+    assert_true(proved[SPARSE] * 5 >= tried[SPARSE] * 2);
+}
+
+/* Exponents, zeros and multiple roots at which lanes without a guard have lied: nothing is claimed. */
+static void wild_ones_are_left(void **state) {
+    static const struct {
+        int n;
+        double c[5];
+    } cases[] = {{2, {0, 0, 1}},           {3, {0, 0, 1, 1}},
+                 {2, {1, 2, 1}},           {4, {0, 0, 0, 0, 1}},
+                 {2, {1, 1, 0}},           {2, {0x1p-1000, 0, 0x1p1000}},
+                 {2, {NAN, 1, 1}},         {2, {1, INFINITY, 1}},
+                 {1, {0x1p500, 0x1p-500}}, {3, {0x1p-700, 0x1p-1050, 0x1p-1050, 0x1p-300}}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        problem p[LANES] = {{.n = cases[i].n, .real = 1}, {.n = cases[i].n, .real = 1}};
+        roots r;
+        memcpy(p[0].re, cases[i].c, sizeof cases[i].c);
+        memcpy(p[1].re, cases[i].c, sizeof cases[i].c);
+        polynomials q = in_lanes(p);
+        solve(&q, cases[i].n, FAR_STOP, &r);
+        assert_int_equal(bits(r.apart), 0);
+    }
+}
+
+/* In the sector and the range by more than `by`. */
+static int inside(const algsurf_sector *sector, double x, double y, double lo, double hi, double by) {
+    double m = hypot(x, y), arg = atan2(fabs(y), x);
+    int open = sector->sigma == 0 || arg >= sector->sigma + by;
+    int end = sector->sigma + sector->delta >= 3.14159265358979 || arg <= sector->sigma + sector->delta - by;
+    return open && end && m >= lo + by && m <= hi - by;
+}
+
+/* What is seen of random polynomials, by all their roots. */
+static void seen_root(void **state) {
+    int ones = 0, nones = 0, twins = 0, tried = 0;
+    (void)state;
+    for (int round = 0; round < 600; round++) {
+        problem p[LANES];
+        int n = 1 + below(8), real = below(4) > 0;
+        roots r;
+        for (int l = 0; l < LANES; l++) p[l] = random_problem(n, PLAIN, real);
+        polynomials q = in_lanes(p);
+        solve(&q, n, NEAR_STOP, &r);
+        algsurf_sector sector = {below(2) ? 0 : 1.5 * fabs(uniform()), 1.5 * fabs(uniform())};
+        algsurf_i_sector_edges edges;
+        if (below(4) == 0) sector.delta = 3.141592653589793 - sector.sigma;
+        assert_true(algsurf_i_sector_edges_of(&sector, &edges));
+        const window w = {&edges, 2 * uniform(), all_lanes(fabs(uniform())), all_lanes(1 + fabs(uniform())),
+                          all_lanes(0x1p-40)};
+        seen s = find_seen(&q, n, &r, &w);
+        const seen found = s;
+        settle(&q, n, &s);
+        for (int l = 0; l < LANES; l++) {
+            double x[MOST], y[MOST], least = HUGE_VAL;
+            tried++;
+            if (!(bits(r.apart) >> l & 1)) {
+                assert_true(bits(found.undecided) >> l & 1);
+                continue;
+            }
+            judge(p + l, &r, l, x, y);
+            for (int i = 0; i < n; i++)
+                if (inside(&sector, x[i] - w.from, y[i], w.lo[l], w.hi[l], 1e-9))
+                    least = fmin(least, hypot(x[i] - w.from, y[i]));
+            if (bits(s.undecided) >> l & 1) continue;
+            if (!(bits(s.one) >> l & 1)) {
+                assert_true(least == HUGE_VAL);
+                nones++;
+                continue;
+            }
+            double at = hypot(s.x[l] - w.from, s.y[l]);
+            assert_true(inside(&sector, s.x[l] - w.from, s.y[l], w.lo[l], w.hi[l], -1e-9));
+            if (inside(&sector, s.x[l] - w.from, s.y[l], w.lo[l], w.hi[l], 1e-9))
+                assert_true(fabs(at - least) <= 1e-12);
+            assert_true((bits(s.real) >> l & 1) == (s.y[l] == 0));
+            ones++;
+            twins += real && s.y[l] != 0;
+        }
+    }
+    assert_true(ones > tried / 4 && nones > tried / 10 && twins > tried / 20);
+    assert_true(ones + nones > tried * 9 / 10);
+}
+
+/* Magnitudes that are equal but not those of conjugates stay open. */
+static void equal_magnitudes(void **state) {
+    const algsurf_sector whole = {0, 3.141592653589793};
+    algsurf_i_sector_edges edges;
+    problem p[LANES] = {{.n = 4, .real = 1}, {.n = 4, .real = 1}};
+    roots r;
+    (void)state;
+    /* lane 0: 3 +- 4i, 4 +- 3i; lane 1: 3 +- 4i, 6 +- 1i */
+    const double one[5] = {625, -350, 98, -14, 1}, two[5] = {925, -522, 134, -18, 1};
+    memcpy(p[0].re, one, sizeof one), memcpy(p[1].re, two, sizeof two);
+    polynomials q = in_lanes(p);
+    solve(&q, 4, FAR_STOP, &r);
+    assert_int_equal(bits(r.apart), 3);
+    assert_true(algsurf_i_sector_edges_of(&whole, &edges));
+    const window w = {&edges, 0, all_lanes(0.5), all_lanes(100), all_lanes(0)};
+    seen s = find_seen(&q, 4, &r, &w);
+    assert_int_equal(bits(s.undecided), 1);
+    assert_int_equal(bits(s.one), 2);
+}
+
+/* A disc whose mirror image meets two others: whose the conjugate is stays open.  With one of them moved
+ * away, the other holds it. */
+static void two_mirrors(void **state) {
+    const algsurf_sector whole = {0, 3.141592653589793};
+    algsurf_i_sector_edges edges;
+    (void)state;
+    assert_true(algsurf_i_sector_edges_of(&whole, &edges));
+    const polynomials q = {.real = 1};
+    const window w = {&edges, 0, all_lanes(0.1), all_lanes(100), all_lanes(0)};
+    roots r = {.x = {all_lanes(3), all_lanes(3.06), all_lanes(3.03)},
+               .y = {all_lanes(1), all_lanes(-1), all_lanes(-1.055)},
+               .radius = {all_lanes(0.05), all_lanes(0.02), all_lanes(0.02)},
+               .apart = at_most(all_lanes(0), all_lanes(0))};
+    r.x[2][1] = 20;
+    seen s = find_seen(&q, 3, &r, &w);
+    assert_int_equal(bits(s.undecided), 1);
+    assert_int_equal(bits(s.one), 2);
+}
+
+/* A lane's bits are the same whoever its neighbours are. */
+static void lanes_do_not_mix(void **state) {
+    (void)state;
+    for (int round = 0; round < 200; round++) {
+        int n = 1 + below(MOST), real = below(2);
+        problem a = random_problem(n, PLAIN, real), p[2][LANES];
+        roots r[2];
+        for (int k = 0; k < 2; k++) {
+            for (int l = 0; l < LANES; l++) p[k][l] = random_problem(n, below(KINDS), real);
+            p[k][k * (LANES - 1)] = a;
+            polynomials q = in_lanes(p[k]);
+            solve(&q, n, NEAR_STOP, r + k);
+        }
+        for (int i = 0; i < n; i++) {
+            assert_true(r[0].x[i][0] == r[1].x[i][LANES - 1] && r[0].y[i][0] == r[1].y[i][LANES - 1]);
+            assert_true(r[0].radius[i][0] == r[1].radius[i][LANES - 1] ||
+                        (isnan(r[0].radius[i][0]) && isnan(r[1].radius[i][LANES - 1])));
+        }
+    }
+}
+
+/* A root's value does not tell where the iteration began. */
+static void settled_alike(void **state) {
+    const algsurf_sector whole = {0, 3.141592653589793};
+    algsurf_i_sector_edges edges;
+    int both = 0;
+    (void)state;
+    assert_true(algsurf_i_sector_edges_of(&whole, &edges));
+    for (int round = 0; round < 400; round++) {
+        int n = 1 + below(10), real = below(2);
+        problem p[LANES];
+        roots r[2];
+        seen s[2];
+        for (int l = 0; l < LANES; l++) p[l] = random_problem(n, PLAIN, real);
+        polynomials q = in_lanes(p);
+        const window w = {&edges, -0.5, all_lanes(0), all_lanes(100), all_lanes(0)};
+        for (int k = 0; k < 2; k++) {
+            solve(&q, n, k ? FAR_STOP : NEAR_STOP, r + k);
+            s[k] = find_seen(&q, n, r + k, &w);
+            settle(&q, n, s + k);
+        }
+        for (int l = 0; l < LANES; l++) {
+            if (!(bits(s[0].one & s[1].one) >> l & 1)) continue;
+            both++;
+            assert_true(s[0].x[l] == s[1].x[l] && fabs(s[0].y[l]) == fabs(s[1].y[l]));
+        }
+    }
+    assert_true(both > 400);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(discs_hold_their_roots),
+        cmocka_unit_test(wild_ones_are_left),
+        cmocka_unit_test(seen_root),
+        cmocka_unit_test(equal_magnitudes),
+        cmocka_unit_test(two_mirrors),
+        cmocka_unit_test(lanes_do_not_mix),
+        cmocka_unit_test(settled_alike),
+    };
+    return cmocka_run_group_tests_name("complex: lanes", tests, NULL, NULL);
+}
