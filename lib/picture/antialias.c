@@ -7,7 +7,7 @@
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
  * middles alone would have: what is chosen does not hang on the last bits of a double.
  *
- * In complex space a row's middles and its first pass begin without roots from above: which ones there were
+ * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
  */
 #include <math.h>
@@ -28,7 +28,7 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     algsurf_i_tally *counts = &worker->middles.counts[row % 3];
     *counts = (algsurf_i_tally){0};
     memset(line->samples, 0, (size_t)picture->width * sizeof *line->samples);
-    worker->trail.has_above = 0;
+    worker->trail.row = -1;
     algsurf_status status = algsurf_i_render_pass(picture, row, 0.5, 0.5, worker, counts);
     if (status == ALGSURF_OK) keep_line(picture, line, &worker->middles, row % 3);
     return status;
@@ -64,7 +64,7 @@ algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row
     mark(own + 3, own, width - 1, limit, middles->wanted + 1);
     worker->line.wanted = middles->wanted;
     worker->line.wanted_count = count_marks(middles->wanted, width);
-    worker->trail.has_above = 0;
+    worker->trail.row = -1;
     return ALGSURF_OK;
 }
 

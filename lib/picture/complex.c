@@ -1,70 +1,101 @@
-/* complex.c - one sample in complex space, its roots started from those of its neighbours.
+/* complex.c - complex space: the roots of a row, started from those of the row above.
  *
  * Spatial coherence (Sanjuan-Estrada, Casado, Garcia, section 3): neighbouring rays have nearly the same
- * roots, and an iteration that starts there takes fewer steps.  It saves time and must not show.  The
- * value of a simple root does not depend on the start: the approximation is corrected with doubled
- * precision, so that what is rounded to double agrees with the exact root to far more digits than are
- * kept.  What may depend on the start, how wide the box of a cluster is and so what remains uncertain, is
- * found again from the solver's own start values.
- *
- * A real polynomial with start values that are real, or come in conjugate pairs, keeps that symmetry
- * through the whole iteration, but where a ray passes a silhouette two real roots become a pair.
- * So start values are moved off it, all by the same small imaginary step.
+ * roots, and an iteration that starts there takes fewer steps.  It saves time and must not show.  Two things
+ * see to it:
+ * - the root that is seen is settled with doubled precision (complex/lanes_template.h), so that its bits do
+ * not tell where the iteration began;
+ * - which pixels are left to the single ray may depend on the start.  So rows begin anew at multiples of
+ * BAND, counted from the top of the picture, and whoever begins elsewhere solves the rows before, from there
+ * on. Where a pixel has several samples, a row's first pass begins anew, and each other one starts from the
+ * pass before.
  */
-#include "../rays/intersect_impl.h"
+#include <math.h>
+
+#include "camera_impl.h"
 #include "impl.h"
+#include "../rays/intersect_impl.h"
 
-static const double OFF_AXIS = 1e-4; /* of the radius of what is shown: a fraction of a pixel */
+void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets) {
+    const algsurf_surface *s = scene->surface;
+    packets->top = s->degree;
+    while (packets->top >= 0 && scene->space.imaginary[packets->top] == 0) packets->top--;
+    for (int k = 0; k <= packets->top; k++)
+        packets->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
+    packets->frame.view.noise *= 4; /* complex_template.h */
+}
 
-/* Were all roots found, one by one?  What is missing is NaN, and comes last. */
-static int all_found(const algsurf_complex *roots, int n) { return isfinite(roots[n - 1].re); }
+static void forget(algsurf_i_trail *trail, int begin, int end) {
+    for (int x = begin; x < end; x++) trail->x[x] = NAN;
+}
 
-/* Adds a neighbour's roots to the sums, if it has them. */
-static int add_roots(algsurf_complex *sum, const algsurf_complex *roots, int n) {
-    if (!all_found(roots, n)) return 0;
-    for (int i = 0; i < n; i++) {
-        sum[i].re += roots[i].re;
-        sum[i].im += roots[i].im;
+algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture, const algsurf_i_row_job *row,
+                                               algsurf_i_worker *worker) {
+    return (algsurf_i_complex_job){.row = row,
+                                   .sector = &picture->packets->sector,
+                                   .imaginary = picture->packets->imaginary,
+                                   .top = picture->packets->top,
+                                   .x = worker->trail.x,
+                                   .y = worker->trail.y,
+                                   .stride = picture->width,
+                                   .re = worker->line.depth,
+                                   .im = worker->line.imaginary,
+                                   .state = worker->line.state};
+}
+
+/* The roots of a row whose samples are in the pixels' middles, from those of the row above. */
+static void follow(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+    algsurf_i_row_form form;
+    algsurf_i_row_job job;
+    int begin, end;
+    int seen = algsurf_i_begin_row(picture, row + 0.5, 0.5, &form, &job, &begin, &end);
+    if (seen) {
+        const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, &job, worker);
+        (void)picture->code->solve_complex(&complex, begin, end);
     }
-    return 1;
+    algsurf_i_complex_end_row(picture, row, seen ? begin : 0, seen ? end : 0, worker);
 }
 
-/* Start values for pixel x, branch by branch the averages over its neighbours above left, above, above
- * right and left; returns 0 when none of them has roots. */
-static int start_values(const algsurf_i_picture *picture, const algsurf_i_trail *trail, int x, int n,
-                        algsurf_complex *start) {
-    int count = 0;
-    if (n == 0 || picture->scene->coherence == ALGSURF_COHERENCE_NONE) return 0;
-    for (int i = 0; i < n; i++) start[i] = (algsurf_complex){0, 0};
-    for (int k = x - 1; trail->has_above && k <= x + 1; k++)
-        if (k >= 0 && k < picture->width) count += add_roots(start, trail->above + k * n, n);
-    if (x > 0) count += add_roots(start, trail->row + (x - 1) * n, n);
-    if (count == 0) return 0;
-    for (int i = 0; i < n; i++) {
-        start[i].re /= count;
-        start[i].im = start[i].im / count + OFF_AXIS * picture->radius;
-    }
-    return 1;
+void algsurf_i_complex_begin_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+    algsurf_i_trail *trail = &worker->trail;
+    int coherent = picture->scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS;
+    int before = coherent && picture->scene->antialias == 1 ? row % ALGSURF_I_BAND : 0;
+    if (coherent && trail->row == row) return;
+    if (before == 0 || trail->row != row - 1) forget(trail, 0, picture->width);
+    if (before == 0 || trail->row == row - 1) return;
+    for (int above = row - before; above < row; above++) follow(picture, above, worker);
 }
 
-void algsurf_i_trail_skip(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail) {
-    const int n = algsurf_surface_degree(picture->scene->surface);
-    if (picture->scene->complex && n > 0) trail->row[x * n + n - 1].re = NAN; /* not all_found */
+void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int begin, int end,
+                               algsurf_i_worker *worker) {
+    forget(&worker->trail, 0, begin);
+    forget(&worker->trail, end, picture->width);
+    worker->trail.row = row;
 }
 
-algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
-                                        algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally) {
+static algsurf_status solve_alone(const algsurf_i_picture *picture, int x, double sx, double y,
+                                  algsurf_i_line *line, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    const int n = algsurf_surface_degree(scene->surface);
-    algsurf_complex start[ALGSURF_MAX_DEGREE], *roots = n > 0 ? trail->row + x * n : NULL;
-    int warm = start_values(picture, trail, x, n, start), iterations;
-    algsurf_status status = algsurf_i_intersect_complex(scene->surface, &scene->extent, ray, &scene->space,
-                                                        warm ? start : NULL, roots, hit, NULL, &iterations);
+    algsurf_ray ray;
+    algsurf_hit hit;
+    int iterations;
+    algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
+    algsurf_status status = algsurf_i_intersect_complex(scene->surface, &scene->extent, &ray, &scene->space,
+                                                        NULL, NULL, &hit, NULL, &iterations);
     if (status < 0) return status;
     tally->iterations += (uint64_t)iterations;
-    if (!warm || (all_found(roots, n) && hit->state != ALGSURF_UNCERTAIN)) return ALGSURF_OK;
-    status = algsurf_i_intersect_complex(scene->surface, &scene->extent, ray, &scene->space, NULL, roots, hit,
-                                         NULL, &iterations);
-    tally->iterations += (uint64_t)iterations;
+    tally->single_rays++;
+    algsurf_i_line_add(line, x, &ray, &hit, tally);
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                          int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+    algsurf_status status = ALGSURF_OK;
+    for (int x = begin; x < end && status == ALGSURF_OK; x++) {
+        if (line->state[x] != ALGSURF_LANE_DOUBTFUL) continue;
+        if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
+        status = solve_alone(picture, x, sx, y, line, tally);
+    }
     return status;
 }

@@ -7,7 +7,7 @@
  *     view.c             camera and extent in the units of packets
  *     pixel_range.c      the pixels of a row that may meet the extent
  *     packets.c          the hits of a row by packets
- *     complex.c          one sample in complex space, started from its neighbours' roots
+ *     complex.c          complex space: the roots of a row, started from those of the row above
  *     shadow.c           which share of a light reaches a point
  */
 #ifndef ALGSURF_RENDER_IMPL_H
@@ -30,6 +30,7 @@ typedef struct algsurf_i_line {
     double *colour;    /* 3 for each point */
     double *visible;   /* light_count for each point, in full quality */
     double *depth;     /* of each pixel: where packets found it */
+    double *imaginary; /* in complex space, the depth's imaginary part; else null */
     uint8_t *state;    /* of each pixel: an ALGSURF_LANE */
     uint16_t *samples; /* of each pixel: how many of its samples show a point */
     double *sum;       /* 3 for each such pixel: their clamped colours */
@@ -43,6 +44,10 @@ typedef struct algsurf_i_packets {
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
+    /* complex space: as in algsurf_i_complex_job */
+    algsurf_i_sector_edges sector;
+    double imaginary[ALGSURF_MAX_DEGREE + 1];
+    int top;
 } algsurf_i_packets;
 
 /* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1.
@@ -52,12 +57,15 @@ typedef struct algsurf_i_samples {
     int first[ALGSURF_MAX_LIGHTS + 1];
 } algsurf_i_samples;
 
-/* The roots of the pixels drawn last, in complex space: degree-many for each pixel of a row, in the order
- * algsurf_intersect_complex returns them.  Null in real space. */
+/* The roots of the pixels solved last, in complex space (algsurf_i_complex_job). */
 typedef struct algsurf_i_trail {
-    algsurf_complex *above, *row; /* of the samples drawn before these, and of those being drawn */
-    int has_above;                /* 0: above holds nothing yet */
+    double *x, *y;
+    int row; /* whose they are; -1: of no use */
 } algsurf_i_trail;
+
+#define ALGSURF_I_BAND                                                                                       \
+    16 /* rows: one in so many begins without roots from above; they are drawn together                      \
+        */
 
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
@@ -137,9 +145,14 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
 /* The pixels of a row whose rays may meet what is shown: begin <= x < end; all others surely miss it. */
 void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin, int *end);
 
+/* The row's form and job, through offset sx in each pixel, y from the top; and the pixels whose rays may meet
+ * what is shown.  0: there are none, or they reach beyond the bounds of forms. */
+int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job, int *begin, int *end);
+
 /* The points of a row seen through offset (sx,sy) in each pixel. */
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                        algsurf_i_line *line, algsurf_i_tally *tally);
+                                        algsurf_i_worker *worker, algsurf_i_tally *tally);
 
 /* The same where there is no frame: each pixel's own ray. */
 algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -149,12 +162,21 @@ algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, 
 void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
                         algsurf_i_tally *tally);
 
-/* The hit of pixel x of a row in complex space, along its ray; the roots go to the trail. */
-algsurf_status algsurf_i_render_complex(const algsurf_i_picture *picture, int x, const algsurf_ray *ray,
-                                        algsurf_i_trail *trail, algsurf_hit *hit, algsurf_i_tally *tally);
+/* What packets need to know of complex space, but for the sector. */
+void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets);
 
-/* Leaves pixel x of a row out of the trail. */
-void algsurf_i_trail_skip(const algsurf_i_picture *picture, int x, algsurf_i_trail *trail);
+algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture, const algsurf_i_row_job *row,
+                                               algsurf_i_worker *worker);
+
+/* Before a pass over a row: the trail holds what it is to start from.  After it: the pixels from begin to
+ * end have been solved. */
+void algsurf_i_complex_begin_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker);
+void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int begin, int end,
+                               algsurf_i_worker *worker);
+
+/* The doubtful pixels of a row in complex space, ray by ray: their points go to the line. */
+algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                          int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
 /* Sets light_samples.first; then light_samples.place, for which there is room. */
 void algsurf_i_count_samples(algsurf_i_picture *picture);

@@ -3,6 +3,7 @@
 #define ALGSURF_PICTURE_KERNEL_H
 #include <stdint.h>
 
+#include "../complex/edges.h"
 #include "../simd/kernel.h"
 #include "../surface/view.h"
 #include "algsurf/ray.h"
@@ -32,6 +33,19 @@ typedef struct algsurf_i_point_job {
     const algsurf_i_row_job *row;
 } algsurf_i_point_job;
 
+/* A row in complex space.  Arrays have an entry for each pixel of the row; root i of pixel x is at
+ * i stride + x. */
+typedef struct algsurf_i_complex_job {
+    const algsurf_i_row_job *row;
+    const algsurf_i_sector_edges *sector;
+    const double *imaginary; /* parts of t^k in natural units and scale, */
+    int top;                 /* k <= top; -1: there are none */
+    double *x, *y;           /* roots to start from, NaN for none; then those found */
+    int stride;
+    double *re, *im; /* depth of the root that is seen */
+    uint8_t *state;
+} algsurf_i_complex_job;
+
 typedef struct algsurf_i_colour_job {
     const algsurf_material *material;
     const algsurf_light *lights; /* at their middles */
@@ -48,6 +62,12 @@ typedef struct algsurf_i_picture_kernel {
     /* colour[3 i ..] of entry i, as algsurf_shade; visible: null or light_count for each entry. */
     void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
                     const double *visible, double *colour);
+    /* solve_row in complex space; returns how many corrections of roots it took. */
+    uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
+    /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the
+     * normal. */
+    void (*complex_points)(const algsurf_i_complex_job *job, const algsurf_surface *surface, const int *pixel,
+                           const double *re, const double *im, int count, const algsurf_i_points *points);
 } algsurf_i_picture_kernel;
 
 extern const algsurf_i_picture_kernel algsurf_i_picture_avx512, algsurf_i_picture_avx2,

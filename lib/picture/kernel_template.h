@@ -2,11 +2,15 @@
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
 #include "colours_template.h"
+#include "complex_template.h"
 #include "kernel.h"
 #include "points_template.h"
 #include "row_template.h"
 
-const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {
-    .solve_row = solve_row, .points = find_points, .colours = find_colours};
+const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
+                                                            .points = find_points,
+                                                            .colours = find_colours,
+                                                            .solve_complex = solve_complex,
+                                                            .complex_points = find_complex_points};
 
 #endif

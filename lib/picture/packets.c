@@ -42,15 +42,34 @@ static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
     return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
 }
 
+int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job, int *begin, int *end) {
+    if (!make_job(picture, y, sx, form, job, begin, end) || !within_bounds(job, *begin, *end)) return 0;
+    algsurf_i_row_expand(&picture->packets->frame, form->v, form);
+    return 1;
+}
+
+/* Depths and states of pixels that follow each other. */
+static void solve_run(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int begin, int end,
+                      algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    if (!picture->scene->complex) {
+        picture->code->solve_row(job, begin, end, worker->line.depth, worker->line.state);
+        return;
+    }
+    const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);
+    tally->iterations += picture->code->solve_complex(&complex, begin, end);
+}
+
 /* The wanted pixels, in runs: those with few others between are solved together. */
 static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int begin, int end,
-                         algsurf_i_line *line) {
+                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    const algsurf_i_line *line = &worker->line;
     for (int x = begin; x < end; x++) {
         int last = x;
         if (!line->wanted[x]) continue;
         for (int next = x + 1; next < end && next <= last + CLOSE; next++)
             if (line->wanted[next]) last = next;
-        picture->code->solve_row(job, x, last + 1, line->depth, line->state);
+        solve_run(picture, job, x, last + 1, worker, tally);
         x = last;
     }
     for (int x = begin; x < end; x++)
@@ -118,6 +137,7 @@ static algsurf_status solve_doubtful(const algsurf_i_picture *picture, double y,
     const algsurf_scene *scene = picture->scene;
     doubtful_pixels d = {.count = 0};
     algsurf_status status = ALGSURF_OK;
+    if (scene->complex) return algsurf_i_complex_doubtful(picture, y, sx, begin, end, line, tally);
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
         if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
@@ -142,6 +162,7 @@ static int gather(algsurf_i_line *line, int begin, int end) {
             continue;
         }
         line->depth[line->count] = line->depth[x];
+        if (line->imaginary) line->imaginary[line->count] = line->imaginary[x];
         line->pixel[line->count] = x;
         line->count += line->state[x] == ALGSURF_LANE_HIT;
         doubtful |= line->state[x] == ALGSURF_LANE_DOUBTFUL;
@@ -149,37 +170,51 @@ static int gather(algsurf_i_line *line, int begin, int end) {
     return doubtful;
 }
 
+/* Positions and normals of the line's points, which are hits. */
+static void find_points(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int hits,
+                        algsurf_i_worker *worker) {
+    const algsurf_i_line *line = &worker->line;
+    const algsurf_surface *surface = picture->scene->surface;
+    const algsurf_i_point_job points = {.surface = surface, .row = job};
+    if (!picture->scene->complex) {
+        picture->code->points(&points, line->pixel, line->depth, hits, &line->points);
+        return;
+    }
+    const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);
+    picture->code->complex_points(&complex, surface, line->pixel, line->depth, line->imaginary, hits,
+                                  &line->points);
+}
+
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                        algsurf_i_line *line, algsurf_i_tally *tally) {
-    const algsurf_i_packets *p = picture->packets;
+                                        algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
     algsurf_i_row_form form;
     algsurf_i_row_job job;
-    int begin, end, doubtful = 1;
+    int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
     tally->rays += (uint64_t)line->wanted_count;
-    if (!make_job(picture, row + sy, sx, &form, &job, &begin, &end)) return ALGSURF_OK;
-    if (within_bounds(&job, begin, end)) {
-        algsurf_i_row_expand(&p->frame, form.v, &form);
-        double expanded = algsurf_i_render_clock();
-        tally->expand_s += expanded - begun;
-        begun = expanded;
+    if (complex) algsurf_i_complex_begin_row(picture, row, worker);
+    int expanded = algsurf_i_begin_row(picture, row + sy, sx, &form, &job, &begin, &end);
+    double solving = algsurf_i_render_clock();
+    tally->expand_s += solving - begun;
+    if (expanded) {
         if (line->wanted)
-            solve_wanted(picture, &job, begin, end, line);
+            solve_wanted(picture, &job, begin, end, worker, tally);
         else
-            picture->code->solve_row(&job, begin, end, line->depth, line->state);
+            solve_run(picture, &job, begin, end, worker, tally);
         doubtful = gather(line, begin, end);
         tally->hits += (uint64_t)line->count;
     } else {
         for (int x = begin; x < end; x++)
             line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
     }
+    if (complex) algsurf_i_complex_end_row(picture, row, expanded ? begin : 0, expanded ? end : 0, worker);
     int hits = line->count;
     algsurf_status status =
         doubtful ? solve_doubtful(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
     double solved = algsurf_i_render_clock();
-    tally->solve_s += solved - begun;
-    const algsurf_i_point_job points = {.surface = picture->scene->surface, .row = &job};
-    picture->code->points(&points, line->pixel, line->depth, hits, &line->points);
+    tally->solve_s += solved - solving;
+    if (hits > 0) find_points(picture, &job, hits, worker);
     tally->point_s += algsurf_i_render_clock() - solved;
     return status;
 }

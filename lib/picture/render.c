@@ -102,14 +102,13 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
 }
 
-/* All the memory of a picture, in six blocks. */
+/* All the memory of a picture, in five blocks. */
 typedef struct work_memory {
     algsurf_i_worker *workers;
-    double *doubles;        /* lines and middles of all workers, the lights' samples, the frame */
-    int *ints;              /* a row for each worker */
-    uint16_t *counts;       /* likewise */
-    uint8_t *bytes;         /* likewise, and what their middles need */
-    algsurf_complex *roots; /* two rows for each worker in complex space, else null */
+    double *doubles;  /* lines, middles and trails of all workers, the lights' samples, the frame */
+    int *ints;        /* a row for each worker */
+    uint16_t *counts; /* likewise */
+    uint8_t *bytes;   /* likewise, and what their middles need */
 } work_memory;
 
 #define LINE_DOUBLES 18   /* for each pixel, besides a share of each light */
@@ -163,23 +162,22 @@ static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **dou
 /* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
 static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     int degree = algsurf_surface_degree(picture->scene->surface);
-    size_t width = (size_t)picture->width, row = width * (size_t)degree, count = (size_t)threads;
+    size_t width = (size_t)picture->width, count = (size_t)threads;
     size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
     size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
     size_t middle = picture->selective ? 1 : 0;
-    int rooted = picture->scene->complex && row > 0;
+    size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
     memory->workers = calloc(count, sizeof *memory->workers);
-    memory->doubles = calloc(count * (width + APART) * (LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES) +
-                                 frame + 3 * samples,
-                             sizeof *memory->doubles);
+    memory->doubles =
+        calloc(count * (width + APART) *
+                       (LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (roots > 0) + 2 * roots) +
+                   frame + 3 * samples,
+               sizeof *memory->doubles);
     memory->ints = calloc(count * width, sizeof *memory->ints);
     memory->counts = calloc(count * width, sizeof *memory->counts);
     memory->bytes = calloc(count * width, 1 + middle * MIDDLE_BYTES);
-    memory->roots = rooted ? calloc(count, 2 * row * sizeof *memory->roots) : NULL;
-    if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes ||
-        (rooted && !memory->roots))
-        return 0;
+    if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes) return 0;
     double *doubles = memory->doubles;
     uint8_t *bytes = memory->bytes;
     for (size_t i = 0; i < count; i++) {
@@ -189,9 +187,10 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->line.state = take_bytes(&bytes, width);
         lay_out_line(&worker->line, width, lights, &doubles);
         if (picture->selective) lay_out_middles(&worker->middles, width, &doubles, &bytes);
-        if (!rooted) continue;
-        worker->trail.row = memory->roots + 2 * i * row;
-        worker->trail.above = worker->trail.row + row;
+        if (roots == 0) continue;
+        worker->line.imaginary = take(&doubles, width + APART);
+        worker->trail.x = take(&doubles, roots * width);
+        worker->trail.y = take(&doubles, roots * width);
     }
     for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
@@ -204,7 +203,6 @@ static void release(work_memory *memory) {
     free(memory->ints);
     free(memory->counts);
     free(memory->bytes);
-    free(memory->roots);
 }
 
 /* Brings P to the picture's view; a frame that leaves the range of double is done without packets. */

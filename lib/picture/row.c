@@ -41,32 +41,6 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
     }
 }
 
-/* The points of complex space seen through offset (sx,sy) in each pixel, ray by ray. */
-static algsurf_status solve_in_complex_space(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                             algsurf_i_worker *worker, algsurf_i_tally *tally) {
-    const algsurf_scene *scene = picture->scene;
-    double begun = algsurf_i_render_clock();
-    for (int x = 0; x < picture->width; x++) {
-        algsurf_ray ray;
-        algsurf_hit hit;
-        if (worker->line.wanted && !worker->line.wanted[x]) {
-            algsurf_i_trail_skip(picture, x, &worker->trail);
-            continue;
-        }
-        if (stopped(picture)) return ALGSURF_CANCELLED;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
-        algsurf_status status = algsurf_i_render_complex(picture, x, &ray, &worker->trail, &hit, tally);
-        if (status < 0) return status;
-        tally->rays++;
-        tally->single_rays++;
-        algsurf_i_line_add(&worker->line, x, &ray, &hit, tally);
-    }
-    algsurf_i_trail *trail = &worker->trail;
-    *trail = (algsurf_i_trail){.above = trail->row, .row = trail->above, .has_above = 1};
-    tally->solve_s += algsurf_i_render_clock() - begun;
-    return ALGSURF_OK;
-}
-
 /* Depth of a point along the view: 0 at the near end of what is shown, 1 at its far end.  Measured from
  * its centre, so that a far eye costs no digits. */
 static double depth_of(const algsurf_i_picture *picture, const double point[3]) {
@@ -158,10 +132,8 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     algsurf_i_line *line = &worker->line;
     line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
-    algsurf_status status = picture->scene->complex
-                                ? solve_in_complex_space(picture, row, sx, sy, worker, tally)
-                            : picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, line, tally)
-                                               : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
+    algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
+                                             : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
     if (status == ALGSURF_OK) add_pass(line);
     return status;

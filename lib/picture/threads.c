@@ -1,10 +1,9 @@
 /* threads.c - the threads that draw a picture.
  *
  * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row has use for
- * its neighbours, in batches.  In complex space the first row of a batch has none above, so that what a row
- * starts from does not depend on the threads.  The calling thread works like the others and is the only one
- * that calls progress: after each of its rows, and ten times a second while it waits for the others' last
- * ones.  Who draws a row changes nothing in it.
+ * its neighbours, in batches, which begin at multiples of their length (complex.c).  The calling thread works
+ * like the others and is the only one that calls progress: after each of its rows, and ten times a second
+ * while it waits for the others' last ones.  Who draws a row changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
 #include "impl.h"
@@ -15,7 +14,6 @@
 #include "../base/fpenv.h"
 
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
-#define BATCH 8            /* rows: one in eight has none above; few enough to keep many threads busy */
 #define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
 
 typedef struct crew {
@@ -63,7 +61,7 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
 static int batch_of(const algsurf_i_picture *picture) {
     const algsurf_scene *scene = picture->scene;
     if (picture->selective) return SELECTIVE_BATCH;
-    return scene->complex && scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? BATCH : 1;
+    return scene->complex && scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? ALGSURF_I_BAND : 1;
 }
 
 /* Gives the worker rows when it has none left; returns 0 when there are none to give. */
@@ -74,9 +72,9 @@ static int take_rows(crew *team, algsurf_i_worker *worker) {
     int batch = batch_of(picture);
     int first = atomic_fetch_add_explicit(&team->next_row, batch, memory_order_relaxed);
     if (first >= picture->row_end) return 0;
-    worker->row = first;
+    worker->row = first < picture->row_begin ? picture->row_begin : first;
     worker->row_end = batch < picture->row_end - first ? first + batch : picture->row_end;
-    worker->trail.has_above = 0;
+    worker->trail.row = -1;
     return 1;
 }
 
@@ -168,7 +166,7 @@ algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_r
                                      int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used) {
     crew team = {.picture = picture, .options = options};
-    atomic_init(&team.next_row, picture->row_begin);
+    atomic_init(&team.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
     atomic_init(&team.rows_done, 0);
     helper helpers[ALGSURF_MAX_THREADS];
     if (!init_sync(&team)) return ALGSURF_E_THREAD;

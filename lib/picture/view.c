@@ -94,9 +94,10 @@ static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, co
 /* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
  * and v? */
 static int suits_packets(const algsurf_scene *scene) {
-    return !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
+    return scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
            scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
-           scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0 &&
+           (scene->complex ||
+            (scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0)) &&
            orthonormal(&scene->camera);
 }
 
@@ -105,7 +106,8 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     const algsurf_camera *camera = &scene->camera;
     algsurf_i_view *view = &p->frame.view;
     algsurf_extent wider;
-    const algsurf_extent *extent = algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
+    const algsurf_extent *extent =
+        scene->complex ? &scene->extent : algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
     double eye[3], radius = extent == &wider ? wider.size[0] : picture->radius;
     if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
         !natural(scene->surface, scene->extent.centre, view->centre))
@@ -121,6 +123,11 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     for (int i = 0; i < 3; i++)
         p->extent_size[i] = ldexp(extent->size[i], -scene->surface->unit) / view->size;
     /* a depth of 1 is at most this much of t */
+    p->top = -1;
+    if (scene->complex) {
+        if (!algsurf_i_sector_edges_of(&scene->space.sector, &p->sector)) return 0;
+        algsurf_i_complex_prepare(scene, p);
+    }
     p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
     return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
            view->noise * scene->surface->degree < 0x1p-22;

@@ -110,9 +110,10 @@ static void set_normal(const complex_query *q, algsurf_complex v, double normal[
     algsurf_i_surface_gradient_complex(q->surface, x, g);
     for (int i = 0; i < 3; i++) w[i] = (g[i].re * p.re + g[i].im * p.im) / d2;
     double along = (1 - algsurf_dot(w, f->V)) / algsurf_dot(f->V, f->V);
-    /* p' > 0 where P grows along the ray: the sign of the gradient, for telling the sides apart */
-    for (int i = 0; i < 3; i++)
-        w[i] = copysign(1, p.re) * (w[i] + (v.im == 0 && p.im == 0 ? 0 : along * f->V[i]));
+    /* p' > 0 where P grows along the ray: the sign of the gradient, for telling the sides apart.  Where p' is
+     * imaginary but for rounding, as on the complex part of a sphere, this is the side that is seen. */
+    double sign = p.re < -0x1p-30 * sqrt(d2) ? -1 : 1;
+    for (int i = 0; i < 3; i++) w[i] = sign * (w[i] + (v.im == 0 && p.im == 0 ? 0 : along * f->V[i]));
     if (!algsurf_is_finite3(w) || !algsurf_unit(w, normal)) normal[0] = normal[1] = normal[2] = 0;
 }
 
