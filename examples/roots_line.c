@@ -7,7 +7,6 @@
  * From doubles, the real roots are isolated and refined, with proof. */
 #include "roots_line.h"
 
-#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -363,9 +363,9 @@ static void two_mirrors(void **state) {
     assert_true(algsurf_i_sector_edges_of(&whole, &edges));
     const polynomials q = {.real = 1};
     const window w = {&edges, 0, all_lanes(0.1), all_lanes(100), all_lanes(0)};
-    roots r = {.x = {all_lanes(3), all_lanes(3.02), all_lanes(2.99)},
-               .y = {all_lanes(1), all_lanes(-1), all_lanes(-1.02)},
-               .radius = {all_lanes(0.05), all_lanes(0.01), all_lanes(0.001)},
+    roots r = {.x = {all_lanes(3), all_lanes(3.06), all_lanes(3.03)},
+               .y = {all_lanes(1), all_lanes(-1), all_lanes(-1.055)},
+               .radius = {all_lanes(0.05), all_lanes(0.02), all_lanes(0.02)},
                .apart = at_most(all_lanes(0), all_lanes(0))};
     r.x[2][1] = 20;
     seen s = find_seen(&q, 3, &r, &w);

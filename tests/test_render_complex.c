@@ -3,11 +3,10 @@
  *
  * Breaks tried, each caught by the test named:
  *   space not handed on, |t| not in the hits, shadows                            pixel_by_pixel
- *   start values from a wrong pixel, never warm, a slice's first row begun anew   iterations_saved
+ *   never warm, a slice's first row begun anew                                   iterations_saved
  *   a row lost in a batch, rows beyond the last one drawn                        same_bytes
- *   an undecided pixel drawn as it is                                            border_is_uncertain
- *   a cluster taken for roots                                                    cluster_is_left
- *   imaginary parts of the wrong scale, an edge without margin                   states_of_single_rays
+ *   a doubtful pixel not drawn                                                   border_is_uncertain
+ *   imaginary parts of the wrong scale, start values from elsewhere              states_of_single_rays
  *   sector of real space too narrow or too wide                                  real_space
  *   rows of roots too short, a null row read                                     odd_surfaces
  *   a refused space kept, null space refused                                     setters

@@ -76,12 +76,11 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
-/* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection then play no
- * part, and full quality is drawn like standard quality: which points of complex space belong to the
- * surface depends on the eye, and a light would see others, so that there are no shadows to speak of.
- * Errors: as algsurf_intersect_complex for the space.  Cost: 60 ns a pixel in degree 4, 250 ns in degree 10,
- * with AVX-512; what rows leave in doubt, an algsurf_intersect_complex each.
- * Since 1.0. */
+/* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection, but for the
+ * kernel, then play no part, and full quality is drawn like standard quality: which points of complex space
+ * belong to the surface depends on the eye, and a light would see others, so that there are no shadows to
+ * speak of.  Errors: as algsurf_intersect_complex for the space.  Cost: 70 ns a pixel in degree 4, 300 ns in
+ * degree 10, with AVX-512; what rows leave in doubt, an algsurf_intersect_complex each.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the roots of rays in complex space are found from those of their neighbours: some 40 per cent
