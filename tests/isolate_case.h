@@ -257,6 +257,15 @@ static inline const char *isolate_entries(const algsurf_real_root *roots, int co
     return NULL;
 }
 
+/* The same roots, whichever of their two doubles is the value. */
+static inline int isolate_same_roots(const algsurf_real_root *a, const algsurf_real_root *b, int count) {
+    int same = 1;
+    for (int i = 0; i < count; i++)
+        same &= a[i].lo == b[i].lo && a[i].hi == b[i].hi && a[i].multiplicity == b[i].multiplicity &&
+                a[i].sign == b[i].sign && (b[i].value == b[i].lo || b[i].value == b[i].hi);
+    return same;
+}
+
 /* What algsurf_real_roots_integers says, with a leading zero where there is room, and that algsurf_real_roots
  * says the same (c: null, or p times a power of two). */
 static inline const char *isolate_real_roots(const isolate_chains *chains, const double *c, double lo,
@@ -271,7 +280,7 @@ static inline const char *isolate_real_roots(const isolate_chains *chains, const
     a->status = algsurf_real_roots_integers(z, top, lo, hi, roots, n, &count);
     if (a->status != ALGSURF_OK) return "integers refused";
     if (c && (algsurf_real_roots(c, n, lo, hi, same, n, &again) != ALGSURF_OK || again != count ||
-              memcmp(roots, same, (size_t)count * sizeof *roots) != 0))
+              !isolate_same_roots(roots, same, count)))
         return "other roots from doubles than from integers";
     const char *wrong = isolate_entries(roots, count, a);
     if (!wrong) wrong = isolate_decisions(chains, lo, hi, a);

@@ -20,6 +20,11 @@ algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, do
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count);
 
+/* isolate.c: the roots in [lo,hi] as brackets, by doubles; returns 0 when these leave something undecided.  c[degree]
+ * is not 0; `degree` entries suffice.  All brackets hold simple roots. */
+int algsurf_i_isolate_in_lane(const double *c, int degree, double lo, double hi, algsurf_bracket *brackets,
+                              int *count);
+
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
  * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or
  * E_NO_MEMORY. */

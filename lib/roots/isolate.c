@@ -80,6 +80,14 @@ static int walk_lane(task *t) {
     return done;
 }
 
+int algsurf_i_isolate_in_lane(const double *c, int degree, double lo, double hi, algsurf_bracket *brackets,
+                              int *count) {
+    task t = {{c, NULL, degree}, lo, hi, 0, brackets, 0, degree, 0};
+    int done = walk_lane(&t);
+    *count = t.count;
+    return done;
+}
+
 /* The interval from where the lane's last bracket ends. */
 static double begin_of_rest(const task *t) { return t->count > 0 ? t->b[t->count - 1].hi : t->lo; }
 
