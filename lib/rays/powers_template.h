@@ -16,11 +16,7 @@
 #define ALGSURF_POWERS_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "../surface/impl.h"
-
-/* The points middle + v half. */
-typedef struct chord_line {
-    lanes middle[3], half[3];
-} chord_line;
+#include "chord_template.h"
 
 /* c[0] + c[1] v + c[2] v^2. */
 typedef struct coordinate {

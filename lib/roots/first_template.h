@@ -3,112 +3,22 @@
  * They are counted by Descartes' rule.  Those with more than one variation of sign are split, all of them
  * once; what is still open is packed together and split again, so that no lane waits for another.  Brackets
  * are refined by Halley's method (Traub, Iterative Methods for the Solution of Equations, 1964) on the power
- * basis about the middle, from where the control polygon crosses zero.
- *
- * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, v in
- * [-1,1]: a Taylor shift by Horner's rule.  A constant matrix makes Bernstein coefficients of d; its columns
- * are even or odd in j, so half of it does.
- *
- * Error of the Bernstein coefficients.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that
- * is added to a coefficient are at most S together, for |m| + h = M.  The shift rounds 2n times at most, the
- * powers of h and their product n + 1 times, the matrix has relative error u, and n/2 + 3 roundings follow:
- * together (3.5n + 5) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
- * bound (6n + 10) u S takes in the higher orders and the rounding of S.
- *
- * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
- * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
+ * basis about the middle, from where the control polygon crosses zero. */
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
 #include "../simd/lanes.h"
+#include "centred_template.h"
 #include "kernel.h"
 #include "packet_template.h"
 
-#define LARGE_END 0x1p20
-#define LARGE_SIZE 0x1p300
-#define LARGEST 0x1p900  /* what can be scaled */
-#define SHORTEST 0x1p-30 /* of h in units of M */
-#define POLYS 128        /* solved together */
-#define SHORT_ROOT_STEP                                                                                      \
-    0x1p-10 /* longer ones do not tell what the next will be; the interval has length 2                      \
-             */
+#define POLYS 128 /* solved together */
+/* Longer ones do not tell what the next will be; the interval has length 2. */
+#define SHORT_ROOT_STEP 0x1p-10
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
 #define FLAT 0x1p-12            /* sqrt(D): as BLURRED */
 #define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
-
-/* LANES polynomials about the middles of their intervals. */
-typedef struct centred {
-    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1];
-    lanes lo, hi, middle, half; /* of the interval, in the caller's unit */
-    lanes radius;               /* bound on the error of the Bernstein coefficients */
-    mask sound;
-} centred;
-
-/* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
-INLINE lanes power_of_two(lanes a) { return (lanes)(0x7fe0000000000000u - ((words)a & 0x7ff0000000000000u)); }
-
-INLINE mask moderate(lanes a, double large) {
-    return less(all_lanes(1 / large), a) & less(a, all_lanes(large));
-}
-
-/* sum |c_k| x^k. */
-INLINE lanes magnitude(const lanes *c, int n, lanes x) {
-    lanes sum = absolute(c[n]);
-    for (int k = n - 1; k >= 0; k--) sum = sum * x + absolute(c[k]);
-    return sum;
-}
-
-/* Brings M and S of the `extreme` lanes to about 1.  What overflows shows in S. */
-INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *most, lanes *size) {
-    lanes one = all_lanes(1), power = one;
-    p->sound = ~extreme | (moderate(*most, LARGEST) & moderate(*size, LARGEST));
-    lanes shrink = choose(extreme & p->sound, power_of_two(*most), one), unit = 1 / shrink;
-    lanes scale = choose(extreme & p->sound, power_of_two(*size), one);
-    for (int k = 0; k <= n; k++) {
-        p->d[k] = p->d[k] * larger(scale, one) * power * smaller(scale, one);
-        if (k < n) power *= unit;
-    }
-    *m *= shrink;
-    *h *= shrink;
-    *most *= shrink;
-    *size = magnitude(p->d, n, *most);
-    p->radius *= scale;
-    p->sound &= moderate(power, LARGEST) & (~extreme | moderate(*size, 8));
-}
-
-/* Polynomials at .. at+count-1. */
-INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
-    lanes *d = p->d, power = all_lanes(1);
-    p->lo = load_some(job->lo + at, count);
-    p->hi = load_some(job->hi + at, count);
-    for (int k = 0; k <= n; k++) d[k] = load_some(job->c[k] + at, count);
-    lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
-    lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
-    p->radius = all_lanes(0);
-    for (int k = n; job->r && k >= 0; k--) p->radius = p->radius * most + load_some(job->r[k] + at, count);
-    mask extreme = ~(moderate(most, LARGE_END) & moderate(size, LARGE_SIZE));
-    p->sound = ~no_lane();
-    if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
-    p->sound &= less(SHORTEST * most, h);
-    p->radius = p->radius * (1 + 0x1p-40) + (6 * n + 10) * 0x1p-53 * size;
-    UNROLLED for (int i = 0; i < n; i++) for (int k = n - 1; k >= i; k--) d[k] += m * d[k + 1];
-    for (int k = 1; k <= n; k++) {
-        power *= h;
-        d[k] *= power;
-    }
-}
-
-/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
-INLINE void centred_to_bernstein(const double *basis, const lanes *d, lanes *b, int n) {
-    UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        lanes even = d[0], odd = basis[j * (n + 1) + 1] * d[1];
-        for (int k = 2; k <= n; k += 2) even += basis[j * (n + 1) + k] * d[k];
-        for (int k = 3; k <= n; k += 2) odd += basis[j * (n + 1) + k] * d[k];
-        b[j] = even + odd;
-        b[n - j] = even - odd;
-    }
-}
 
 /* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
 INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
@@ -453,36 +363,8 @@ INLINE void solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
         solve_block(job, &block, at, count - at < POLYS ? (int)(count - at) : POLYS, n);
 }
 
-static void solve_polys(const algsurf_i_polys_job *job, size_t count) {
-    switch (INSTRUMENTED ? 0 : job->degree) {
-    case 1:
-        solve_polys_n(job, count, 1);
-        break;
-    case 2:
-        solve_polys_n(job, count, 2);
-        break;
-    case 3:
-        solve_polys_n(job, count, 3);
-        break;
-    case 4:
-        solve_polys_n(job, count, 4);
-        break;
-    case 5:
-        solve_polys_n(job, count, 5);
-        break;
-    case 6:
-        solve_polys_n(job, count, 6);
-        break;
-    case 8:
-        solve_polys_n(job, count, 8);
-        break;
-    case 10:
-        solve_polys_n(job, count, 10);
-        break;
-    default:
-        solve_polys_n(job, count, job->degree);
-    }
-}
+static void solve_polys(const algsurf_i_polys_job *job,
+                        size_t count){FOR_DEGREE(job->degree, solve_polys_n(job, count, N))}
 
 /* Whether `count` numbers, or their multiples by 0, are all finite. */
 INLINE mask all_finite(mask good, const double *a, size_t count) {

@@ -1,0 +1,139 @@
+/* chord_template.h - LANES rays as they are solved, and their chords inside the extent.
+ *
+ * Everything is in natural units, and directions are divided by a power of two, so that their largest
+ * component is in [1,2): rays and surfaces of any size are alike.  The caller's t is t_unit times ours.
+ *
+ * Scaling of t.  A t_min or t_max that underflows is off by 2^-1074, which changes P by less than UNDERFLOW;
+ * one that overflows is beyond all chords.  On the way out underflow moves t_lo and t_hi by 2^-1074, less
+ * than 2^-100 h where LEAST_CHORD holds.  Both have room for that: a bracket's ends 2^-52 h, and where signs
+ * of P show them, such a move is 2^-70 of the magnitudes there at most, which changes P by far less than the
+ * 5 u S that its error has to spare (hits_template.h, narrow).
+ *
+ * Range.  With reach^n <= 2^280, n <= 64 and fewer than 2^16 terms, P's scheme on magnitudes is below 2^296.
+ * An underflow changes a number by 2^-1074, is multiplied by 2^280 and the entries of a change of basis,
+ * below 2^12, at most, and there are fewer than 2^22 of them: UNDERFLOW is more. */
+#ifndef ALGSURF_CHORD_TEMPLATE_H
+#define ALGSURF_CHORD_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "kernel.h"
+
+#define UNDERFLOW 0x1p-550
+#define FARTHEST 0x1p100    /* origin, in natural units */
+#define LEAST_UNIT 0x1p-800 /* of the caller's t: ours is below 2^141, so no t overflows */
+#define MOST_UNIT 0x1p800
+#define LEAST_CHORD 0x1p-900   /* half of it, in the caller's t */
+#define FARTHEST_ORIGIN 0x1p40 /* in radii of the extent: beyond, double-double is not enough */
+
+/* LANES rays in natural units. */
+typedef struct ray_lanes {
+    lanes origin[3], direction[3];
+    double unit;     /* the natural one in the caller's */
+    lanes t_unit;    /* the caller's t where ours is 1, a power of two */
+    lanes near, far; /* ends of the chord */
+    lanes off;       /* how far another computation may place them */
+    mask open, doubtful;
+} ray_lanes;
+
+/* x + low + t d, rounded once but for a part 2^-100 of the terms. */
+INLINE lanes along(lanes x, lanes low, lanes t, lanes d) {
+    lanes product_low, sum_low, sum = exact_sum(exact_product(t, d, &product_low), x, &sum_low);
+    return sum + (sum_low + (product_low + low));
+}
+
+INLINE lanes largest_of(const lanes v[3]) {
+    return larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
+}
+
+/* Of the lanes that have a ray, those whose byte is not 0. */
+INLINE mask active_lanes(const unsigned char *active, int count) {
+    double on[LANES];
+    for (int l = 0; l < LANES; l++) on[l] = l < count && (!active || active[l]);
+    return less(all_lanes(0), load(on));
+}
+
+INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, size_t at, int count, double scale) {
+    ray_lanes r;
+    for (int i = 0; i < 3; i++) {
+        r.origin[i] = scale * load_some(job->origin[i] + at, count);
+        r.direction[i] = load_some(job->direction[i] + at, count);
+    }
+    lanes shrink = scale_of(r.direction);
+    for (int i = 0; i < 3; i++) r.direction[i] *= shrink;
+    r.unit = 1 / scale;
+    r.t_unit = shrink * r.unit;
+    lanes inverse = (lanes)(0x7fe0000000000000u - (words)r.t_unit);
+    mask plain = less(all_lanes(LEAST_UNIT), r.t_unit) & less(r.t_unit, all_lanes(MOST_UNIT));
+    plain &= less(largest_of(r.origin), all_lanes(FARTHEST));
+    r.near = job->t_min ? inverse * load_some(job->t_min + at, count) : all_lanes(0);
+    r.far = job->t_max ? inverse * load_some(job->t_max + at, count) : all_lanes(HUGE_VAL);
+    r.off = all_lanes(0);
+    r.open = active_lanes(job->active ? job->active + at : NULL, count);
+    r.doubtful = r.open & ~plain;
+    r.open &= plain;
+    return r;
+}
+
+/* Cuts off what is outside of [near, far]. */
+INLINE void keep_chord(ray_lanes *r, lanes near, lanes far, lanes off) {
+    r->near = larger(near, r->near);
+    r->far = smaller(far, r->far);
+    r->off = off;
+}
+
+/* About the line's point x nearest to the centre, as in ray.c.  The discriminant is off by less than
+ * 2^-48 of size; half of that over its root, and 2^-49 of the other terms, is the error of the ends. */
+INLINE void clip_to_sphere(ray_lanes *r, const double centre[3], double radius) {
+    lanes q[3], low[3], x[3];
+    const lanes *d = r->direction;
+    for (int i = 0; i < 3; i++) q[i] = exact_sum(r->origin[i], all_lanes(-centre[i]), &low[i]);
+    lanes square = dot(d, d), t = -dot(q, d) / square;
+    for (int i = 0; i < 3; i++) x[i] = along(q[i], low[i], t, d[i]);
+    lanes c[3] = {x[1] * d[2] - x[2] * d[1], x[2] * d[0] - x[0] * d[2], x[0] * d[1] - x[1] * d[0]};
+    lanes reach = square * (radius * radius), inside = reach - dot(c, c);
+    lanes size = reach + square * dot(x, x);
+    mask misses = less(inside, -0x1p-48 * size);
+    r->doubtful |= r->open & ~less(largest_of(q), all_lanes(FARTHEST_ORIGIN * radius));
+    r->open &= ~(misses | r->doubtful);
+    lanes half = root(larger(inside, all_lanes(0))), b = -dot(x, d); /* 0: then off is infinite */
+    lanes off = 0x1p-49 * (absolute(t) + half / square) + 0x1p-47 * size / (half * square);
+    keep_chord(r, t + (b - half) / square, t + (b + half) / square, off);
+}
+
+INLINE void clip_to_box(ray_lanes *r, const double centre[3], const double size[3]) {
+    lanes near = all_lanes(-HUGE_VAL), far = all_lanes(HUGE_VAL), low;
+    for (int i = 0; i < 3; i++) {
+        lanes q = exact_sum(r->origin[i], all_lanes(-centre[i]), &low), d = r->direction[i];
+        lanes one = ((-size[i] - q) - low) / d, two = ((size[i] - q) - low) / d;
+        mask parallel = at_most(absolute(d), all_lanes(0));
+        mask in = less(absolute(q), all_lanes(size[i] * (1 - 0x1p-50)));
+        mask out = less(all_lanes(size[i] * (1 + 0x1p-50)), absolute(q));
+        near = choose(parallel, near, larger(near, smaller(one, two)));
+        far = choose(parallel, far, smaller(far, larger(one, two)));
+        r->doubtful |= r->open & parallel & ~(in | out);
+        r->open &= ~(parallel & ~in);
+    }
+    keep_chord(r, near, far, 0x1p-49 * (absolute(near) + absolute(far)));
+}
+
+INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale) {
+    const algsurf_extent *e = job->extent;
+    if (e && e->kind != ALGSURF_EXTENT_ALL) {
+        double centre[3], size[3];
+        for (int i = 0; i < 3; i++) {
+            centre[i] = scale * e->centre[i];
+            size[i] = scale * e->size[i];
+        }
+        if (e->kind == ALGSURF_EXTENT_SPHERE)
+            clip_to_sphere(r, centre, size[0]);
+        else
+            clip_to_box(r, centre, size);
+    }
+    r->open &= ~less(r->far, r->near - 4 * r->off);
+}
+
+/* The chord's points middle + v half, -1 <= v <= 1. */
+typedef struct chord_line {
+    lanes middle[3], half[3];
+} chord_line;
+
+#endif

@@ -1,0 +1,106 @@
+/* hits_template.h - from the roots of LANES polynomials along rays to points, normals and intervals of t. */
+#ifndef ALGSURF_HITS_TEMPLATE_H
+#define ALGSURF_HITS_TEMPLATE_H
+#include "../roots/packet_template.h"
+#include "../surface/jets_template.h"
+#include "chord_template.h"
+#include "nodes_template.h"
+
+#define MOST_STEPS 3              /* before the last one */
+#define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
+
+/* What becomes of the lanes' hits, with the caller's t. */
+typedef struct lanes_hit {
+    lanes t, t_lo, t_hi, position[3], normal[3];
+} lanes_hit;
+
+/* How far from a root the rounding of P and of x alone may show one: 3 n + 3 roundings of P and n of x, twice
+ * that for the step and its own value. */
+INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slope) {
+    lanes reach[3];
+    for (int i = 0; i < 3; i++) reach[i] = absolute(s->stride[i] == 2 ? x[i] * x[i] : x[i]);
+    return (8 * s->degree + 16) * 0x1p-53 * surface_magnitude(s, reach) / absolute(slope);
+}
+
+/* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more
+ * than `far` from their root, and more than rounding explains, go there first. */
+INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes t,
+                       lanes *low, lanes x[PAIR][3], lanes gradient[3]) {
+    for (int round = 0;; round++) {
+        for (int i = 0; i < 3; i++) x[0][i] = along(r->origin[i], *low * r->direction[i], t, r->direction[i]);
+        jets p = surface_jets(s, x, 1);
+        gradient[0] = p.x[0], gradient[1] = p.y[0], gradient[2] = p.z[0];
+        lanes slope = dot(gradient, r->direction), step = -p.v[0] / slope;
+        mask again = which & ~at_most(absolute(step), *far);
+        if (!any(again)) return step;
+        *far = choose(again, larger(*far, noise_of_step(s, x[0], slope)), *far);
+        again &= ~at_most(absolute(step), *far);
+        if (round == MOST_STEPS || !any(again)) return step;
+        *low = choose(again, *low + step, *low); /* the others will compute the same numbers again */
+    }
+}
+
+/* [t_lo,t_hi] around t, narrower than the bracket where the signs of P itself show it.
+ *
+ * P(X(t)) at a double t is off by at most E: `along` rounds X once, but for 2^-100 (|o| + |t d|), which 2^-30
+ * |o| in the magnitudes takes in, as 2^-30 |h d| does the way from x to the ends; each of at most n
+ * coordinates in a term brings that rounding and that of its square, the scheme 3 n + 3 more
+ * (surface/eval.c): (5 n + 3) u S, taken as (5 n + 8).  The ends are put where |P| is about 3 E, hence where
+ * the computed value exceeds E: then its sign is P's, and if it is the one that the bracket has on that side,
+ * the root, the only one in the bracket, lies between. */
+INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, const packet *k,
+                   const lanes x[3], lanes slope, lanes_hit *hit) {
+    lanes reach[3], end[3][PAIR], p[PAIR];
+    for (int i = 0; i < 3; i++) {
+        reach[i] = absolute(x[i]) + 0x1p-30 * (absolute(r->origin[i]) + absolute(half * r->direction[i]));
+        if (s->stride[i] == 2) reach[i] *= reach[i];
+    }
+    double share = (5 * s->degree + 8) * 0x1p-53 + s->error;
+    lanes error = share * surface_magnitude(s, reach) + UNDERFLOW;
+    lanes pad = 3 * error / absolute(slope) + 0x1p-52 * absolute(hit->t),
+          t[PAIR] = {hit->t - pad, hit->t + pad};
+    for (int m = 0; m < PAIR; m++)
+        for (int i = 0; i < 3; i++) {
+            end[i][m] = along(r->origin[i], all_lanes(0), t[m], r->direction[i]);
+            if (s->stride[i] == 2) end[i][m] *= end[i][m];
+        }
+    surface_values(s, PAIR, (const lanes *const[]){end[0], end[1], end[2]}, p);
+    mask close = less(pad, 0x1p-32 * half); /* so that reach is enough */
+    mask before = close & less(error, (lanes)((words)p[0] ^ k->at.side));
+    mask behind = close & less((lanes)((words)p[1] ^ k->at.side), -error);
+    hit->t_lo = choose(before, larger(hit->t_lo, t[0]), hit->t_lo);
+    hit->t_hi = choose(behind, smaller(hit->t_hi, t[1]), hit->t_hi);
+}
+
+/* From roots v of the polynomials, -1 <= v <= 1, to hits.  A point is kept as t + low: where the origin is
+ * far, the rounding of t alone is too much. */
+INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half, lanes v,
+                      int ends, packet *k, lanes_hit *hit) {
+    const cell *c = &k->at;
+    lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
+    lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
+    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
+    lanes pad = 0x1p-50 * (absolute(middle) + half);
+    hit->t_lo =
+        choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));
+    hit->t_hi =
+        choose(at_most(all_lanes(1), c->q), r->far, smaller(r->far, middle + half * (2 * c->q - 1) + pad));
+    hit->t = t + (low + step);
+    mask sound = at_most(absolute(step), far);
+    sound &= at_most(hit->t_lo - pad, hit->t) & at_most(hit->t, hit->t_hi + pad);
+    sound &= less(all_lanes(LEAST_CHORD), half * r->t_unit);
+    k->doubtful |= k->hit & ~sound;
+    k->hit &= sound;
+    hit->t = smaller(larger(hit->t, hit->t_lo), hit->t_hi);
+    if (ends) narrow(job->surface, r, half, k, x[0], dot(gradient, r->direction), hit);
+    hit->t *= r->t_unit;
+    hit->t_lo *= r->t_unit;
+    hit->t_hi *= r->t_unit;
+    make_unit(gradient);
+    for (int i = 0; i < 3; i++) {
+        hit->position[i] = (x[0][i] + step * r->direction[i]) * r->unit;
+        hit->normal[i] = gradient[i];
+    }
+}
+
+#endif

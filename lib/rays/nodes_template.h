@@ -1,0 +1,114 @@
+/* nodes_template.h - P along LANES chords, or along one, from its values at the surface's nodes v_i: a matrix
+ * makes Bernstein coefficients of them (surface/nodes.c), which share one error radius.
+ *
+ * Error.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme on them.  M, h d, v_i h d and
+ * the sum are rounded: 3 roundings to each of at most n coordinates in a term, beside the 3n + 3 of
+ * surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix has relative errors
+ * (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's amplification A.
+ * Together (9n+9) u A S; the bound used is (10n+20) u A S, for higher orders and the rounding of S;
+ * coefficients with an error e of their own add e A S.  The fast tier computes no bound from nodes, and
+ * leaves alone chords so long that this one could matter, by their reach (surface/nodes.c). */
+#ifndef ALGSURF_NODES_TEMPLATE_H
+#define ALGSURF_NODES_TEMPLATE_H
+#include "../roots/packet_template.h"
+#include "../surface/impl.h"
+#include "chord_template.h"
+
+#define BLOCK_OF_NODES 7 /* evaluated together, in degrees without code of their own */
+#define MOST_NODES 14    /* a multiple of it, above ALGSURF_MAX_NODE_DEGREE */
+
+/* P at `block` points at once: x[0], x[1], x[2] and their coordinates, or the squares of these. */
+INLINE void surface_values(const algsurf_surface *s, int block, const lanes *const x[3], lanes *p) {
+    lanes level[MOST_NODES], row[MOST_NODES];
+    for (int m = 0; m < block; m++) p[m] = all_lanes(0);
+    for (int k = s->level_count - 1; k >= 0; k -= s->stride[2]) {
+        const algsurf_row *rows = s->rows + s->levels[k].first;
+        for (int m = 0; m < block; m++) level[m] = all_lanes(0);
+        for (int j = s->levels[k].count - 1; j >= 0; j -= s->stride[1]) {
+            const double *c = s->coef + rows[j].first;
+            int i = rows[j].length - 1;
+            for (int m = 0; m < block; m++) row[m] = all_lanes(i >= 0 ? c[i] : 0);
+            for (i -= s->stride[0]; i >= 0; i -= s->stride[0])
+                for (int m = 0; m < block; m++) row[m] = row[m] * x[0][m] + c[i];
+            for (int m = 0; m < block; m++) level[m] = level[m] * x[1][m] + row[m];
+        }
+        for (int m = 0; m < block; m++) p[m] = p[m] * x[2][m] + level[m];
+    }
+}
+
+/* The same scheme on magnitudes at one point. */
+INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes x[3]) {
+    lanes p = all_lanes(0);
+    for (int k = s->level_count - 1; k >= 0; k -= s->stride[2]) {
+        const algsurf_row *rows = s->rows + s->levels[k].first;
+        lanes level = all_lanes(0);
+        for (int j = s->levels[k].count - 1; j >= 0; j -= s->stride[1]) {
+            const double *c = s->coef + rows[j].first;
+            lanes row = all_lanes(0);
+            for (int i = rows[j].length - 1; i >= 0; i -= s->stride[0]) row = row * x[0] + fabs(c[i]);
+            level = level * x[1] + row;
+        }
+        p = p * x[2] + level;
+    }
+    return p;
+}
+
+/* b, from the chord's middle and half of it as a vector. */
+INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle[3], const lanes half[3],
+                                    lanes *b, int n, int block) {
+    lanes x[3][MOST_NODES], p[MOST_NODES];
+    for (int i = 0; i < 3; i++) {
+        for (int m = 0; m <= n; m++) {
+            x[i][m] = middle[i] + s->nodes[m] * half[i];
+            if (s->stride[i] == 2) x[i][m] *= x[i][m];
+        }
+        for (int m = n + 1; m % block; m++) x[i][m] = x[i][n];
+    }
+    for (int m = 0; m <= n; m += block)
+        surface_values(s, block, (const lanes *const[]){x[0] + m, x[1] + m, x[2] + m}, p + m);
+    for (int j = 0; j <= n; j++) {
+        const double *w = s->to_bernstein + j;
+        lanes sum = w[0] * p[0];
+        for (int m = 1; m <= n; m++) sum += w[m * ALGSURF_NODE_STRIDE] * p[m];
+        b[j] = sum;
+    }
+}
+
+#define VECTORS ((ALGSURF_NODE_STRIDE + LANES - 1) / LANES)
+
+/* The same for one chord, nodes and then coefficients side by side. */
+INLINE void coefficients_of_one_n(const algsurf_surface *s, const double middle[3], const double half[3],
+                                  double *b, int vectors) {
+    lanes x[3][VECTORS], p[VECTORS], sum[VECTORS];
+    double value[VECTORS * LANES];
+    int n = s->node_degree;
+    if (n >= vectors * LANES) __builtin_unreachable();
+    for (int i = 0; i < 3; i++)
+        for (int v = 0; v < vectors; v++) {
+            x[i][v] = middle[i] + load(s->nodes + v * LANES) * half[i];
+            if (s->stride[i] == 2) x[i][v] *= x[i][v];
+        }
+    surface_values(s, vectors, (const lanes *const[]){x[0], x[1], x[2]}, p);
+    for (int v = 0; v < vectors; v++) {
+        store(value + v * LANES, p[v]);
+        sum[v] = load(s->to_bernstein + v * LANES) * value[0];
+    }
+    for (int m = 1; m <= n; m++)
+        for (int v = 0; v < vectors; v++)
+            sum[v] += load(s->to_bernstein + m * ALGSURF_NODE_STRIDE + v * LANES) * value[m];
+    for (int v = 0; v < vectors; v++) store(b + v * LANES, sum[v]);
+}
+
+/* b has room for ALGSURF_NODE_STRIDE. */
+APART void coefficients_of_one(const algsurf_surface *s, const double middle[3], const double half[3],
+                               double *b) {
+    int vectors = s->node_degree / LANES + 1;
+    if (vectors == 1)
+        coefficients_of_one_n(s, middle, half, b, 1);
+    else if (vectors == 2)
+        coefficients_of_one_n(s, middle, half, b, 2);
+    else
+        coefficients_of_one_n(s, middle, half, b, VECTORS < 4 ? VECTORS : 4);
+}
+
+#endif

@@ -1,0 +1,99 @@
+/* centred_template.h - LANES polynomials of many about the middles of their intervals, and their Bernstein
+ * coefficients.
+ *
+ * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, v in
+ * [-1,1]: a Taylor shift by Horner's rule.  A constant matrix makes Bernstein coefficients of d; its columns
+ * are even or odd in j, so half of it does.
+ *
+ * Error of the Bernstein coefficients.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that
+ * is added to a coefficient are at most S together, for |m| + h = M.  The shift rounds 2n times at most, the
+ * powers of h and their product n + 1 times, the matrix has relative error u, and n/2 + 3 roundings follow:
+ * together (3.5n + 5) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
+ * bound (6n + 10) u S takes in the higher orders and the rounding of S.
+ *
+ * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
+ * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
+#ifndef ALGSURF_CENTRED_TEMPLATE_H
+#define ALGSURF_CENTRED_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "kernel.h"
+
+#define LARGE_END 0x1p20
+#define LARGE_SIZE 0x1p300
+#define LARGEST 0x1p900  /* what can be scaled */
+#define SHORTEST 0x1p-30 /* of h in units of M */
+
+/* LANES polynomials about the middles of their intervals. */
+typedef struct centred {
+    lanes d[ALGSURF_MAX_POLYS_DEGREE + 1];
+    lanes lo, hi, middle, half; /* of the interval, in the caller's unit */
+    lanes radius;               /* bound on the error of the Bernstein coefficients */
+    mask sound;
+} centred;
+
+/* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
+INLINE lanes power_of_two(lanes a) { return (lanes)(0x7fe0000000000000u - ((words)a & 0x7ff0000000000000u)); }
+
+INLINE mask moderate(lanes a, double large) {
+    return less(all_lanes(1 / large), a) & less(a, all_lanes(large));
+}
+
+/* sum |c_k| x^k. */
+INLINE lanes magnitude(const lanes *c, int n, lanes x) {
+    lanes sum = absolute(c[n]);
+    for (int k = n - 1; k >= 0; k--) sum = sum * x + absolute(c[k]);
+    return sum;
+}
+
+/* Brings M and S of the `extreme` lanes to about 1.  What overflows shows in S. */
+INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *most, lanes *size) {
+    lanes one = all_lanes(1), power = one;
+    p->sound = ~extreme | (moderate(*most, LARGEST) & moderate(*size, LARGEST));
+    lanes shrink = choose(extreme & p->sound, power_of_two(*most), one), unit = 1 / shrink;
+    lanes scale = choose(extreme & p->sound, power_of_two(*size), one);
+    for (int k = 0; k <= n; k++) {
+        p->d[k] = p->d[k] * larger(scale, one) * power * smaller(scale, one);
+        if (k < n) power *= unit;
+    }
+    *m *= shrink;
+    *h *= shrink;
+    *most *= shrink;
+    *size = magnitude(p->d, n, *most);
+    p->radius *= scale;
+    p->sound &= moderate(power, LARGEST) & (~extreme | moderate(*size, 8));
+}
+
+/* Polynomials at .. at+count-1. */
+INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
+    lanes *d = p->d, power = all_lanes(1);
+    p->lo = load_some(job->lo + at, count);
+    p->hi = load_some(job->hi + at, count);
+    for (int k = 0; k <= n; k++) d[k] = load_some(job->c[k] + at, count);
+    lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
+    lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
+    p->radius = all_lanes(0);
+    for (int k = n; job->r && k >= 0; k--) p->radius = p->radius * most + load_some(job->r[k] + at, count);
+    mask extreme = ~(moderate(most, LARGE_END) & moderate(size, LARGE_SIZE));
+    p->sound = ~no_lane();
+    if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
+    p->sound &= less(SHORTEST * most, h);
+    p->radius = p->radius * (1 + 0x1p-40) + (6 * n + 10) * 0x1p-53 * size;
+    UNROLLED for (int i = 0; i < n; i++) for (int k = n - 1; k >= i; k--) d[k] += m * d[k + 1];
+    for (int k = 1; k <= n; k++) {
+        power *= h;
+        d[k] *= power;
+    }
+}
+
+/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
+INLINE void centred_to_bernstein(const double *basis, const lanes *d, lanes *b, int n) {
+    UNROLLED for (int j = 0; 2 * j <= n; j++) {
+        lanes even = d[0], odd = basis[j * (n + 1) + 1] * d[1];
+        for (int k = 2; k <= n; k += 2) even += basis[j * (n + 1) + k] * d[k];
+        for (int k = 3; k <= n; k += 2) odd += basis[j * (n + 1) + k] * d[k];
+        b[j] = even + odd;
+        b[n - j] = even - odd;
+    }
+}
+
+#endif
