@@ -46,10 +46,11 @@ typedef struct algsurf_real_root {
  *   roots, capacity   room for the answer; the degree, at least 1, always suffices
  *   count             how many were written
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small:
- * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY. Cost: 2 to 20
- * microseconds for degrees 2 to 10, in integers of some hundred bits; 20 KiB of stack, more is allocated, 1
- * GiB at most.  Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004),
- * multiplicities by greatest common divisors (Yun 1976).  Since 1.0. */
+ * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY. Cost: for
+ * degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to 20, in
+ * integers of some hundred bits; 100 KiB of stack, more is allocated, 1 GiB at most.  Source: Descartes' rule
+ * of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by greatest common divisors (Yun
+ * 1976).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
 
@@ -65,8 +66,8 @@ typedef struct algsurf_integer {
 
 /* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
  * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
- * ones.  Cost: as above for short coefficients; 15 microseconds for degree 8 and 1000 bits.
- * Since 1.0. */
+ * ones.  Cost: 2 to 20 microseconds for degrees 2 to 10 and short coefficients, 15 for degree 8 and 1000
+ * bits. Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
@@ -98,8 +99,8 @@ typedef struct algsurf_bracket {
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative radius),
  * E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY; nothing is
  * written then.
- * Cost: below a microsecond where doubles decide (finite intervals, degree at most 64, roots not far smaller
- * than the interval, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
+ * Cost: below a microsecond to degree 10 where doubles decide (degree at most 64, roots not of very
+ * different sizes, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
  * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  100 KiB of
  * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
