@@ -161,7 +161,7 @@ static int takes_part(const studio *s, artist who) {
     }
 }
 
-static void compare(const studio *s, artist who, peers_row *row) {
+static void compare(const studio *s, artist who, contest_row *row) {
     size_t truth = 0;
     for (int i = 0; i < PIXELS; i++) {
         int seen = s->shows[who][i], there = s->shows[CERTIFIED][i];
@@ -175,23 +175,23 @@ static void compare(const studio *s, artist who, peers_row *row) {
     row->error = 100 * fabs((double)row->count - (double)truth) / (double)truth;
 }
 
-static void hang(const studio *s, double (*seconds)[PEERS_MOST_TAKES], int takes, peers_table *table) {
+static void hang(const studio *s, double (*seconds)[CONTEST_MOST_TAKES], int takes, contest_table *table) {
     double nothing = 0;
     if (takes_part(s, SURF_EMPTY)) {
         measure_sort(seconds[SURF_EMPTY], (size_t)takes);
         nothing = measure_quantile(seconds[SURF_EMPTY], (size_t)takes, 0.5);
     }
     for (artist who = CERTIFIED; who < ARTISTS; who++) {
-        peers_row row = {.section = "pictures",
-                         .task = s->scene.name,
-                         .degree = s->scene.degree,
-                         .program = artist_name[who],
-                         .unit = "ms"};
+        contest_row row = {.section = "pictures",
+                           .task = s->scene.name,
+                           .degree = s->scene.degree,
+                           .program = artist_name[who],
+                           .unit = "ms"};
         if (!takes_part(s, who) || who == SURF_EMPTY) continue;
         for (int i = 0; who == SURF && i < takes; i++) seconds[who][i] -= nothing;
-        peers_tell_time(&row, seconds[who], (size_t)takes, 1e3);
+        contest_tell_time(&row, seconds[who], (size_t)takes, 1e3);
         compare(s, who, &row);
-        peers_add(table, &row);
+        contest_add(table, &row);
     }
 }
 
@@ -201,19 +201,20 @@ static void *allocate(size_t count, size_t size) {
     return memory;
 }
 
-void peers_pictures(const peers_effort *effort, const peers_programs *programs, peers_table *table) {
+void peers_pictures(const char *const *surfaces, int takes, const peers_programs *programs,
+                    contest_table *table) {
     studio s = {
         .programs = programs, .pixels = allocate(PIXELS, 3), .hits = allocate(PIXELS, sizeof *s.hits)};
     for (int who = 0; who < ARTISTS; who++) s.shows[who] = allocate(PIXELS, 1);
-    for (const char *const *name = effort->surfaces; *name; name++) {
-        double seconds[ARTISTS][PEERS_MOST_TAKES];
+    for (const char *const *name = surfaces; *name; name++) {
+        double seconds[ARTISTS][CONTEST_MOST_TAKES];
         peers_scene_open(&s.scene, catalogue_find(*name));
         (void)draw_here(&s, CERTIFIED); /* touches all memory */
-        for (int take = 0; take < effort->takes; take++)
+        for (int take = 0; take < takes; take++)
             for (artist who = CERTIFIED; who < ARTISTS; who++)
                 if (takes_part(&s, who))
                     seconds[who][take] = who <= BOUNDED ? draw_here(&s, who) : draw_there(&s, who);
-        hang(&s, seconds, effort->takes, table);
+        hang(&s, seconds, takes, table);
         peers_scene_close(&s.scene);
     }
     for (int who = 0; who < ARTISTS; who++) free(s.shows[who]);

@@ -14,9 +14,9 @@
 #include <stdlib.h>
 
 #include "cli.h"
-#include "peers_rays.h"
+#include "rays.h"
 
-static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii, as peers_camera */
+static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii, as rays_camera */
 
 enum { LIGHTS = 2 };
 static const struct {
@@ -100,7 +100,7 @@ static void make_scene(peers_scene *s) {
     algsurf_term *term = make_terms(s, &count);
     must(algsurf_surface_from_terms(term, count, &s->surface), s->name);
     free(term);
-    peers_camera(&extent, &camera);
+    rays_camera(&extent, &camera);
     for (int c = 0; c < 3; c++) {
         s->axis[0][c] = camera.right[c];
         s->axis[1][c] = camera.up[c];

@@ -1,4 +1,4 @@
-/* peers_scene.h - one surface in the view of all pictures (peers_rays.h), as this library, POV-Ray and surf
+/* peers_scene.h - one surface in the view of all pictures (rays.h), as this library, POV-Ray and surf
  * are told of it.  It is moved so that its extent's centre is the origin. */
 #ifndef PEERS_SCENE_H
 #define PEERS_SCENE_H

@@ -1,12 +1,12 @@
-// peers_boost.cc - Boost's TOMS 748 (Alefeld, Potra, Shi 1995) on a bracket.
+// roots_boost.cc - Boost's TOMS 748 (Alefeld, Potra, Shi 1995) on a bracket.
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
 #include <cstdint>
 
-#include "peers_solver.h"
+#include "roots_others.h"
 
-double peer_toms748(const double *c, int degree, double lo, double hi, double tolerance) {
+double by_toms748(const double *c, int degree, double lo, double hi, double tolerance) {
     auto value = [c, degree](double x) {
         double sum = c[degree];
         for (int k = degree - 1; k >= 0; k--) sum = sum * x + c[k];

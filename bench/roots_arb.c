@@ -1,6 +1,6 @@
-/* peers_arb.c - Arb, now part of FLINT: balls in arbitrary precision.
+/* roots_arb.c - Arb, now part of FLINT: balls in arbitrary precision.
  *
- * The first real root goes by the polynomial with integer coefficients that is an exact multiple of the one
+ * Real roots go by the polynomial with integer coefficients that is an exact multiple of the one
  * given, squarefree factors first: whether a root is real is then proved, and roots may be multiple.  All
  * roots go by acb_poly_find_roots, in a precision doubled until each is isolated and known to 53 bits.
  */
@@ -17,7 +17,7 @@
 #endif
 
 #include "algsurf/status.h"
-#include "peers_solver.h"
+#include "roots_others.h"
 
 enum { BITS = 53, FIRST_PRECISION = 64, LAST_PRECISION = 4096 };
 
@@ -39,10 +39,10 @@ static void scale_to_integers(fmpz_poly_t integral, const double *c, int degree)
     fmpz_clear(m);
 }
 
-static peer_root root_of_ball(const acb_struct *ball) {
+static other_root root_of_ball(const acb_struct *ball) {
     mag_t radius;
-    peer_root root = {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
-                      arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR), 0};
+    other_root root = {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
+                       arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR), 0};
     mag_init(radius);
     mag_hypot(radius, arb_radref(acb_realref(ball)), arb_radref(acb_imagref(ball)));
     root.radius = mag_get_d(radius);
@@ -50,7 +50,7 @@ static peer_root root_of_ball(const acb_struct *ball) {
     return root;
 }
 
-static int roots_of_factor(const fmpz_poly_struct *factor, peer_root *roots) {
+static int roots_of_factor(const fmpz_poly_struct *factor, other_root *roots) {
     slong degree = fmpz_poly_degree(factor);
     if (degree < 1) return 0;
     acb_ptr balls = _acb_vec_init(degree);
@@ -60,8 +60,8 @@ static int roots_of_factor(const fmpz_poly_struct *factor, peer_root *roots) {
     return (int)degree;
 }
 
-double peer_arb_first(const double *c, int degree) {
-    peer_root roots[ALGSURF_MAX_DEGREE];
+int by_arb_interval(const double *c, int degree, double *real) {
+    other_root roots[ALGSURF_MAX_DEGREE];
     fmpz_poly_t integral;
     fmpz_poly_factor_t factors;
     int count = 0;
@@ -72,7 +72,7 @@ double peer_arb_first(const double *c, int degree) {
     for (slong i = 0; i < factors->num; i++) count += roots_of_factor(factors->p + i, roots + count);
     fmpz_poly_factor_clear(factors);
     fmpz_poly_clear(integral);
-    return peer_least(roots, count);
+    return others_in_interval(roots, count, real);
 }
 
 static int known(acb_srcptr balls, slong count) {
@@ -81,7 +81,7 @@ static int known(acb_srcptr balls, slong count) {
     return 1;
 }
 
-int peer_arb_all(const double *re, const double *im, int degree, peer_root *roots) {
+int by_arb_all(const double *re, const double *im, int degree, other_root *roots) {
     acb_poly_t p;
     acb_ptr balls = _acb_vec_init(degree);
     slong isolated = 0;

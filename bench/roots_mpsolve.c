@@ -1,13 +1,13 @@
-/* peers_mpsolve.c - MPSolve 3 (Bini, Fiorentino, Robol): Ehrlich-Aberth in as much precision as it takes,
+/* roots_mpsolve.c - MPSolve 3 (Bini, Fiorentino, Robol): Ehrlich-Aberth in as much precision as it takes,
  * with discs, by its default algorithm, for either of its goals.
  */
 #include <math.h>
 #include <mps/mps.h>
 #include <stdlib.h>
 
-#include "peers_solver.h"
+#include "roots_others.h"
 
-static int solve(const double *re, const double *im, int degree, mps_output_goal goal, peer_root *roots) {
+static int solve(const double *re, const double *im, int degree, mps_output_goal goal, other_root *roots) {
     mps_context *context = mps_context_new();
     mps_monomial_poly *p = mps_monomial_poly_new(context, degree);
     cplx_t *centre = NULL;
@@ -23,8 +23,8 @@ static int solve(const double *re, const double *im, int degree, mps_output_goal
         int at_zero = mps_context_get_zero_roots(context); /* not among the others */
         mps_context_get_roots_d(context, &centre, &radius);
         for (; count < degree - at_zero; count++)
-            roots[count] = (peer_root){cplx_Re(centre[count]), cplx_Im(centre[count]), radius[count]};
-        for (; count < degree; count++) roots[count] = (peer_root){0, 0, 0};
+            roots[count] = (other_root){cplx_Re(centre[count]), cplx_Im(centre[count]), radius[count]};
+        for (; count < degree; count++) roots[count] = (other_root){0, 0, 0};
     }
     if (centre) cplx_vfree(centre);
     free(radius);
@@ -33,10 +33,10 @@ static int solve(const double *re, const double *im, int degree, mps_output_goal
     return count;
 }
 
-int peer_mpsolve_isolate(const double *re, const double *im, int degree, peer_root *roots) {
+int by_mpsolve_isolate(const double *re, const double *im, int degree, other_root *roots) {
     return solve(re, im, degree, MPS_OUTPUT_GOAL_ISOLATE, roots);
 }
 
-int peer_mpsolve_approximate(const double *re, const double *im, int degree, peer_root *roots) {
+int by_mpsolve_approximate(const double *re, const double *im, int degree, other_root *roots) {
     return solve(re, im, degree, MPS_OUTPUT_GOAL_APPROXIMATE, roots);
 }

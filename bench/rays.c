@@ -1,9 +1,9 @@
-/* peers_rays.c - see peers_rays.h.
+/* rays.c - see rays.h.
  *
  * A ray is re-centred before it is expanded: its origin becomes the middle of the chord, its direction half
  * the chord.  Solvers that count on a unit interval get one, and none is judged by what a far eye does to it.
  */
-#include "peers_rays.h"
+#include "rays.h"
 
 #include <math.h>
 
@@ -16,7 +16,7 @@ static void must(algsurf_status status, const char *what) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
 }
 
-void peers_camera(const algsurf_extent *extent, algsurf_camera *camera) {
+void rays_camera(const algsurf_extent *extent, algsurf_camera *camera) {
     const double distance = 4, half_height = 1.1; /* in radii */
     const double towards[3] = {2, -3, 1.2}, up[3] = {0, 0, 1};
     double length = sqrt(towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2]), eye[3];
@@ -42,12 +42,12 @@ static int expand(const algsurf_surface *surface, const algsurf_extent *extent, 
     return c[algsurf_surface_degree(surface)] != 0;
 }
 
-void peers_rays(const catalogue_entry *entry, uint64_t seed, size_t count, double *c) {
+void rays_polynomials(const catalogue_entry *entry, uint64_t seed, size_t count, double *c) {
     measure_random random = {seed};
     algsurf_surface *surface;
     algsurf_camera camera;
     must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
-    peers_camera(&entry->extent, &camera);
+    rays_camera(&entry->extent, &camera);
     for (size_t done = 0, tries = 0; done < count; tries++) {
         int x = (int)(measure_bits(&random) % WIDTH), y = (int)(measure_bits(&random) % HEIGHT);
         if (tries > 100 * count + 1000) cli_fail(CLI_BROKEN, "%s: hardly a ray meets it", entry->name);

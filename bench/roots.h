@@ -1,0 +1,49 @@
+/* roots.h - what the parts of the comparison of root finders share: effort, and sets of polynomials. */
+#ifndef ROOTS_H
+#define ROOTS_H
+#include "algsurf/algsurf.h"
+#include "contest.h"
+
+/* How much is done. */
+typedef struct roots_effort {
+    int takes;
+    size_t real, complex; /* polynomials in a set */
+    double budget;        /* seconds that a take of one contestant may last, more or less */
+    int most_degree;      /* of random polynomials */
+} roots_effort;
+
+/* The contests, each a section of the table or two. */
+void roots_first(const roots_effort *effort, contest_table *table);
+void roots_interval(const roots_effort *effort, contest_table *table);
+void roots_line(const roots_effort *effort, contest_table *table);
+void roots_complex(const roots_effort *effort, contest_table *table);
+
+enum { ROOTS_AT_ONCE = 1024, ROOTS_FEW = 8 }; /* polynomials in a packet */
+
+/* Polynomials of one degree. */
+typedef struct roots_set {
+    const char *name;
+    int degree;
+    size_t count;
+    double *c;                                      /* polynomial by polynomial, lowest power first */
+    double *column[ALGSURF_MAX_DEGREE + 1];         /* the same coefficients, power by power */
+    double *im, *im_column[ALGSURF_MAX_DEGREE + 1]; /* imaginary parts; null: none */
+    double *lo, *hi;                                /* -1 and 1 for each */
+} roots_set;
+
+/* Along rays of a surface of the catalogue, the chord being [-1,1]. */
+void roots_set_of_rays(roots_set *set, const char *surface, size_t count);
+
+/* ((t-a)^2 - e^2), or + e^2, times positive quadratics; a in [-0.9,0.9], e from 1e-2 to 1e-7: a ray that
+ * grazes. */
+void roots_set_grazing(roots_set *set, const char *name, int degree, size_t count);
+
+/* Parts of coefficients uniform in [-1,1]. */
+void roots_set_at_random(roots_set *set, const char *name, int degree, int complex, size_t count);
+
+void roots_set_free(roots_set *set);
+
+/* calloc, or the end of the program. */
+void *roots_allocate(size_t count, size_t size);
+
+#endif

@@ -1,0 +1,133 @@
+/* roots_main.c - what bench/roots compiles and runs: the contests, the table, roots.csv and roots.svg. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cli.h"
+#include "measure.h"
+#include "results.h"
+#include "roots.h"
+#include "roots_others.h"
+
+typedef struct main_options {
+    const char *extra; /* a plain argument, which this program does not take */
+    const char *output;
+    int quick;
+} main_options;
+
+#define FIELD(member) offsetof(main_options, member)
+
+static const cli_option options_table[] = {
+    {"--quick", NULL, "fewer polynomials and takes", cli_set_flag, FIELD(quick), 0, 0},
+    {"--output", "FOLDER", "gets roots.csv and roots.svg", cli_set_text, FIELD(output), 0, 0},
+    {NULL, NULL, NULL, NULL, 0, 0, 0}};
+
+static const cli_program program = {
+    .name = "roots",
+    .synopsis = "[options]",
+    .about = "Compares libalgsurf with other root finders; called by bench/roots.",
+    .options = options_table,
+    .positional = FIELD(extra),
+};
+
+static const roots_effort full = {5, 20000, 400, 0.25, 64};
+static const roots_effort quick = {3, 4000, 60, 0.03, 32};
+
+static const contest_chapter chapters[] = {
+    {.section = "first root",
+     .title = "First real root in [-1,1], to 1e-12, for each polynomial: along rays of surfaces, and of rays "
+              "that graze.\n"
+              "algsurf proves its answers, one by one or many at once; isolated + ...: isolated by algsurf, "
+              "refined by\n"
+              "others.  wrong: polynomials with a first root that is not what came (by more than 1e-6); "
+              "ghosts: without\n"
+              "a root, but one came; error: the largest of the right ones.",
+     .unit = "ns",
+     .count = "polys",
+     .missed = "wrong",
+     .extra = "ghosts",
+     .error = "error",
+     .caption = "The first real root of a polynomial",
+     .subtitle = "in an interval, along rays; less is better"},
+    {.section = "interval",
+     .title =
+         "All real roots in [-1,1], for each polynomial along rays.  algsurf and Arb prove them; algsurf's "
+         "are one\n"
+         "of the two doubles around each.  lost: roots that no answer comes near (1e-6); extra: answers "
+         "near none.",
+     .unit = "ns",
+     .count = "polys",
+     .missed = "lost",
+     .extra = "extra",
+     .error = "error",
+     .caption = "All real roots in an interval",
+     .subtitle = "of polynomials along rays; less is better"},
+    {.section = "isolated",
+     .title =
+         "Real roots on the whole line, isolated, for each polynomial of a family (the largest degree is "
+         "told); all\n"
+         "these programs prove it.  refined: to doubles as well; complex: all complex roots.  fewer, "
+         "more: polynomials\n"
+         "with another number of roots than there are.",
+     .unit = "us",
+     .count = "polys",
+     .missed = "fewer",
+     .extra = "more",
+     .error = "-",
+     .caption = "All real roots on the line",
+     .subtitle = "isolated, with proof; less is better"},
+    {.section = "counted",
+     .title = "The same families: real roots counted only.",
+     .unit = "us",
+     .count = "polys",
+     .missed = "fewer",
+     .extra = "more",
+     .error = "-",
+     .caption = "The number of real roots",
+     .subtitle = "on the line, with proof; less is better"},
+    {.section = "all roots",
+     .title = "All complex roots, for each polynomial.  algsurf, Arb and MPSolve tell how far off they may "
+              "be; PARI and\n"
+              "GSL do not.  lost: roots that no answer comes near (1e-6, or its own disc); extra: answers "
+              "near no root;\n"
+              "error: the largest of simple roots.",
+     .unit = "us",
+     .count = "polys",
+     .missed = "lost",
+     .extra = "extra",
+     .error = "error",
+     .caption = "All complex roots of a polynomial",
+     .subtitle = "along rays, and with random coefficients; less is better"}};
+
+enum { CHAPTERS = sizeof chapters / sizeof *chapters };
+
+int others_in_interval(const other_root *roots, int count, double *real) {
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        if (roots[i].im == 0 && roots[i].re >= -1 && roots[i].re <= 1) real[n++] = roots[i].re;
+    if (n > 0) measure_sort(real, (size_t)n);
+    return n;
+}
+
+int main(int argc, char **argv) {
+    main_options o = {.output = NULL};
+    contest_table table = {NULL, 0, 0};
+    char machine[512];
+    cli_parse(&program, argc, argv, &o);
+    if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
+    if (o.output) results_folder(o.output); /* before the work */
+    const roots_effort *effort = o.quick ? &quick : &full;
+    roots_first(effort, &table);
+    roots_interval(effort, &table);
+    roots_line(effort, &table);
+    roots_complex(effort, &table);
+    measure_machine(machine, sizeof machine);
+    printf("libalgsurf and other root finders; medians of %d takes in turn; times: in units of algsurf's "
+           "median\n"
+           "machine: %s; kernel %s\n",
+           effort->takes, machine, algsurf_kernel_name(0));
+    contest_print(chapters, CHAPTERS, &table);
+    if (o.output) contest_write(chapters, CHAPTERS, &table, o.output, "roots");
+    free(table.row);
+    cli_finish_output();
+    return 0;
+}

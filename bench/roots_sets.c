@@ -1,0 +1,91 @@
+/* roots_sets.c - see roots.h: the polynomials. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+#include "measure.h"
+#include "rays.h"
+#include "roots.h"
+
+void *roots_allocate(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (!memory) cli_no_memory();
+    return memory;
+}
+
+static void open(roots_set *s, const char *name, int degree, int complex, size_t count) {
+    size_t all = count * ((size_t)degree + 1);
+    *s = (roots_set){.name = name, .degree = degree, .count = count};
+    s->c = roots_allocate(all, sizeof *s->c);
+    s->im = complex ? roots_allocate(all, sizeof *s->im) : NULL;
+    s->lo = roots_allocate(count, sizeof *s->lo);
+    s->hi = roots_allocate(count, sizeof *s->hi);
+}
+
+static double *column_of(const double *c, size_t stride, size_t k, size_t count) {
+    double *column = roots_allocate(count, sizeof *column);
+    for (size_t i = 0; i < count; i++) column[i] = c[i * stride + k];
+    return column;
+}
+
+/* Columns and intervals, when the coefficients are there. */
+static void finish(roots_set *s) {
+    size_t stride = (size_t)s->degree + 1;
+    for (size_t k = 0; k < stride; k++) {
+        s->column[k] = column_of(s->c, stride, k, s->count);
+        s->im_column[k] = s->im ? column_of(s->im, stride, k, s->count) : NULL;
+    }
+    for (size_t i = 0; i < s->count; i++) s->lo[i] = -1, s->hi[i] = 1;
+}
+
+void roots_set_of_rays(roots_set *set, const char *surface, size_t count) {
+    const catalogue_entry *entry = catalogue_find(surface);
+    open(set, surface, entry->degree, 0, count);
+    rays_polynomials(entry, 1, count, set->c);
+    finish(set);
+}
+
+void roots_set_at_random(roots_set *set, const char *name, int degree, int complex, size_t count) {
+    measure_random random = {(uint64_t)degree};
+    open(set, name, degree, complex, count);
+    for (size_t i = 0; i < count * ((size_t)degree + 1); i++) {
+        set->c[i] = measure_uniform(&random, -1, 1);
+        if (complex) set->im[i] = measure_uniform(&random, -1, 1);
+    }
+    finish(set);
+}
+
+/* Multiplies p, of the degree, by q_0 + q_1 t + t^2. */
+static void times_quadratic(double *p, int degree, double q0, double q1) {
+    for (int k = degree + 2; k >= 0; k--) {
+        double below = k >= 2 ? p[k - 2] : 0, next = k >= 1 && k <= degree + 1 ? p[k - 1] : 0;
+        p[k] = below + q1 * next + q0 * (k <= degree ? p[k] : 0);
+    }
+}
+
+void roots_set_grazing(roots_set *set, const char *name, int degree, size_t count) {
+    measure_random random = {(uint64_t)(100 + degree)};
+    open(set, name, degree, 0, count);
+    for (size_t i = 0; i < count; i++) {
+        double *p = set->c + i * ((size_t)degree + 1), a = measure_uniform(&random, -0.9, 0.9);
+        double e = pow(10, measure_uniform(&random, -7, -2));
+        p[0] = 1;
+        times_quadratic(p, 0, a * a + (measure_bits(&random) & 1 ? -e * e : e * e), -2 * a);
+        for (int d = 2; d < degree; d += 2) {
+            double x = measure_uniform(&random, -1.5, 1.5), y = measure_uniform(&random, 0.3, 1.5);
+            times_quadratic(p, d, x * x + y * y, -2 * x);
+        }
+    }
+    finish(set);
+}
+
+void roots_set_free(roots_set *set) {
+    for (int k = 0; k <= set->degree; k++) {
+        free(set->column[k]);
+        free(set->im_column[k]);
+    }
+    free(set->c);
+    free(set->im);
+    free(set->lo);
+    free(set->hi);
+}
