@@ -1,17 +1,21 @@
-/* roots.c - the roots of polynomials, enclosed and counted: roots --help. */
+/* roots.c - the roots of polynomials, enclosed and counted: roots --help.
+ *
+ * One thread takes line by line, so that a line typed is a line answered.  Several take some hundred lines
+ * each, and what they found is printed in the order of the lines. */
 #include <errno.h>
-#include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
 #include "roots_line.h"
+#include "roots_write.h"
 
 typedef struct roots_options {
     const char *extra; /* a plain argument, which this program does not take */
     roots_interval real;
     double tolerance;
-    int rounded, tsv;
+    int rounded, tsv, threads;
 } roots_options;
 
 static void set_interval(const cli_option *option, const char *value, void *field) {
@@ -46,6 +50,7 @@ static const cli_option options_table[] = {
      "decimals are exact (default), or rounded to doubles: verified is then said\n"
      "of the rounded polynomial",
      cli_set_coefficients, FIELD(rounded)},
+    {"--threads", "N", "1 (default) to 256", cli_set_int, offsetof(roots_options, threads), 1, 256},
     {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
@@ -61,7 +66,7 @@ static const cli_program program = {
              "degree: no root is at infinity.\n"
              "The columns of --format tsv: line, index, re, im, re_lo, re_hi, im_lo, im_hi,\n"
              "multiplicity, verified (1); a bad line has the index \"error\", and '-' for what does not\n"
-             "exist.  Roots are printed so that they read back exactly.",
+             "exist.  Roots are printed with the fewest digits that read back exactly.",
     .options = options_table,
     .positional = offsetof(roots_options, extra),
     .examples = "echo '-4 0 3 0 1' | roots\n"
@@ -70,106 +75,167 @@ static const cli_program program = {
                 "echo '-0.6 1.1 -0.6 0.1' | roots",
 };
 
-/* What every line needs. */
-typedef struct run {
-    roots_options options;
+enum { MANY_LINES = 256 }; /* for a thread at once */
+
+/* A thread's work: lines, and what is to be printed of them. */
+typedef struct batch {
+    const roots_options *options;
+    const shortest_powers *powers;
+    cli_line *line;
+    int lines;
     algsurf_root_solver *solver;
     roots_polynomial polynomial;
     roots_row rows[ROOTS_MAX_FIELDS];
+    roots_text answers, complaints;
     int bad_lines;
-} run;
+} batch;
 
-static void print_columns(size_t line, const roots_row *rows, int count) {
-    for (int i = 0; i < count; i++) {
-        const roots_row *r = &rows[i];
-        const double numbers[6] = {r->value.re,  r->value.im,  r->box.re.lo,
-                                   r->box.re.hi, r->box.im.lo, r->box.im.hi};
-        printf("%zu\t%d", line, i + 1);
-        for (int k = 0; k < 6; k++) printf("\t%.17g", numbers[k]);
-        printf("\t%d\t1\n", r->multiplicity);
+static void write_text(batch *b, size_t line, int count) {
+    const roots_interval *real = &b->options->real;
+    roots_text *to = &b->answers;
+    roots_add(to, "line %zu: degree %d", line, b->polynomial.degree);
+    if (real->given) {
+        roots_add(to, ", real roots in [");
+        roots_add_number(to, b->powers, real->lo);
+        roots_add(to, ", ");
+        roots_add_number(to, b->powers, real->hi);
+        roots_add(to, "]");
     }
+    roots_add(to, count > 0 ? "\n" : ", no roots\n");
+    for (int i = 0; i < count; i++)
+        roots_write_sentence(to, b->powers, i + 1, &b->rows[i], b->options->rounded);
 }
 
-static void print_root(int index, const roots_row *r, int rounded) {
-    int real = r->box.im.lo == 0 && r->box.im.hi == 0;
-    printf("%5d  %-7s  %.17g", index, real ? "real" : "complex", r->value.re);
-    if (!real) printf(" %+.17g i", r->value.im);
-    printf("   in [%.17g, %.17g]", r->box.re.lo, r->box.re.hi);
-    if (!real) printf(" + [%.17g, %.17g] i", r->box.im.lo, r->box.im.hi);
-    if (r->multiplicity > 1) printf(", %d roots", r->multiplicity);
-    puts(rounded ? ", verified for the rounded polynomial" : ", verified");
+static void write_error(batch *b, size_t line, const roots_complaint *why) {
+    b->bad_lines++;
+    roots_add(&b->complaints, "%s: line %zu: %s\n", program.name, line, why->text);
+    roots_add(&b->answers, b->options->tsv ? "%zu\terror\t-\t-\t-\t-\t-\t-\t-\t-\n" : "line %zu: error\n",
+              line);
 }
 
-static void print_text(const run *r, size_t line, int count) {
-    const roots_interval *real = &r->options.real;
-    printf("line %zu: degree %d", line, r->polynomial.degree);
-    if (real->given) printf(", real roots in [%.17g, %.17g]", real->lo, real->hi);
-    puts(count > 0 ? "" : ", no roots");
-    for (int i = 0; i < count; i++) print_root(i + 1, &r->rows[i], r->options.rounded);
-}
-
-static void print_error(const run *r, size_t line) {
-    if (r->options.tsv)
-        printf("%zu\terror\t-\t-\t-\t-\t-\t-\t-\t-\n", line);
-    else
-        printf("line %zu: error\n", line);
-}
-
-static int solve(run *r, size_t line) {
-    const roots_options *o = &r->options;
-    return o->real.given ? roots_real(line, &r->polynomial, &o->real, o->tolerance, r->rows)
-                         : roots_all(line, r->solver, &r->polynomial, r->rows);
+static int solve(batch *b, char *const *field, int fields, roots_complaint *why) {
+    const roots_options *o = b->options;
+    if (fields < 0) {
+        *why = (roots_complaint){"a NUL byte: not a text"};
+        return -1;
+    }
+    if (!roots_parse(field, fields, o->rounded, &b->polynomial, why)) return -1;
+    return o->real.given ? roots_real(&b->polynomial, &o->real, o->tolerance, b->rows, why)
+                         : roots_all(b->solver, &b->polynomial, b->rows, why);
 }
 
 /* One line of input: rows of output, unless it is blank. */
-static void take_line(run *r, cli_line *line) {
+static void take_line(batch *b, cli_line *line) {
     char *field[ROOTS_MAX_FIELDS];
-    int fields = cli_split(line, field, ROOTS_MAX_FIELDS), count = -1;
+    roots_complaint why;
+    int fields = cli_split(line, field, ROOTS_MAX_FIELDS);
     if (fields == 0) return;
-    if (fields < 0)
-        cli_complain("line %zu: a NUL byte: not a text", line->number);
-    else if (roots_parse(line->number, field, fields, r->options.rounded, &r->polynomial))
-        count = solve(r, line->number);
-    if (count < 0) {
-        r->bad_lines++;
-        print_error(r, line->number);
-    } else if (r->options.tsv) {
-        print_columns(line->number, r->rows, count);
-    } else {
-        print_text(r, line->number, count);
+    int count = solve(b, field, fields, &why);
+    if (count < 0)
+        write_error(b, line->number, &why);
+    else if (b->options->tsv)
+        roots_write_columns(&b->answers, b->powers, line->number, b->rows, count);
+    else
+        write_text(b, line->number, count);
+}
+
+static void *take_batch(void *data) {
+    batch *b = data;
+    for (int i = 0; i < b->lines; i++) take_line(b, &b->line[i]);
+    return NULL;
+}
+
+/* All batches that have lines, the first one by this thread; what cannot have a thread, too. */
+static void take_batches(batch *b, int count) {
+    pthread_t thread[256];
+    int started = 1;
+    while (started < count && b[started].lines > 0 &&
+           pthread_create(&thread[started], NULL, take_batch, &b[started]) == 0)
+        started++;
+    take_batch(&b[0]);
+    for (int i = started; i < count; i++) take_batch(&b[i]);
+    for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
+}
+
+static void print(FILE *file, roots_text *text) {
+    if (text->length > 0) fwrite(text->text, 1, text->length, file);
+    text->length = 0;
+}
+
+static void make_batches(batch *b, int count, int lines, const roots_options *options,
+                         const shortest_powers *powers) {
+    for (int i = 0; i < count; i++) {
+        b[i].options = options;
+        b[i].powers = powers;
+        b[i].line = calloc((size_t)lines, sizeof *b[i].line);
+        if (!b[i].line || algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &b[i].solver) != ALGSURF_OK)
+            cli_no_memory();
     }
 }
 
-static void take_lines(run *r) {
-    cli_line line = {.number = 0};
-    cli_line_result got;
-    if (r->options.tsv)
-        fputs("#line\tindex\tre\tim\tre_lo\tre_hi\tim_lo\tim_hi\tmultiplicity\tverified\n", stdout);
-    while ((got = cli_read_line(stdin, &line)) == CLI_LINE_READ) {
-        take_line(r, &line);
-        if (ferror(stdout)) break;
+static void free_batches(batch *b, int count, int lines) {
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < lines; k++) free(b[i].line[k].text);
+        free(b[i].line);
+        algsurf_root_solver_free(b[i].solver);
+        free(b[i].polynomial.limbs);
+        free(b[i].answers.text);
+        free(b[i].complaints.text);
     }
-    int read_error = errno;
+    free(b);
+}
+
+/* Fills the batches; returns what the last line that was asked for came to. */
+static cli_line_result read_lines(batch *b, int count, int most, size_t *number) {
+    cli_line_result got = CLI_LINE_READ;
+    for (int i = 0; i < count; i++)
+        for (b[i].lines = 0; b[i].lines < most && got == CLI_LINE_READ;) {
+            cli_line *line = &b[i].line[b[i].lines];
+            line->number = *number;
+            got = cli_read_line(stdin, line);
+            if (got == CLI_LINE_READ) b[i].lines++;
+            *number = line->number;
+        }
+    return got;
+}
+
+/* Returns the number of bad lines. */
+static int take_input(batch *b, int count, int most) {
+    size_t number = 0;
+    int bad_lines = 0, read_error = 0;
+    cli_line_result got = CLI_LINE_READ;
+    while (got == CLI_LINE_READ && !ferror(stdout)) {
+        got = read_lines(b, count, most, &number);
+        read_error = errno;
+        take_batches(b, count);
+        for (int i = 0; i < count; i++) {
+            print(stderr, &b[i].complaints);
+            print(stdout, &b[i].answers);
+        }
+    }
+    for (int i = 0; i < count; i++) bad_lines += b[i].bad_lines;
     cli_finish_output();
     if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
-    if (got == CLI_LINE_TOO_LONG) cli_fail(CLI_BAD_INPUT, "line %zu: too long", line.number + 1);
+    if (got == CLI_LINE_TOO_LONG) cli_fail(CLI_BAD_INPUT, "line %zu: too long", number + 1);
     if (ferror(stdin)) cli_fail(CLI_BROKEN, "cannot read standard input: %s", strerror(read_error));
-    free(line.text);
+    return bad_lines;
 }
 
 int main(int argc, char **argv) {
-    run *r = calloc(1, sizeof *r);
-    if (!r) cli_no_memory();
-    cli_parse(&program, argc, argv, &r->options);
-    if (r->options.extra)
+    roots_options options = {.threads = 1};
+    shortest_powers powers;
+    cli_parse(&program, argc, argv, &options);
+    if (options.extra)
         cli_fail(CLI_BAD_INPUT, "unexpected '%s': polynomials come from standard input",
-                 cli_quote(r->options.extra).text);
-    algsurf_status status = algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &r->solver);
-    if (status != ALGSURF_OK) cli_no_memory();
-    take_lines(r);
-    int bad_lines = r->bad_lines;
-    algsurf_root_solver_free(r->solver);
-    free(r->polynomial.limbs);
-    free(r);
+                 cli_quote(options.extra).text);
+    const int lines = options.threads > 1 ? MANY_LINES : 1;
+    batch *b = calloc((size_t)options.threads, sizeof *b);
+    if (!b) cli_no_memory();
+    shortest_fill(&powers);
+    make_batches(b, options.threads, lines, &options, &powers);
+    if (options.tsv)
+        fputs("#line\tindex\tre\tim\tre_lo\tre_hi\tim_lo\tim_hi\tmultiplicity\tverified\n", stdout);
+    int bad_lines = take_input(b, options.threads, lines);
+    free_batches(b, options.threads, lines);
     return bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

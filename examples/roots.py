@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""All roots of a polynomial with real coefficients, enclosed and counted, through ctypes.
+"""Roots of a polynomial with real coefficients, through ctypes, each proved.
 
-    python3 roots.py -2 0 1         # t^2 - 2: coefficients, lowest first, degree at most 64
+    python3 roots.py -2 0 1           # t^2 - 2: coefficients, lowest first, degree at most 64
+    python3 roots.py --real -2 0 1    # the real roots only, degree at most 512
 
-prints, for each box: real or complex, number of roots in it, re, im, and the box's widths in re and im.
+All roots: prints, for each box, real or complex, number of roots in it, re, im, and the box's widths in re and
+im.  Real roots: multiplicity, the root to the last place, and the doubles on both sides of it.
 The shared library is looked for where the system looks: installed, or in LD_LIBRARY_PATH.
 """
 import ctypes as ct
+import math
 import sys
 
 try:
@@ -21,23 +24,51 @@ class Enclosure(ct.Structure):  # algsurf_enclosure in algsurf/allroots.h
     _fields_ += [("multiplicity", ct.c_int), ("real", ct.c_int)]
 
 
-def roots(coefficients):
-    """Disjoint boxes, each proved to hold `multiplicity` roots; `real` if its root is proved real."""
-    n = len(coefficients)
-    found, count = (Enclosure * max(n - 1, 1))(), ct.c_int()
-    status = lib.algsurf_roots_real((ct.c_double * n)(*coefficients), None, n - 1, found, ct.byref(count))
+class RealRoot(ct.Structure):  # algsurf_real_root in algsurf/isolate.h
+    _fields_ = [(name, ct.c_double) for name in ("value", "lo", "hi")]
+    _fields_ += [("multiplicity", ct.c_int), ("sign", ct.c_int)]
+
+
+def answer(status, found, count):
     if status < 0:
         raise ValueError(lib.algsurf_status_text(status).decode())
     return found[: count.value]
 
 
+def roots(coefficients):
+    """Disjoint boxes, each proved to hold `multiplicity` roots; `real` if its root is proved real."""
+    n = len(coefficients)
+    found, count = (Enclosure * max(n - 1, 1))(), ct.c_int()
+    status = lib.algsurf_roots_real((ct.c_double * n)(*coefficients), None, n - 1, found, ct.byref(count))
+    return answer(status, found, count)
+
+
+def real_roots(coefficients, lo=-math.inf, hi=math.inf):
+    """All real roots in [lo,hi], in increasing order, each with its multiplicity: proved."""
+    n = len(coefficients)
+    found, count = (RealRoot * max(n - 1, 1))(), ct.c_int()
+    status = lib.algsurf_real_roots((ct.c_double * n)(*coefficients), n - 1, ct.c_double(lo), ct.c_double(hi),
+                                    found, len(found), ct.byref(count))
+    return answer(status, found, count)
+
+
+def row_of_root(r):
+    kind = "real" if r.real else "complex"
+    widths = f"{r.re_hi - r.re_lo:.2g}\t{r.im_hi - r.im_lo:.2g}"
+    return f"{kind}\t{r.multiplicity}\t{r.re!r}\t{r.im!r}\t{widths}"
+
+
+def row_of_real_root(r):
+    return f"{r.multiplicity}\t{r.value!r}\t{r.lo!r}\t{r.hi!r}"
+
+
 if __name__ == "__main__":
+    only_real = sys.argv[1:2] == ["--real"]
+    find, row_of = (real_roots, row_of_real_root) if only_real else (roots, row_of_root)
     try:
-        found = roots([float(a) for a in sys.argv[1:]])
+        found = find([float(a) for a in sys.argv[1 + only_real :]])
     except ValueError as error:
-        print(f"usage: roots.py P0 P1 ... PN, lowest degree first; {str(error)[:200]}", file=sys.stderr)
+        print(f"usage: roots.py [--real] P0 P1 ... PN, lowest degree first; {str(error)[:200]}", file=sys.stderr)
         sys.exit(2)
     for r in found:
-        kind = "real" if r.real else "complex"
-        widths = f"{r.re_hi - r.re_lo:.2g}\t{r.im_hi - r.im_lo:.2g}"
-        print(f"{kind}\t{r.multiplicity}\t{r.re!r}\t{r.im!r}\t{widths}")
+        print(row_of(r))

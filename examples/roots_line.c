@@ -4,28 +4,36 @@
  * doubles, doubles it is.  Where not, real roots are those of the integers, and complex ones those of all
  * polynomials as near to the doubles as the integers are.
  *
- * From doubles, the real roots are isolated and refined, with proof. */
+ * Of doubles, too, all real roots come from one call, unless a tolerance asks for less. */
 #include "roots_line.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
+
+static void complain(roots_complaint *why, const char *format, ...) CLI_FORMAT(2, 3);
+static void complain(roots_complaint *why, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    vsnprintf(why->text, sizeof why->text, format, values);
+    va_end(values);
+}
 
 /* ---- a line becomes a polynomial ---- */
 
 enum { MOST_BITS = 1 << 15 }; /* of an integer: 9800 decimals from the first digit of a line to its last */
 
-static int expected_numbers(size_t line, int k, const char *got) {
-    cli_complain("line %zu: coefficient %d: expected finite numbers, re or re,im, got '%s'", line, k,
-                 cli_quote(got).text);
+static int expected_numbers(int k, const char *got, roots_complaint *why) {
+    complain(why, "coefficient %d: expected finite numbers, re or re,im, got '%s'", k, cli_quote(got).text);
     return 0;
 }
 
-static int parse_rounded(size_t line, char *const *field, roots_polynomial *p) {
+static int parse_rounded(char *const *field, roots_polynomial *p, roots_complaint *why) {
     for (int k = 0; k <= p->degree; k++) {
         double parts[2] = {0, 0};
         if (!cli_numbers(field[k], ',', 1, parts) && !cli_numbers(field[k], ',', 2, parts))
-            return expected_numbers(line, k, field[k]);
+            return expected_numbers(k, field[k], why);
         p->c[k] = (algsurf_complex){parts[0], parts[1]};
         if (parts[1] != 0) p->real = 0;
     }
@@ -33,13 +41,13 @@ static int parse_rounded(size_t line, char *const *field, roots_polynomial *p) {
     return 1;
 }
 
-static int read_parts(size_t line, char *const *field, roots_polynomial *p) {
+static int read_parts(char *const *field, roots_polynomial *p, roots_complaint *why) {
     for (int k = 0; k <= p->degree; k++) {
         roots_decimal *re = p->part + 2 * k, *im = re + 1;
         const char *end = roots_decimal_read(field[k], re);
         im->count = 0;
         if (end && *end == ',') end = roots_decimal_read(end + 1, im);
-        if (!end || *end) return expected_numbers(line, k, field[k]);
+        if (!end || *end) return expected_numbers(k, field[k], why);
         if (im->count) p->real = 0;
     }
     while (p->degree > 0 && !p->part[2 * p->degree].count && !p->part[2 * p->degree + 1].count) p->degree--;
@@ -57,7 +65,7 @@ static int room_for(roots_polynomial *p, size_t limbs) {
 }
 
 /* The parts times the least powers of five and of two that make integers of them; lengths have signs. */
-static int to_integers(size_t line, roots_polynomial *p, algsurf_integer *z) {
+static int to_integers(roots_polynomial *p, algsurf_integer *z, roots_complaint *why) {
     int parts = 2 * (p->degree + 1);
     long long fives = LLONG_MAX, twos = LLONG_MAX, bits = 0;
     for (int i = 0; i < parts; i++) {
@@ -70,8 +78,8 @@ static int to_integers(size_t line, roots_polynomial *p, algsurf_integer *z) {
         if (more > bits) bits = more;
     }
     if (bits > MOST_BITS) {
-        cli_complain("line %zu: about %lld decimals from the first digit to the last, the limit is %d", line,
-                     3 * bits / 10, 3 * MOST_BITS / 10);
+        complain(why, "about %lld decimals from the first digit to the last, the limit is %d", 3 * bits / 10,
+                 3 * MOST_BITS / 10);
         return 0;
     }
     size_t width = (size_t)bits / 64 + 2;
@@ -108,29 +116,29 @@ static void to_doubles(const algsurf_integer *z, roots_polynomial *p) {
     }
 }
 
-static int parse_exactly(size_t line, char *const *field, roots_polynomial *p) {
+static int parse_exactly(char *const *field, roots_polynomial *p, roots_complaint *why) {
     algsurf_integer z[2 * ROOTS_MAX_FIELDS];
-    if (!read_parts(line, field, p) || !to_integers(line, p, z)) return 0;
+    if (!read_parts(field, p, why) || !to_integers(p, z, why)) return 0;
     to_doubles(z, p);
     for (int k = 0; k <= p->degree; k++) p->integer[k] = z[2 * k];
     return 1;
 }
 
-int roots_parse(size_t line, char *const *field, int count, int rounded, roots_polynomial *p) {
+int roots_parse(char *const *field, int count, int rounded, roots_polynomial *p, roots_complaint *why) {
     if (count > ROOTS_MAX_FIELDS) {
-        cli_complain("line %zu: degree %d, the limit is %d", line, count - 1, ALGSURF_MAX_POLY_DEGREE);
+        complain(why, "degree %d, the limit is %d", count - 1, ALGSURF_MAX_POLY_DEGREE);
         return 0;
     }
     p->degree = count - 1;
     p->real = 1;
     p->off = 0;
-    return rounded ? parse_rounded(line, field, p) : parse_exactly(line, field, p);
+    return rounded ? parse_rounded(field, p, why) : parse_exactly(field, p, why);
 }
 
 /* ---- a polynomial becomes its roots ---- */
 
-static int refused(size_t line, algsurf_status status) {
-    cli_complain("line %zu: %s", line, algsurf_status_text(status));
+static int refused(algsurf_status status, roots_complaint *why) {
+    complain(why, "%s", algsurf_status_text(status));
     return -1;
 }
 
@@ -139,66 +147,66 @@ static void real_parts(const roots_polynomial *p, double *c) {
 }
 
 /* With radii, only algsurf_roots_real knows that the numbers they hide are real. */
-int roots_all(size_t line, algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows) {
+int roots_all(algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows, roots_complaint *why) {
     algsurf_enclosure e[ALGSURF_MAX_POLY_DEGREE];
     double c[ROOTS_MAX_FIELDS];
     int count;
     real_parts(p, c);
     algsurf_status status =
-        p->off && p->real && p->degree <= ALGSURF_MAX_DEGREE
-            ? algsurf_roots_real(c, p->r, p->degree, e, &count)
+        p->real && p->degree <= ALGSURF_MAX_DEGREE
+            ? algsurf_roots_real(c, p->off ? p->r : NULL, p->degree, e, &count)
             : algsurf_root_solver_run(solver, p->c, p->off ? p->r : NULL, p->degree, NULL, e, &count, NULL);
-    if (status < 0) return refused(line, status);
+    if (status < 0) return refused(status, why);
     for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].value, e[i].box, e[i].multiplicity};
     return count;
 }
 
-/* A bracket made narrow. */
-static roots_row refined(const double *c, int degree, const algsurf_bracket *b, double tolerance) {
+static roots_row row_of(double value, double lo, double hi, int multiplicity) {
+    return (roots_row){{value, 0}, {{lo, hi}, {0, 0}}, multiplicity};
+}
+
+/* Brackets, made only as narrow as is wanted. */
+static int real_to_tolerance(const roots_polynomial *p, const roots_interval *where, double tolerance,
+                             roots_row *rows, roots_complaint *why) {
     const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
-    algsurf_root root;
-    if (algsurf_refine_poly(c, degree, b->lo, b->hi, &options, &root) == ALGSURF_E_NO_MEMORY) cli_no_memory();
-    return (roots_row){{root.root, 0}, {{root.lo, root.hi}, {0, 0}}, b->multiplicity};
-}
-
-static roots_row exact(const algsurf_bracket *b) {
-    return (roots_row){{b->lo, 0}, {{b->lo, b->lo}, {0, 0}}, b->multiplicity};
-}
-
-static int real_from_doubles(size_t line, const roots_polynomial *p, const roots_interval *where,
-                             double tolerance, roots_row *rows) {
     double c[ROOTS_MAX_FIELDS];
     algsurf_bracket b[ROOTS_MAX_FIELDS];
+    algsurf_root root;
     int count;
     real_parts(p, c);
     algsurf_status status =
         algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, b, ROOTS_MAX_FIELDS, &count);
-    if (status < 0) return refused(line, status);
-    for (int i = 0; i < count; i++)
-        rows[i] = b[i].kind == ALGSURF_ROOT_EXACT ? exact(&b[i]) : refined(c, p->degree, &b[i], tolerance);
-    return count;
+    for (int i = 0; status >= 0 && i < count; i++) {
+        rows[i] = row_of(b[i].lo, b[i].lo, b[i].lo, b[i].multiplicity);
+        if (b[i].kind == ALGSURF_ROOT_EXACT) continue;
+        status = algsurf_refine_poly(c, p->degree, b[i].lo, b[i].hi, &options, &root);
+        rows[i] = row_of(root.root, root.lo, root.hi, b[i].multiplicity);
+    }
+    return status < 0 ? refused(status, why) : count;
 }
 
-static int real_from_integers(size_t line, const roots_polynomial *p, const roots_interval *where,
-                              roots_row *rows) {
+static int real_to_doubles(const roots_polynomial *p, const roots_interval *where, roots_row *rows,
+                           roots_complaint *why) {
+    double c[ROOTS_MAX_FIELDS];
     algsurf_real_root root[ROOTS_MAX_FIELDS];
     int count;
-    algsurf_status status = algsurf_real_roots_integers(p->integer, p->degree, where->lo, where->hi, root,
-                                                        ROOTS_MAX_FIELDS, &count);
-    if (status < 0) return refused(line, status);
-    for (int i = 0; i < count; i++) {
-        const algsurf_real_root *t = root + i;
-        rows[i] = (roots_row){{t->value, 0}, {{t->lo, t->hi}, {0, 0}}, t->multiplicity};
-    }
+    real_parts(p, c);
+    algsurf_status status =
+        p->off ? algsurf_real_roots_integers(p->integer, p->degree, where->lo, where->hi, root,
+                                             ROOTS_MAX_FIELDS, &count)
+               : algsurf_real_roots(c, p->degree, where->lo, where->hi, root, ROOTS_MAX_FIELDS, &count);
+    if (status < 0) return refused(status, why);
+    for (int i = 0; i < count; i++)
+        rows[i] = row_of(root[i].value, root[i].lo, root[i].hi, root[i].multiplicity);
     return count;
 }
 
-int roots_real(size_t line, const roots_polynomial *p, const roots_interval *where, double tolerance,
-               roots_row *rows) {
+int roots_real(const roots_polynomial *p, const roots_interval *where, double tolerance, roots_row *rows,
+               roots_complaint *why) {
     if (!p->real) {
-        cli_complain("line %zu: not all coefficients are real, as --real needs it", line);
+        complain(why, "not all coefficients are real, as --real needs it");
         return -1;
     }
-    return p->off ? real_from_integers(line, p, where, rows)
-                  : real_from_doubles(line, p, where, tolerance, rows);
+    return tolerance > 0 && !p->off ? real_to_tolerance(p, where, tolerance, rows, why)
+                                    : real_to_doubles(p, where, rows, why);
 }

@@ -24,6 +24,11 @@ typedef struct roots_polynomial {
     size_t capacity;
 } roots_polynomial;
 
+/* Why there is no answer to a line. */
+typedef struct roots_complaint {
+    char text[128];
+} roots_complaint;
+
 /* A root or a cluster of roots: the box is proved to hold so many. */
 typedef struct roots_row {
     algsurf_complex value;
@@ -33,13 +38,15 @@ typedef struct roots_row {
 
 /* The polynomial in a line's `count` fields, exactly or with its numbers rounded to doubles; 0 and a
  * complaint when there is none. */
-int roots_parse(size_t line, char *const *field, int count, int rounded, roots_polynomial *p);
+int roots_parse(char *const *field, int count, int rounded, roots_polynomial *p, roots_complaint *why);
 
-/* All complex roots: at most ALGSURF_MAX_POLY_DEGREE rows.  Returns their number, -1 after a complaint. */
-int roots_all(size_t line, algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows);
+/* All complex roots: at most ALGSURF_MAX_POLY_DEGREE rows.  Returns their number, -1 and a complaint when
+ * there is no answer. */
+int roots_all(algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows, roots_complaint *why);
 
-/* The same for the real roots in an interval, in increasing order. */
-int roots_real(size_t line, const roots_polynomial *p, const roots_interval *where, double tolerance,
-               roots_row *rows);
+/* The same for the real roots in an interval, in increasing order; tolerance 0: as narrow as doubles allow.
+ */
+int roots_real(const roots_polynomial *p, const roots_interval *where, double tolerance, roots_row *rows,
+               roots_complaint *why);
 
 #endif

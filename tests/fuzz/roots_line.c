@@ -7,6 +7,7 @@
 
 static roots_polynomial p;
 static roots_row rows[ROOTS_MAX_FIELDS];
+static roots_complaint why;
 
 static isolate_chains chains;
 
@@ -49,7 +50,7 @@ static int judge_is_there(char *const *field, int rounded) {
 
 /* All roots are there; judged: all real ones are in boxes. */
 static void check_all(algsurf_root_solver *solver, int judged) {
-    int count = roots_all(1, solver, &p, rows), sum = 0, inside = 0;
+    int count = roots_all(solver, &p, rows, &why), sum = 0, inside = 0;
     if (count < 0) return;
     for (int i = 0; i < count; i++) {
         const algsurf_cinterval box = rows[i].box;
@@ -66,7 +67,7 @@ static void check_all(algsurf_root_solver *solver, int judged) {
 static void check_real(double lo, double hi, int judged) {
     static isolate_answer a;
     const roots_interval where = {lo, hi, 1};
-    a.count = roots_real(1, &p, &where, 0, rows);
+    a.count = roots_real(&p, &where, 0, rows, &why);
     if (a.count < 0) return;
     for (int i = 0; i < a.count; i++) {
         check_row(&rows[i]);
@@ -92,7 +93,7 @@ static int is_short(int rounded) {
 }
 
 static void check_line(algsurf_root_solver *solver, char *const *field, int fields, int rounded) {
-    if (!roots_parse(1, field, fields, rounded, &p)) return;
+    if (!roots_parse(field, fields, rounded, &p, &why)) return;
     fuzz_check(p.degree >= 0 && p.degree < fields);
     int judged = judge_is_there(field, rounded);
     check_all(solver, judged);
