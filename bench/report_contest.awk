@@ -2,7 +2,7 @@
 BEGIN {
     split("pictures:Pictures:pixels;first root:First real roots:roots;interval:All real roots in an interval:roots;" \
         "isolated:Real roots on the line, isolated:polynomials;counted:Real roots counted:polynomials;" \
-        "all roots:All complex roots:roots", word, ";")
+        "all roots:All complex roots:roots;complex pictures:Pictures of complex space:", word, ";")
     for (i in word) {
         split(word[i], part, ":")
         title[part[1]] = part[2]
@@ -25,7 +25,7 @@ function tell(kind,   i, k, key, list, some, middle) {
         middle = times(median(list, count[key])) # sorts
         printf "%s %s %s (%s to %s)", (some++ ? ";" : ""), name[key], middle, times(list[1]),
             times(list[count[key]])
-        if (wrong[key]) printf ", %d %s wrong", wrong[key], unit[kind]
+        if (wrong[key] && unit[kind]) printf ", %d %s wrong", wrong[key], unit[kind]
     }
     print (some ? "." : " nothing is installed to compare with.")
 }

@@ -17,6 +17,7 @@ void roots_first(const roots_effort *effort, contest_table *table);
 void roots_interval(const roots_effort *effort, contest_table *table);
 void roots_line(const roots_effort *effort, contest_table *table);
 void roots_complex(const roots_effort *effort, contest_table *table);
+void roots_pictures(const roots_effort *effort, contest_table *table);
 
 enum { ROOTS_AT_ONCE = 1024, ROOTS_FEW = 8 }; /* polynomials in a packet */
 

@@ -96,7 +96,23 @@ static const contest_chapter chapters[] = {
      .extra = "extra",
      .error = "error",
      .caption = "All complex roots of a polynomial",
-     .subtitle = "along rays, and with random coefficients; less is better"}};
+     .subtitle = "along rays, and with random coefficients; less is better"},
+    {.section = "complex pictures",
+     .title =
+         "Pictures of complex space, 640x480, one sample a pixel, one thread, shading included: roots in a "
+         "sector of\n"
+         "0.1 about the real axis.  The same picture by each kernel, and with every pixel by itself "
+         "instead of\n"
+         "starting from the row above.  single: pixels that rows leave in doubt; open: still so; sweeps: "
+         "corrections\n"
+         "of each root, mean.",
+     .unit = "ms",
+     .count = "hits",
+     .missed = "single",
+     .extra = "open",
+     .error = "sweeps",
+     .caption = "A picture of complex space",
+     .subtitle = "640x480, one thread; less is better"}};
 
 enum { CHAPTERS = sizeof chapters / sizeof *chapters };
 
@@ -120,6 +136,7 @@ int main(int argc, char **argv) {
     roots_interval(effort, &table);
     roots_line(effort, &table);
     roots_complex(effort, &table);
+    roots_pictures(effort, &table);
     measure_machine(machine, sizeof machine);
     printf("libalgsurf and other root finders; medians of %d takes in turn; times: in units of algsurf's "
            "median\n"

@@ -1,0 +1,106 @@
+/* roots_pictures.c - what all complex roots cost in a picture of complex space: each pixel takes those of its
+ * ray, in lanes, and shows the least in a sector.
+ *
+ * By each kernel, and without the roots of the row above to start from (Sanjuan-Estrada, Casado, Garcia,
+ * section 3): the pictures must be the same byte for byte; if not there is no table. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue.h"
+#include "cli.h"
+#include "measure.h"
+#include "rays.h"
+#include "roots.h"
+
+enum { WIDTH = 640, HEIGHT = 480, BYTES = 3 * WIDTH * HEIGHT, MOST_MANNERS = 4 };
+
+/* A way to draw. */
+typedef struct manner {
+    const char *program;
+    const char *kernel; /* null: the fastest */
+    algsurf_coherence coherence;
+    algsurf_scene *scene;
+    uint8_t *pixels;
+    algsurf_render_stats stats;
+} manner;
+
+static void must(algsurf_status status, const char *what) {
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
+}
+
+static void solve(void *self, size_t begin, size_t end) {
+    manner *m = self;
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 1};
+    (void)begin, (void)end; /* one picture */
+    m->stats.size = sizeof m->stats;
+    must(algsurf_render(m->scene, &options, m->pixels, 3 * WIDTH, NULL, &m->stats), m->program);
+}
+
+static int list_manners(manner *m) {
+    static char name[MOST_MANNERS][32];
+    int count = 0;
+    m[count++] = (manner){"algsurf", NULL, ALGSURF_COHERENCE_NEIGHBOURS, NULL, NULL, {0}};
+    m[count++] = (manner){"every pixel by itself", NULL, ALGSURF_COHERENCE_NONE, NULL, NULL, {0}};
+    for (int i = 1; count < MOST_MANNERS && algsurf_kernel_name(i); i++) {
+        const char *kernel = algsurf_kernel_name(i);
+        snprintf(name[count], sizeof name[count], "algsurf, %s", kernel);
+        m[count] = (manner){name[count], kernel, ALGSURF_COHERENCE_NEIGHBOURS, NULL, NULL, {0}};
+        count++;
+    }
+    return count;
+}
+
+static void set_scene(manner *m, const algsurf_surface *surface, const catalogue_entry *entry) {
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
+    const algsurf_intersect_options intersect = {.size = sizeof intersect, .kernel = m->kernel};
+    algsurf_camera camera;
+    rays_camera(&entry->extent, &camera);
+    must(algsurf_scene_create(surface, &m->scene), entry->name);
+    must(algsurf_scene_set_extent(m->scene, &entry->extent), entry->name);
+    must(algsurf_scene_set_camera(m->scene, &camera), entry->name);
+    must(algsurf_scene_set_intersect(m->scene, &intersect), entry->name);
+    must(algsurf_scene_set_complex_space(m->scene, &space), entry->name);
+    must(algsurf_scene_set_coherence(m->scene, m->coherence), entry->name);
+    m->pixels = roots_allocate(BYTES, 1);
+}
+
+static void contend(const catalogue_entry *entry, const roots_effort *effort, contest_table *table) {
+    manner m[MOST_MANNERS];
+    contestant contestants[MOST_MANNERS];
+    algsurf_surface *surface;
+    int count = list_manners(m);
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
+    for (int i = 0; i < count; i++) {
+        set_scene(&m[i], surface, entry);
+        contestants[i] = (contestant){.program = m[i].program, .solve = solve, .self = &m[i]};
+    }
+    contest_warm_up(contestants, (size_t)count, 1, 1);
+    for (int i = 1; i < count; i++)
+        if (memcmp(m[0].pixels, m[i].pixels, BYTES) != 0)
+            cli_fail(CLI_BROKEN, "%s: not the same picture by %s", entry->name, m[i].program);
+    contest_run(contestants, (size_t)count, effort->takes);
+    for (int i = 0; i < count; i++) {
+        contest_row row = {.section = "complex pictures",
+                           .task = entry->name,
+                           .degree = entry->degree,
+                           .program = m[i].program,
+                           .unit = "ms",
+                           .count = m[i].stats.hits,
+                           .missed = m[i].stats.single_rays,
+                           .extra = m[i].stats.uncertain,
+                           .error = (double)m[i].stats.iterations / (WIDTH * HEIGHT) / entry->degree};
+        contest_tell_time(&row, contestants[i].seconds, (size_t)effort->takes, 1e3);
+        contest_add(table, &row);
+        algsurf_scene_free(m[i].scene);
+        free(m[i].pixels);
+    }
+    algsurf_surface_free(surface);
+}
+
+void roots_pictures(const roots_effort *effort, contest_table *table) {
+    static const char *const names[] = {"tangle", "boy", "barth", "barth-decic"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        contend(catalogue_find(names[i]), effort, table);
+}
