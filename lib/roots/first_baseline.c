@@ -3,3 +3,4 @@
 
 #include "../simd/baseline.h"
 #include "first_template.h"
+#include "settle_template.h"

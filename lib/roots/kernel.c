@@ -12,3 +12,9 @@ algsurf_i_roots_single *algsurf_i_roots_single_fastest(void) {
         ALGSURF_KERNEL_TABLE(algsurf_i_roots_single);
     return table[algsurf_i_kernel_find(NULL)->index];
 }
+
+algsurf_i_roots_settle *algsurf_i_roots_settle_fastest(void) {
+    static algsurf_i_roots_settle *const table[ALGSURF_KERNELS] =
+        ALGSURF_KERNEL_TABLE(algsurf_i_roots_settle);
+    return table[algsurf_i_kernel_find(NULL)->index];
+}

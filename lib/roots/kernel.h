@@ -40,10 +40,18 @@ typedef int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, d
 algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx2,
     algsurf_i_roots_single_baseline;
 
+/* The roots in `count` brackets of p, each simple and alone there, as algsurf_real_root; multiplicity 0: not
+ * known.  No |c_k| above 2^401, no end of a bracket so that |t|^degree is above 2^400. */
+typedef void algsurf_i_roots_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                                    algsurf_real_root *roots);
+algsurf_i_roots_settle algsurf_i_roots_settle_avx512, algsurf_i_roots_settle_avx2,
+    algsurf_i_roots_settle_baseline;
+
 extern const algsurf_i_roots_kernel algsurf_i_roots_avx512, algsurf_i_roots_avx2, algsurf_i_roots_baseline;
 
 /* The code for a kernel; the fastest for single polynomials. */
 algsurf_i_roots_single *algsurf_i_roots_single_fastest(void);
+algsurf_i_roots_settle *algsurf_i_roots_settle_fastest(void);
 const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

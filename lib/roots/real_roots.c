@@ -6,9 +6,11 @@
 
 #include "../base/fpenv.h"
 #include "../base/integer.h"
+#include "../poly/value.h"
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
 #include "decide.h"
+#include "kernel.h"
 
 /* The real roots in [lo,hi] of a polynomial from doubles c or, if that is null, from integers z. */
 typedef struct question {
@@ -38,6 +40,16 @@ static algsurf_status check_integers(const question *q) {
     return zero ? ALGSURF_E_ZERO : ALGSURF_OK;
 }
 
+/* Of two doubles around a root that with less |p|, as the compensated scheme has it; the lower one if they
+ * are equal: whichever way the two were found, the same. */
+static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
+    if (lo == hi || isinf(lo) || isinf(hi)) return isinf(lo) ? hi : lo;
+    return fabs(algsurf_i_compensated(p->c, NULL, p->degree, lo).value) <=
+                   fabs(algsurf_i_compensated(p->c, NULL, p->degree, hi).value)
+               ? lo
+               : hi;
+}
+
 /* From a bracket to neighbouring doubles; 0 when there is no memory. */
 static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, algsurf_real_root *root) {
     algsurf_root found;
@@ -49,8 +61,18 @@ static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, alg
         if (sign != -b->sign) lo = between;
         if (sign != b->sign) hi = between;
     }
-    *root = (algsurf_real_root){found.root > lo ? hi : lo, lo, hi, 1, b->sign};
+    *root = (algsurf_real_root){nearer(p, lo, hi), lo, hi, 1, b->sign};
     return 1;
+}
+
+/* Side by side, where nothing can overflow; multiplicity 0: not known. */
+static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                   algsurf_real_root *roots) {
+    double most = ldexp(1, 400 / (p->degree > 0 ? p->degree : 1)), largest = 0;
+    for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
+    int fits = largest <= 0x1p401 && (count == 0 || (b[0].lo >= -most && b[count - 1].hi <= most));
+    if (fits) algsurf_i_roots_settle_fastest()(p, b, count, roots);
+    for (int i = 0; i < count && !fits; i++) roots[i].multiplicity = 0;
 }
 
 /* Where all roots are simple and doubles tell them apart: refined with certain signs. */
@@ -60,9 +82,20 @@ static int find_in_doubles(const question *q, algsurf_real_root *roots, int *cou
     while (p.degree > 0 && p.c[p.degree] == 0) p.degree--;
     if (p.degree > ALGSURF_MAX_DEGREE || !algsurf_i_isolate_in_lane(p.c, p.degree, q->lo, q->hi, b, count))
         return 0;
+    settle(&p, b, *count, roots);
     for (int i = 0; i < *count; i++)
-        if (!narrow(&p, b + i, roots + i)) return 0;
+        if (!roots[i].multiplicity && !narrow(&p, b + i, roots + i)) return 0;
     return 1;
+}
+
+/* By integers. */
+static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
+    const algsurf_i_coefficients p = {q->c, NULL, q->degree};
+    algsurf_status status =
+        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 0, roots, q->degree, count, NULL);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++)
+        roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
+    return status;
 }
 
 static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root *roots, int capacity,
@@ -73,7 +106,7 @@ static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root
         return ALGSURF_E_ARGUMENT;
     algsurf_status status = q->c ? check_doubles(q) : check_integers(q);
     if (status == ALGSURF_OK && !(q->c && find_in_doubles(q, found, &n)))
-        status = q->c ? algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 0, found, q->degree, &n, NULL)
+        status = q->c ? decide_doubles(q, found, &n)
                       : algsurf_i_decide_integers(q->z, q->degree, q->lo, q->hi, found, q->degree, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;

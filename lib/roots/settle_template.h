@@ -1,0 +1,135 @@
+/* settle_template.h - simple roots of one polynomial, side by side, from their brackets to between two
+ * neighbouring doubles, of which the value is that with less |p|.
+ *
+ * Approach: Newton's method in doubles, kept to the bracket, whose ends follow the signs that doubles see,
+ * and two steps with compensated values; all this proves nothing.  Proof: two neighbouring doubles within the
+ * bracket have values of different sign, each beyond the bound of its compensated value.  That pair is
+ * unique, so the answer does not depend on how it was come by.
+ *
+ * Bound (Graillat, Langlois, Louvet 2009, theorem 5): the compensated value v of p(x), u = 2^-53, has
+ *   |v - p(x)| <= u |p(x)| + (2 n u / (1 - 2 n u))^2 S,   S = sum |c_k| |x|^k:
+ * where |v| > 5 n^2 u^2 S its sign is that of p(x); the fifth part holds the roundings of S, of v, and the
+ * bound's own.  With |c_k| <= 2^401 and |x|^n <= 2^400 nothing overflows, and what underflows in a product or
+ * its error, less than 2^-1070 each, is below 2^-600 in v. */
+#ifndef ALGSURF_SETTLE_TEMPLATE_H
+#define ALGSURF_SETTLE_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "kernel.h"
+
+#define MOST_STEPS 40
+#define CLOSE                                                                                                \
+    0x1p-12          /* a last step, relative: it leaves its third power, and a step from there its square   \
+                      */
+#define BLUR 0x1p-16 /* steps this short that do not shrink are rounding errors */
+#define ROUNDS 3
+
+typedef struct settling {
+    lanes lo, hi; /* the sign of the value at lo is that before the root, as far as is known */
+    words side;   /* that sign */
+    lanes x;
+} settling;
+
+/* p, p' and p''/2 by Horner's rule. */
+INLINE lanes plain(const double *c, int n, lanes x, lanes *slope, lanes *bend) {
+    lanes y = all_lanes(c[n]), d = all_lanes(0), e = d;
+    for (int k = n - 1; k >= 0; k--) {
+        e = e * x + d;
+        d = d * x + y;
+        y = y * x + c[k];
+    }
+    *slope = d, *bend = e;
+    return y;
+}
+
+INLINE lanes halleys_step(lanes y, lanes slope, lanes bend) { return y * slope / (slope * slope - y * bend); }
+
+/* The value, and 0 where its sign is not certain. */
+INLINE lanes certain(const double *c, int n, lanes x, lanes *value) {
+    lanes y = all_lanes(c[n]), error = all_lanes(0), size = absolute(y), far = absolute(x);
+    for (int k = n - 1; k >= 0; k--) {
+        lanes product_low, sum_low, product = exact_product(y, x, &product_low);
+        y = exact_sum(product, all_lanes(c[k]), &sum_low);
+        error = error * x + (product_low + sum_low);
+        size = size * far + fabs(c[k]);
+    }
+    *value = y + error;
+    lanes bound = (5.0 * n * n * 0x1p-106) * size + 0x1p-600;
+    return choose(less(bound, absolute(*value)), *value, all_lanes(0));
+}
+
+/* Halley's steps; where they do not shorten, halving. */
+INLINE void approach_roots(const double *c, int n, settling *s) {
+    lanes slope, bend, at_lo = plain(c, n, s->lo, &slope, &bend), at_hi = plain(c, n, s->hi, &slope, &bend);
+    lanes width = s->hi - s->lo, x = s->lo + width * (at_lo / (at_lo - at_hi)), before = width;
+    mask moving = ~no_lane();
+    s->x = choose(less(s->lo, x) & less(x, s->hi), x, s->lo + 0.5 * width);
+    for (int i = 0; i < MOST_STEPS && any(moving); i++) {
+        lanes y = plain(c, n, s->x, &slope, &bend), step = halleys_step(y, slope, bend);
+        lanes length = absolute(step), next = s->x - step, scale = absolute(s->x);
+        mask left = ~negative((words)y ^ s->side);
+        s->lo = choose(moving & left, s->x, s->lo);
+        s->hi = choose(moving & ~left, s->x, s->hi);
+        mask good = less(s->lo, next) & less(next, s->hi) & at_most(length, 0.5 * before);
+        lanes half = 0.5 * (s->hi - s->lo);
+        s->x = choose(moving, choose(good, next, s->lo + half), s->x);
+        moving &= ~(at_most(length, CLOSE * scale) | at_most(before, BLUR * scale));
+        before = choose(good, length, half);
+    }
+}
+
+/* The next double, above or below; x is not 0. */
+INLINE lanes neighbour(lanes x, mask above) {
+    words below = (words)choose(above, all_lanes(0), all_lanes(-0.0)) >> 63;
+    words towards_zero = ((words)x >> 63) ^ below;
+    return (lanes)((words)x + 1 - 2 * towards_zero);
+}
+
+/* Returns the lanes where lo and hi are neighbours with the root between, value the one with less |p|,
+ * as computed; lo if they are equal. */
+INLINE mask between(const double *c, int n, settling *s, lanes *value) {
+    const lanes sign = (lanes)(s->side | (words)all_lanes(1)), zero = all_lanes(0);
+    mask settled = no_lane(), above = ~no_lane();
+    for (int k = 0; k < ROUNDS && any(~settled); k++) {
+        lanes slope, bend, at, at_up, at_down;
+        (void)plain(c, n, s->x, &slope, &bend);
+        (void)certain(c, n, s->x, &at);
+        lanes x = s->x = choose(settled, s->x, s->x - halleys_step(at, slope, bend));
+        lanes up = neighbour(x, above), down = neighbour(x, ~above);
+        lanes sure = certain(c, n, x, &at) * sign, sure_up = certain(c, n, up, &at_up) * sign;
+        lanes sure_down = certain(c, n, down, &at_down) * sign;
+        mask over = less(zero, sure) & less(sure_up, zero), under = less(sure, zero) & less(zero, sure_down);
+        mask now = (over | under) & ~settled;
+        s->lo = choose(now, choose(over, x, down), s->lo);
+        s->hi = choose(now, choose(over, up, x), s->hi);
+        mask lower = at_most(absolute(choose(over, at, at_down)), absolute(choose(over, at_up, at)));
+        *value = choose(now, choose(lower, s->lo, s->hi), *value);
+        settled |= now;
+    }
+    return settled;
+}
+
+void KERNEL(algsurf_i_roots_settle)(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                                    algsurf_real_root *roots) {
+    double lo[LANES], hi[LANES], side[LANES], value[LANES];
+    for (int at = 0; at < count; at += LANES) {
+        int some = count - at < LANES ? count - at : LANES;
+        settling s;
+        lanes near = all_lanes(0);
+        for (int l = 0; l < LANES; l++) {
+            const algsurf_bracket *one = b + at + (l < some ? l : 0);
+            lo[l] = one->lo, hi[l] = one->hi, side[l] = one->sign;
+        }
+        s.lo = load(lo), s.hi = load(hi);
+        s.side = (words)load(side) & (words)all_lanes(-0.0);
+        approach_roots(p->c, p->degree, &s);
+        unsigned settled = bits(between(p->c, p->degree, &s, &near));
+        store(lo, s.lo), store(hi, s.hi), store(value, near);
+        for (int l = 0; l < some; l++) {
+            const algsurf_bracket *one = b + at + l;
+            int inside = (settled >> l & 1) && one->lo <= lo[l] && hi[l] <= one->hi;
+            roots[at + l] = (algsurf_real_root){value[l], lo[l], hi[l], inside, one->sign};
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,93 @@
+/* test_settle.c - simple roots brought between neighbouring doubles, by every kernel: exact signs at both
+ * ends, the same bits, and hardly one left open.
+ *
+ * Catches: a pair that does not enclose, lanes that answer for others, a bound that lets a wrong sign pass
+ * (on ill-conditioned roots), neighbours across a power of two or below 0. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "exact.h"
+#include "roots/kernel.h"
+
+#define SEED 20261123u
+
+static algsurf_i_roots_settle *const kernels[ALGSURF_KERNELS] = ALGSURF_KERNEL_TABLE(algsurf_i_roots_settle);
+
+typedef struct tally {
+    long roots, open;
+} tally;
+
+static void judge(const double *c, int n, double lo, double hi, tally *seen) {
+    algsurf_bracket b[ALGSURF_MAX_DEGREE];
+    algsurf_real_root r[ALGSURF_MAX_DEGREE], other[ALGSURF_MAX_DEGREE];
+    const algsurf_i_coefficients p = {c, NULL, n};
+    const algsurf_i_kernel *kernel;
+    int all = 0, count = 0;
+    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, ALGSURF_MAX_DEGREE, &all), ALGSURF_OK);
+    for (int i = 0; i < all; i++)
+        if (b[i].kind == ALGSURF_ROOT_BRACKET && b[i].multiplicity == 1 && !isinf(b[i].lo) && !isinf(b[i].hi))
+            b[count++] = b[i];
+    memset(r, 0, sizeof r);
+    memset(other, 0, sizeof other);
+    for (int k = 0; (kernel = algsurf_i_kernel_at(k)); k++) {
+        kernels[kernel->index](&p, b, count, k == 0 ? r : other);
+        for (int i = 0; k > 0 && i < count; i++) {
+            int same = r[i].multiplicity == other[i].multiplicity &&
+                       (!r[i].multiplicity || memcmp(&r[i], &other[i], sizeof *r) == 0);
+            if (!same) fail_msg("kernel %s, degree %d: [%a,%a]", kernel->name, n, r[i].lo, r[i].hi);
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        seen->roots++;
+        seen->open += !r[i].multiplicity;
+        if (!r[i].multiplicity) continue;
+        int before = algsurf_i_sign_at(&p, r[i].lo), after = algsurf_i_sign_at(&p, r[i].hi);
+        if (!(before == b[i].sign && after == -b[i].sign && nextafter(r[i].lo, r[i].hi) == r[i].hi &&
+              b[i].lo <= r[i].lo && r[i].hi <= b[i].hi && (r[i].value == r[i].lo || r[i].value == r[i].hi)))
+            fail_msg("seed %u, degree %d: bracket [%a,%a], root in [%a,%a], signs %d, %d", SEED, n, b[i].lo,
+                     b[i].hi, r[i].lo, r[i].hi, before, after);
+    }
+}
+
+static void test_random(void **state) {
+    (void)state;
+    uint64_t random = SEED;
+    tally seen = {0, 0};
+    for (int i = 0; i < 12000; i++) {
+        double c[21];
+        int n = 1 + i % 20;
+        for (int k = 0; k <= n; k++)
+            c[k] = ldexp(exact_random_unit(&random), i % 3 ? 0 : exact_random_int(&random, 40) - 20);
+        judge(c, n, -1, 1, &seen);
+        judge(c, n, -0x1p20, 0x1p19, &seen);
+    }
+    assert_true(seen.roots > 15000);
+    if (seen.open * 500 > seen.roots) fail_msg("%ld of %ld open", seen.open, seen.roots);
+}
+
+/* Roots that plain values cannot see: Wilkinson's, and clusters. */
+static void test_ill_conditioned(void **state) {
+    (void)state;
+    uint64_t random = SEED;
+    tally seen = {0, 0};
+    for (int i = 0; i < 4000; i++) {
+        double c[21] = {1};
+        int n = 2 + i % 14;
+        for (int m = 0; m < n; m++) {
+            double root = 0.5 + ldexp(exact_random_unit(&random), -(i % 9));
+            for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - (k <= m ? root * c[k] : 0);
+        }
+        judge(c, n, -3, 3, &seen);
+    }
+    assert_true(seen.roots > 10000);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_ill_conditioned)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
