@@ -10,9 +10,14 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include <gmp.h>
 
 #include "exact.h"
 #include "roots/kernel.h"
+#include "simd/baseline.h"
+#undef KERNEL
+#define KERNEL(name) name##_here
+#include "roots/settle_template.h"
 
 #define SEED 20261123u
 
@@ -87,7 +92,51 @@ static void test_ill_conditioned(void **state) {
     assert_true(seen.roots > 10000);
 }
 
+/* |v - p(x)| over the bound, exactly. */
+static double error_to_bound(const double *c, int n, double x, double v, double bound) {
+    mpq_t y, t, k;
+    mpq_inits(y, t, k, NULL);
+    mpq_set_d(t, x);
+    for (int i = n; i >= 0; i--) {
+        mpq_mul(y, y, t);
+        mpq_set_d(k, c[i]);
+        mpq_add(y, y, k);
+    }
+    mpq_set_d(k, v);
+    mpq_sub(y, y, k);
+    mpq_set_d(k, bound);
+    mpq_div(y, y, k);
+    double ratio = fabs(mpq_get_d(y));
+    mpq_clears(y, t, k, NULL);
+    return ratio;
+}
+
+/* The bound of a compensated value, but for the u |p(x)| that changes no sign: where p is almost 0. */
+static void test_bound(void **state) {
+    (void)state;
+    uint64_t random = SEED;
+    double worst = 0;
+    for (int i = 0; i < 60000; i++) {
+        double c[33] = {1}, x = 0.75 + 0.5 * exact_random_unit(&random);
+        int n = 1 + i % 32;
+        for (int m = 0; m < n; m++) {
+            double root = x + ldexp(exact_random_unit(&random), -(i / 32 % 12) - m % 3);
+            for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - (k <= m ? root * c[k] : 0);
+        }
+        double size = 0;
+        for (int k = n; k >= 0; k--) size = size * fabs(x) + fabs(c[k]);
+        lanes value;
+        double bound = 5.0 * n * n * 0x1p-106 * size, sure = certain(c, n, all_lanes(x), &value)[0];
+        double ratio = error_to_bound(c, n, x, value[0], bound + 0x1p-53 * fabs(value[0]));
+        worst = fmax(worst, ratio);
+        assert_true(sure == 0 || (sure == value[0] && fabs(sure) > 0.999 * bound));
+        if (ratio > 1) fail_msg("seed %u, degree %d, x %a: %g of the bound", SEED, n, x, ratio);
+    }
+    if (worst < 0.01) fail_msg("the bound is never felt: %g", worst);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_ill_conditioned)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_ill_conditioned),
+                                       cmocka_unit_test(test_bound)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
