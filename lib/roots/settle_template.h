@@ -57,8 +57,21 @@ INLINE lanes certain(const double *c, int n, lanes x, lanes *value) {
     return choose(less(bound, absolute(*value)), *value, all_lanes(0));
 }
 
+/* Degrees 1 and 2 by the formula: of a x^2 + b x + c, the root where the slope 2 a x + b is that of the
+ * sign's change, sqrt(b^2 - 4 a c) in size. */
+INLINE lanes by_formula(const double *p, int n, words side) {
+    lanes a = all_lanes(n == 2 ? p[2] : 0), b = all_lanes(p[1]), c = all_lanes(p[0]);
+    lanes size = root(larger(b * b - 4 * a * c, all_lanes(0))), slope = (lanes)((words)-size ^ side);
+    mask apart = negative((words)b ^ (words)slope); /* slope - b does not cancel */
+    return choose(apart, slope - b, 2 * c) / choose(apart, 2 * a, -b - slope);
+}
+
 /* Halley's steps; where they do not shorten, halving. */
 INLINE void approach_roots(const double *c, int n, settling *s) {
+    if (n <= 2) {
+        s->x = by_formula(c, n, s->side);
+        return;
+    }
     lanes slope, bend, at_lo = plain(c, n, s->lo, &slope, &bend), at_hi = plain(c, n, s->hi, &slope, &bend);
     lanes width = s->hi - s->lo, x = s->lo + width * (at_lo / (at_lo - at_hi)), before = width;
     mask moving = ~no_lane();
