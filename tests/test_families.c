@@ -99,9 +99,41 @@ static void judge(const char *family, const poly *p, const poly *const *factor, 
     }
 }
 
+/* The same by the complex solver, if all coefficients are doubles: as many roots as the degree, those on the
+ * axis real, across whose boxes p changes its sign. */
+static void judge_complex(const char *family, const poly *p, int real) {
+    static algsurf_complex c[MOST + 1];
+    static algsurf_enclosure e[MOST];
+    algsurf_root_solver *solver;
+    int count, sum = 0, found = 0, clusters = 0;
+    for (int k = 0; k <= p->degree; k++) {
+        c[k] = (algsurf_complex){mpz_get_d(p->c[k]), 0};
+        if (mpz_cmp_d(p->c[k], c[k].re) != 0) return;
+    }
+    assert_int_equal(algsurf_root_solver_create(p->degree, &solver), ALGSURF_OK);
+    algsurf_status status = algsurf_root_solver_run(solver, c, NULL, p->degree, NULL, e, &count, NULL);
+    algsurf_root_solver_free(solver);
+    if (status != ALGSURF_OK) fail_msg("%s, degree %d: status %d", family, p->degree, status);
+    for (int i = 0; i < count; i++) {
+        sum += e[i].multiplicity;
+        clusters += e[i].multiplicity > 1; /* roots closer than doubles can tell */
+        if (!e[i].real || e[i].multiplicity > 1) continue;
+        found++;
+        int before = sign_at(p, e[i].box.re.lo), after = sign_at(p, e[i].box.re.hi);
+        if (!(before * after < 0 || (before == 0 && after == 0)))
+            fail_msg("%s, degree %d: no simple root in [%a,%a]", family, p->degree, e[i].box.re.lo,
+                     e[i].box.re.hi);
+    }
+    if (sum != p->degree || found > real || (!clusters && found < real))
+        fail_msg("%s, degree %d: %d roots, %d real, not %d", family, p->degree, sum, found, real);
+}
+
+enum { MOST_COMPLEX = 100 };
+
 static void judge_simple(const char *family, poly *p, int real) {
     const poly *factor[1] = {p};
     judge(family, p, factor, (const int[]){1}, 1, real);
+    if (p->degree <= MOST_COMPLEX) judge_complex(family, p, real);
     drop(p);
 }
 
