@@ -52,19 +52,12 @@ void shortest_fill(shortest_powers *powers) {
 
 /* ---- the digits ---- */
 
-static uint64_t product(uint64_t a, uint64_t b, uint64_t *high) {
-    uint64_t a0 = a & UINT32_MAX, a1 = a >> 32, b0 = b & UINT32_MAX, b1 = b >> 32;
-    uint64_t low = a0 * b0, middle = a1 * b0 + (low >> 32), other = a0 * b1 + (middle & UINT32_MAX);
-    *high = a1 * b1 + (middle >> 32) + (other >> 32);
-    return other << 32 | (low & UINT32_MAX);
-}
+__extension__ typedef unsigned __int128 wide;
 
 /* The upper 64 bits of the product, the last one set if anything is below. */
 static uint64_t round_to_odd(uint64_t high, uint64_t low, uint64_t c) {
-    uint64_t x1, y1;
-    (void)product(low, c, &x1);
-    uint64_t y0 = product(high, c, &y1), sum = y0 + x1;
-    return (y1 + (sum < y0)) | (sum > 1);
+    wide sum = (wide)high * c + (uint64_t)((wide)low * c >> 64);
+    return (uint64_t)(sum >> 64) | ((uint64_t)sum > 1);
 }
 
 /* floor(log10(2^q)), or of 3/4 2^q; floor(log2(10^k)): right for all exponents here. */
@@ -131,7 +124,29 @@ static char *write_digits(char *to, const char *digit, int count, int e) {
     return copy(to, digit + e + 1, count - e - 1);
 }
 
-enum { MOST_DIGITS = 20 };
+enum { MOST_DIGITS = 17 };
+
+/* Four digits of n < 10000. */
+static void write_four(char *to, unsigned n) {
+    unsigned first = n / 100, last = n % 100;
+    to[0] = (char)('0' + first / 10), to[1] = (char)('0' + first % 10);
+    to[2] = (char)('0' + last / 10), to[3] = (char)('0' + last % 10);
+}
+
+/* The digits of 0 < n < 10^17 without zeros at the end, which raise the exponent, somewhere in the array;
+ * returns the first one. */
+static const char *digits_of(uint64_t n, int *exponent, int *count, char digit[MOST_DIGITS]) {
+    uint64_t high = n / 100000000, top = high / 100000000;
+    unsigned middle = (unsigned)(high - 100000000 * top), low = (unsigned)(n - 100000000 * high);
+    int first = 0, last = MOST_DIGITS;
+    digit[0] = (char)('0' + top);
+    write_four(digit + 1, middle / 10000), write_four(digit + 5, middle % 10000);
+    write_four(digit + 9, low / 10000), write_four(digit + 13, low % 10000);
+    while (digit[last - 1] == '0') last--, ++*exponent;
+    while (digit[first] == '0') first++;
+    *count = last - first;
+    return digit + first;
+}
 
 static int write_word(char *text, const char *word) {
     size_t length = strlen(word);
@@ -142,7 +157,6 @@ static int write_word(char *text, const char *word) {
 int shortest_write(const shortest_powers *powers, double x, char *text) {
     uint64_t bits, fraction;
     char digit[MOST_DIGITS], *to = text;
-    int count = 0;
     memcpy(&bits, &x, sizeof bits);
     fraction = bits & (((uint64_t)1 << 52) - 1);
     int biased = (int)(bits >> 52 & 0x7ff);
@@ -151,7 +165,7 @@ int shortest_write(const shortest_powers *powers, double x, char *text) {
     if (biased == 0x7ff) return (int)(to - text) + write_word(to, "inf");
     if (!biased && !fraction) return (int)(to - text) + write_word(to, "0");
     decimal d = shortest(powers, fraction, biased);
-    while (d.digits % 10 == 0) d.digits /= 10, d.exponent++;
-    for (uint64_t rest = d.digits; rest; rest /= 10) digit[MOST_DIGITS - ++count] = (char)('0' + rest % 10);
-    return (int)(write_digits(to, digit + MOST_DIGITS - count, count, d.exponent + count - 1) - text);
+    int count;
+    const char *first = digits_of(d.digits, &d.exponent, &count, digit);
+    return (int)(write_digits(to, first, count, d.exponent + count - 1) - text);
 }
