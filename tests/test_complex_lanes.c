@@ -26,104 +26,7 @@
 #include "simd/baseline.h"
 
 #include "complex/lanes_template.h"
-#include "exact.h"
-
-enum { BITS = 16384, Z_BITS = 256 };
-#define FOUND 0x1p-60 /* of the claimed radius: where Newton's method has come near enough */
-
-/* ---- numbers without rounding ---- */
-
-typedef struct point {
-    mpf_t re, im;
-} point;
-
-static void init(point *a) { mpf_init2(a->re, BITS), mpf_init2(a->im, BITS); }
-
-static void clear(point *a) { mpf_clear(a->re), mpf_clear(a->im); }
-
-static void multiply(point *a, const point *b) {
-    mpf_t s, t;
-    mpf_init2(s, BITS), mpf_init2(t, BITS);
-    mpf_mul(s, a->re, b->re), mpf_mul(t, a->im, b->im), mpf_sub(t, s, t);
-    mpf_mul(s, a->re, b->im), mpf_mul(a->im, a->im, b->re), mpf_add(a->im, a->im, s);
-    mpf_set(a->re, t);
-    mpf_clear(s), mpf_clear(t);
-}
-
-static void add(point *a, const point *b) { mpf_add(a->re, a->re, b->re), mpf_add(a->im, a->im, b->im); }
-
-static double magnitude(const point *a) {
-    mpf_t s, t;
-    mpf_init2(s, BITS), mpf_init2(t, BITS);
-    mpf_mul(s, a->re, a->re), mpf_mul(t, a->im, a->im), mpf_add(s, s, t), mpf_sqrt(s, s);
-    double d = mpf_get_d(s);
-    mpf_clear(s), mpf_clear(t);
-    return d;
-}
-
-/* a / b, rounded to Z_BITS. */
-static void divide(point *a, const point *b) {
-    mpf_t square, t;
-    point mate;
-    init(&mate), mpf_init2(square, BITS), mpf_init2(t, BITS);
-    mpf_mul(square, b->re, b->re), mpf_mul(t, b->im, b->im), mpf_add(square, square, t);
-    mpf_set(mate.re, b->re), mpf_neg(mate.im, b->im);
-    multiply(a, &mate);
-    mpf_div(a->re, a->re, square), mpf_div(a->im, a->im, square);
-    mpf_clear(square), mpf_clear(t), clear(&mate);
-}
-
-static void shorten(mpf_t a) {
-    mpf_t t;
-    mpf_init2(t, Z_BITS), mpf_set(t, a), mpf_set(a, t), mpf_clear(t);
-}
-
-/* ---- polynomials ---- */
-
-enum { MOST = 16 };
-
-typedef struct problem {
-    int n, real;
-    double re[MOST + 1], im[MOST + 1], spread;
-    double change; /* of coefficient `which`: the polynomial that is meant; at most spread */
-    int which;
-} problem;
-
-/* p(z), p'(z). */
-static void values(const problem *p, const point *z, point *v, point *d) {
-    mpf_set_d(v->re, 0), mpf_set_d(v->im, 0), mpf_set_d(d->re, 0), mpf_set_d(d->im, 0);
-    point c;
-    init(&c);
-    for (int k = p->n; k >= 0; k--) {
-        multiply(d, z), add(d, v);
-        multiply(v, z);
-        mpf_set_d(c.re, p->re[k]), mpf_set_d(c.im, p->im[k]);
-        add(v, &c);
-        mpf_set_d(c.re, k == p->which ? p->change : 0), mpf_set_d(c.im, 0);
-        add(v, &c);
-    }
-    clear(&c);
-}
-
-/* A root near x + iy; returns the radius of the disc that it is in, if it could be found, at most `enough`.
- */
-static double find_root(const problem *p, double x, double y, double enough, point *z) {
-    point v, d;
-    double radius = HUGE_VAL;
-    init(&v), init(&d);
-    mpf_set_d(z->re, x), mpf_set_d(z->im, y);
-    for (int k = 0; k < 200; k++) {
-        values(p, z, &v, &d);
-        if (magnitude(&d) == 0) break;
-        divide(&v, &d);
-        radius = 1.001 * p->n * magnitude(&v);
-        if (radius <= enough) break;
-        mpf_sub(z->re, z->re, v.re), mpf_sub(z->im, z->im, v.im);
-        shorten(z->re), shorten(z->im);
-    }
-    clear(&v), clear(&d);
-    return radius;
-}
+#include "exact_complex.h"
 
 static polynomials in_lanes(const problem p[LANES]) {
     polynomials q = {.real = 1, .spread = all_lanes(0)};
@@ -139,7 +42,7 @@ static void solve(const polynomials *q, int n, double stop, roots *r) {
     mask all = at_most(all_lanes(0), all_lanes(0));
     for (int i = 0; i < n; i++) r->x[i] = r->y[i] = all_lanes(0);
     set_start(q, n, all, r->x, r->y);
-    (void)iterate(q, n, all, stop, r);
+    (void)iterate(q, n, all, stop, r->x, r->y);
     prove(q, n, r);
 }
 
@@ -164,60 +67,6 @@ static void judge(const problem *p, const roots *r, int l, double *x, double *y)
 }
 
 /* ---- cases ---- */
-
-static uint64_t sequence = 0x9e3779b97f4a7c15;
-
-static uint64_t next_bits(void) {
-    sequence ^= sequence << 13, sequence ^= sequence >> 7, sequence ^= sequence << 17;
-    return sequence;
-}
-
-static double uniform(void) { return (double)(int64_t)next_bits() * 0x1p-63; }
-
-static int below(int n) { return (int)(next_bits() >> 33) % n; }
-
-enum { PLAIN, INTEGERS, CLUSTERED, SPARSE, TINY_LEAD, WILD, DOUBLED, KINDS };
-
-/* p times w - z, or for real p and y != 0 times (w - z)(w - conj z). */
-static void times_root(problem *p, double x, double y) {
-    double re[MOST + 3] = {0}, im[MOST + 3] = {0}; /* from p[-2] on */
-    int pair = p->real && y != 0;
-    for (int k = 0; k <= p->n; k++) re[k + 2] = p->re[k], im[k + 2] = p->im[k];
-    p->n += 1 + pair;
-    for (int k = 0; k <= p->n; k++) {
-        double a = k <= p->n - 1 - pair ? re[k + 2] : 0, b = k <= p->n - 1 - pair ? im[k + 2] : 0;
-        p->re[k] = pair ? re[k] - 2 * x * re[k + 1] + (x * x + y * y) * a : re[k + 1] - (x * a - y * b);
-        p->im[k] = pair ? 0 : im[k + 1] - (x * b + y * a);
-    }
-}
-
-static problem random_problem(int n, int kind, int real) {
-    problem p = {.real = real, .re = {1}};
-    if (kind == CLUSTERED || kind == DOUBLED) {
-        double x = uniform(), y = uniform(), apart = kind == DOUBLED ? 0 : ldexp(1, -2 - below(24));
-        while (p.n < n) {
-            int close = p.n < 4;
-            double a = close ? x + apart * uniform() : 2 * uniform(),
-                   b = close ? y + apart * uniform() : uniform();
-            if (kind == DOUBLED && close) a = x, b = 0;
-            times_root(&p, a, real && (p.n + 2 > n || below(2)) ? 0 : b);
-        }
-        return p;
-    }
-    p.n = n;
-    for (int k = 0; k <= n; k++) {
-        int e = kind == WILD ? below(2040) - 1060 : 0;
-        double big = kind == INTEGERS ? 100 : 1;
-        p.re[k] = ldexp(kind == INTEGERS ? rint(big * uniform()) : uniform(), e);
-        p.im[k] = real ? 0 : ldexp(kind == INTEGERS ? rint(big * uniform()) : uniform(), e);
-        if (kind == SPARSE && below(2)) p.re[k] = p.im[k] = 0;
-    }
-    if (kind == TINY_LEAD) {
-        double by = below(3) ? ldexp(1, -below(400)) : 0;
-        p.re[n] *= by, p.im[n] *= by;
-    }
-    return p;
-}
 
 static void add_spread(problem *p) {
     p->which = below(p->n + 1);

@@ -109,7 +109,7 @@ INLINE int solve_open(const algsurf_i_complex_job *job, const sight *s, const ch
     mask found = no_lane(), hopeless = open & ~at_most(all_lanes(0x1p-300), least_lead(&p, n));
     open &= ~hopeless;
     for (int k = 0; k < 2 && any(open); k++) {
-        corrections += iterate(&p, n, open, stops[k], &r);
+        corrections += iterate(&p, n, open, stops[k], r.x, r.y);
         prove(&p, n, &r);
         seen root = find_seen(&p, n, &r, &w);
         if (any(root.one & open)) settle(&p, n, &root);

@@ -37,7 +37,7 @@ typedef struct algsurf_enclosure {
  * A multiple root of such a polynomial (all imaginary parts and all radii 0) comes alone in its box, mostly a
  * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
  * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
- * cluster, in a wider box.
+ * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_DEGREE, negative radius), E_NOT_FINITE, E_ZERO,
  * E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its radius).
  * Cost: O(degree^2) times some 10 iterations; about 50 KiB of stack.  No allocation, unless a real polynomial
@@ -51,6 +51,44 @@ ALGSURF_API algsurf_status algsurf_roots(const algsurf_complex *c, const double 
  * real.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_roots_real(const double *c, const double *r, int degree,
                                               algsurf_enclosure *roots, int *count);
+
+/* ---- many polynomials at once ---- */
+
+/* Polynomials as structure of arrays: number i is the sum of (re[k][i] + i im[k][i]) z^k, with radii
+ * r[k][i]. */
+typedef struct algsurf_complex_packet {
+    size_t size;             /* sizeof(algsurf_complex_packet) */
+    size_t count;            /* of polynomials; the arrays may be null when it is 0 */
+    int degree;              /* a bound, 1..ALGSURF_MAX_DEGREE: leading zeros are allowed */
+    const double *const *re; /* degree + 1 arrays of `count` real parts, lowest power first */
+    const double *const *im; /* the same for imaginary parts; null: the coefficients are real */
+    const double *const *r;  /* the same for radii; null: the coefficients are exact */
+} algsurf_complex_packet;
+
+/* How the roots of a packet are found. */
+typedef struct algsurf_roots_packet_options {
+    size_t size;        /* sizeof(algsurf_roots_packet_options) */
+    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
+                           runs here.  All of them give the same bits. */
+} algsurf_roots_packet_options;
+
+/* All roots of each polynomial: bit for bit what algsurf_roots_real returns for it (im null), or
+ * algsurf_roots.
+ *   options  null: all defaults
+ *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
+ *   count    for each polynomial the number of its entries; or, where the single call fails, its error, a
+ *            negative algsurf_status: its entries mean nothing then
+ * Neither may overlap the input.
+ * Returns the first of these errors: all other answers stand.  Errors: E_ARGUMENT (null, degree outside its
+ * range, bad size or kernel): nothing is written; else those of the single call.
+ * Guarantee: verified, as algsurf_roots.
+ * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
+ * those that are not proved that way one by one, as are all others.
+ * Source: as algsurf_roots; degree 2 with real coefficients in closed form, in doubled precision.  Since 1.0.
+ */
+ALGSURF_API algsurf_status algsurf_roots_packet(const algsurf_complex_packet *packet,
+                                                const algsurf_roots_packet_options *options,
+                                                algsurf_enclosure *roots, int *count);
 
 /* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
 

@@ -1,7 +1,13 @@
 /* algsurf/refine.h - a bracket becomes a root.
  *
- * All methods keep an interval whose ends have opposite signs.  They differ in how they choose the
- * next point, and in nothing else: same stopping rule, same counts, so that they can be compared.
+ * All methods keep an interval whose ends have opposite signs, and count alike, so that they can be compared.
+ * They differ in how they choose the next point.
+ *
+ * A polynomial's default method decides every sign exactly: compensated values where their bounds tell,
+ * integers elsewhere.  Its bracket holds the root, always, and closes to two units in the last place.  The
+ * other methods, asked for by name, are those of the books: they evaluate by Horner's rule in double and
+ * believe the signs they get.  Where the value is lost in rounding, overflow or underflow they miss the root,
+ * call a value of zero a root, or refuse a bracket whose signs look equal.
  */
 #ifndef ALGSURF_REFINE_H
 #define ALGSURF_REFINE_H
@@ -26,15 +32,16 @@ typedef struct algsurf_refine_options {
     size_t size;           /* sizeof(algsurf_refine_options) */
     algsurf_method method; /* 0: default */
     int max_iterations;    /* 0: 1000 */
-    double tolerance;      /* wanted half width of the bracket, >= 0, in the unit of the abscissa;
-                              4 * 2^-53 * max(|root|, smallest normal double) is always added */
+    double tolerance; /* wanted half width of the bracket, >= 0, in the unit of the abscissa; for rounding,
+                         4 * 2^-53 * max(|root|, smallest normal double) is always added; by the default
+                         method for polynomials 2^-53 |root|, or the smallest double */
 } algsurf_refine_options;
 
 /* A refined root, and what it took. */
 typedef struct algsurf_root {
     double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
-    double value;    /* f(root) as computed */
+    double value;    /* f(root) as computed; a polynomial's by default: its sign is certain, 0 is a root */
     int evaluations; /* of f (for the guarded Newton: of f together with f'), ends included */
     int iterations;  /* points chosen by the method */
     int converged;   /* 1: hi - lo <= 2 (tolerance + rounding) or value == 0; 0: the limit was reached.
@@ -59,8 +66,18 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
                                                    algsurf_root *result);
 
 /* The same for a polynomial in the power basis, degree+1 coefficients, lowest first.
- * The default method needs no more than 395 evaluations for any bracket (plain halving may need 2000).
- * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE, E_NOT_FINITE.  Since 1.0. */
+ * By the default method:
+ * - encloses: the final bracket holds a root of the exact polynomial: verified.  With tolerance 0 it is at
+ *   most two units in the last place wide; lo = hi where a double is the root;
+ * - every bracket that algsurf_isolate_first or _all returns without radii is accepted.  Two neighbouring
+ *   doubles, or the largest one and infinity, are the final bracket if there is a root between or on them,
+ *   whatever the signs there;
+ * - no more than 248 evaluations are made for any bracket (plain halving may need 2000).
+ * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE, E_NOT_FINITE; E_NO_MEMORY (by
+ * default, where integers decide: 1 GiB at most).
+ * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
+ * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
+ * roots need.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                                const algsurf_refine_options *options, algsurf_root *result);
 

@@ -1,0 +1,28 @@
+/* kernel.h - all complex roots in lanes, by every kernel. */
+#ifndef ALGSURF_COMPLEX_KERNEL_H
+#define ALGSURF_COMPLEX_KERNEL_H
+#include <stddef.h>
+
+#include "../simd/kernel.h"
+#include "algsurf/allroots.h"
+
+#define ALGSURF_MOST_ROOTS_IN_LANES 24
+
+/* For exact coefficients and degrees 1 to ALGSURF_MOST_ROOTS_IN_LANES.  Roots are simple and in order; what
+ * is not proved is left to allroots.c.  Both give the same bits. */
+typedef struct algsurf_i_allroots_kernel {
+    /* One polynomial, coefficient k at re[k stride] and im[k stride]; im null: real.  Whether it is solved.
+     */
+    int (*one)(const double *re, const double *im, int stride, int n, algsurf_enclosure *roots);
+    /* Number i has coefficients re[k][i] and im[k][i], im null: all are real; its roots are
+     * roots[i n + k].  found[i] becomes n, or -1 where roots are not solved. */
+    void (*many)(const double *const *re, const double *const *im, int n, size_t count,
+                 algsurf_enclosure *roots, int *found);
+} algsurf_i_allroots_kernel;
+
+extern const algsurf_i_allroots_kernel algsurf_i_allroots_avx512, algsurf_i_allroots_avx2,
+    algsurf_i_allroots_baseline;
+
+const algsurf_i_allroots_kernel *algsurf_i_allroots_kernel_for(const algsurf_i_kernel *kernel);
+
+#endif

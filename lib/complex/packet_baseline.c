@@ -1,0 +1,5 @@
+/* packet_baseline.c - all complex roots in packets of two, for every processor. */
+#include "kernel.h"
+
+#include "../simd/baseline.h"
+#include "packet_template.h"

@@ -1,0 +1,270 @@
+/* test_allroots_packet.c - all roots of many polynomials: the bits of single calls, by every kernel, and
+ * boxes that hold their roots, judged by arithmetic without rounding (exact_complex.h): the disc about z that
+ * holds a root must lie within the box, whose ends no root here is as near as that, or leave it to its
+ * rounding.
+ *
+ * Breaks tried, each caught by the test named:
+ *   the error of a step, or the growth of discs, left out; ends rounded inward     boxes_hold_their_roots
+ *   the error of a closed form's discriminant left out                             quadratics
+ *   the lower root of a pair not taken from the upper one                          boxes_hold_their_roots
+ *   the guard of c_0 left out; a count of zeros that is not looked at              hard_ones
+ *   sums over the other roots in another order in one layout                       boxes_hold_their_roots
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <float.h>
+#include <string.h>
+
+#include "algsurf/allroots.h"
+#include "complex/kernel.h"
+#include "exact_complex.h"
+
+enum { MANY = 11 }; /* packets that are full, and one that is not, whatever the kernel */
+
+static const char *const names[] = {"avx512", "avx2", "baseline"};
+
+/* Coefficients of p[i] as the interface wants them. */
+typedef struct batch {
+    double re[MOST + 1][MANY], im[MOST + 1][MANY];
+    const double *at_re[MOST + 1], *at_im[MOST + 1];
+    algsurf_complex_packet packet;
+} batch;
+
+static void set_batch(batch *b, const problem *p, int real) {
+    for (int k = 0; k <= p->n; k++) {
+        for (int i = 0; i < MANY; i++) b->re[k][i] = p[i].re[k], b->im[k][i] = p[i].im[k];
+        b->at_re[k] = b->re[k], b->at_im[k] = b->im[k];
+    }
+    b->packet =
+        (algsurf_complex_packet){sizeof b->packet, MANY, p->n, b->at_re, real ? NULL : b->at_im, NULL};
+}
+
+static algsurf_status solve_one(const problem *p, algsurf_enclosure *roots, int *count) {
+    algsurf_complex c[MOST + 1];
+    if (p->real) return algsurf_roots_real(p->re, NULL, p->n, roots, count);
+    for (int k = 0; k <= p->n; k++) c[k] = (algsurf_complex){p->re[k], p->im[k]};
+    return algsurf_roots(c, NULL, p->n, roots, count);
+}
+
+static int lies_in(const mpf_t x, double by, double lo, double hi) {
+    mpf_t a, b;
+    mpf_init2(a, BITS), mpf_init2(b, BITS);
+    mpf_set_d(a, by), mpf_add(b, x, a), mpf_sub(a, x, a);
+    int in = mpf_cmp_d(a, lo) >= 0 && mpf_cmp_d(b, hi) <= 0;
+    mpf_clear(a), mpf_clear(b);
+    return in;
+}
+
+/* Boxes are disjoint, in order, symmetric for real p, and each simple one holds a root. */
+static void judge(const problem *p, const algsurf_enclosure *e, int count) {
+    point z;
+    init(&z);
+    for (int i = 0; i < count; i++) {
+        const algsurf_cinterval *b = &e[i].box;
+        int mirrored = 0;
+        assert_true(b->re.lo <= e[i].value.re && e[i].value.re <= b->re.hi);
+        assert_true(b->im.lo <= e[i].value.im && e[i].value.im <= b->im.hi);
+        assert_true(!signbit(e[i].value.im) || e[i].value.im < 0);
+        if (i > 0)
+            assert_true(e[i].value.re > e[i - 1].value.re ||
+                        (e[i].value.re == e[i - 1].value.re && e[i].value.im > e[i - 1].value.im));
+        for (int j = 0; j < count; j++) {
+            const algsurf_cinterval *a = &e[j].box;
+            if (j < i)
+                assert_true(b->re.hi < a->re.lo || a->re.hi < b->re.lo || b->im.hi < a->im.lo ||
+                            a->im.hi < b->im.lo);
+            mirrored += a->re.lo == b->re.lo && a->re.hi == b->re.hi && a->im.lo == -b->im.hi &&
+                        a->im.hi == -b->im.lo;
+        }
+        if (p->real) assert_int_equal(mirrored, 1);
+        double size = hypot(e[i].value.re, e[i].value.im);
+        if (e[i].multiplicity > 1 || !(size > 0x1p-300 && size < 0x1p300)) continue; /* not in lanes */
+        double width = fmin(b->re.hi - b->re.lo, e[i].real ? HUGE_VAL : b->im.hi - b->im.lo);
+        double radius = find_root(p, e[i].value.re, e[i].value.im, 0x1p-150 * width, &z);
+        if (!(radius < 0x1p-100 * width) || !lies_in(z.re, radius, b->re.lo, b->re.hi) ||
+            !(e[i].real ? lies_in(z.im, 0, -radius, radius) : lies_in(z.im, radius, b->im.lo, b->im.hi))) {
+            print_error("degree %d, root %d at (%a,%a), found in %a\n", p->n, i, e[i].value.re, e[i].value.im,
+                        radius);
+            for (int k = 0; k <= p->n; k++) print_error("  %a %a\n", p->re[k], p->im[k]);
+            fail();
+        }
+    }
+    clear(&z);
+}
+
+/* Batch and single calls agree in each bit; the answers are true if asked for. */
+static void compare(const problem *p, int real, int judged) {
+    batch b;
+    algsurf_enclosure single[MANY][MOST], roots[MANY * MOST];
+    int count[MANY], found[MANY];
+    set_batch(&b, p, real);
+    for (int i = 0; i < MANY; i++) {
+        algsurf_status status = solve_one(p + i, single[i], count + i);
+        if (status < 0)
+            count[i] = status;
+        else if (judged)
+            judge(p + i, single[i], count[i]);
+    }
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        const algsurf_roots_packet_options options = {sizeof options, names[k]};
+        if (!algsurf_i_kernel_find(names[k])) continue;
+        algsurf_status status = algsurf_roots_packet(&b.packet, &options, roots, found), first = ALGSURF_OK;
+        for (int i = 0; i < MANY; i++) {
+            assert_int_equal(found[i], count[i]);
+            if (found[i] < 0 && first == ALGSURF_OK) first = (algsurf_status)found[i];
+            if (found[i] > 0)
+                assert_memory_equal(roots + i * p->n, single[i], (size_t)count[i] * sizeof *roots);
+        }
+        assert_int_equal(status, first);
+    }
+}
+
+/* How many of them each kernel solves in lanes: all the same ones, one by one or not, with the same bits. */
+static int solved_in_lanes(const problem *p, int real) {
+    batch b;
+    algsurf_enclosure one[MOST], roots[MANY * MOST];
+    int found[MANY], before[MANY], solved = 0;
+    set_batch(&b, p, real);
+    for (size_t k = 0, kernels = 0; k < sizeof names / sizeof *names; k++) {
+        const algsurf_i_kernel *kernel = algsurf_i_kernel_find(names[k]);
+        if (!kernel) continue;
+        const algsurf_i_allroots_kernel *code = algsurf_i_allroots_kernel_for(kernel);
+        code->many(b.packet.re, b.packet.im, p->n, MANY, roots, found);
+        if (kernels++ > 0) assert_memory_equal(found, before, sizeof found);
+        memcpy(before, found, sizeof found);
+        solved = 0;
+        for (int i = 0; i < MANY; i++) {
+            int alone = code->one(p[i].re, real ? NULL : p[i].im, 1, p->n, one);
+            assert_int_equal(alone, found[i] > 0);
+            if (alone) assert_memory_equal(one, roots + i * p->n, (size_t)p->n * sizeof *one);
+            solved += alone;
+        }
+    }
+    return solved;
+}
+
+/* Which the public calls solve as real ones. */
+static int any_real(const problem p[MANY]) {
+    for (int i = 0; i < MANY; i++) {
+        int real = 1;
+        for (int k = 0; k <= p->n; k++) real = real && p[i].im[k] == 0;
+        if (real) return 1;
+    }
+    return 0;
+}
+
+static void boxes_hold_their_roots(void **state) {
+    int solved[KINDS] = {0}, tried[KINDS] = {0};
+    (void)state;
+    for (int round = 0; round < 280; round++) {
+        problem p[MANY];
+        int n = 1 + below(MOST), kind = round % KINDS, real = below(2);
+        for (int i = 0; i < MANY; i++) p[i] = random_problem(n, kind, real);
+        compare(p, real, round % 2);
+        if (!real && any_real(p)) continue;
+        tried[kind] += MANY;
+        solved[kind] += solved_in_lanes(p, real);
+    }
+    for (int k = 0; k < KINDS; k++) print_message("kind %d: %d of %d in lanes\n", k, solved[k], tried[k]);
+    assert_true(solved[PLAIN] * 50 >= tried[PLAIN] * 49);
+    assert_true(solved[CLUSTERED] * 4 >= tried[CLUSTERED] && solved[CLUSTERED] < tried[CLUSTERED]);
+}
+
+/* Nearly double roots, b = 0, sizes far apart. */
+static void quadratics(void **state) {
+    int solved = 0, tried = 0;
+    (void)state;
+    for (int round = 0; round < 400; round++) {
+        problem p[MANY];
+        for (int i = 0; i < MANY; i++) {
+            double x = uniform(), gap = ldexp(uniform(), -below(round % 2 ? 18 : 60));
+            p[i] = (problem){.n = 2, .real = 1, .re = {x * x - gap, -2 * x, 1}};
+            if (below(4) == 0) p[i] = random_problem(2, below(KINDS), 1);
+            if (below(8) == 0) p[i].re[1] = 0;
+            if (below(8) == 0) p[i].re[below(3)] *= ldexp(1, below(600) - 300);
+        }
+        compare(p, 1, 1);
+        tried += MANY;
+        solved += solved_in_lanes(p, 1);
+    }
+    assert_true(solved * 4 >= tried * 3);
+}
+
+/* Roots at 0, multiple ones, degrees that drop, numbers out of range: never in lanes, and never wrong. */
+static void hard_ones(void **state) {
+    static const double cases[][4] = {{0, 0, 1, 0},       {0, 0, 1, 1},        {0, 1, 2, 1},
+                                      {1, 2, 1, 0},       {-1, 3, -3, 1},      {0, 0, 0, 0},
+                                      {0, 0, 0, 1},       {1, 1, 1, 0x1p-400}, {0x1p-500, 1, 1, 1},
+                                      {1, 1, 0x1p400, 1}, {5, 0, 0, 0}};
+    problem p[MANY];
+    (void)state;
+    for (int i = 0; i < MANY; i++) {
+        p[i] = (problem){.n = 3, .real = 1};
+        memcpy(p[i].re, cases[i], sizeof cases[i]);
+    }
+    compare(p, 1, 1);
+    assert_int_equal(solved_in_lanes(p, 1), 0);
+    for (int i = 0; i < MANY; i++) p[i].re[1] = i == 3 ? NAN : i == 7 ? HUGE_VAL : 1;
+    compare(p, 1, 0);
+    assert_int_equal(algsurf_roots_packet(NULL, NULL, NULL, NULL), ALGSURF_E_ARGUMENT);
+}
+
+/* Real ones among complex ones, radii, and misuse. */
+static void the_interface(void **state) {
+    problem p[MANY];
+    batch b;
+    algsurf_enclosure roots[MANY * MOST], single[MOST];
+    int found[MANY], count;
+    double radii[MOST + 1];
+    const double *r[MOST + 1];
+    static const double spread[MANY] = {0x1p-30, 0x1p-30, 0, 0x1p-20, 0, 0x1p-10, 0, 0, 0, 0, 0};
+    (void)state;
+    for (int round = 0; round < 20; round++) {
+        for (int i = 0; i < MANY; i++) {
+            p[i] = random_problem(5, PLAIN, round % 2 ? 1 : below(2));
+            p[i].real = 0; /* algsurf_roots, which sees for itself */
+        }
+        compare(p, 0, 0);
+    }
+    for (int i = 0; i < MANY; i++) p[i] = random_problem(5, PLAIN, 1);
+    set_batch(&b, p, 1);
+    for (int k = 0; k <= 5; k++) r[k] = spread;
+    b.packet.r = r;
+    assert_int_equal(algsurf_roots_packet(&b.packet, NULL, roots, found), ALGSURF_OK);
+    for (int i = 0; i < MANY; i++) {
+        for (int k = 0; k <= 5; k++) radii[k] = spread[i];
+        assert_int_equal(algsurf_roots_real(p[i].re, radii, 5, single, &count), ALGSURF_OK);
+        assert_int_equal(count, found[i]);
+        assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
+    }
+    const algsurf_roots_packet_options unknown = {sizeof unknown, "none"}, small = {1, NULL};
+    algsurf_complex_packet bad = b.packet;
+    found[0] = 77;
+    assert_int_equal(algsurf_roots_packet(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_roots_packet(&bad, &small, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
+    bad.degree = 0;
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    bad.degree = ALGSURF_MAX_DEGREE + 1;
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    bad.degree = 5, bad.re = NULL;
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(found[0], 77);
+    bad.count = 0;
+    assert_int_equal(algsurf_roots_packet(&bad, NULL, NULL, NULL), ALGSURF_OK);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(boxes_hold_their_roots),
+        cmocka_unit_test(quadratics),
+        cmocka_unit_test(hard_ones),
+        cmocka_unit_test(the_interface),
+    };
+    return cmocka_run_group_tests_name("complex: many polynomials", tests, NULL, NULL);
+}
