@@ -54,9 +54,13 @@ INLINE lanes root_at(layout s, const lanes *a, int j) {
 
 /* The largest of the lanes, in all of them; NaN may be overlooked. */
 INLINE lanes over_lanes(lanes a) {
+#if X86_LANES == 8
+    return all_lanes(_mm512_reduce_max_pd(a));
+#else
     double most = a[0];
     for (int l = 1; l < LANES; l++) most = a[l] > most ? a[l] : most;
     return all_lanes(most);
+#endif
 }
 
 /* Of all roots: where `a` is true for each. */
@@ -206,11 +210,11 @@ INLINE step_of_root step_at(const polynomials *p, layout s, const lanes *size, c
     lanes sum = size[n];
     for (int k = n - 1; k >= 0; k--) sum = sum * a.far + size[k];
     surroundings b = surroundings_of(p, s, r, z);
-    lanes square = b.product.re * b.product.re + b.product.im * b.product.im;
-    lanes inverse = (1 + (4 * n + 16) * ROUNDING) / root(square);
+    lanes square = b.product.re * b.product.re + b.product.im * b.product.im, inverse_square = 1 / square;
+    lanes inverse = root(inverse_square) * (1 + (4 * n + 16) * ROUNDING);
     lanes lost = (33 * n * (n + 2) * ROUNDING * ROUNDING * sum + 0x1p-500) * inverse;
-    a.step = quotient(value, b.product);
-    a.size = root(value.re * value.re + value.im * value.im) * (1 + 8 * ROUNDING) * inverse + lost;
+    a.step = quotient_by(value, b.product, inverse_square);
+    a.size = (absolute(value.re) + absolute(value.im)) * (1 + 8 * ROUNDING) * inverse + lost;
     a.error = a.size * ((4 * n + 16) * ROUNDING) + lost;
     a.distance = root(b.nearest) * (1 - 8 * ROUNDING);
     a.sound = b.sound & at_most(a.far, all_lanes(ldexp(1, 200 / n))) & at_most(all_lanes(0x1p-800), square) &

@@ -69,9 +69,13 @@ INLINE complex_lanes times(complex_lanes a, complex_lanes b) {
     return (complex_lanes){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-INLINE complex_lanes quotient(complex_lanes a, complex_lanes b) {
-    lanes inverse = 1 / (b.re * b.re + b.im * b.im);
+/* a / b; `inverse` is 1 / |b|^2. */
+INLINE complex_lanes quotient_by(complex_lanes a, complex_lanes b, lanes inverse) {
     return (complex_lanes){(a.re * b.re + a.im * b.im) * inverse, (a.im * b.re - a.re * b.im) * inverse};
+}
+
+INLINE complex_lanes quotient(complex_lanes a, complex_lanes b) {
+    return quotient_by(a, b, 1 / (b.re * b.re + b.im * b.im));
 }
 
 /* p(z), p'(z) by Horner's rule. */

@@ -9,6 +9,7 @@
         FOR_ONE_DEGREE(3, statement)                                                                         \
         FOR_ONE_DEGREE(4, statement)                                                                         \
         FOR_ONE_DEGREE(6, statement)                                                                         \
+        FOR_ONE_DEGREE(10, statement)                                                                        \
     default: {                                                                                               \
         const int N = n;                                                                                     \
         if (N < 1 || N > MOST_ROOTS) __builtin_unreachable();                                                \

@@ -6,7 +6,8 @@
  *
  * The root h + l of |D|: l is off by 10 u^2 h (what is left of |D| - h^2, rounded, and l^2 / 2 h).  Two real
  * roots are t / a and c / t, t = -(b + sign b (h + l)) / 2, without cancellation; a pair is
- * -b / 2 a +- i (h + l) / 2 |a|.  A quotient is corrected once, to 20 u^2.  2^-98 takes in all of these.
+ * -b / 2 a +- i (h + l) / 2 |a|.  A quotient is off by 2 u, and corrected once, to 40 u^2.  2^-98 takes in
+ * all of these.
  *
  * Roots are 2^-20 of their size apart, or a pair as far off the axis: boxes are disjoint.  With |a|, |c| and
  * b, unless it is 0, within 2^+-300, nothing over- or underflows that matters. */
@@ -18,17 +19,18 @@ typedef struct double_lanes {
     lanes hi, lo;
 } double_lanes;
 
-INLINE double_lanes corrected_quotient(double_lanes a, double_lanes b) {
-    double_lanes q = {.hi = a.hi / b.hi};
-    lanes low, product = exact_product(q.hi, b.hi, &low);
-    q.hi = exact_sum(q.hi, ((((a.hi - product) - low) + a.lo) - q.hi * b.lo) / b.hi, &q.lo);
+/* a / b; `inverse` is 1 / b.hi, rounded. */
+INLINE double_lanes corrected_quotient(double_lanes a, double_lanes b, lanes inverse) {
+    double_lanes q;
+    lanes first = a.hi * inverse, low, product = exact_product(first, b.hi, &low);
+    q.hi = exact_sum(first, ((((a.hi - product) - low) + a.lo) - first * b.lo) * inverse, &q.lo);
     return q;
 }
 
 INLINE double_lanes corrected_root(double_lanes a) {
     double_lanes h = {.hi = root(a.hi)};
-    lanes low, square = exact_product(h.hi, h.hi, &low);
-    h.lo = (((a.hi - square) - low) + a.lo) / (2 * h.hi);
+    lanes inverse = 0.5 / h.hi, low, square = exact_product(h.hi, h.hi, &low);
+    h.lo = (((a.hi - square) - low) + a.lo) * inverse;
     return h;
 }
 
@@ -60,8 +62,8 @@ INLINE unsigned solve_quadratics(const polynomials *p, unsigned wanted, algsurf_
     double_lanes first_top = {choose(real, t.hi, middle.hi), choose(real, t.lo, zero)};
     double_lanes second_top = {choose(real, c, 0.5 * h.hi), choose(real, zero, 0.5 * h.lo)};
     double_lanes second_bottom = {choose(real, t.hi, absolute(a)), choose(real, t.lo, zero)};
-    double_lanes first = corrected_quotient(first_top, (double_lanes){a, zero});
-    double_lanes second = corrected_quotient(second_top, second_bottom);
+    double_lanes first = corrected_quotient(first_top, (double_lanes){a, zero}, 1 / a);
+    double_lanes second = corrected_quotient(second_top, second_bottom, 1 / second_bottom.hi);
 
     lanes error = 8 * ROUNDING * ROUNDING * size / absolute(d) + 0x1p-98;
     points r;
