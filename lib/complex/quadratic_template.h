@@ -66,6 +66,8 @@ INLINE unsigned solve_quadratics(const polynomials *p, unsigned wanted, algsurf_
     double_lanes second = corrected_quotient(second_top, second_bottom, 1 / second_bottom.hi);
 
     lanes error = 8 * ROUNDING * ROUNDING * size / absolute(d) + 0x1p-98;
+    lanes first_error = absolute(first.hi) * choose(real, error, all_lanes(0x1p-98));
+    lanes second_error = absolute(second.hi) * error, larger_error = larger(first_error, second_error);
     points r;
     narrow n;
     answer out;
@@ -73,11 +75,10 @@ INLINE unsigned solve_quadratics(const polynomials *p, unsigned wanted, algsurf_
         n.x[i] = i ? choose(real, second.hi, first.hi) : first.hi;
         n.xl[i] = i ? choose(real, second.lo, first.lo) : first.lo;
         n.y[i] = choose(real, zero, second.hi), n.yl[i] = choose(real, zero, second.lo);
-        n.radius[i] = error * larger(absolute(first.hi), absolute(second.hi));
         r.x[i] = n.x[i], r.y[i] = i ? -n.y[i] : n.y[i];
     }
-    n.radius[1] = choose(real, error * absolute(second.hi), n.radius[1]);
-    n.radius[0] = choose(real, error * absolute(first.hi), n.radius[0]);
+    n.radius[0] = choose(real, first_error, larger_error);
+    n.radius[1] = choose(real, second_error, larger_error);
     const layout s = {2, 0};
     set_answer(s, 1, &r, &n, &out);
     for (int l = 0; l < LANES; l++)
