@@ -162,6 +162,63 @@ static void test_plus_minus_powers(void **state) {
     }
 }
 
+/* t^m q(t^k), q of multiple roots, of roots at 0 and below, at all scales; intervals that cut pairs of roots,
+ * end at roots, between them, at 0, or nowhere.  Breaks caught, each tried: the wrong side of 0, a sign that
+ * forgets t^m, a bracket that ends at the root 0, a root of even multiplicity between the images of its two
+ * doubles, an end that is not looked at. */
+static void test_powers(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 4000; i++) {
+        int m = exact_random_int(&seed, 3), k = 1 + exact_random_int(&seed, 5), n = 0;
+        int most = exact_random_int(&seed, 6), scale = i % 4 ? 0 : (exact_random_int(&seed, 9) - 4) * 6;
+        double q[8] = {1}, c[48] = {0}, lo, hi;
+        while (n < most) {
+            int root = i % 5 ? exact_random_int(&seed, 33) - 16 : exact_random_int(&seed, 2) ? 4 : 16;
+            int again = exact_random_int(&seed, 4) ? 1 : 2;
+            for (; again > 0 && n < 7; again--) n = isolate_times_root(q, n, root, 1 + i % 3);
+        }
+        if (i % 7 == 0) q[0] += 0x1p-20; /* roots that are no doubles, close pairs, pairs that are no more */
+        if (i % 11 == 0)
+            for (int j = 0; j <= n; j++) q[j] = exact_random_wide(&seed, -3, 3);
+        for (int j = 0; j <= n; j++) c[m + j * k] = ldexp(q[j], -(m + j * k) * scale);
+        random_interval(&seed, &lo, &hi);
+        if (i % 3 == 0) lo = ldexp(exact_random_int(&seed, 9) - 4, scale), hi = lo + ldexp(2.5, scale);
+        if (i % 6 == 1) lo = -INFINITY, hi = INFINITY;
+        isolate_judge(c, m + n * k, lo, hi, &answer);
+    }
+}
+
+/* One high term and a few low ones are counted by a Sturm chain.  With a multiple root, close pairs, roots on
+ * one side. Breaks caught, each tried: a remainder's sign, chains of t^n's other parity, the sign at 0. */
+static void test_low_terms(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 800; i++) {
+        int low = 1 + exact_random_int(&seed, 3), n = low + 2 + exact_random_int(&seed, 12);
+        double c[20] = {0};
+        for (int k = 0; k <= low; k++) c[k] = exact_random_int(&seed, 41) - 20;
+        c[n] = i % 2 ? 1 : -1;
+        if (i % 4 == 0) c[0] = n - 1, c[1] = -n, c[2] = c[3] = 0, c[n] = 1; /* (t - 1)^2 divides it */
+        if (i % 4 == 1) c[0] = -2, c[1] = 4.0 * (1 + i % 9), c[2] = -c[1] * c[1] / 8, c[3] = 0;
+        isolate_judge(c, n, -INFINITY, INFINITY, &answer);
+    }
+}
+
+/* Degrees beyond those that doubles decide: the line in quarters. */
+static void test_many_terms(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 24; i++) {
+        int n = 61 + i;
+        double c[85] = {0}, lo = -INFINITY, hi = INFINITY;
+        for (int k = 0; k <= n; k++) c[k] = ldexp(exact_random_int(&seed, 2) ? 1 : -1, -k * (i % 3));
+        if (i % 4 == 1) lo = 0.5, hi = 1.5;
+        if (i % 4 == 3) lo = -1.75;
+        isolate_judge(c, n, lo, hi, &answer);
+    }
+}
+
 static void test_one_point(void **state) {
     (void)state;
     const double c[] = {-3, 4}, third[] = {-1, 3};
@@ -270,13 +327,14 @@ static void test_quadratics(void **state) {
  * multiple root that is halved to the last bit before the greatest common divisor is asked. */
 static void test_counted(void **state) {
     (void)state;
-    const double none[] = {0.3, 0.1, 3, 1}, two[] = {1.995, -4.285, 1.35, 1}; /* (t^2 + 0.1)(t + 3), ... */
+    /* (t^2 + 0.1)(t + 3)(t - 4), ... */
+    const double none[] = {-1.2, -0.1, -11.9, -1, 1}, two[] = {1.995, -4.285, 1.35, 1};
     const double one[] = {-0.9, 1}, dyadic[] = {-0.25, 0, 1};
     const double twice[] = {0.140625, -0.75, 1}; /* (t - 3/8)^2 */
     algsurf_bracket b, plain;
     int found, as_plain, n = 77;
-    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 3, -1, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 0 && n == 5); /* the whole, two halves, two quarters */
+    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 4, -1, 1, &b, &found, &n), ALGSURF_OK);
+    assert_true(found == 0 && n == 3); /* the whole, two halves */
     assert_int_equal(algsurf_isolate_first_counted(one, NULL, 1, 0, 1, &b, &found, &n), ALGSURF_OK);
     assert_true(found == 1 && n == 1); /* signs at the ends are a look at the whole */
     assert_int_equal(algsurf_isolate_first_counted(two, NULL, 3, 0.5, 1, &b, &found, &n), ALGSURF_OK);
@@ -305,6 +363,9 @@ int main(void) {
         cmocka_unit_test(test_split_points),
         cmocka_unit_test(test_moved_split_points),
         cmocka_unit_test(test_plus_minus_powers),
+        cmocka_unit_test(test_powers),
+        cmocka_unit_test(test_low_terms),
+        cmocka_unit_test(test_many_terms),
         cmocka_unit_test(test_one_point),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_capacity),

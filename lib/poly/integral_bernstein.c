@@ -62,22 +62,57 @@ static int value_bits(const algsurf_zpoly *p, int eighths_of_M) {
     return bits + bits_of_int(p->degree + 1);
 }
 
-/* p(x + at) in w limbs.  In this order (the transpose of the sums of algsurf_zpoly_bernstein) a pass reads
- * what the passes before wrote, and its steps do not wait for each other. */
+/* p(x + 1) in w limbs of each coefficient.  In this order (the transpose of the sums of
+ * algsurf_zpoly_bernstein) a pass reads what the passes before wrote, and its steps do not wait for each
+ * other. */
+static inline __attribute__((always_inline)) void add_up(const algsurf_zpoly *p, int w) {
+    for (int i = p->degree - 1; i >= 0; i--) {
+        algsurf_limb *r = algsurf_zpoly_at(p, i);
+        for (int k = i; k < p->degree; k++, r += p->width) algsurf_z_add(r, r + p->width, w);
+    }
+}
+
+/* With the width known to the compiler the sums are chains without a loop. */
+static void shift_by_one(const algsurf_zpoly *p, int w) {
+    switch (w) {
+    case 1:
+        add_up(p, 1);
+        break;
+    case 2:
+        add_up(p, 2);
+        break;
+    case 3:
+        add_up(p, 3);
+        break;
+    case 4:
+        add_up(p, 4);
+        break;
+    default:
+        add_up(p, w);
+    }
+}
+
+/* p(-x) */
+static void mirror(const algsurf_zpoly *p, int w) {
+    for (int k = 1; k <= p->degree; k += 2) algsurf_z_negate(algsurf_zpoly_at(p, k), w);
+}
+
+/* p(x + at) in w limbs. */
 static void taylor_shift(const algsurf_zpoly *b, int w, int64_t at) {
     algsurf_limb size = at < 0 ? 0 - (algsurf_limb)at : (algsurf_limb)at;
-    for (int i = b->degree - 1; i >= 0 && at; i--)
-        for (int k = i; k < b->degree; k++) {
-            algsurf_limb *r = algsurf_zpoly_at(b, k), *a = algsurf_zpoly_at(b, k + 1);
-            if (at == 1)
-                algsurf_z_add(r, a, w);
-            else if (at == -1)
-                algsurf_z_sub(r, a, w);
-            else if (at > 0)
-                (void)algsurf_z_add_row(r, a, w, size);
-            else
-                (void)algsurf_z_sub_row(r, a, w, size);
-        }
+    if (at < 0) mirror(b, w);
+    if (size == 1) shift_by_one(b, w);
+    for (int i = b->degree - 1; i >= 0 && size > 1; i--)
+        for (int k = i; k < b->degree; k++)
+            (void)algsurf_z_add_row(algsurf_zpoly_at(b, k), algsurf_zpoly_at(b, k + 1), w, size);
+    if (at < 0) mirror(b, w);
+}
+
+int algsurf_zpoly_shift_by_one(algsurf_memory *m, const algsurf_zpoly *p, int side, algsurf_zpoly *q) {
+    if (!algsurf_zpoly_copy(m, p, algsurf_z_width(value_bits(p, eighths(1, 1))), q)) return 0;
+    if (side < 0) mirror(q, q->width);
+    shift_by_one(q, q->width);
+    return 1;
 }
 
 /* lcm C(n,k), k = 0 .. n, as far as it is below 2^53. */

@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-#include "algsurf/poly.h"
+#include "../base/fpenv.h"
+#include "../poly/value.h"
 #include "decide.h"
 #include "exact.h"
 
@@ -15,6 +16,22 @@ int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
         if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
     }
     return common;
+}
+
+/* |t| <= 2 max |c_k / c_n|^(1/(n-k)) (Fujiwara 1916).  |c_k| + r_k is below 2^(i+2), i the exponent of the
+ * larger one; |c_n| - r_n, rounded, is at most twice too large. */
+int algsurf_i_root_bound(const algsurf_i_coefficients *p) {
+    int n = p->degree, bound = -1000, radii = p->r != NULL;
+    double lead = fabs(p->c[n]) - (radii ? p->r[n] : 0);
+    if (!(lead > 0)) return 1024;
+    int least = ilogb(lead) - radii;
+    for (int k = 0; k < n; k++) {
+        double size = radii ? fmax(fabs(p->c[k]), p->r[k]) : fabs(p->c[k]);
+        if (!(size > 0)) continue;
+        int e = ilogb(size) + 1 + radii - least;
+        if (e > (n - k) * bound) bound = e > 0 ? (e + n - k - 1) / (n - k) : -(-e / (n - k));
+    }
+    return bound + 1;
 }
 
 /* q at N 2^-r, and Newton's step from there. */
@@ -57,18 +74,23 @@ static int has_radii(const algsurf_i_coefficients *p) {
     return 0;
 }
 
-int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
-    double value, bound, c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
-    if (x == 0 && (!p->r || p->r[0] == 0 || fabs(p->c[0]) > p->r[0])) return (p->c[0] > 0) - (p->c[0] < 0);
-    /* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
+/* In the unit of x, so that nothing overflows; what the scaling may lose goes into the radii. */
+static ALGSURF_NOINLINE algsurf_i_bounded scaled_value(const algsurf_i_coefficients *p, double x) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
     int unit = x == 0 ? 0 : ilogb(x), common = algsurf_i_common_exponent(p, unit);
     for (int k = 0; k <= p->degree; k++) {
         int shift = k * unit - common;
         c[k] = ldexp(p->c[k], shift);
         r[k] = (p->r ? ldexp(p->r[k], shift) : 0) + (fabs(c[k]) < 0x1p-1000 && p->c[k] != 0 ? 0x1p-1073 : 0);
     }
-    algsurf_status status = algsurf_poly_eval_compensated(c, r, p->degree, ldexp(x, -unit), &value, &bound);
-    if (status == ALGSURF_OK && fabs(value) > bound) return value > 0 ? 1 : -1;
+    return algsurf_i_compensated(c, r, p->degree, ldexp(x, -unit));
+}
+
+int algsurf_i_sign_at(const algsurf_i_coefficients *p, double x) {
+    if (x == 0 && (!p->r || p->r[0] == 0 || fabs(p->c[0]) > p->r[0])) return (p->c[0] > 0) - (p->c[0] < 0);
+    algsurf_i_bounded y = algsurf_i_compensated(p->c, p->r, p->degree, x);
+    if (!(fabs(y.value) > y.bound)) y = scaled_value(p, x);
+    if (fabs(y.value) > y.bound) return y.value > 0 ? 1 : -1;
     algsurf_i_value exact;
     return !has_radii(p) && algsurf_i_exact_value(p, x, &exact) ? exact.sign : ALGSURF_SIGN_UNKNOWN;
 }

@@ -16,11 +16,11 @@ static algsurf_real_root root_of(const algsurf_exact_root *root) {
 }
 
 static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
-                           int most, algsurf_real_root *roots, int *count, int *cells) {
+                           int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
     int found = ALGSURF_EXACT_END;
-    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, 1)) return ALGSURF_E_NO_MEMORY;
+    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine)) return ALGSURF_E_NO_MEMORY;
     while (*count < most && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
         roots[(*count)++] = root_of(&root);
     if (cells) *cells += walk.cells.counted;
@@ -47,7 +47,7 @@ static int from_integers(algsurf_memory *m, const algsurf_integer *c, int degree
 
 /* The first `most` roots of a polynomial from doubles c or, if that is null, from integers z. */
 static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
-                             int most, algsurf_real_root *roots, int *count, int *cells) {
+                             int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
@@ -57,19 +57,21 @@ static algsurf_status decide(const double *c, const algsurf_integer *z, int degr
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p) : from_integers(&memory, z, degree, &p))
-        status = p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, most, roots, count, cells);
+        status =
+            p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, cells);
     algsurf_memory_release(&memory, begin);
     return status;
 }
 
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
                                       algsurf_real_root *roots, int capacity, int *count, int *cells) {
-    return decide(c, NULL, degree, lo, hi, first_only ? 1 : capacity, roots, count, cells);
+    return decide(c, NULL, degree, lo, hi, refine ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS, capacity,
+                  roots, count, cells);
 }
 
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count) {
-    return decide(NULL, c, degree, lo, hi, capacity, roots, count, NULL);
+    return decide(NULL, c, degree, lo, hi, ALGSURF_EXACT_REFINED, capacity, roots, count, NULL);
 }
 
 /* ---- radii ---- */

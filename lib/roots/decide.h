@@ -10,19 +10,20 @@
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
 /* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing
- * order: all of them, or the first. `capacity` entries are written at most; the degree always suffices.
- * cells: null, or receives how many intervals had their variations counted. Returns OK or E_NO_MEMORY. Stack:
- * 20 KiB. */
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int first_only,
+ * order, the first `capacity` of them; the degree always suffices.  refine 0: simple roots come without a
+ * value, as brackets that hold no other root, p not being 0 at the ends. cells: null, or receives how many
+ * intervals had their variations counted, added. Returns OK or E_NO_MEMORY. Stack: 20 KiB. */
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
                                       algsurf_real_root *roots, int capacity, int *count, int *cells);
 
 /* The same for integer coefficients. */
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count);
 
-/* isolate.c: the roots in [lo,hi] as brackets, by doubles; returns 0 when these leave something undecided.  c[degree]
- * is not 0; `degree` entries suffice.  All brackets hold simple roots. */
-int algsurf_i_isolate_in_lane(const double *c, int degree, double lo, double hi, algsurf_bracket *brackets,
+/* isolate.c: the roots in [lo,hi] as brackets, by doubles; returns 0 when these leave something undecided.
+ * c[degree] is not 0; `degree` entries suffice.  All brackets hold simple roots.  [lo,hi] is cut to where
+ * roots can be. */
+int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, algsurf_bracket *brackets,
                               int *count);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most

@@ -207,10 +207,12 @@ static int is_wanted(const algsurf_exact_walk *walk, const algsurf_exact_root *r
 
 /* A root that is not refined and whose place reaches beyond an end of [lo,hi]: it is, for once. */
 static int see_which_side(algsurf_exact_walk *walk, algsurf_exact_root *root) {
-    if (walk->refine || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi)) return 1;
-    walk->refine = 1;
+    int refine = walk->refine;
+    if (refine == ALGSURF_EXACT_REFINED || !root->place.b || (root->lo >= walk->lo && root->hi <= walk->hi))
+        return 1;
+    walk->refine = ALGSURF_EXACT_REFINED;
     int done = algsurf_exact_refine(walk, root->place.of, root);
-    walk->refine = 0;
+    walk->refine = refine;
     return done;
 }
 

@@ -222,6 +222,15 @@ static int to_doubles(algsurf_exact_walk *walk, const algsurf_zpoly *f, int befo
     return outside ? 1 : set_neighbours(walk, root->lo, root->hi, place);
 }
 
+/* Is the place, as it is, what the walk was asked for? */
+static int is_enough(const algsurf_exact_walk *walk, const algsurf_exact_place *place) {
+    int e = walk->unit - place->r, w = place->width;
+    if (!place->b || walk->refine == ALGSURF_EXACT_ISOLATED) return 1;
+    return walk->refine == ALGSURF_EXACT_BRACKETS && walk->parts == 0 &&
+           algsurf_z_round_down(place->a, w, e) == algsurf_z_round_up(place->a, w, e) &&
+           algsurf_z_round_down(place->b, w, e) == algsurf_z_round_up(place->b, w, e);
+}
+
 int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsurf_exact_root *root) {
     algsurf_limb *a, *b;
     int width, r, before = 0, point = 0, done;
@@ -242,7 +251,7 @@ int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsu
         if (!done) return 0;
     }
     root->place = (algsurf_exact_place){f, a, point ? NULL : b, width, r};
-    if (!walk->refine || point) {
+    if (is_enough(walk, &root->place)) {
         set_hull(walk, root);
         return 1;
     }

@@ -4,7 +4,7 @@
  * smaller than the interval, which is cut where no root can be beyond.  What they leave undecided goes to
  * integers (decide.c), or, where coefficients are known to radii only, to integers with envelopes
  * (exact_radii.c): those brackets that the doubles were sure of are kept, so that the first root is the same
- * whether the others are looked for or not.
+ * whether the others are looked for or not.  Before all that a polynomial t^m q(t^k) becomes q (power.c).
  */
 #include "algsurf/isolate.h"
 
@@ -15,99 +15,195 @@
 #include "coefficients.h"
 #include "decide.h"
 #include "kernel.h"
+#include "power.h"
 #include "quadratic.h"
+#include "quarters.h"
+#include "sturm.h"
 
 typedef struct task {
     algsurf_i_coefficients p;
     double lo, hi;
-    int first_only;
+    enum { ALL, FIRST, NUMBER } wanted; /* NUMBER: on the whole line, without radii, and without brackets */
     algsurf_bracket *b;
     int count, capacity;
     int counted; /* intervals whose variations were counted */
 } task;
 
-/* An exponent e so that all roots are below 2^e: |t| <= 2 max |c_k / c_n|^(1/(n-k)) (Fujiwara 1916).  |c_k| +
- * r_k is below 2^(i+2), i the exponent of the larger one; |c_n| - r_n, rounded, is at most twice too large.
- * Above 1023 when there is none. */
-static int root_bound(const algsurf_i_coefficients *p) {
-    int n = p->degree, bound = -1000, radii = p->r != NULL;
-    double lead = fabs(p->c[n]) - (radii ? p->r[n] : 0);
-    if (!(lead > 0)) return 1024;
-    int least = ilogb(lead) - radii;
-    for (int k = 0; k < n; k++) {
-        double size = radii ? fmax(fabs(p->c[k]), p->r[k]) : fabs(p->c[k]);
-        if (!(size > 0)) continue;
-        int e = ilogb(size) + 1 + radii - least;
-        if (e > (n - k) * bound) bound = e > 0 ? (e + n - k - 1) / (n - k) : -(-e / (n - k));
-    }
-    return bound + 1;
+/* Degrees 1 and 2, without radii; returns 0 where signs are not known. */
+static int walk_quadratic(task *t, double lo, double hi) {
+    algsurf_bracket two[2];
+    int found;
+    if (t->p.degree < 1 || t->p.degree > 2 || t->p.r || !(lo < hi) ||
+        !algsurf_i_quadratic_isolate(t->p.c, t->p.degree, lo, hi, two, &found))
+        return 0;
+    if (t->wanted == FIRST && found > 1) found = 1;
+    for (int i = 0; i < found; i++) t->b[t->count++] = two[i];
+    t->counted++;
+    return 1;
 }
 
 /* [from,to] in a lane, as far as it is asked for; returns 0 when that leaves something undecided. */
 static int walk_piece(task *t, double from, double to) {
-    int most = (t->first_only ? 1 : t->capacity) - t->count, found = 0;
+    int most = (t->wanted == FIRST ? 1 : t->capacity) - t->count, found = 0;
     double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
     if (lo >= hi || most == 0) return 1;
     if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
-    algsurf_bracket two[2];
-    if (t->p.degree <= 2 && !t->p.r &&
-        algsurf_i_quadratic_isolate(t->p.c, t->p.degree, lo, hi, two, &found)) {
-        for (int i = 0; i < found && i < most; i++) t->b[t->count++] = two[i];
-        t->counted++;
-        return 1;
-    }
+    if (walk_quadratic(t, lo, hi)) return 1;
     int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, &t->counted);
     t->count += found;
     return done;
 }
 
-enum { SPREAD = 24, MOST_PIECES = 16 }; /* binary digits that one piece may lose; on one side of 0 */
+enum { SPREAD = 24, NO_TERM = -(1 << 20) }; /* binary digits that one piece may lose; the exponent of 0 */
 
-/* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces of which
- * that about 0 ends at the geometric mean of the roots. */
-static int walk_lane(task *t) {
-    int n = t->p.degree;
-    double size = fmax(fabs(t->lo), fabs(t->hi));
-    if (!(t->lo < t->hi) || n == 0 || n > ALGSURF_MAX_DEGREE || t->p.c[0] == 0 || t->p.c[n] == 0) return 0;
-    int bound = size < 0x1p900 ? ilogb(size) + 1 : root_bound(&t->p);
-    int mean = (ilogb(t->p.c[0]) - ilogb(t->p.c[n])) / n, step = SPREAD > n ? SPREAD / n : 1;
-    if (bound > 900 || mean < -900 || bound - mean > MOST_PIECES * step) return 0;
-    if ((bound - mean) * n <= SPREAD) return walk_piece(t, -ldexp(1, bound), ldexp(1, bound));
-    int done = 1, e = bound;
-    for (; done && e > mean + step; e -= step) done = walk_piece(t, -ldexp(1, e), -ldexp(1, e - step));
-    done = done && walk_piece(t, -ldexp(1, e), ldexp(1, e));
-    for (; done && e < bound; e += step) done = walk_piece(t, ldexp(1, e), ldexp(1, e + step));
-    return done;
+/* An end of pieces, a little above 2^e: they are halved, and a root that is a round number hides the sign. */
+static double end_of_piece(int e) { return ldexp(1 + 0x1p-5, e); }
+
+/* Is there no root between end_of_piece(a) and end_of_piece(b), on this side of 0, as one term is larger than
+ * all those of the other sign together?  |c_k| is at least 2^e[k] and below twice that, and 1 + 2^-5 <
+ * 2^(1/16). */
+static int has_no_root(const algsurf_i_coefficients *p, const int *e, int side, int a, int b) {
+    int m = 0;
+    double others = 0;
+    for (int k = 1; k <= p->degree; k++)
+        if (2 * e[k] + k * (a + b) > 2 * e[m] + m * (a + b)) m = k;
+    for (int k = 0; k <= p->degree; k++) {
+        int same = (p->c[k] > 0) == (p->c[m] > 0), d = k - m;
+        if (same == (side > 0 || d % 2 == 0)) continue;
+        others += ldexp(1, e[k] + 1 - e[m] + d * (d > 0 ? b : a) + (d > 0 ? (d + 15) / 16 : 0));
+    }
+    return others < 1 && !p->r;
 }
 
-int algsurf_i_isolate_in_lane(const double *c, int degree, double lo, double hi, algsurf_bracket *brackets,
-                              int *count) {
-    task t = {{c, NULL, degree}, lo, hi, 0, brackets, 0, degree, 0};
-    int done = walk_lane(&t);
-    *count = t.count;
+static int walk_side(task *t, const int *e, int side, int from, int to) {
+    if (has_no_root(&t->p, e, side, from, to)) return 1;
+    double near = end_of_piece(from), far = end_of_piece(to);
+    return side > 0 ? walk_piece(t, near, far) : walk_piece(t, -far, -near);
+}
+
+/* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces, of which
+ * in that about 0 no term is more than SPREAD digits larger than c_0. */
+static int walk_lane(task *t) {
+    int n = t->p.degree, e[ALGSURF_MAX_DEGREE + 1];
+    double size = fmax(fabs(t->lo), fabs(t->hi));
+    if (!(t->lo < t->hi) || n == 0 || n > ALGSURF_MAX_DEGREE || t->p.c[0] == 0 || t->p.c[n] == 0) return 0;
+    int bound = size < 0x1p900 ? ilogb(size) + 1 : algsurf_i_root_bound(&t->p), inner = bound;
+    for (int k = 0; k <= n; k++) {
+        e[k] = t->p.c[k] != 0 ? ilogb(t->p.c[k]) : NO_TERM;
+        if (k > 0 && SPREAD + e[0] - e[k] < k * inner) inner = (int)floor((SPREAD + e[0] - e[k]) / (double)k);
+    }
+    if (bound > 900 || inner < -900) return 0;
+    int done = 1, step = SPREAD > n ? SPREAD / n : 1;
+    for (int i = bound; done && i > inner; i -= step)
+        done = walk_side(t, e, -1, i - step > inner ? i - step : inner, i);
+    done = done && walk_piece(t, -end_of_piece(inner), end_of_piece(inner));
+    for (int i = inner; done && i < bound; i += step)
+        done = walk_side(t, e, 1, i, i + step < bound ? i + step : bound);
     return done;
 }
 
 /* The interval from where the lane's last bracket ends. */
 static double begin_of_rest(const task *t) { return t->count > 0 ? t->b[t->count - 1].hi : t->lo; }
 
-static void add_root(task *t, const algsurf_real_root *root) {
-    int exact = root->lo == root->hi;
-    t->b[t->count++] = (algsurf_bracket){.lo = root->lo,
-                                         .hi = root->hi,
-                                         .kind = exact ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET,
-                                         .sign = exact ? 0 : root->sign,
-                                         .multiplicity = root->multiplicity,
-                                         .status = ALGSURF_OK};
+static algsurf_status walk_integers(task *t, double lo, double hi) {
+    algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
+    int found = 0, most = (t->wanted == FIRST ? 1 : t->capacity) - t->count;
+    algsurf_status status =
+        algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, &t->counted);
+    for (int i = 0; i < found; i++) {
+        const algsurf_real_root *r = roots + i;
+        int kind = r->lo == r->hi ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET;
+        t->b[t->count++] = (algsurf_bracket){r->lo, r->hi, kind, r->sign, r->multiplicity, ALGSURF_OK};
+    }
+    return status;
 }
 
-static algsurf_status walk_integers(task *t) {
-    algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
-    int found = 0, most = t->first_only ? 1 : t->p.degree;
-    algsurf_status status = algsurf_i_decide_roots(t->p.c, t->p.degree, begin_of_rest(t), t->hi,
-                                                   t->first_only, roots, most, &found, &t->counted);
-    for (int i = 0; i < found && t->count < t->capacity; i++) add_root(t, roots + i);
+static algsurf_status walk_parts(task *t) {
+    algsurf_i_part parts[ALGSURF_I_PARTS];
+    algsurf_status status = ALGSURF_OK;
+    int count = algsurf_i_parts_of(&t->p, begin_of_rest(t), t->hi, parts);
+    for (int i = 0; status == ALGSURF_OK && i < count && !(t->wanted == FIRST && t->count); i++) {
+        const algsurf_i_part *k = parts + i;
+        if (k->sign)
+            t->b[t->count++] = (algsurf_bracket){k->lo, k->hi, ALGSURF_ROOT_BRACKET, k->sign, 1, ALGSURF_OK};
+        else
+            status = walk_integers(t, k->lo, k->hi);
+    }
     return status;
+}
+
+/* Descartes' rule on one side of 0: as many roots, or fewer by an even number. */
+static int variations(const algsurf_i_coefficients *p, int side) {
+    int count = 0, last = 0;
+    for (int k = 0; k <= p->degree; k++) {
+        int sign = p->c[k] == 0 ? 0 : (p->c[k] > 0) == (side > 0 || k % 2 == 0) ? 1 : -1;
+        count += sign * last < 0;
+        last = sign ? sign : last;
+    }
+    return count;
+}
+
+/* Sides of 0 with at most as many variations are left out of [lo,hi]; returns how many roots they have. */
+static int leave_sides(task *t, int most) {
+    int below = t->lo < 0 ? variations(&t->p, -1) : most + 1;
+    int above = t->hi > 0 ? variations(&t->p, 1) : most + 1;
+    if (below <= most) t->lo = 0;
+    if (above <= most) t->hi = 0;
+    return (below <= most ? below : 0) + (above <= most ? above : 0);
+}
+
+static int is_empty(const task *t) { return t->lo > t->hi || (t->lo == 0 && t->hi == 0 && t->p.c[0] != 0); }
+
+/* Changes the ends, too. */
+static algsurf_status walk_itself(task *t) {
+    int left = leave_sides(t, t->wanted == NUMBER), done = is_empty(t);
+    if (t->wanted == NUMBER && !done && t->p.c[0] != 0)
+        done = algsurf_i_count_by_sturm(t->p.c, t->p.degree, t->lo, t->hi, &t->count);
+    algsurf_status status = done || walk_lane(t) ? ALGSURF_OK : walk_parts(t);
+    t->count += left;
+    return status;
+}
+
+/* By the roots of q, all of them; returns 0 when p itself has to be looked at. */
+static int walk_power(task *t, const algsurf_i_power *w) {
+    task q = *t;
+    q.p.c = w->q;
+    q.p.degree = q.capacity = w->degree;
+    if (q.wanted == FIRST) q.wanted = ALL;
+    algsurf_i_power_interval(w, t->lo, t->hi, &q.lo, &q.hi);
+    if (w->degree > 0 && walk_itself(&q) != ALGSURF_OK) return 0;
+    t->counted = q.counted;
+    t->count = q.count;
+    if (t->wanted == NUMBER)
+        t->count = (w->step % 2 ? 1 : 2) * q.count + (w->zeros > 0);
+    else if (!algsurf_i_power_roots(w, t->p.c, t->lo, t->hi, t->b, &t->count))
+        return t->count = 0;
+    if (t->wanted == FIRST && t->count > 1) t->count = 1;
+    return 1;
+}
+
+/* Degree 2 at most, and no root much smaller than |t| may be: one piece. */
+static int is_level(const algsurf_i_coefficients *p, double size) {
+    double least = fabs(p->c[0]) * (1 << SPREAD), square = p->degree == 2 ? fabs(p->c[2]) * size * size : 0;
+    return p->degree <= 2 && p->degree > 0 && size < 0x1p300 && fabs(p->c[1]) * size <= least &&
+           square <= least;
+}
+
+static algsurf_status walk(task *t) {
+    algsurf_i_power w;
+    if (is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi))) && walk_quadratic(t, t->lo, t->hi)) return ALGSURF_OK;
+    if (algsurf_i_power_of(t->p.c, t->p.degree, &w) && walk_power(t, &w)) return ALGSURF_OK;
+    return walk_itself(t);
+}
+
+int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, algsurf_bracket *brackets,
+                              int *count) {
+    task t = {{c, NULL, degree}, *lo, *hi, ALL, brackets, 0, degree, 0};
+    (void)leave_sides(&t, 0);
+    int done = is_empty(&t) || walk_lane(&t);
+    *lo = t.lo, *hi = t.hi;
+    *count = t.count;
+    return done;
 }
 
 static algsurf_status walk_envelopes(task *t) {
@@ -115,7 +211,7 @@ static algsurf_status walk_envelopes(task *t) {
     algsurf_status status = algsurf_i_decide_ranges(&t->p, begin_of_rest(t), t->hi, t->b + t->count,
                                                     t->capacity - t->count, &found, &t->counted);
     t->count += found;
-    if (t->first_only && t->count > 1) t->count = 1;
+    if (t->wanted == FIRST && t->count > 1) t->count = 1;
     return status;
 }
 
@@ -158,15 +254,15 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
         all_undecided(t);
         return ALGSURF_OK;
     }
-    if (walk_lane(t)) return ALGSURF_OK;
-    return t->p.r ? walk_envelopes(t) : walk_integers(t);
+    if (!t->p.r) return walk(t);
+    return walk_lane(t) ? ALGSURF_OK : walk_envelopes(t);
 }
 
 /* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status.
  * `intervals` may be null. */
-static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int first_only,
+static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int wanted,
                           algsurf_bracket *room, int *count, int *intervals) {
-    task t = {{c, r, degree}, lo, hi, first_only, room, 0, degree > 0 ? degree : 1, 0};
+    task t = {{c, r, degree}, lo, hi, wanted, room, 0, degree > 0 ? degree : 1, 0};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);
@@ -174,6 +270,9 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     if (status != ALGSURF_OK) return status;
     *count = t.count;
     if (intervals) *intervals = t.counted;
+    if (wanted == NUMBER) return ALGSURF_OK;
+    for (int i = 0; i < t.count; i++)
+        if (room[i].kind == ALGSURF_ROOT_EXACT) room[i].sign = 0;
     for (int i = 0; i < t.count; i++)
         if (room[i].status != ALGSURF_OK) return room[i].status;
     return ALGSURF_OK;
@@ -185,7 +284,7 @@ algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, i
     algsurf_bracket first[ALGSURF_MAX_POLY_DEGREE];
     int count = 0;
     if (!bracket || !found || !intervals) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 1, first, &count, intervals);
+    algsurf_status status = run(c, r, degree, lo, hi, FIRST, first, &count, intervals);
     if (status < 0) return status;
     *found = count;
     if (count) *bracket = first[0];
@@ -203,7 +302,7 @@ algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree,
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
     int n = 0;
     if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n, NULL);
+    algsurf_status status = run(c, r, degree, lo, hi, ALL, room, &n, NULL);
     if (status < 0) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(brackets, room, (size_t)n * sizeof *room);
@@ -216,9 +315,10 @@ algsurf_status algsurf_count_roots(const double *c, const double *r, int degree,
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
     int n = 0, roots = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, 0, room, &n, NULL);
+    int number = lo == -HUGE_VAL && hi == HUGE_VAL && !r;
+    algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, room, &n, NULL);
     if (status < 0) return status;
-    for (int i = 0; i < n; i++) roots += room[i].kind != ALGSURF_ROOT_UNDECIDED;
-    *count = roots;
+    for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_ROOT_UNDECIDED;
+    *count = number ? n : roots;
     return status;
 }

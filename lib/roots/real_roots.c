@@ -1,6 +1,6 @@
 /* real_roots.c - all real roots of a polynomial, refined, with their multiplicities: the public calls.
  *
- * Doubles first, then integers, as in isolate.c. */
+ * Doubles first, then integers, as in isolate.c; a polynomial t^m q(t^k) becomes q before. */
 #include <math.h>
 #include <string.h>
 
@@ -8,9 +8,11 @@
 #include "../base/integer.h"
 #include "../poly/value.h"
 #include "algsurf/isolate.h"
-#include "algsurf/refine.h"
 #include "decide.h"
 #include "kernel.h"
+#include "power.h"
+#include "quarters.h"
+#include "refine_impl.h"
 
 /* The real roots in [lo,hi] of a polynomial from doubles c or, if that is null, from integers z. */
 typedef struct question {
@@ -53,7 +55,7 @@ static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
 /* From a bracket to neighbouring doubles; 0 when there is no memory. */
 static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, algsurf_real_root *root) {
     algsurf_root found;
-    if (algsurf_refine_poly(p->c, p->degree, b->lo, b->hi, NULL, &found) != ALGSURF_OK) return 0;
+    if (algsurf_i_refine_bracket(p, b->lo, b->hi, &found) != ALGSURF_OK) return 0;
     double lo = found.lo, hi = found.hi, between;
     while (lo < hi && (between = nextafter(lo, hi)) < hi) {
         int sign = algsurf_i_sign_at(p, between);
@@ -76,11 +78,10 @@ static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, in
 }
 
 /* Where all roots are simple and doubles tell them apart: refined with certain signs. */
-static int find_in_doubles(const question *q, algsurf_real_root *roots, int *count) {
+static int find_in_doubles(question *q, algsurf_real_root *roots, int *count) {
     algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
-    while (p.degree > 0 && p.c[p.degree] == 0) p.degree--;
-    if (p.degree > ALGSURF_MAX_DEGREE || !algsurf_i_isolate_in_lane(p.c, p.degree, q->lo, q->hi, b, count))
+    if (p.degree > ALGSURF_MAX_DEGREE || !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, b, count))
         return 0;
     settle(&p, b, *count, roots);
     for (int i = 0; i < *count; i++)
@@ -88,14 +89,51 @@ static int find_in_doubles(const question *q, algsurf_real_root *roots, int *cou
     return 1;
 }
 
-/* By integers. */
-static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
+/* By integers, in the parts of the line that may have roots. */
+static algsurf_status find_in_parts(const question *q, algsurf_real_root *roots, int *count) {
     const algsurf_i_coefficients p = {q->c, NULL, q->degree};
-    algsurf_status status =
-        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 0, roots, q->degree, count, NULL);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++)
-        roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
-    return status;
+    algsurf_i_part parts[ALGSURF_I_PARTS];
+    int n = algsurf_i_parts_of(&p, q->lo, q->hi, parts), found = 0;
+    *count = 0;
+    for (int i = 0; i < n; i++, *count += found) {
+        const algsurf_bracket b = {.lo = parts[i].lo, .hi = parts[i].hi, .sign = parts[i].sign};
+        algsurf_real_root *here = roots + *count;
+        found = 1;
+        if (b.sign && narrow(&p, &b, here)) continue;
+        algsurf_status status =
+            algsurf_i_decide_roots(q->c, q->degree, b.lo, b.hi, 1, here, q->degree - *count, &found, NULL);
+        if (status != ALGSURF_OK) return status;
+        for (int j = 0; j < found; j++) here[j].value = nearer(&p, here[j].lo, here[j].hi);
+    }
+    return ALGSURF_OK;
+}
+
+static algsurf_status find_itself(question q, algsurf_real_root *roots, int *count) {
+    if (!q.c) return algsurf_i_decide_integers(q.z, q.degree, q.lo, q.hi, roots, q.degree, count);
+    while (q.c[q.degree] == 0) q.degree--;
+    return find_in_doubles(&q, roots, count) ? ALGSURF_OK : find_in_parts(&q, roots, count);
+}
+
+/* By the roots of a polynomial of lower degree; returns 0 where that will not do. */
+static int find_by_power(const question *q, algsurf_real_root *roots, int *count) {
+    algsurf_i_coefficients p = {q->c, NULL, q->degree};
+    algsurf_i_power w;
+    algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE];
+    while (p.c[p.degree] == 0) p.degree--;
+    if (!algsurf_i_power_of(p.c, p.degree, &w)) return 0;
+    question inner = {w.q, NULL, w.degree, 0, 0};
+    algsurf_i_power_interval(&w, q->lo, q->hi, &inner.lo, &inner.hi);
+    if (w.degree > 0 && find_itself(inner, roots, count) != ALGSURF_OK) return 0;
+    for (int i = 0; i < *count; i++)
+        b[i] = (algsurf_bracket){.lo = roots[i].lo,
+                                 .hi = roots[i].hi,
+                                 .sign = roots[i].sign,
+                                 .multiplicity = roots[i].multiplicity};
+    if (!algsurf_i_power_roots(&w, p.c, q->lo, q->hi, b, count)) return 0;
+    for (int i = 0; i < *count; i++)
+        roots[i] =
+            (algsurf_real_root){nearer(&p, b[i].lo, b[i].hi), b[i].lo, b[i].hi, b[i].multiplicity, b[i].sign};
+    return 1;
 }
 
 static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root *roots, int capacity,
@@ -105,9 +143,7 @@ static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root
     if ((!q->c && !q->z) || q->degree < 0 || q->degree > ALGSURF_MAX_POLY_DEGREE || !(q->lo <= q->hi))
         return ALGSURF_E_ARGUMENT;
     algsurf_status status = q->c ? check_doubles(q) : check_integers(q);
-    if (status == ALGSURF_OK && !(q->c && find_in_doubles(q, found, &n)))
-        status = q->c ? decide_doubles(q, found, &n)
-                      : algsurf_i_decide_integers(q->z, q->degree, q->lo, q->hi, found, q->degree, &n);
+    if (status == ALGSURF_OK && !(q->c && find_by_power(q, found, &n))) status = find_itself(*q, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(roots, found, (size_t)n * sizeof *roots);

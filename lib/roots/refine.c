@@ -170,6 +170,13 @@ static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *
     return status;
 }
 
+algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
+                                        algsurf_root *result) {
+    algsurf_i_polynomial polynomial = {.given = *p, .c = p->c};
+    algsurf_i_search s = {.f = algsurf_i_polynomial_certain, .data = &polynomial, .max_iterations = 1000};
+    return refine_certain(&s, &polynomial, lo, hi, result);
+}
+
 static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
                                    algsurf_method method, algsurf_root *result) {
     double room[ALGSURF_MAX_POLY_DEGREE + 1];
