@@ -205,6 +205,24 @@ static void test_low_terms(void **state) {
     }
 }
 
+/* Degrees 2 and 3 are counted by their discriminants: about 0, and of all sizes. */
+static void test_discriminants(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    for (int i = 0; i < 3000; i++) {
+        int n = 0, far = i % 3 == 0 ? 250 : 20;
+        double c[4] = {1}, root = exact_random_int(&seed, 2001) - 1000;
+        n = isolate_times_root(c, n, root, 64);
+        n = isolate_times_root(c, n, root + (i % 4 == 0), 64);
+        if (i % 2) n = isolate_times_root(c, n, exact_random_int(&seed, 201) - 100, 64);
+        int at = exact_random_int(&seed, n + 1), by = exact_random_int(&seed, 9) - 4,
+            e = exact_random_int(&seed, far);
+        c[at] *= 1 + by * 0x1p-52;
+        for (int k = 0; k <= n; k++) c[k] = ldexp(c[k], i % 5 == 0 ? -k * e : e);
+        isolate_judge(c, n, -INFINITY, INFINITY, &answer);
+    }
+}
+
 /* Degrees beyond those that doubles decide: the line in quarters. */
 static void test_many_terms(void **state) {
     (void)state;
@@ -365,6 +383,7 @@ int main(void) {
         cmocka_unit_test(test_plus_minus_powers),
         cmocka_unit_test(test_powers),
         cmocka_unit_test(test_low_terms),
+        cmocka_unit_test(test_discriminants),
         cmocka_unit_test(test_many_terms),
         cmocka_unit_test(test_one_point),
         cmocka_unit_test(test_bad_input),

@@ -191,6 +191,9 @@ static int is_level(const algsurf_i_coefficients *p, double size) {
 
 static algsurf_status walk(task *t) {
     algsurf_i_power w;
+    if (t->wanted == NUMBER && (t->count = algsurf_i_count_by_discriminant(t->p.c, t->p.degree)) >= 0)
+        return ALGSURF_OK;
+    t->count = 0;
     if (is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi))) && walk_quadratic(t, t->lo, t->hi)) return ALGSURF_OK;
     if (algsurf_i_power_of(t->p.c, t->p.degree, &w) && walk_power(t, &w)) return ALGSURF_OK;
     return walk_itself(t);

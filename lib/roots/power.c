@@ -59,13 +59,17 @@ void algsurf_i_power_interval(const algsurf_i_power *w, double lo, double hi, do
 }
 
 /* The sign of x^k - y, both positive and finite.  A product in double-double is off by less than 2^-104 of
- * itself, hence k of them by k 2^-103. */
+ * itself, hence k of them by k 2^-103; one without a low part is exact. */
 static int compare_power(double x, int k, double y) {
     algsurf_dd product = algsurf_dd_from(x);
-    for (int i = 1; i < k; i++) product = algsurf_dd_mul_d(product, x);
+    int exact = 1;
+    for (int i = 1; i < k; i++) {
+        product = algsurf_dd_mul_d(product, x);
+        exact = exact && product.lo == 0;
+    }
     double difference = (product.hi - y) + product.lo, size = fmax(product.hi, y);
-    if (fmin(product.hi, y) > 0x1p-900 && size < 0x1p900 && fabs(difference) > k * 0x1p-102 * size)
-        return difference > 0 ? 1 : -1;
+    if (fmin(product.hi, y) > 0x1p-900 && size < 0x1p900 && (exact || fabs(difference) > k * 0x1p-102 * size))
+        return (difference > 0) - (difference < 0);
     double c[ALGSURF_MAX_POLY_DEGREE + 1] = {-y};
     c[k] = 1;
     const algsurf_i_coefficients power = {c, NULL, k};

@@ -7,6 +7,9 @@
  * one at each distinct root (Sturm 1835), also where roots are multiple. */
 #include "sturm.h"
 
+#include <math.h>
+
+#include "../base/eft.h"
 #include "decide.h"
 #include "exact.h"
 
@@ -115,4 +118,29 @@ int algsurf_i_count_by_sturm(const double *c, int degree, double lo, double hi, 
     if (done) *count = variations(chain, length, lo) - variations(chain, length, hi);
     algsurf_memory_release(&memory, begin);
     return done;
+}
+
+/* A term rounds six times at most, the sum four times: 10 u of the sum of their sizes, to first order, taken
+ * as 32 u. Nothing underflows where coefficients are 0 or within 2^+-200. */
+int algsurf_i_count_by_discriminant(const double *c, int degree) {
+    double sum = 0, size = 0, term[5] = {0};
+    if (degree == 2) {
+        term[0] = c[1] * c[1];
+        term[1] = -4 * (c[0] * c[2]);
+    } else if (degree == 3) {
+        double square = c[1] * c[1], outer = c[0] * c[3], inner = c[1] * c[2];
+        term[0] = 18 * (outer * inner);
+        term[1] = -4 * (c[2] * c[2]) * (c[2] * c[0]);
+        term[2] = inner * inner;
+        term[3] = -4 * square * (c[1] * c[3]);
+        term[4] = -27 * (outer * outer);
+    }
+    for (int k = 0; k <= degree && k <= 3; k++)
+        if (c[k] != 0 && !(fabs(c[k]) > 0x1p-200 && fabs(c[k]) < 0x1p200)) return -1;
+    for (int i = 0; i < 5; i++) {
+        sum += term[i];
+        size += fabs(term[i]);
+    }
+    if (!(fabs(sum) > 32 * ALGSURF_U * size)) return -1;
+    return sum > 0 ? degree : degree - 2;
 }
