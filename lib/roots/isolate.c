@@ -42,8 +42,9 @@ static int walk_quadratic(task *t, double lo, double hi) {
     return 1;
 }
 
-/* [from,to] in a lane, as far as it is asked for; returns 0 when that leaves something undecided. */
-static int walk_piece(task *t, double from, double to) {
+/* [from,to] in a lane, as far as it is asked for; returns 0 when that leaves something undecided.  A part of
+ * a piece has smaller bounds of rounding than the piece: what this leaves is tried again by halves. */
+static int walk_piece(task *t, double from, double to, int halvings) {
     int most = (t->wanted == FIRST ? 1 : t->capacity) - t->count, found = 0;
     double lo = fmax(from, t->lo), hi = fmin(to, t->hi);
     if (lo >= hi || most == 0) return 1;
@@ -51,16 +52,20 @@ static int walk_piece(task *t, double from, double to) {
     if (walk_quadratic(t, lo, hi)) return 1;
     int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, &t->counted);
     t->count += found;
-    return done;
+    if (done || halvings == 0 || t->p.r) return done;
+    double rest = found ? t->b[t->count - 1].hi : lo, middle = 0.5 * rest + 0.5 * hi;
+    return walk_piece(t, rest, middle, halvings - 1) && walk_piece(t, middle, hi, halvings - 1);
 }
+
+enum { HALVINGS = 3 };
 
 enum { SPREAD = 24, NO_TERM = -(1 << 20) }; /* binary digits that one piece may lose; the exponent of 0 */
 
 /* An end of pieces, a little above 2^e: they are halved, and a root that is a round number hides the sign. */
-static double end_of_piece(int e) { return ldexp(1 + 0x1p-5, e); }
+static double end_of_piece(int e) { return ldexp(1 + 0x1p-5 + 0x1p-11, e); }
 
 /* Is there no root between end_of_piece(a) and end_of_piece(b), on this side of 0, as one term is larger than
- * all those of the other sign together?  |c_k| is at least 2^e[k] and below twice that, and 1 + 2^-5 <
+ * all those of the other sign together?  |c_k| is at least 2^e[k] and below twice that, and 1.04 <
  * 2^(1/16). */
 static int has_no_root(const algsurf_i_coefficients *p, const int *e, int side, int a, int b) {
     int m = 0;
@@ -78,7 +83,7 @@ static int has_no_root(const algsurf_i_coefficients *p, const int *e, int side, 
 static int walk_side(task *t, const int *e, int side, int from, int to) {
     if (has_no_root(&t->p, e, side, from, to)) return 1;
     double near = end_of_piece(from), far = end_of_piece(to);
-    return side > 0 ? walk_piece(t, near, far) : walk_piece(t, -far, -near);
+    return side > 0 ? walk_piece(t, near, far, HALVINGS) : walk_piece(t, -far, -near, HALVINGS);
 }
 
 /* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces, of which
@@ -96,7 +101,7 @@ static int walk_lane(task *t) {
     int done = 1, step = SPREAD > n ? SPREAD / n : 1;
     for (int i = bound; done && i > inner; i -= step)
         done = walk_side(t, e, -1, i - step > inner ? i - step : inner, i);
-    done = done && walk_piece(t, -end_of_piece(inner), end_of_piece(inner));
+    done = done && walk_piece(t, -end_of_piece(inner), end_of_piece(inner), HALVINGS);
     for (int i = inner; done && i < bound; i += step)
         done = walk_side(t, e, 1, i, i + step < bound ? i + step : bound);
     return done;

@@ -125,7 +125,8 @@ ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r,
                                                int *count);
 
 /* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii; otherwise undecided
- * places count as none.  Errors, cost: as above.  Since 1.0. */
+ * places count as none.  Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of
+ * it where signs of coefficients, a discriminant or a short Sturm chain tell.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
 
