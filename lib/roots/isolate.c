@@ -26,7 +26,8 @@ typedef struct task {
     enum { ALL, FIRST, NUMBER } wanted; /* NUMBER: on the whole line, without radii, and without brackets */
     algsurf_bracket *b;
     int count, capacity;
-    int counted; /* intervals whose variations were counted */
+    int counted;  /* intervals whose variations were counted */
+    int halvings; /* of what a lane leaves undecided */
 } task;
 
 /* Degrees 1 and 2, without radii; returns 0 where signs are not known. */
@@ -57,8 +58,6 @@ static int walk_piece(task *t, double from, double to, int halvings) {
     return walk_piece(t, rest, middle, halvings - 1) && walk_piece(t, middle, hi, halvings - 1);
 }
 
-enum { HALVINGS = 3 };
-
 enum { SPREAD = 24, NO_TERM = -(1 << 20) }; /* binary digits that one piece may lose; the exponent of 0 */
 
 /* An end of pieces, a little above 2^e: they are halved, and a root that is a round number hides the sign. */
@@ -83,7 +82,7 @@ static int has_no_root(const algsurf_i_coefficients *p, const int *e, int side, 
 static int walk_side(task *t, const int *e, int side, int from, int to) {
     if (has_no_root(&t->p, e, side, from, to)) return 1;
     double near = end_of_piece(from), far = end_of_piece(to);
-    return side > 0 ? walk_piece(t, near, far, HALVINGS) : walk_piece(t, -far, -near, HALVINGS);
+    return side > 0 ? walk_piece(t, near, far, t->halvings) : walk_piece(t, -far, -near, t->halvings);
 }
 
 /* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces, of which
@@ -101,7 +100,7 @@ static int walk_lane(task *t) {
     int done = 1, step = SPREAD > n ? SPREAD / n : 1;
     for (int i = bound; done && i > inner; i -= step)
         done = walk_side(t, e, -1, i - step > inner ? i - step : inner, i);
-    done = done && walk_piece(t, -end_of_piece(inner), end_of_piece(inner), HALVINGS);
+    done = done && walk_piece(t, -end_of_piece(inner), end_of_piece(inner), t->halvings);
     for (int i = inner; done && i < bound; i += step)
         done = walk_side(t, e, 1, i, i + step < bound ? i + step : bound);
     return done;
@@ -123,6 +122,18 @@ static algsurf_status walk_integers(task *t, double lo, double hi) {
     return status;
 }
 
+/* A part in a lane, patiently, then in integers. */
+static algsurf_status walk_part(task *t, double lo, double hi) {
+    task part = *t;
+    part.lo = lo;
+    part.hi = hi;
+    part.halvings = ALGSURF_I_HALVINGS;
+    int done = t->halvings < ALGSURF_I_HALVINGS && walk_lane(&part);
+    t->count = part.count;
+    t->counted = part.counted;
+    return done ? ALGSURF_OK : walk_integers(t, t->count > 0 ? fmax(lo, t->b[t->count - 1].hi) : lo, hi);
+}
+
 static algsurf_status walk_parts(task *t) {
     algsurf_i_part parts[ALGSURF_I_PARTS];
     algsurf_status status = ALGSURF_OK;
@@ -132,7 +143,7 @@ static algsurf_status walk_parts(task *t) {
         if (k->sign)
             t->b[t->count++] = (algsurf_bracket){k->lo, k->hi, ALGSURF_ROOT_BRACKET, k->sign, 1, ALGSURF_OK};
         else
-            status = walk_integers(t, k->lo, k->hi);
+            status = walk_part(t, k->lo, k->hi);
     }
     return status;
 }
@@ -162,6 +173,7 @@ static int is_empty(const task *t) { return t->lo > t->hi || (t->lo == 0 && t->h
 /* Changes the ends, too. */
 static algsurf_status walk_itself(task *t) {
     int left = leave_sides(t, t->wanted == NUMBER), done = is_empty(t);
+    t->halvings = algsurf_i_halvings_at_first(t->p.degree);
     if (t->wanted == NUMBER && !done && t->p.c[0] != 0)
         done = algsurf_i_count_by_sturm(t->p.c, t->p.degree, t->lo, t->hi, &t->count);
     algsurf_status status = done || walk_lane(t) ? ALGSURF_OK : walk_parts(t);
@@ -204,9 +216,9 @@ static algsurf_status walk(task *t) {
     return walk_itself(t);
 }
 
-int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, algsurf_bracket *brackets,
-                              int *count) {
-    task t = {{c, NULL, degree}, *lo, *hi, ALL, brackets, 0, degree, 0};
+int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int halvings,
+                              algsurf_bracket *brackets, int *count) {
+    task t = {{c, NULL, degree}, *lo, *hi, ALL, brackets, 0, degree, 0, halvings};
     (void)leave_sides(&t, 0);
     int done = is_empty(&t) || walk_lane(&t);
     *lo = t.lo, *hi = t.hi;
@@ -270,7 +282,7 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
  * `intervals` may be null. */
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int wanted,
                           algsurf_bracket *room, int *count, int *intervals) {
-    task t = {{c, r, degree}, lo, hi, wanted, room, 0, degree > 0 ? degree : 1, 0};
+    task t = {{c, r, degree}, lo, hi, wanted, room, 0, degree > 0 ? degree : 1, 0, 0};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);

@@ -57,12 +57,10 @@ static int count_quarters(const algsurf_i_coefficients *c, int unit, int *v, int
     return done;
 }
 
-enum { LEAST_DEGREE = 16 }; /* below, a walk is not much dearer than what may spare it */
-
 int algsurf_i_parts_of(const algsurf_i_coefficients *p, double lo, double hi, algsurf_i_part *parts) {
     int n = p->degree, v[4], sign[3], bound, count = 0;
     parts[0] = (algsurf_i_part){lo, hi, 0};
-    if (n < LEAST_DEGREE || p->c[0] == 0 || (bound = algsurf_i_root_bound(p)) > 1023) return 1;
+    if (n < ALGSURF_I_PARTS_DEGREE || p->c[0] == 0 || (bound = algsurf_i_root_bound(p)) > 1023) return 1;
     int mean = (ilogb(p->c[0]) - ilogb(p->c[n])) / n; /* of the roots' exponents */
     double s = ldexp(1, mean), far = ldexp(1, bound), ends[5] = {-far, -s, 0, s, far};
     if (!(s > 0x1p-900 && s < far) || !count_quarters(p, mean, v, sign) || !sign[0] || !sign[2]) return 1;

@@ -10,7 +10,17 @@ typedef struct algsurf_i_part {
     int sign;
 } algsurf_i_part;
 
-enum { ALGSURF_I_PARTS = 4 };
+enum {
+    ALGSURF_I_PARTS = 4,
+    ALGSURF_I_PARTS_DEGREE = 16
+}; /* below, a walk is not much dearer than what may spare it */
+
+/* Halvings of what doubles leave undecided: the most, and before the parts have been looked at, which is
+ * cheaper. */
+enum { ALGSURF_I_HALVINGS = 3 };
+static inline int algsurf_i_halvings_at_first(int degree) {
+    return degree < ALGSURF_I_PARTS_DEGREE ? ALGSURF_I_HALVINGS : 0;
+}
 
 /* The parts of [lo,hi], lo <= hi, in order, that can have roots of p, which is without radii and has no
  * leading zero; returns their number.  Where the rule does not help that is one, the interval. */

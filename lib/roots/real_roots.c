@@ -78,10 +78,11 @@ static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, in
 }
 
 /* Where all roots are simple and doubles tell them apart: refined with certain signs. */
-static int find_in_doubles(question *q, algsurf_real_root *roots, int *count) {
+static int find_in_doubles(question *q, int halvings, algsurf_real_root *roots, int *count) {
     algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
-    if (p.degree > ALGSURF_MAX_DEGREE || !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, b, count))
+    if (p.degree > ALGSURF_MAX_DEGREE ||
+        !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, halvings, b, count))
         return 0;
     settle(&p, b, *count, roots);
     for (int i = 0; i < *count; i++)
@@ -89,29 +90,44 @@ static int find_in_doubles(question *q, algsurf_real_root *roots, int *count) {
     return 1;
 }
 
-/* By integers, in the parts of the line that may have roots. */
-static algsurf_status find_in_parts(const question *q, algsurf_real_root *roots, int *count) {
+/* By integers. */
+static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
     const algsurf_i_coefficients p = {q->c, NULL, q->degree};
-    algsurf_i_part parts[ALGSURF_I_PARTS];
-    int n = algsurf_i_parts_of(&p, q->lo, q->hi, parts), found = 0;
-    *count = 0;
-    for (int i = 0; i < n; i++, *count += found) {
-        const algsurf_bracket b = {.lo = parts[i].lo, .hi = parts[i].hi, .sign = parts[i].sign};
-        algsurf_real_root *here = roots + *count;
-        found = 1;
-        if (b.sign && narrow(&p, &b, here)) continue;
-        algsurf_status status =
-            algsurf_i_decide_roots(q->c, q->degree, b.lo, b.hi, 1, here, q->degree - *count, &found, NULL);
-        if (status != ALGSURF_OK) return status;
-        for (int j = 0; j < found; j++) here[j].value = nearer(&p, here[j].lo, here[j].hi);
-    }
-    return ALGSURF_OK;
+    algsurf_status status =
+        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 1, roots, q->degree, count, NULL);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++)
+        roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
+    return status;
 }
 
+static algsurf_status find_in_part(const question *q, const algsurf_i_part *part, int patient,
+                                   algsurf_real_root *roots, int *count) {
+    const algsurf_i_coefficients p = {q->c, NULL, q->degree};
+    const algsurf_bracket b = {.lo = part->lo, .hi = part->hi, .sign = part->sign};
+    question here = *q;
+    *count = 1;
+    if (b.sign && narrow(&p, &b, roots)) return ALGSURF_OK;
+    here.lo = part->lo;
+    here.hi = part->hi;
+    if (patient && find_in_doubles(&here, ALGSURF_I_HALVINGS, roots, count)) return ALGSURF_OK;
+    return decide_doubles(&here, roots, count);
+}
+
+/* In doubles; else in the parts of the line that may have roots. */
 static algsurf_status find_itself(question q, algsurf_real_root *roots, int *count) {
     if (!q.c) return algsurf_i_decide_integers(q.z, q.degree, q.lo, q.hi, roots, q.degree, count);
     while (q.c[q.degree] == 0) q.degree--;
-    return find_in_doubles(&q, roots, count) ? ALGSURF_OK : find_in_parts(&q, roots, count);
+    int halvings = algsurf_i_halvings_at_first(q.degree), found = 0;
+    if (find_in_doubles(&q, halvings, roots, count)) return ALGSURF_OK;
+    algsurf_i_part parts[ALGSURF_I_PARTS];
+    int n = algsurf_i_parts_of(&(algsurf_i_coefficients){q.c, NULL, q.degree}, q.lo, q.hi, parts);
+    *count = 0;
+    for (int i = 0; i < n; i++, *count += found) {
+        algsurf_status status =
+            find_in_part(&q, parts + i, halvings < ALGSURF_I_HALVINGS, roots + *count, &found);
+        if (status != ALGSURF_OK) return status;
+    }
+    return ALGSURF_OK;
 }
 
 /* By the roots of a polynomial of lower degree; returns 0 where that will not do. */
