@@ -7,6 +7,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli.h"
 #include "roots.h"
@@ -15,9 +16,10 @@
 static const double RIGHT = 1e-6;     /* of a root without a disc */
 static const double ROUNDING = 1e-15; /* centres and radii of discs were rounded to doubles: some 4 2^-53 */
 
-/* all: null for this library. */
+/* all: null for this library, in packets of so many. */
 typedef struct solver {
     const char *program;
+    size_t packet;
     other_all *all;
     int real_only, proves;
     const roots_set *on;
@@ -25,9 +27,9 @@ typedef struct solver {
     int *roots;
 } solver;
 
-/* This library's answers. */
-static algsurf_enclosure *box;
-static int *boxes;
+/* This library's answers, one by one and in packets. */
+static algsurf_enclosure *box, *packed_box;
+static int *boxes, *packed_boxes;
 
 static void solve_here(const roots_set *on, size_t i) {
     size_t n = (size_t)on->degree, from = i * (n + 1);
@@ -40,11 +42,29 @@ static void solve_here(const roots_set *on, size_t i) {
         cli_fail(CLI_BROKEN, "%s, polynomial %zu: %s", on->name, i, algsurf_status_text(status));
 }
 
+static void solve_packet(const roots_set *on, size_t begin, size_t end) {
+    const double *re[ALGSURF_MAX_DEGREE + 1], *im[ALGSURF_MAX_DEGREE + 1];
+    for (int k = 0; k <= on->degree; k++) {
+        re[k] = on->column[k] + begin;
+        im[k] = on->im ? on->im_column[k] + begin : NULL;
+    }
+    const algsurf_complex_packet packet = {.size = sizeof packet,
+                                           .count = end - begin,
+                                           .degree = on->degree,
+                                           .re = re,
+                                           .im = on->im ? im : NULL};
+    algsurf_status status =
+        algsurf_roots_packet(&packet, NULL, packed_box + begin * (size_t)on->degree, packed_boxes + begin);
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s, packet: %s", on->name, algsurf_status_text(status));
+}
+
 static void solve(void *self, size_t begin, size_t end) {
     const solver *s = self;
-    size_t n = (size_t)s->on->degree;
-    for (size_t i = begin; i < end; i++)
-        if (s->all)
+    size_t n = (size_t)s->on->degree, step = s->packet ? s->packet : 1;
+    for (size_t i = begin; i < end; i += step)
+        if (s->packet)
+            solve_packet(s->on, i, end - i < step ? end : i + step);
+        else if (s->all)
             s->roots[i] = s->all(s->on->c + i * (n + 1), s->on->im ? s->on->im + i * (n + 1) : NULL,
                                  s->on->degree, s->root + i * n);
         else
@@ -75,6 +95,15 @@ static int nearest(const algsurf_enclosure *own, const other_root *root, const c
     return best;
 }
 
+/* Packets must give the bits of single calls. */
+static void compare_packets(const roots_set *on, size_t count) {
+    size_t n = (size_t)on->degree;
+    for (size_t i = 0; i < count; i++)
+        if (boxes[i] != packed_boxes[i] ||
+            memcmp(box + i * n, packed_box + i * n, (size_t)boxes[i] * sizeof *box) != 0)
+            cli_fail(CLI_BROKEN, "%s, polynomial %zu: packets and single calls differ", on->name, i);
+}
+
 static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
     size_t n = (size_t)s->on->degree;
     const algsurf_enclosure *own = box + i * n;
@@ -103,19 +132,20 @@ static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
 /* ---- the contest ---- */
 
 static const solver solvers[] = {
-    {"algsurf", NULL, 0, 0, NULL, NULL, NULL},
+    {"algsurf", 0, NULL, 0, 0, NULL, NULL, NULL},
+    {"algsurf, 1024 at once", ROOTS_AT_ONCE, NULL, 0, 0, NULL, NULL, NULL},
 #ifdef WITH_ARB
-    {"Arb", by_arb_all, 0, 1, NULL, NULL, NULL},
+    {"Arb", 0, by_arb_all, 0, 1, NULL, NULL, NULL},
 #endif
 #ifdef WITH_MPSOLVE
-    {"MPSolve isolate", by_mpsolve_isolate, 0, 0, NULL, NULL, NULL},
-    {"MPSolve approximate", by_mpsolve_approximate, 0, 0, NULL, NULL, NULL},
+    {"MPSolve isolate", 0, by_mpsolve_isolate, 0, 0, NULL, NULL, NULL},
+    {"MPSolve approximate", 0, by_mpsolve_approximate, 0, 0, NULL, NULL, NULL},
 #endif
 #ifdef WITH_PARI
-    {"PARI", by_pari_all, 0, 0, NULL, NULL, NULL},
+    {"PARI", 0, by_pari_all, 0, 0, NULL, NULL, NULL},
 #endif
 #ifdef WITH_GSL
-    {"GSL", by_gsl_all, 1, 0, NULL, NULL, NULL},
+    {"GSL", 0, by_gsl_all, 1, 0, NULL, NULL, NULL},
 #endif
 };
 
@@ -128,6 +158,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
     size_t count = 0;
     box = roots_allocate(on->count * (size_t)on->degree, sizeof *box);
     boxes = roots_allocate(on->count, sizeof *boxes);
+    packed_box = roots_allocate(on->count * (size_t)on->degree, sizeof *packed_box);
+    packed_boxes = roots_allocate(on->count, sizeof *packed_boxes);
     for (int k = 0; k < SOLVERS; k++) {
         if (solvers[k].real_only && on->im) continue;
         solver *s = &own[count];
@@ -144,6 +176,7 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
     }
     contest_warm_up(contestants, 1, on->count, INFINITY); /* all boxes, to judge by */
     contest_warm_up(contestants + 1, count - 1, on->count, effort->budget);
+    compare_packets(on, contestants[1].count);
     for (size_t k = 0; k < count; k++) {
         row[k].count = contestants[k].count;
         for (size_t i = 0; own[k].all && i < contestants[k].count; i++) judge_polynomial(&own[k], i, &row[k]);
@@ -157,6 +190,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
     }
     free(box);
     free(boxes);
+    free(packed_box);
+    free(packed_boxes);
 }
 
 void roots_complex(const roots_effort *effort, contest_table *table) {
