@@ -76,7 +76,7 @@ static int has_no_root(const algsurf_i_coefficients *p, const int *e, int side, 
         if (same == (side > 0 || d % 2 == 0)) continue;
         others += ldexp(1, e[k] + 1 - e[m] + d * (d > 0 ? b : a) + (d > 0 ? (d + 15) / 16 : 0));
     }
-    return others < 1 && !p->r;
+    return others < 1 - 0x1p-40 && !p->r; /* which takes in the roundings of the sum */
 }
 
 static int walk_side(task *t, const int *e, int side, int from, int to) {
