@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../poly/value.h"
 #include "decide.h"
@@ -48,16 +49,31 @@ static int exact_step(algsurf_memory *m, const algsurf_zpoly *q, algsurf_limb N,
     return 1;
 }
 
+/* Does Horner's rule end at 0 without having rounded?  Products within 2^+-900 have a low part that is exact.
+ */
+static int vanishes_plainly(const algsurf_i_coefficients *p, double x) {
+    double y = p->c[p->degree];
+    for (int k = p->degree - 1; k >= 0; k--) {
+        algsurf_dd product = algsurf_two_prod(y, x), sum = algsurf_two_sum(product.hi, p->c[k]);
+        double size = fabs(product.hi);
+        if (product.lo != 0 || sum.lo != 0 || !(size < 0x1p900 && (size > 0x1p-900 || y == 0 || x == 0)))
+            return 0;
+        y = sum.hi;
+    }
+    return y == 0;
+}
+
 int algsurf_i_exact_value(const algsurf_i_coefficients *p, double x, algsurf_i_value *value) {
     algsurf_limb block[512];
     algsurf_memory memory;
     algsurf_zpoly q;
     int e, low = ALGSURF_Z_NO_BIT;
     algsurf_limb odd = algsurf_z_odd_part(x, &e), N = x < 0 ? 0 - odd : odd;
+    *value = (algsurf_i_value){0};
+    if (vanishes_plainly(p, x)) return 1;
     for (int k = 0; k <= p->degree; k++)
         if (algsurf_exact_low_bit(p->c[k]) < low) low = algsurf_exact_low_bit(p->c[k]);
     if (low == ALGSURF_Z_NO_BIT) low = 0;
-    *value = (algsurf_i_value){0};
     algsurf_memory_begin(&memory, block, sizeof block / sizeof *block, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     int done = algsurf_exact_from_doubles_above(&memory, p->c, p->degree, 0, low, &q) &&
