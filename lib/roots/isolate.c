@@ -20,10 +20,12 @@
 #include "quarters.h"
 #include "sturm.h"
 
+enum { ALL, FIRST, NUMBER }; /* NUMBER: on the whole line, without radii, and without brackets */
+
 typedef struct task {
     algsurf_i_coefficients p;
     double lo, hi;
-    enum { ALL, FIRST, NUMBER } wanted; /* NUMBER: on the whole line, without radii, and without brackets */
+    int wanted;
     algsurf_bracket *b;
     int count, capacity;
     int counted;  /* intervals whose variations were counted */
