@@ -119,24 +119,38 @@ INLINE mask has_stopped(complex_lanes z, complex_lanes step, lanes nearest, doub
     return less(square * nearest, all_lanes(stop)) | at_most(square, 0x1p-96 * (z.re * z.re + z.im * z.im));
 }
 
+/* What the other roots do to one: sum 1/(z - z_j), and the largest square of a term. */
+typedef struct pull {
+    complex_lanes sum;
+    lanes nearest;
+} pull;
+
+/* Adds a term to that of one of two roots, a - b apart, and its opposite to that of the other. */
+INLINE void add_pull(lanes dx, lanes dy, pull *a, pull *b) {
+    lanes inverse = 1 / (dx * dx + dy * dy);
+    dx *= inverse, dy *= inverse;
+    a->sum.re += dx, b->sum.re -= dx, a->sum.im -= dy, b->sum.im += dy;
+    a->nearest = larger(inverse, a->nearest), b->nearest = larger(inverse, b->nearest);
+}
+
 /* One sweep of the lanes that are active; returns those of them whose roots have all stopped. */
 INLINE mask sweep(const polynomials *p, int n, mask active, double stop, lanes *x, lanes *y) {
-    lanes sr[MOST_ROOTS], si[MOST_ROOTS], nearest[MOST_ROOTS];
+    pull pulls[MOST_ROOTS];
     mask done = active;
-    for (int i = 0; i < n; i++) sr[i] = si[i] = nearest[i] = all_lanes(0);
-    for (int i = 1; i < n; i++) {
+    for (int i = 0; i < n; i++) {
+        pull own = {{all_lanes(0), all_lanes(0)}, all_lanes(0)};
         UNROLLED for (int j = 0; j < i; j++) {
-            lanes dx = x[i] - x[j], dy = y[i] - y[j], inverse = 1 / (dx * dx + dy * dy);
-            dx *= inverse, dy *= inverse;
-            sr[i] += dx, sr[j] -= dx, si[i] -= dy, si[j] += dy;
-            nearest[i] = larger(inverse, nearest[i]), nearest[j] = larger(inverse, nearest[j]);
+            pull other = pulls[j];
+            add_pull(x[i] - x[j], y[i] - y[j], &own, &other);
+            pulls[j] = other;
         }
+        pulls[i] = own;
     }
     for (int i = 0; i < n; i++) {
-        complex_lanes z = {x[i], y[i]}, step = correction(p, n, z, (complex_lanes){sr[i], si[i]});
+        complex_lanes z = {x[i], y[i]}, step = correction(p, n, z, pulls[i].sum);
         x[i] = choose(active, z.re - step.re, z.re);
         y[i] = choose(active, z.im - step.im, z.im);
-        done &= has_stopped(z, step, nearest[i], stop);
+        done &= has_stopped(z, step, pulls[i].nearest, stop);
     }
     return done;
 }
