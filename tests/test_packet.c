@@ -86,6 +86,51 @@ static void check_states(int degree, int count, int radii, const answers *a, int
     }
 }
 
+static algsurf_real_root all_roots[MOST * TOP];
+static int counts[MOST];
+
+/* All roots of polynomial i are the single call's. */
+static int same_roots(int degree, int i) {
+    algsurf_real_root alone[TOP];
+    double one[TOP + 1];
+    int count = -1;
+    for (int k = 0; k <= degree; k++) one[k] = c[k][i];
+    (void)algsurf_real_roots(one, degree, lo[i], hi[i], alone, TOP, &count);
+    return counts[i] == count &&
+           (count <= 0 || !memcmp(all_roots + i * degree, alone, (size_t)count * sizeof *alone));
+}
+
+/* The chain counts as many, and one at least between each pair of neighbours. */
+static int true_roots(int degree, int i) {
+    const algsurf_real_root *root = all_roots + i * degree;
+    double one[TOP + 1];
+    for (int k = 0; k <= degree; k++) one[k] = c[k][i];
+    exact_sturm s = exact_sturm_of_doubles(one, degree);
+    int right = exact_count_roots(&s, lo[i], hi[i]) == counts[i];
+    for (int k = 0; k < counts[i]; k++) {
+        right &= root[k].lo == root[k].hi || nextafter(root[k].lo, (double)INFINITY) == root[k].hi;
+        right &= exact_count_roots(&s, root[k].lo, root[k].hi) >= 1;
+        right &= k == 0 || root[k - 1].lo <= root[k].lo;
+    }
+    exact_sturm_clear(&s);
+    return right;
+}
+
+static void check_all(int degree, int count) {
+    static const char *const told = "all roots";
+    algsurf_poly_packet p = packet_of(degree, 0, (size_t)count, 0);
+    algsurf_first_roots_options options = {.size = sizeof options};
+    answers none = {{0}, {0}};
+    for (int i = 0; (options.kernel = algsurf_kernel_name(i)); i++) {
+        memset(all_roots, 0x55, sizeof all_roots);
+        assert_int_equal(algsurf_real_roots_packet(&p, &options, all_roots, counts), ALGSURF_OK);
+        for (int j = 0; j < count; j++)
+            if (!same_roots(degree, j)) complain(told, degree, j, &none, counts[j]);
+    }
+    for (int j = 0; j < count && degree <= 12; j++)
+        if (counts[j] >= 0 && !true_roots(degree, j)) complain(told, degree, j, &none, counts[j]);
+}
+
 /* All kernels, then single calls; returns through seen how often each state came. */
 static void check(int degree, int count, int radii, answers *a, int seen[3]) {
     answers other;
@@ -99,6 +144,7 @@ static void check(int degree, int count, int radii, answers *a, int seen[3]) {
                 complain(name, degree, j, &other, a->state[j]);
     }
     check_states(degree, count, radii, a, seen);
+    if (!radii) check_all(degree, count);
 }
 
 /* Against the chain's first root. */
@@ -246,6 +292,8 @@ static void test_special(void **unused) {
     answers a;
     solve(2, 0, 1, 0, NULL, &a);
     assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
+    check_all(2, 1);
+    assert_int_equal(counts[0], -1);
     solve(0, 0, 1, 0, NULL, &a);
     assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
     c[0][0] = 3;
@@ -426,18 +474,46 @@ static void test_kernels_decide(void **unused) {
     for (int n = 1; n <= 10; n++) {
         answers a;
         int doubtful = 0;
-        double basis[11 * 11];
-        for (int k = 0; k <= n; k++) {
-            double power[11] = {0}, b[11], br[11];
-            power[k] = 1;
-            assert_int_equal(algsurf_poly_to_bernstein(power, NULL, n, -1, 1, b, br), ALGSURF_OK);
-            for (int j = 0; j <= n; j++) basis[j * (n + 1) + k] = b[j];
-        }
         put_random(n, &random);
         algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, basis, a.state, a.root};
+        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
+        assert_true(doubtful <= MOST / 16);
+    }
+}
+
+/* Two near roots, ill-conditioned: the packet code encloses them. */
+static void test_kernels_enclose(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 14;
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
+    for (int n = 3; n <= 10; n++) {
+        answers a;
+        int doubtful = 0;
+        for (int i = 0; i < MOST; i++) {
+            double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
+            put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
+        }
+        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
+        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
+        for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
+        assert_true(doubtful <= MOST / 16);
+    }
+}
+
+static void test_kernels_find_all(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 13;
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
+    for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
+        int doubtful = 0;
+        put_random(n, &random);
+        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, NULL, NULL, all_roots, counts};
+        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
+        for (int i = 0; i < MOST; i++) doubtful += counts[i] < 0;
         assert_true(doubtful <= MOST / 16);
     }
 }
@@ -496,7 +572,13 @@ static void test_errors(void **unused) {
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots(&good, NULL, a.state, a.root), ALGSURF_OK);
+    assert_int_equal(algsurf_real_roots_packet(&good, NULL, all_roots, counts),
+                     ALGSURF_E_ARGUMENT); /* radii */
+    good = packet_of(3, 0, MOST, 0);
+    assert_int_equal(algsurf_real_roots_packet(&good, NULL, NULL, counts), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_real_roots_packet(&good, NULL, all_roots, NULL), ALGSURF_E_ARGUMENT);
     p = (algsurf_poly_packet){.size = sizeof p, .degree = 3};
+    assert_int_equal(algsurf_real_roots_packet(&p, NULL, NULL, NULL), ALGSURF_OK);
     assert_int_equal(algsurf_first_roots(&p, NULL, NULL, NULL), ALGSURF_OK);
 }
 
@@ -523,13 +605,14 @@ static void test_environment(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),         cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_special),        cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_narrow),         cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_counts),         cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_kernels_decide), cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_environment),    cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_touching),       cmocka_unit_test(test_wide_intervals),
+        cmocka_unit_test(test_random),           cmocka_unit_test(test_grazing),
+        cmocka_unit_test(test_special),          cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_narrow),           cmocka_unit_test(test_radii),
+        cmocka_unit_test(test_counts),           cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_kernels_decide),   cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_environment),      cmocka_unit_test(test_flat),
+        cmocka_unit_test(test_touching),         cmocka_unit_test(test_wide_intervals),
+        cmocka_unit_test(test_kernels_find_all), cmocka_unit_test(test_kernels_enclose),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

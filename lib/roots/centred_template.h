@@ -7,8 +7,8 @@
  *
  * Error of the Bernstein coefficients.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that
  * is added to a coefficient are at most S together, for |m| + h = M.  The shift rounds 2n times at most, the
- * powers of h and their product n + 1 times, the matrix has relative error u, and n/2 + 3 roundings follow:
- * together (3.5n + 5) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
+ * powers of h and their product n + 1 times, the matrix has relative error 2 u, and n/2 + 3 roundings follow:
+ * together (3.5n + 6) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
  * bound (6n + 10) u S takes in the higher orders and the rounding of S.
  *
  * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
@@ -85,12 +85,33 @@ INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred
     }
 }
 
-/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
-INLINE void centred_to_bernstein(const double *basis, const lanes *d, lanes *b, int n) {
+/* What centred_to_bernstein needs: coefficient j <= n/2 of v^k over [-1,1] in the Bernstein basis of degree
+ * n. It is that of x^k in (1+x)^j (1-x)^(n-j) over C(n,k), the numbers of ways to choose k ends of n.  All
+ * but 1 / C(n,k) and the product with it is exact. */
+typedef struct bernstein_basis {
+    double at[ALGSURF_MAX_POLYS_DEGREE / 2 + 1][ALGSURF_MAX_POLYS_DEGREE + 1];
+} bernstein_basis;
+
+INLINE void set_basis(bernstein_basis *basis, int n) {
+    double binomial = 1, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, inverse[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
+    UNROLLED for (int k = 1; k <= n; k++) {
+        binomial = binomial * (n - k + 1) / k;
+        inverse[k] = 1 / binomial;
+        g[k] = k % 2 ? -binomial : binomial;
+    }
     UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        lanes even = d[0], odd = basis[j * (n + 1) + 1] * d[1];
-        for (int k = 2; k <= n; k += 2) even += basis[j * (n + 1) + k] * d[k];
-        for (int k = 3; k <= n; k += 2) odd += basis[j * (n + 1) + k] * d[k];
+        UNROLLED for (int k = 0; k <= n; k++) basis->at[j][k] = g[k] * inverse[k];
+        UNROLLED for (int k = 1; k <= n; k++) g[k] += g[k - 1]; /* g / (1-x) */
+        UNROLLED for (int k = n; k >= 1; k--) g[k] += g[k - 1]; /* g (1+x) */
+    }
+}
+
+/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
+INLINE void centred_to_bernstein(const bernstein_basis *basis, const lanes *d, lanes *b, int n) {
+    UNROLLED for (int j = 0; 2 * j <= n; j++) {
+        lanes even = d[0], odd = basis->at[j][1] * d[1];
+        for (int k = 2; k <= n; k += 2) even += basis->at[j][k] * d[k];
+        for (int k = 3; k <= n; k += 2) odd += basis->at[j][k] * d[k];
         b[j] = even + odd;
         b[n - j] = even - odd;
     }

@@ -20,11 +20,16 @@ algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, do
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count);
 
-/* isolate.c: the roots in [lo,hi] as brackets, by doubles; returns 0 when these leave something undecided.
- * c[degree] is not 0; `degree` entries suffice.  All brackets hold simple roots.  [lo,hi] is cut to where
- * roots can be. halvings: how often what is undecided is halved and tried again. */
-int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int halvings,
-                              algsurf_bracket *brackets, int *count);
+/* isolate.c: the roots in [lo,hi], or the first, as brackets, by doubles; returns 0 when these leave
+ * something undecided.  c[degree] is not 0; `degree` entries suffice.  All brackets hold simple roots.
+ * [lo,hi] is cut to where roots can be.  halvings: how often what is undecided is halved and tried again. */
+int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int first_only,
+                              int halvings, algsurf_bracket *brackets, int *count);
+
+/* real_roots.c: algsurf_i_decide_roots where doubles tell all roots that are wanted, simple ones, apart;
+ * returns 0 where they do not. */
+int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
+                              algsurf_real_root *roots, int *count);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
  * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or

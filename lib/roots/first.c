@@ -1,7 +1,8 @@
 /* first.c - many polynomials: checked, solved side by side, and what stays in doubt one by one.
  *
- * The packet code (first_template.h) writes the answers it is sure of, and ALGSURF_LANE_DOUBTFUL as state of
- * the others.  Those are decided alone, in integers: they are the ill-conditioned ones. */
+ * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
+ * ALGSURF_LANE_DOUBTFUL as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
+ * radius for each coefficient or in integers. */
 #include "algsurf/packet.h"
 
 #include <math.h>
@@ -51,22 +52,6 @@ static algsurf_status prepare(query *q, const algsurf_poly_packet *packet,
     return check_shape(&q->polys);
 }
 
-/* Coefficient k of v^k over [-1,1] in the Bernstein basis of degree n at j (n+1) + k: that of x^k in
- * (1+x)^j (1-x)^(n-j) over C(n,k), the numbers of ways to choose k ends of n.  All but the quotient is exact.
- */
-static void set_basis(double *basis, int n) {
-    double binomial[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
-    for (int k = 1; k <= n; k++) {
-        binomial[k] = binomial[k - 1] * (n - k + 1) / k;
-        g[k] = k % 2 ? -binomial[k] : binomial[k];
-    }
-    for (int j = 0; j <= n; j++) {
-        for (int k = 0; k <= n; k++) basis[j * (n + 1) + k] = g[k] / binomial[k];
-        for (int k = 1; k <= n; k++) g[k] += g[k - 1]; /* g / (1-x) */
-        for (int k = n; k >= 1; k--) g[k] += g[k - 1]; /* g (1+x) */
-    }
-}
-
 /* The set of polynomials within the radii: its first place with roots. */
 static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, double hi, unsigned char *state,
                                 double *where) {
@@ -108,7 +93,9 @@ static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, un
     } else if (zero) {
         where = polys->lo[i];
     } else {
-        status = algsurf_i_decide_roots(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, 1, &found, NULL);
+        if (!algsurf_i_find_in_doubles(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, &found))
+            status =
+                algsurf_i_decide_roots(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, 1, &found, NULL);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
         if (found) where = first.value;
     }
@@ -116,32 +103,75 @@ static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, un
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status run(const algsurf_poly_packet *packet,
-                                           const algsurf_first_roots_options *options, unsigned char *state,
-                                           double *root) {
+/* A job without answers for a packet of some polynomials, if all are good. */
+static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
+    const algsurf_poly_packet *p = &q->polys;
+    *job = (algsurf_i_polys_job){p->c, p->r, p->lo, p->hi, p->degree, q->options.tolerance,
+                                 NULL, NULL, NULL,  NULL};
+    algsurf_status status = ALGSURF_OK;
+    if (!q->kernel->good(job, p->count))
+        for (size_t i = 0; i < p->count && status == ALGSURF_OK; i++) status = check_one(p, i);
+    return status;
+}
+
+static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
+
+static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_poly_packet *packet,
+                                                  const algsurf_first_roots_options *options,
+                                                  unsigned char *state, double *root) {
     query q;
-    double basis[(ALGSURF_MAX_POLYS_DEGREE + 1) * (ALGSURF_MAX_POLYS_DEGREE + 1)];
+    algsurf_i_polys_job job;
     algsurf_status status = prepare(&q, packet, options);
-    size_t count = status == ALGSURF_OK ? q.polys.count : 0;
-    if (count == 0) return status;
-    if (!state) return ALGSURF_E_ARGUMENT;
     const algsurf_poly_packet *p = &q.polys;
-    const algsurf_i_polys_job job = {p->c,  p->r,  p->lo, p->hi, p->degree, q.options.tolerance,
-                                     basis, state, root};
-    if (!q.kernel->good(&job, count))
-        for (size_t i = 0; i < count; i++)
-            if ((status = check_one(p, i)) != ALGSURF_OK) return status;
-    if (p->degree >= 1 && p->degree <= ALGSURF_MAX_POLYS_DEGREE) {
-        if (p->degree > 2) set_basis(basis, p->degree);
-        q.kernel->solve(&job, count);
+    if (status != ALGSURF_OK || p->count == 0) return status;
+    if (!state) return ALGSURF_E_ARGUMENT;
+    if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
+    job.state = state;
+    job.root = root;
+    if (has_kernel(p->degree)) {
+        if (!q.kernel->solve(&job, p->count)) return ALGSURF_OK;
     } else {
-        memset(state, ALGSURF_LANE_DOUBTFUL, count);
+        memset(state, ALGSURF_LANE_DOUBTFUL, p->count);
     }
-    const unsigned char *doubtful = state;
-    while ((doubtful = memchr(doubtful, ALGSURF_LANE_DOUBTFUL, (size_t)(state + count - doubtful)))) {
+    const unsigned char *doubtful = state, *end = state + p->count;
+    while ((doubtful = memchr(doubtful, ALGSURF_LANE_DOUBTFUL, (size_t)(end - doubtful)))) {
         algsurf_status alone = solve_alone(p, (size_t)(doubtful - state), state, root);
         if (alone != ALGSURF_OK) status = alone;
         doubtful++;
+    }
+    return status;
+}
+
+/* All roots of one polynomial alone: OK or E_NO_MEMORY. */
+static algsurf_status find_alone(const algsurf_poly_packet *p, size_t i, algsurf_real_root *roots,
+                                 int *count) {
+    double c[ALGSURF_MAX_POLY_DEGREE + 1];
+    int room = p->degree > 0 ? p->degree : 1;
+    for (int k = 0; k <= p->degree; k++) c[k] = p->c[k][i];
+    count[i] = -1;
+    algsurf_status status =
+        algsurf_real_roots(c, p->degree, p->lo[i], p->hi[i], roots + i * (size_t)room, room, count + i);
+    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
+}
+
+static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_poly_packet *packet,
+                                                const algsurf_first_roots_options *options,
+                                                algsurf_real_root *roots, int *count) {
+    query q;
+    algsurf_i_polys_job job;
+    algsurf_status status = prepare(&q, packet, options);
+    const algsurf_poly_packet *p = &q.polys;
+    if (status != ALGSURF_OK || p->count == 0) return status;
+    if (!roots || !count || p->r) return ALGSURF_E_ARGUMENT;
+    if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
+    job.tolerance = 0;
+    job.roots = roots;
+    job.found = count;
+    if (has_kernel(p->degree)) q.kernel->solve_all(&job, p->count);
+    for (size_t i = 0; i < p->count; i++) {
+        if (has_kernel(p->degree) && count[i] >= 0) continue;
+        algsurf_status alone = find_alone(p, i, roots, count);
+        if (alone != ALGSURF_OK) status = alone;
     }
     return status;
 }
@@ -151,7 +181,17 @@ algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
                                    double *root) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = run(packet, options, state, root);
+    algsurf_status status = find_first(packet, options, state, root);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_real_roots_packet(const algsurf_poly_packet *packet,
+                                         const algsurf_first_roots_options *options, algsurf_real_root *roots,
+                                         int *count) {
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = find_all(packet, options, roots, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -3,7 +3,7 @@
 
 #include "../simd/avx512.h"
 #ifdef LANES
-#include "first_template.h"
+#include "all_template.h"
 #include "settle_template.h"
 #endif
 #include "../simd/end.h"

@@ -2,5 +2,5 @@
 #include "kernel.h"
 
 #include "../simd/baseline.h"
-#include "first_template.h"
+#include "all_template.h"
 #include "settle_template.h"

@@ -8,6 +8,7 @@
 #define ALGSURF_FIRST_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "centred_template.h"
+#include "enclose_template.h"
 #include "kernel.h"
 #include "packet_template.h"
 
@@ -59,25 +60,17 @@ typedef struct brackets {
 
 #define NOWHERE 4.0
 #define IN_DOUBT 2.0
+#define ENCLOSED 1.5
 
 /* Polynomials, number `id` in column id of the rows, and what was found. */
 typedef struct poly_block {
+    bernstein_basis basis;
     double d[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW], radius[ROW];
-    double v[ROW]; /* the root in [-1,1], NOWHERE or IN_DOUBT */
+    double v[ROW]; /* the root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED, and then it is t */
+    double t[ROW];
     cells open;
     brackets hits;
 } poly_block;
-
-INLINE void to_index(lanes id, int *index) {
-    for (int l = 0; l < LANES; l++) index[l] = (int)id[l];
-}
-
-/* Entries id[0 .. LANES-1] of p. */
-INLINE lanes gather(const double *p, const int *id) {
-    lanes a = {0};
-    for (int l = 0; l < LANES; l++) a[l] = p[id[l]];
-    return a;
-}
 
 INLINE unsigned first_lanes(int count) { return count >= LANES ? (1u << LANES) - 1 : (1u << count) - 1; }
 
@@ -126,7 +119,7 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     cell s;
     lanes largest = all_lanes(0), id = numbered() + i;
     centre(job, at, room, &p, n);
-    centred_to_bernstein(job->basis, p.d, s.w, n);
+    centred_to_bernstein(&block->basis, p.d, s.w, n);
     s.side = take_sign(s.w, n, ~no_lane());
     for (int k = 0; k <= n; k++) {
         store(block->d + k * ROW + i, (lanes)((words)p.d[k] ^ s.side));
@@ -145,47 +138,69 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
 }
 
 /* The cells of `which` lanes become what is left to search of the whole interval. */
-INLINE void go_on(const algsurf_i_polys_job *job, const poly_block *block, cell *s, lanes id, lanes cut_error,
-                  mask which, int n) {
+INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, mask which, int n) {
     lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
     int index[LANES];
     to_index(id, index);
     for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, index);
     radius = gather(block->radius, index);
-    centred_to_bernstein(job->basis, d, b, n);
+    centred_to_bernstein(&block->basis, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
 }
 
-/* Splits each cell and keeps the first part that may hold a root. */
-INLINE void divide_cells(const algsurf_i_polys_job *job, poly_block *block, int n, int turn) {
+/* Splits the cells of `which` lanes and keeps the first part that may hold a root; returns what is still
+ * open. */
+INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_error, unsigned which, int n,
+                            int turn) {
+    signs c;
+    mask unsure = at_most(s->q - s->p, all_lanes(NARROWEST));
+    unsure |= divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c);
+    mask again = c.none & less(s->q, s->limit);
+    if (bits(again) & which) {
+        go_on(block, s, id, cut_error, again, n);
+        unsure |= again & ~ends_known(s->w, s->e, n, 0, all_lanes(0));
+        c = count_signs(s->w, s->e, n, 0);
+    }
+    unsigned doubts = bits(unsure) & which, hits = bits(c.one) & which & ~doubts;
+    if (doubts) leave_in_doubt(block, id, doubts);
+    if (hits) add_brackets(&block->hits, s, id, hits, n);
+    return which & ~bits(c.none) & ~hits & ~doubts;
+}
+
+/* Waiting cells i, i+1 .. */
+INLINE void take_cells(const cells *all, int i, cell *s, lanes *id, lanes *cut_error, int n) {
+    *id = load(all->id + i);
+    *cut_error = load(all->cut_error + i);
+    s->p = load(all->p + i);
+    s->q = load(all->q + i);
+    s->limit = load(all->limit + i);
+    s->e[0] = load(all->error + i);
+    s->side = (words)all_lanes(0);
+    for (int j = 0; j <= n; j++) s->w[j] = load(all->w + j * ROW + i);
+}
+
+/* Splits each cell once. */
+INLINE void divide_cells(poly_block *block, int n, int turn) {
     cells *all = &block->open;
     int waiting = all->count;
     all->count = 0;
     for (int i = 0; i < waiting; i += LANES) {
         cell s;
-        signs c;
-        unsigned room = first_lanes(waiting - i);
-        lanes id = load(all->id + i), cut_error = load(all->cut_error + i);
-        s.p = load(all->p + i);
-        s.q = load(all->q + i);
-        s.limit = load(all->limit + i);
-        s.e[0] = load(all->error + i);
-        s.side = (words)all_lanes(0);
-        for (int j = 0; j <= n; j++) s.w[j] = load(all->w + j * ROW + i);
-        mask unsure = at_most(s.q - s.p, all_lanes(NARROWEST));
-        unsure |=
-            divide(&s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c);
-        mask again = c.none & less(s.q, s.limit);
-        if (bits(again) & room) {
-            go_on(job, block, &s, id, cut_error, again, n);
-            unsure |= again & ~ends_known(s.w, s.e, n, 0, all_lanes(0));
-            c = count_signs(s.w, s.e, n, 0);
-        }
-        unsigned doubts = bits(unsure) & room, hits = bits(c.one) & room & ~doubts;
-        if (doubts) leave_in_doubt(block, id, doubts);
-        if (hits) add_brackets(&block->hits, &s, id, hits, n);
-        add_cells(all, &s, id, cut_error, room & ~bits(c.none) & ~hits & ~doubts, n);
+        lanes id, cut_error;
+        take_cells(all, i, &s, &id, &cut_error, n);
+        unsigned open = divide_some(block, &s, id, cut_error, first_lanes(waiting - i), n, turn);
+        add_cells(all, &s, id, cut_error, open, n);
     }
+}
+
+/* The same until no cell is open: one packet, which stays where it is. */
+INLINE void divide_last_cells(poly_block *block, int n, int turn) {
+    cell s;
+    lanes id, cut_error;
+    unsigned open = first_lanes(block->open.count);
+    take_cells(&block->open, 0, &s, &id, &cut_error, n);
+    for (; open && turn < MOST_TURNS; turn++) open = divide_some(block, &s, id, cut_error, open, n, turn);
+    leave_in_doubt(block, id, open);
 }
 
 /* A polynomial between its bracket and its root. */
@@ -238,21 +253,29 @@ INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double m
     return near / far;
 }
 
-/* Roots in brackets i, i+1 .., two packets side by side, for each waits for its own divisions. */
-INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
-    const brackets *b = &block->hits;
+/* Brackets i, i+1 .. of a block, two packets side by side, for each waits for its own divisions. */
+typedef struct approaches {
+    int packets, id[PAIR][LANES];
+    lanes noise[PAIR];
     approach a[PAIR];
-    lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1], noise[PAIR];
-    int id[PAIR][LANES];
+} approaches;
+
+/* Halley's method on them.  The sign bit of a bracket's id is that of its polynomial before the root. */
+INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                          approaches *to) {
+    const brackets *b = &block->hits;
+    approach *a = to->a;
+    lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
     double wanted = job->tolerance > 0 ? 2 * job->tolerance : USUAL_ROOT_STEP,
            tolerance = wanted > LEAST_ROOT_STEP ? wanted : LEAST_ROOT_STEP;
-    int packets = b->count - i > LANES ? 2 : 1;
-    mask moving = no_lane();
-    for (int w = 0; w < packets; w++) {
-        int first = i + w * LANES;
-        to_index(load(b->id + first), id[w]);
-        for (int l = b->count - first; l < LANES; l++) id[w][l] = id[w][0];
-        for (int k = 0; k <= n; k++) d[w][k] = gather(block->d + k * ROW, id[w]);
+    to->packets = b->count - i > LANES ? 2 : 1;
+    for (int w = 0; w < to->packets; w++) {
+        int first = i + w * LANES, *id = to->id[w];
+        lanes number = load(b->id + first);
+        words side = (words)number & (words)all_lanes(-0.0);
+        to_index(absolute(number), id);
+        for (int l = b->count - first; l < LANES; l++) id[l] = id[0];
+        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather(block->d + k * ROW, id) ^ side);
         a[w].begin = load(b->begin + first);
         a[w].end = load(b->end + first);
         a[w].x = load(b->near + first);
@@ -260,57 +283,89 @@ INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_
         a[w].moving = less(numbered(), all_lanes(b->count - first));
         a[w].slope = a[w].last;
         a[w].stuck = no_lane();
-        noise[w] = gather(block->radius, id[w]) * (1.0 / (6 * n + 10));
+        to->noise[w] = gather(block->radius, id) * (1.0 / (6 * n + 10));
     }
     for (int round = 0; round < MOST_TURNS; round++) {
-        moving = no_lane();
-        for (int w = 0; w < packets; w++) {
-            halley(a + w, d[w], n, noise[w], tolerance, round >= MANY_ROUNDS);
+        mask moving = no_lane();
+        for (int w = 0; w < to->packets; w++) {
+            halley(a + w, d[w], n, to->noise[w], tolerance, round >= MANY_ROUNDS);
             moving |= a[w].moving;
         }
         if (!any(moving)) break;
     }
-    for (int w = 0; w < packets; w++) {
-        mask blurred = less(BLURRED * absolute(a[w].slope), noise[w]);
+}
+
+/* Brackets i, i+1 .. that have been approached, on their way to neighbouring doubles. */
+INLINE void enclose_hits(const algsurf_i_polys_job *job, const brackets *b, size_t at, int i, const int *id,
+                         const approach *a, enclosure *e, int n) {
+    mask open = less(numbered(), all_lanes(b->count - i)) & ~a->moving;
+    begin_enclosure(job, at, id, load(b->begin + i), load(b->end + i), a->x, open, e, n);
+}
+
+/* Ill-conditioned roots, without radii, by values that are better than doubles. */
+INLINE void enclose_doubts(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, const int *id,
+                           const approach *a, unsigned doubts, int n) {
+    enclosure e;
+    enclose_hits(job, &block->hits, at, i, id, a, &e, n);
+    for (int point = 0; point < MOST_POINTS && (bits(e.open) & doubts); point++) newton(&e, n);
+    for (int l = 0; doubts >> l; l++)
+        if (doubts & bits(e.found) & 1u << l) {
+            block->v[id[l]] = ENCLOSED;
+            block->t[id[l]] = e.value[l];
+        }
+}
+
+/* Roots in these brackets. */
+INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    approaches all;
+    approach *a = all.a;
+    approach_hits(job, block, i, n, &all);
+    for (int w = 0; w < all.packets; w++) {
+        mask blurred = less(BLURRED * absolute(a[w].slope), all.noise[w]);
         unsigned doubts = bits(a[w].moving | (a[w].stuck & blurred)), flat = bits(blurred);
-        for (int l = 0; l < LANES && i + w * LANES + l < b->count; l++) {
+        for (int l = 0; l < LANES && i + w * LANES + l < block->hits.count; l++) {
             double x = a[w].x[l];
             if (flat >> l & 1) {
-                size_t to = at + (size_t)id[w][l];
+                size_t to = at + (size_t)all.id[w][l];
                 double middle = 0.5 * job->lo[to] + 0.5 * job->hi[to],
                        half = 0.5 * job->hi[to] - 0.5 * job->lo[to];
-                double blur = noise[w][l] * part_at(job, to, n, middle, half, x);
+                double blur = all.noise[w][l] * part_at(job, to, n, middle, half, x);
                 doubts |= (unsigned)!(blur <= BLURRED * fabs(a[w].slope[l])) << l;
             }
-            block->v[id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
+            block->v[all.id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
         }
+        if (doubts && !job->r) enclose_doubts(job, block, at, i + w * LANES, all.id[w], a + w, doubts, n);
     }
 }
 
-/* The answers of polynomials i .. of the block. */
-INLINE void finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room) {
+/* The answers of polynomials i .. of the block; returns whether some are in doubt. */
+INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room) {
     lanes v = load(block->v + i);
     mask hit = less(v, all_lanes(IN_DOUBT)), doubtful = at_most(v, all_lanes(IN_DOUBT)) & ~hit;
     store_states(job->state + at, hit, doubtful, room);
-    if (!job->root) return;
+    if (!job->root) return any(doubtful);
     lanes lo = load_some(job->lo + at, room), hi = load_some(job->hi + at, room);
     lanes t = 0.5 * lo + 0.5 * hi + v * (0.5 * hi - 0.5 * lo);
+    t = choose(at_most(absolute(v - ENCLOSED), all_lanes(0)), load(block->t + i), t);
     store_some(job->root + at, choose(hit, smaller(larger(t, lo), hi), all_lanes(HUGE_VAL)), room);
+    return any(doubtful);
 }
 
 INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
 
-INLINE void solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
-    int turn = 0;
+INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    int turn = 0, doubts = 0;
     block->open.count = block->hits.count = 0;
     for (int i = 0; i < count; i += LANES)
         classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
-    for (; block->open.count > 0 && turn < MOST_TURNS; turn++) divide_cells(job, block, n, turn);
-    for (int i = 0; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
+    for (; block->open.count > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
+    for (int i = LANES; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
+    if (block->open.count > 0) divide_last_cells(block, n, turn);
     for (int i = 0; i < block->hits.count && !job->root; i++) block->v[(int)block->hits.id[i]] = 0;
     for (int i = 0; i < block->hits.count && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
     for (int i = 0; i < count; i += LANES)
-        finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES));
+        doubts |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES));
+    return doubts;
 }
 
 /* The closed form for degrees 1 and 2.  Let s be the sign at the left end.  Where signs at the ends differ,
@@ -338,33 +393,40 @@ INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtfu
     return choose(same, -sum, -2 * c) / choose(same, 2 * a, sum);
 }
 
-INLINE void solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
+INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
     centred p;
     mask hit, doubtful;
     centre(job, at, count, &p, n);
     lanes v = first_root_closed(&p, n, &hit, &doubtful);
     store_states(job->state + at, hit, doubtful, count);
-    if (!job->root) return;
+    if (!job->root) return any(doubtful);
     lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
     store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
+    return any(doubtful);
 }
 
-INLINE void solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
+INLINE int solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
+    int doubts = 0;
     if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
     if (n <= 2) {
         for (size_t at = 0; at < count; at += LANES)
-            solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
-        return;
+            doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
+        return doubts;
     }
     poly_block block;
+    set_basis(&block.basis, n);
     for (int i = 0; i < ROW; i++)
         block.open.id[i] = block.hits.id[i] = 0; /* lanes behind the last name one too */
     for (size_t at = 0; at < count; at += POLYS)
-        solve_block(job, &block, at, count - at < POLYS ? (int)(count - at) : POLYS, n);
+        doubts |= solve_block(job, &block, at, count - at < POLYS ? (int)(count - at) : POLYS, n);
+    return doubts;
 }
 
-static void solve_polys(const algsurf_i_polys_job *job,
-                        size_t count){FOR_DEGREE(job->degree, solve_polys_n(job, count, N))}
+static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
+    int doubts = 0;
+    FOR_DEGREE(job->degree, doubts = solve_polys_n(job, count, N))
+    return doubts;
+}
 
 /* Whether `count` numbers, or their multiples by 0, are all finite. */
 INLINE mask all_finite(mask good, const double *a, size_t count) {
@@ -386,7 +448,5 @@ static int good_polys(const algsurf_i_polys_job *job, size_t count) {
     }
     return bits(good) == (1u << LANES) - 1;
 }
-
-const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {.solve = solve_polys, .good = good_polys};
 
 #endif

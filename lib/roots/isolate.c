@@ -218,9 +218,9 @@ static algsurf_status walk(task *t) {
     return walk_itself(t);
 }
 
-int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int halvings,
-                              algsurf_bracket *brackets, int *count) {
-    task t = {{c, NULL, degree}, *lo, *hi, ALL, brackets, 0, degree, 0, halvings};
+int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int first_only,
+                              int halvings, algsurf_bracket *brackets, int *count) {
+    task t = {{c, NULL, degree}, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, degree, 0, halvings};
     (void)leave_sides(&t, 0);
     int done = is_empty(&t) || walk_lane(&t);
     *lo = t.lo, *hi = t.hi;

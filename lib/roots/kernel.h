@@ -8,7 +8,7 @@
 #include "algsurf/isolate.h"
 #include "coefficients.h"
 
-/* The bounds of first_template.h hold up to this degree. */
+/* The bounds of centred_template.h hold up to this degree. */
 #define ALGSURF_MAX_POLYS_DEGREE 20
 
 /* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_poly_packet, and their answers. */
@@ -17,17 +17,19 @@ typedef struct algsurf_i_polys_job {
     const double *lo, *hi;
     int degree;
     double tolerance; /* relative to the interval */
-    const double
-        *basis; /* Bernstein coefficient j of v^k over [-1,1] at j (degree+1) + k; for degrees above 2 */
     uint8_t *state;
-    double *root; /* +inf where there is none; may be null */
+    double *root;             /* +inf where there is none; may be null */
+    algsurf_real_root *roots; /* of all roots: those of number i from i degree on */
+    int *found;               /* and how many; -1: in doubt */
 } algsurf_i_polys_job;
 
 typedef struct algsurf_i_roots_kernel {
-    /* state and root of the first `count` polynomials; of a doubtful one only the state means something. */
-    void (*solve)(const algsurf_i_polys_job *job, size_t count);
-    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; basis, state, root are not read.
-     */
+    /* state and root of the first `count` polynomials; of a doubtful one only the state means something.
+     * Returns 0 if there is none. */
+    int (*solve)(const algsurf_i_polys_job *job, size_t count);
+    /* roots and found of the first `count` polynomials, which have no radii. */
+    void (*solve_all)(const algsurf_i_polys_job *job, size_t count);
+    /* Are all numbers finite, lo < hi, radii not negative?  Of any degree; the answers are not touched. */
     int (*good)(const algsurf_i_polys_job *job, size_t count);
 } algsurf_i_roots_kernel;
 

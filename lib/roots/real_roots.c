@@ -78,16 +78,23 @@ static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, in
 }
 
 /* Where all roots are simple and doubles tell them apart: refined with certain signs. */
-static int find_in_doubles(question *q, int halvings, algsurf_real_root *roots, int *count) {
+static int find_in_doubles(question *q, int first_only, int halvings, algsurf_real_root *roots, int *count) {
     algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
     if (p.degree > ALGSURF_MAX_DEGREE ||
-        !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, halvings, b, count))
+        !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, first_only, halvings, b, count))
         return 0;
     settle(&p, b, *count, roots);
     for (int i = 0; i < *count; i++)
         if (!roots[i].multiplicity && !narrow(&p, b + i, roots + i)) return 0;
     return 1;
+}
+
+int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
+                              algsurf_real_root *roots, int *count) {
+    while (degree > 0 && c[degree] == 0) degree--;
+    question q = {c, NULL, degree, lo, hi};
+    return find_in_doubles(&q, first_only, algsurf_i_halvings_at_first(degree), roots, count);
 }
 
 /* By integers. */
@@ -109,7 +116,7 @@ static algsurf_status find_in_part(const question *q, const algsurf_i_part *part
     if (b.sign && narrow(&p, &b, roots)) return ALGSURF_OK;
     here.lo = part->lo;
     here.hi = part->hi;
-    if (patient && find_in_doubles(&here, ALGSURF_I_HALVINGS, roots, count)) return ALGSURF_OK;
+    if (patient && find_in_doubles(&here, 0, ALGSURF_I_HALVINGS, roots, count)) return ALGSURF_OK;
     return decide_doubles(&here, roots, count);
 }
 
@@ -118,7 +125,7 @@ static algsurf_status find_itself(question q, algsurf_real_root *roots, int *cou
     if (!q.c) return algsurf_i_decide_integers(q.z, q.degree, q.lo, q.hi, roots, q.degree, count);
     while (q.c[q.degree] == 0) q.degree--;
     int halvings = algsurf_i_halvings_at_first(q.degree), found = 0;
-    if (find_in_doubles(&q, halvings, roots, count)) return ALGSURF_OK;
+    if (find_in_doubles(&q, 0, halvings, roots, count)) return ALGSURF_OK;
     algsurf_i_part parts[ALGSURF_I_PARTS];
     int n = algsurf_i_parts_of(&(algsurf_i_coefficients){q.c, NULL, q.degree}, q.lo, q.hi, parts);
     *count = 0;

@@ -2,8 +2,8 @@
  * from the last bracket's end.  (Packets of two: a lone double is no faster.)
  *
  * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, as in
- * centred_template.h.  With x = (1+v)/2 and y = 1 - x, v = x - y and 1 = x + y, so that Horner's rule in x and
- * y, B <- B (x - y) + d_k (x + y)^(n-k), ends with C(n,j) b_j: no matrix is needed.
+ * centred_template.h.  With x = (1+v)/2 and y = 1 - x, v = x - y and 1 = x + y, so that Horner's rule in x
+ * and y, B <- B (x - y) + d_k (x + y)^(n-k), ends with C(n,j) b_j: no matrix is needed.
  *
  * Error.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that is added to a coefficient b_j
  * are at most S together.  The shift costs n + 1 sums, and for each factor m a product and m's own rounding,

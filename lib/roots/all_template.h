@@ -1,0 +1,119 @@
+/* all_template.h - all roots of LANES polynomials given in the power basis, each between neighbouring
+ * doubles.
+ *
+ * Isolated as in first_template.h, but both parts of a split cell are kept, on a stack.  A root that Halley's
+ * method has found is enclosed as in enclose_template.h.  All that is uncertain leaves its polynomial in
+ * doubt. */
+#ifndef ALGSURF_ALL_TEMPLATE_H
+#define ALGSURF_ALL_TEMPLATE_H
+#include "first_template.h"
+
+#define BATCH 64 /* of polynomials; n/2 cells of each may wait where LANES of them are split */
+
+/* The root of a lane among those of its polynomial, in increasing order. */
+INLINE void add_root(algsurf_real_root *roots, int count, const enclosure *e, int l) {
+    double a = e->before[l], b = e->t[l];
+    int rises = (e->last[l] < 0) == (a < b), i = count;
+    for (; i > 0 && roots[i - 1].lo > fmin(a, b); i--) roots[i] = roots[i - 1];
+    roots[i] = (algsurf_real_root){e->value[l], fmin(a, b), fmax(a, b), 1, rises ? -1 : 1};
+}
+
+/* Roots in brackets i, i+1 .. */
+INLINE void enclose_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    approaches all;
+    enclosure e[PAIR];
+    approach_hits(job, block, i, n, &all);
+    for (int w = 0; w < all.packets; w++)
+        enclose_hits(job, &block->hits, at, i + w * LANES, all.id[w], all.a + w, e + w, n);
+    for (int point = 0; point < MOST_POINTS; point++) {
+        mask open = no_lane();
+        for (int w = 0; w < all.packets; w++) {
+            newton(e + w, n);
+            open |= e[w].open;
+        }
+        if (!any(open)) break;
+    }
+    for (int w = 0; w < all.packets; w++)
+        for (int l = 0; l < at_most_of(block->hits.count - i - w * LANES, LANES); l++) {
+            size_t to = at + (size_t)all.id[w][l];
+            if (bits(e[w].found) >> l & 1)
+                add_root(job->roots + to * (size_t)n, job->found[to]++, e + w, l);
+            else
+                block->v[all.id[w][l]] = IN_DOUBT;
+        }
+}
+
+INLINE void enclose_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int n) {
+    for (int i = 0; i < block->hits.count; i += PAIR * LANES) enclose_some(job, block, at, i, n);
+    block->hits.count = 0;
+}
+
+/* What may hold roots of part of a cell: a bracket, or a cell to be split. */
+INLINE void keep_part(poly_block *block, cell *part, lanes id, lanes cut_error, unsigned which, int n) {
+    signs c = count_signs(part->w, part->e, n, 0);
+    unsigned one = bits(c.one) & which;
+    id = (lanes)((words)id ^ part->side);
+    if (one) add_brackets(&block->hits, part, id, one, n);
+    which &= ~one & ~bits(c.none);
+    if (which) add_cells(&block->open, part, id, cut_error, which, n);
+}
+
+/* Splits the last cells of the stack. */
+INLINE void split_last(poly_block *block, int n, int turn) {
+    cells *all = &block->open;
+    cell left, right;
+    int i = all->count > LANES ? all->count - LANES : 0;
+    unsigned room = first_lanes(all->count - i);
+    lanes id = load(all->id + i), cut_error = load(all->cut_error + i);
+    right.p = load(all->p + i);
+    right.q = left.limit = right.limit = load(all->q + i);
+    right.e[0] = left.e[0] = load(all->error + i) + cut_error;
+    for (int j = 0; j <= n; j++) right.w[j] = load(all->w + j * ROW + i);
+    all->count = i;
+    lanes at = split_point(&right, n, turn);
+    mask unsure = at_most(right.q - right.p, all_lanes(NARROWEST));
+    split(right.w, left.w, n, at - right.p, right.q - at);
+    unsure |= ~less(left.e[0], absolute(right.w[0]));
+    left.p = right.p;
+    left.q = right.p = at;
+    left.side = (words)all_lanes(0);
+    right.side = take_sign(right.w, n, ~no_lane());
+    unsigned doubts = bits(unsure) & room;
+    if (doubts) leave_in_doubt(block, absolute(id), doubts);
+    keep_part(block, &right, id, cut_error, room & ~doubts, n);
+    keep_part(block, &left, id, cut_error, room & ~doubts, n);
+}
+
+INLINE void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    block->open.count = block->hits.count = 0;
+    for (int i = 0; i < count; i += LANES)
+        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+    for (int i = 0; i < count; i++) job->found[at + (size_t)i] = 0;
+    for (int turn = 0; block->open.count > 0; turn++) {
+        if (block->hits.count > POLYS - 2 * LANES) enclose_all(job, block, at, n);
+        if (block->open.count > POLYS - LANES || turn > MOST_TURNS * BATCH) break;
+        split_last(block, n, turn);
+    }
+    for (int i = 0; i < block->open.count; i++) block->v[(int)fabs(block->open.id[i])] = IN_DOUBT;
+    enclose_all(job, block, at, n);
+    for (int i = 0; i < count; i++)
+        if (block->v[i] == IN_DOUBT) job->found[at + (size_t)i] = -1;
+}
+
+INLINE void solve_all_n(const algsurf_i_polys_job *job, size_t count, int n) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    poly_block block;
+    set_basis(&block.basis, n);
+    for (int i = 0; i < ROW; i++) block.open.id[i] = block.hits.id[i] = 0;
+    for (size_t at = 0; at < count; at += BATCH)
+        solve_batch(job, &block, at, count - at < BATCH ? (int)(count - at) : BATCH, n);
+}
+
+static void solve_all(const algsurf_i_polys_job *job, size_t count) {
+    FOR_DEGREE(job->degree, solve_all_n(job, count, N))
+}
+
+const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {
+    .solve = solve_polys, .solve_all = solve_all, .good = good_polys};
+
+#endif
