@@ -3,17 +3,15 @@
  * Newton's method on the caller's coefficients, from where a root is about, until the last two points are
  * neighbouring doubles with different signs, both certain.
  *
- * Value.  The compensated Horner scheme (Graillat, Langlois, Louvet, Compensated Horner Scheme, 2005) is off
- * by u |p(t)| + g^2 S at most, g = 2 n u / (1 - 2 n u), S = sum |c_k t^k|: a value above g^2 S has p's sign.
- * 8 n^2 u^2 takes in the rounding of S.  Only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300
- * count: so |c_k| < 2^700 and nothing overflows, and what underflow loses, below 2^-1070 in each of n steps
- * and multiplied by |t|^n <= 2^400, is less than 2^-600, which is added.
+ * Value.  certain_template.h.  Only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count: so
+ * |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.
  *
  * Bracket.  A cell holds one root.  Its ends as doubles, middle + half v, are off by 4 u M; points nearer to
  * them than 2^-50 M are not used, but where the end is the interval's, which is a double. */
 #ifndef ALGSURF_ENCLOSE_TEMPLATE_H
 #define ALGSURF_ENCLOSE_TEMPLATE_H
 #include "centred_template.h"
+#include "certain_template.h"
 
 #define MOST_POINTS 8 /* of Newton's method; three are usual */
 #define LEAST_ROOT 0x1p-500
@@ -27,27 +25,6 @@ INLINE lanes gather(const double *p, const int *id) {
     lanes a = {0};
     for (int l = 0; l < LANES; l++) a[l] = p[id[l]];
     return a;
-}
-
-/* The neighbouring double in the direction of `step`; a is not 0. */
-INLINE lanes next_double(lanes a, lanes step) {
-    mask shrinks = negative((words)a ^ (words)step);
-    return choose(shrinks, (lanes)((words)a - 1), (lanes)((words)a + 1));
-}
-
-/* p(t) where its sign is certain, else 0; and its slope, roughly. */
-INLINE lanes certain_value(const lanes *c, int n, lanes t, lanes *slope) {
-    lanes y = c[n], error = all_lanes(0), size = absolute(y), far = absolute(t);
-    *slope = error;
-    for (int k = n - 1; k >= 0; k--) {
-        lanes lost, rest;
-        *slope = *slope * t + y;
-        y = exact_sum(exact_product(y, t, &lost), c[k], &rest);
-        error = error * t + (lost + rest);
-        size = size * far + absolute(c[k]);
-    }
-    y += error;
-    return choose(less(8 * n * n * 0x1p-106 * size + 0x1p-600, absolute(y)), y, all_lanes(0));
 }
 
 /* Roots on their way to neighbouring doubles. */
@@ -78,7 +55,8 @@ INLINE void begin_enclosure(const algsurf_i_polys_job *job, size_t at, const int
 /* Evaluates at t, and goes on to where Newton's method leads, to a neighbour at least.  Lanes leave with a
  * root between `before` and t, or without one. */
 INLINE void newton(enclosure *e, int n) {
-    lanes slope, value = certain_value(e->c, n, e->t, &slope), step = -value / slope;
+    lanes slope, computed, value = certain_value((terms){NULL, e->c}, n, e->t, &computed, &slope);
+    lanes step = -value / slope;
     mask differ = negative((words)value ^ (words)e->last) & less(all_lanes(0), absolute(e->last));
     e->open &= at_most(e->from, e->t) & at_most(e->t, e->to) & less(all_lanes(0), absolute(value));
     e->open &= less(all_lanes(LEAST_ROOT), absolute(e->t));

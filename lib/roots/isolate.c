@@ -87,12 +87,21 @@ static int walk_side(task *t, const int *e, int side, int from, int to) {
     return side > 0 ? walk_piece(t, near, far, t->halvings) : walk_piece(t, -far, -near, t->halvings);
 }
 
+/* Is no term more than SPREAD digits larger than c_0 for |t| <= size?  One piece will do then. */
+static int is_level(const algsurf_i_coefficients *p, double size) {
+    double most = fabs(p->c[0]) * (1 << SPREAD), power = 1;
+    for (int k = 1; k <= p->degree; k++)
+        if (!(fabs(p->c[k]) * (power *= size) <= most)) return 0;
+    return size < 0x1p300;
+}
+
 /* All of [lo,hi] in a lane: in one piece, or, where roots can be of very different sizes, in pieces, of which
  * in that about 0 no term is more than SPREAD digits larger than c_0. */
 static int walk_lane(task *t) {
     int n = t->p.degree, e[ALGSURF_MAX_DEGREE + 1];
     double size = fmax(fabs(t->lo), fabs(t->hi));
     if (!(t->lo < t->hi) || n == 0 || n > ALGSURF_MAX_DEGREE || t->p.c[0] == 0 || t->p.c[n] == 0) return 0;
+    if (is_level(&t->p, size)) return walk_piece(t, t->lo, t->hi, t->halvings);
     int bound = size < 0x1p900 ? ilogb(size) + 1 : algsurf_i_root_bound(&t->p), inner = bound;
     for (int k = 0; k <= n; k++) {
         e[k] = t->p.c[k] != 0 ? ilogb(t->p.c[k]) : NO_TERM;
@@ -161,8 +170,10 @@ static int variations(const algsurf_i_coefficients *p, int side) {
     return count;
 }
 
-/* Sides of 0 with at most as many variations are left out of [lo,hi]; returns how many roots they have. */
+/* Sides of 0 with at most as many variations are left out of [lo,hi], unless one piece will do for both;
+ * returns how many roots they have. */
 static int leave_sides(task *t, int most) {
+    if (is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi)))) return 0;
     int below = t->lo < 0 ? variations(&t->p, -1) : most + 1;
     int above = t->hi > 0 ? variations(&t->p, 1) : most + 1;
     if (below <= most) t->lo = 0;
@@ -201,11 +212,9 @@ static int walk_power(task *t, const algsurf_i_power *w) {
     return 1;
 }
 
-/* Degree 2 at most, and no root much smaller than |t| may be: one piece. */
-static int is_level(const algsurf_i_coefficients *p, double size) {
-    double least = fabs(p->c[0]) * (1 << SPREAD), square = p->degree == 2 ? fabs(p->c[2]) * size * size : 0;
-    return p->degree <= 2 && p->degree > 0 && size < 0x1p300 && fabs(p->c[1]) * size <= least &&
-           square <= least;
+static int walk_level_quadratic(task *t) {
+    return t->p.degree <= 2 && is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi))) &&
+           walk_quadratic(t, t->lo, t->hi);
 }
 
 static algsurf_status walk(task *t) {
@@ -213,7 +222,7 @@ static algsurf_status walk(task *t) {
     if (t->wanted == NUMBER && (t->count = algsurf_i_count_by_discriminant(t->p.c, t->p.degree)) >= 0)
         return ALGSURF_OK;
     t->count = 0;
-    if (is_level(&t->p, fmax(fabs(t->lo), fabs(t->hi))) && walk_quadratic(t, t->lo, t->hi)) return ALGSURF_OK;
+    if (walk_level_quadratic(t)) return ALGSURF_OK;
     if (algsurf_i_power_of(t->p.c, t->p.degree, &w) && walk_power(t, &w)) return ALGSURF_OK;
     return walk_itself(t);
 }
@@ -221,8 +230,9 @@ static algsurf_status walk(task *t) {
 int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int first_only,
                               int halvings, algsurf_bracket *brackets, int *count) {
     task t = {{c, NULL, degree}, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, degree, 0, halvings};
-    (void)leave_sides(&t, 0);
-    int done = is_empty(&t) || walk_lane(&t);
+    int done = walk_level_quadratic(&t);
+    if (!done) (void)leave_sides(&t, 0);
+    done = done || is_empty(&t) || walk_lane(&t);
     *lo = t.lo, *hi = t.hi;
     *count = t.count;
     return done;

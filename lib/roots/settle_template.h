@@ -1,25 +1,18 @@
 /* settle_template.h - simple roots of one polynomial, side by side, from their brackets to between two
  * neighbouring doubles, of which the value is that with less |p|.
  *
- * Approach: Newton's method in doubles, kept to the bracket, whose ends follow the signs that doubles see,
- * and two steps with compensated values; all this proves nothing.  Proof: two neighbouring doubles within the
- * bracket have values of different sign, each beyond the bound of its compensated value.  That pair is
- * unique, so the answer does not depend on how it was come by.
- *
- * Bound (Graillat, Langlois, Louvet 2009, theorem 5): the compensated value v of p(x), u = 2^-53, has
- *   |v - p(x)| <= u |p(x)| + (2 n u / (1 - 2 n u))^2 S,   S = sum |c_k| |x|^k:
- * where |v| > 5 n^2 u^2 S its sign is that of p(x); the fifth part holds the roundings of S, of v, and the
- * bound's own.  With |c_k| <= 2^401 and |x|^n <= 2^400 nothing overflows, and what underflows in a product or
- * its error, less than 2^-1070 each, is below 2^-600 in v. */
+ * Approach: Halley's method in doubles, kept to the bracket, whose ends follow the signs that doubles see,
+ * and one more step with a compensated value; all this proves nothing.  Proof: two neighbouring doubles
+ * within the bracket have values of different sign, both certain (certain_template.h).  That pair is unique,
+ * so the answer does not depend on how it was come by.  The caller gives |c_k| <= 2^401 and ends with |t|^n
+ * <= 2^400. */
 #ifndef ALGSURF_SETTLE_TEMPLATE_H
 #define ALGSURF_SETTLE_TEMPLATE_H
-#include "../simd/lanes.h"
+#include "certain_template.h"
 #include "kernel.h"
 
 #define MOST_STEPS 40
-#define CLOSE                                                                                                \
-    0x1p-12          /* a last step, relative: it leaves its third power, and a step from there its square   \
-                      */
+#define CLOSE 0x1p-12 /* of a last step: it leaves its third power, and another one the ninth */
 #define BLUR 0x1p-16 /* steps this short that do not shrink are rounding errors */
 #define ROUNDS 3
 
@@ -42,20 +35,6 @@ INLINE lanes plain(const double *c, int n, lanes x, lanes *slope, lanes *bend) {
 }
 
 INLINE lanes halleys_step(lanes y, lanes slope, lanes bend) { return y * slope / (slope * slope - y * bend); }
-
-/* The value, and 0 where its sign is not certain. */
-INLINE lanes certain(const double *c, int n, lanes x, lanes *value) {
-    lanes y = all_lanes(c[n]), error = all_lanes(0), size = absolute(y), far = absolute(x);
-    for (int k = n - 1; k >= 0; k--) {
-        lanes product_low, sum_low, product = exact_product(y, x, &product_low);
-        y = exact_sum(product, all_lanes(c[k]), &sum_low);
-        error = error * x + (product_low + sum_low);
-        size = size * far + fabs(c[k]);
-    }
-    *value = y + error;
-    lanes bound = (5.0 * n * n * 0x1p-106) * size + 0x1p-600;
-    return choose(less(bound, absolute(*value)), *value, all_lanes(0));
-}
 
 /* Degrees 1 and 2 by the formula: of a x^2 + b x + c, the root where the slope 2 a x + b is that of the
  * sign's change, sqrt(b^2 - 4 a c) in size. */
@@ -90,26 +69,21 @@ INLINE void approach_roots(const double *c, int n, settling *s) {
     }
 }
 
-/* The next double, above or below; x is not 0. */
-INLINE lanes neighbour(lanes x, mask above) {
-    words below = (words)choose(above, all_lanes(0), all_lanes(-0.0)) >> 63;
-    words towards_zero = ((words)x >> 63) ^ below;
-    return (lanes)((words)x + 1 - 2 * towards_zero);
-}
-
 /* Returns the lanes where lo and hi are neighbours with the root between, value the one with less |p|,
  * as computed; lo if they are equal. */
 INLINE mask between(const double *c, int n, settling *s, lanes *value) {
-    const lanes sign = (lanes)(s->side | (words)all_lanes(1)), zero = all_lanes(0);
-    mask settled = no_lane(), above = ~no_lane();
+    const lanes sign = (lanes)(s->side | (words)all_lanes(1)), zero = all_lanes(0), one = all_lanes(1);
+    const terms p = {c, NULL};
+    mask settled = no_lane();
     for (int k = 0; k < ROUNDS && any(~settled); k++) {
-        lanes slope, bend, at, at_up, at_down;
+        lanes slope, bend, at, at_up, at_down, unused;
         (void)plain(c, n, s->x, &slope, &bend);
-        (void)certain(c, n, s->x, &at);
+        (void)certain_value(p, n, s->x, &at, &unused);
         lanes x = s->x = choose(settled, s->x, s->x - halleys_step(at, slope, bend));
-        lanes up = neighbour(x, above), down = neighbour(x, ~above);
-        lanes sure = certain(c, n, x, &at) * sign, sure_up = certain(c, n, up, &at_up) * sign;
-        lanes sure_down = certain(c, n, down, &at_down) * sign;
+        lanes up = next_double(x, one), down = next_double(x, -one);
+        lanes sure = certain_value(p, n, x, &at, &unused) * sign;
+        lanes sure_up = certain_value(p, n, up, &at_up, &unused) * sign;
+        lanes sure_down = certain_value(p, n, down, &at_down, &unused) * sign;
         mask over = less(zero, sure) & less(sure_up, zero), under = less(sure, zero) & less(zero, sure_down);
         mask now = (over | under) & ~settled;
         s->lo = choose(now, choose(over, x, down), s->lo);
