@@ -11,8 +11,10 @@
 
 static const double RIGHT = 1e-6; /* an answer is right that is off by no more */
 
+/* A contestant: by one call each, or by packets of so many. */
 typedef struct solver {
     const char *program;
+    size_t packet;
     other_interval *find;
     int proves; /* its answers must be right */
     const roots_set *on;
@@ -29,28 +31,51 @@ static int find_here(const double *c, int degree, double *roots) {
     return count;
 }
 
+static void solve_packet(const solver *s, size_t begin, size_t end) {
+    static algsurf_real_root found[ROOTS_AT_ONCE * ALGSURF_MAX_DEGREE];
+    const double *column[ALGSURF_MAX_DEGREE + 1];
+    size_t n = (size_t)s->on->degree;
+    for (size_t k = 0; k <= n; k++) column[k] = s->on->column[k] + begin;
+    const algsurf_poly_packet packet = {.size = sizeof packet,
+                                        .count = end - begin,
+                                        .degree = s->on->degree,
+                                        .c = column,
+                                        .lo = s->on->lo,
+                                        .hi = s->on->hi};
+    algsurf_status status = algsurf_real_roots_packet(&packet, NULL, found, s->count + begin);
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "packet: %s", algsurf_status_text(status));
+    for (size_t i = begin; i < end; i++)
+        for (int k = 0; k < s->count[i]; k++)
+            s->root[i * n + (size_t)k] = found[(i - begin) * n + (size_t)k].value;
+}
+
 static void solve(void *self, size_t begin, size_t end) {
     const solver *s = self;
-    size_t n = (size_t)s->on->degree;
-    for (size_t i = begin; i < end; i++)
-        s->count[i] = s->find(s->on->c + i * (n + 1), s->on->degree, s->root + i * n);
+    size_t n = (size_t)s->on->degree, step = s->packet ? s->packet : 1;
+    for (size_t i = begin; i < end; i += step)
+        if (s->packet)
+            solve_packet(s, i, end - i < step ? end : i + step);
+        else
+            s->count[i] = s->find(s->on->c + i * (n + 1), s->on->degree, s->root + i * n);
 }
 
 /* ---- the contest ---- */
 
 static const solver solvers[] = {
-    {"algsurf", find_here, 1, NULL, NULL, NULL},
+    {"algsurf", 0, find_here, 1, NULL, NULL, NULL},
+    {"algsurf, 1024 at once", ROOTS_AT_ONCE, NULL, 1, NULL, NULL, NULL},
+    {"algsurf, 8 at once", ROOTS_FEW, NULL, 1, NULL, NULL, NULL},
 #ifdef WITH_CYPOLYNOMIAL
-    {"cyPolynomial", by_cy_interval, 0, NULL, NULL, NULL},
+    {"cyPolynomial", 0, by_cy_interval, 0, NULL, NULL, NULL},
 #endif
 #ifdef WITH_GSL
-    {"GSL", by_gsl_interval, 0, NULL, NULL, NULL},
+    {"GSL", 0, by_gsl_interval, 0, NULL, NULL, NULL},
 #endif
 #ifdef WITH_PARI
-    {"PARI", by_pari_interval, 0, NULL, NULL, NULL},
+    {"PARI", 0, by_pari_interval, 0, NULL, NULL, NULL},
 #endif
 #ifdef WITH_ARB
-    {"Arb", by_arb_interval, 1, NULL, NULL, NULL},
+    {"Arb", 0, by_arb_interval, 1, NULL, NULL, NULL},
 #endif
 };
 
@@ -78,6 +103,7 @@ static void judge(const solver *s, const solver *truth, contest_row *row) {
     size_t n = (size_t)s->on->degree;
     for (size_t i = 0; i < row->count; i++)
         compare(truth->root + i * n, truth->count[i], s->root + i * n, s->count[i], row);
+    if (s->packet && row->error > 0) cli_fail(CLI_BROKEN, "%s: packets and single calls differ", s->on->name);
     if (s->proves && row->missed + row->extra > 0)
         cli_fail(CLI_BROKEN, "%s: %s and algsurf contradict each other", s->on->name, s->program);
 }
