@@ -34,13 +34,14 @@ static const roots_effort quick = {3, 4000, 60, 0.03, 32};
 
 static const contest_chapter chapters[] = {
     {.section = "first root",
-     .title = "First real root in [-1,1], to 1e-12, for each polynomial: along rays of surfaces, and of rays "
-              "that graze.\n"
-              "algsurf proves its answers, one by one or many at once; isolated + ...: isolated by algsurf, "
-              "refined by\n"
-              "others.  wrong: polynomials with a first root that is not what came (by more than 1e-6); "
-              "ghosts: without\n"
-              "a root, but one came; error: the largest of the right ones.",
+     .title =
+         "First real root in [-1,1], to 1e-12, for each polynomial: along rays of surfaces, and of rays "
+         "that graze.\n"
+         "algsurf proves its answers, one by one or many at once; in two steps: isolates, then refines; "
+         "isolated + ...:\n"
+         "isolated by algsurf, refined by others.  wrong: polynomials with a first root that is not what "
+         "came (by more\n"
+         "than 1e-6); ghosts: without a root, but one came; error: the largest of the right ones.",
      .unit = "ns",
      .count = "polys",
      .missed = "wrong",
