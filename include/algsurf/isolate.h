@@ -66,8 +66,8 @@ typedef struct algsurf_integer {
 
 /* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
  * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
- * ones.  Cost: 2 to 20 microseconds for degrees 2 to 10 and short coefficients, 15 for degree 8 and 1000
- * bits. Since 1.0. */
+ * ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20, 15 for degree 8
+ * and 1000 bits.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);

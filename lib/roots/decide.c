@@ -31,7 +31,7 @@ static int unit_of(double lo, double hi) {
     return isfinite(lo) && isfinite(hi) ? algsurf_exact_piece_of(lo, hi).unit : 0;
 }
 
-static int from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p) {
+int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p) {
     int longest = 0;
     for (int k = 0; k <= degree; k++)
         if (abs(c[k].length) > longest) longest = abs(c[k].length);
@@ -56,7 +56,8 @@ static algsurf_status decide(const double *c, const algsurf_integer *z, int degr
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p) : from_integers(&memory, z, degree, &p))
+    if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p)
+          : algsurf_i_from_integers(&memory, z, degree, &p))
         status =
             p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, cells);
     algsurf_memory_release(&memory, begin);

@@ -23,13 +23,21 @@ algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, d
 /* isolate.c: the roots in [lo,hi], or the first, as brackets, by doubles; returns 0 when these leave
  * something undecided.  c[degree] is not 0; `degree` entries suffice.  All brackets hold simple roots.
  * [lo,hi] is cut to where roots can be.  halvings: how often what is undecided is halved and tried again. */
-int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int first_only,
+int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, double *hi, int first_only,
                               int halvings, algsurf_bracket *brackets, int *count);
 
 /* real_roots.c: algsurf_i_decide_roots where doubles tell all roots that are wanted, simple ones, apart;
  * returns 0 where they do not. */
 int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
                               algsurf_real_root *roots, int *count);
+
+/* real_roots.c: simple roots in brackets, between neighbouring doubles; multiplicity 0: not known. */
+void algsurf_i_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                      algsurf_real_root *roots);
+
+/* integers.c: algsurf_i_decide_integers where doubles tell the roots apart; returns 0 where they do not. */
+int algsurf_i_integers_in_doubles(const algsurf_integer *c, int degree, double lo, double hi,
+                                  algsurf_real_root *roots, int *count);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
  * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or

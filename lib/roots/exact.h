@@ -14,6 +14,7 @@
  * Sagraloff, Mehlhorn, Computing real roots of real polynomials, 2016 (the step to a cluster). */
 #ifndef ALGSURF_EXACT_H
 #define ALGSURF_EXACT_H
+#include "algsurf/isolate.h"
 #include "../poly/integral.h"
 #include "exact_cell.h"
 
@@ -119,6 +120,8 @@ int algsurf_exact_refine(algsurf_exact_walk *walk, const algsurf_zpoly *f, algsu
 /* Sign (and value 2^exponent, or null) of f, a polynomial in u = 2^-unit t, at t. */
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent);
+/* decide.c: a polynomial from a caller's integers; returns 0 without memory. */
+int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int degree, algsurf_zpoly *p);
 /* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
 uint64_t algsurf_exact_order_of(double x);
 double algsurf_exact_double_at(uint64_t order);

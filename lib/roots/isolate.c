@@ -227,9 +227,9 @@ static algsurf_status walk(task *t) {
     return walk_itself(t);
 }
 
-int algsurf_i_isolate_in_lane(const double *c, int degree, double *lo, double *hi, int first_only,
+int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, double *hi, int first_only,
                               int halvings, algsurf_bracket *brackets, int *count) {
-    task t = {{c, NULL, degree}, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, degree, 0, halvings};
+    task t = {*p, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, p->degree, 0, halvings};
     int done = walk_level_quadratic(&t);
     if (!done) (void)leave_sides(&t, 0);
     done = done || is_empty(&t) || walk_lane(&t);

@@ -68,8 +68,8 @@ static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, alg
 }
 
 /* Side by side, where nothing can overflow; multiplicity 0: not known. */
-static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                   algsurf_real_root *roots) {
+void algsurf_i_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                      algsurf_real_root *roots) {
     double most = ldexp(1, 400 / (p->degree > 0 ? p->degree : 1)), largest = 0;
     for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
     int fits = largest <= 0x1p401 && (count == 0 || (b[0].lo >= -most && b[count - 1].hi <= most));
@@ -82,9 +82,9 @@ static int find_in_doubles(question *q, int first_only, int halvings, algsurf_re
     algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
     if (p.degree > ALGSURF_MAX_DEGREE ||
-        !algsurf_i_isolate_in_lane(p.c, p.degree, &q->lo, &q->hi, first_only, halvings, b, count))
+        !algsurf_i_isolate_in_lane(&p, &q->lo, &q->hi, first_only, halvings, b, count))
         return 0;
-    settle(&p, b, *count, roots);
+    algsurf_i_settle(&p, b, *count, roots);
     for (int i = 0; i < *count; i++)
         if (!roots[i].multiplicity && !narrow(&p, b + i, roots + i)) return 0;
     return 1;
@@ -122,7 +122,10 @@ static algsurf_status find_in_part(const question *q, const algsurf_i_part *part
 
 /* In doubles; else in the parts of the line that may have roots. */
 static algsurf_status find_itself(question q, algsurf_real_root *roots, int *count) {
-    if (!q.c) return algsurf_i_decide_integers(q.z, q.degree, q.lo, q.hi, roots, q.degree, count);
+    if (!q.c)
+        return algsurf_i_integers_in_doubles(q.z, q.degree, q.lo, q.hi, roots, count)
+                   ? ALGSURF_OK
+                   : algsurf_i_decide_integers(q.z, q.degree, q.lo, q.hi, roots, q.degree, count);
     while (q.c[q.degree] == 0) q.degree--;
     int halvings = algsurf_i_halvings_at_first(q.degree), found = 0;
     if (find_in_doubles(&q, 0, halvings, roots, count)) return ALGSURF_OK;

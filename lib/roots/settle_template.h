@@ -13,7 +13,7 @@
 
 #define MOST_STEPS 40
 #define CLOSE 0x1p-12 /* of a last step: it leaves its third power, and another one the ninth */
-#define BLUR 0x1p-16 /* steps this short that do not shrink are rounding errors */
+#define BLUR 0x1p-16  /* steps this short that do not shrink are rounding errors */
 #define ROUNDS 3
 
 typedef struct settling {
