@@ -133,7 +133,7 @@ static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
 
 static const solver solvers[] = {
     {"algsurf", 0, NULL, 0, 0, NULL, NULL, NULL},
-    {"algsurf, 1024 at once", ROOTS_AT_ONCE, NULL, 0, 0, NULL, NULL, NULL},
+    {"algsurf 1024 at once", ROOTS_AT_ONCE, NULL, 0, 0, NULL, NULL, NULL},
 #ifdef WITH_ARB
     {"Arb", 0, by_arb_all, 0, 1, NULL, NULL, NULL},
 #endif

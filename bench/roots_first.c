@@ -77,9 +77,9 @@ static void solve(void *self, size_t begin, size_t end) {
 
 static const solver solvers[] = {
     {"algsurf", 1, NULL, NULL, NULL, NULL},
-    {"algsurf, in two steps", 0, NULL, refine_here, NULL, NULL},
-    {"algsurf, 1024 at once", ROOTS_AT_ONCE, NULL, NULL, NULL, NULL},
-    {"algsurf, 8 at once", ROOTS_FEW, NULL, NULL, NULL, NULL},
+    {"algsurf in two steps", 0, NULL, refine_here, NULL, NULL},
+    {"algsurf 1024 at once", ROOTS_AT_ONCE, NULL, NULL, NULL, NULL},
+    {"algsurf 8 at once", ROOTS_FEW, NULL, NULL, NULL, NULL},
 #ifdef WITH_CYPOLYNOMIAL
     {"cyPolynomial", 0, by_cy_first, NULL, NULL, NULL},
 #endif

@@ -63,8 +63,8 @@ static void solve(void *self, size_t begin, size_t end) {
 
 static const solver solvers[] = {
     {"algsurf", 0, find_here, 1, NULL, NULL, NULL},
-    {"algsurf, 1024 at once", ROOTS_AT_ONCE, NULL, 1, NULL, NULL, NULL},
-    {"algsurf, 8 at once", ROOTS_FEW, NULL, 1, NULL, NULL, NULL},
+    {"algsurf 1024 at once", ROOTS_AT_ONCE, NULL, 1, NULL, NULL, NULL},
+    {"algsurf 8 at once", ROOTS_FEW, NULL, 1, NULL, NULL, NULL},
 #ifdef WITH_CYPOLYNOMIAL
     {"cyPolynomial", 0, by_cy_interval, 0, NULL, NULL, NULL},
 #endif

@@ -192,13 +192,13 @@ static void close_family(family *f) {
 /* ---- the contest ---- */
 
 static const solver isolators[] = {
-    {"algsurf", isolate_here, NULL, NULL},           {"algsurf, refined", refine_here, NULL, NULL},
-    {"algsurf, complex", complex_here, NULL, NULL},
+    {"algsurf", isolate_here, NULL, NULL},          {"algsurf refined", refine_here, NULL, NULL},
+    {"algsurf complex", complex_here, NULL, NULL},
 #ifdef WITH_FLINT_ISOLATION
     {"FLINT", by_flint_isolated, NULL, NULL},
 #endif
 #ifdef WITH_PARI
-    {"PARI, refined", by_pari_isolated, NULL, NULL},
+    {"PARI refined", by_pari_isolated, NULL, NULL},
 #endif
 };
 

@@ -45,7 +45,7 @@ static int list_manners(manner *m) {
     m[count++] = (manner){"every pixel by itself", NULL, ALGSURF_COHERENCE_NONE, NULL, NULL, {0}};
     for (int i = 1; count < MOST_MANNERS && algsurf_kernel_name(i); i++) {
         const char *kernel = algsurf_kernel_name(i);
-        snprintf(name[count], sizeof name[count], "algsurf, %s", kernel);
+        snprintf(name[count], sizeof name[count], "algsurf %s", kernel);
         m[count] = (manner){name[count], kernel, ALGSURF_COHERENCE_NEIGHBOURS, NULL, NULL, {0}};
         count++;
     }
