@@ -17,27 +17,10 @@
 #endif
 
 #include "algsurf/status.h"
+#include "roots_integers.h"
 #include "roots_others.h"
 
-enum { BITS = 53, FIRST_PRECISION = 64, LAST_PRECISION = 4096 };
-
-static void scale_to_integers(fmpz_poly_t integral, const double *c, int degree) {
-    int exponent, least = 1 << 20;
-    fmpz_t m;
-    for (int k = 0; k <= degree; k++)
-        if (c[k] != 0) {
-            (void)frexp(c[k], &exponent);
-            if (exponent - BITS < least) least = exponent - BITS;
-        }
-    fmpz_init(m);
-    for (int k = 0; k <= degree; k++)
-        if (c[k] != 0) {
-            fmpz_set_si(m, (slong)ldexp(frexp(c[k], &exponent), BITS));
-            fmpz_mul_2exp(m, m, (ulong)(exponent - BITS - least));
-            fmpz_poly_set_coeff_fmpz(integral, k, m);
-        }
-    fmpz_clear(m);
-}
+enum { FIRST_PRECISION = 64, LAST_PRECISION = 4096 };
 
 static other_root root_of_ball(const acb_struct *ball) {
     mag_t radius;
@@ -67,7 +50,7 @@ int by_arb_interval(const double *c, int degree, double *real) {
     int count = 0;
     fmpz_poly_init(integral);
     fmpz_poly_factor_init(factors);
-    scale_to_integers(integral, c, degree);
+    set_integers(integral, c, degree);
     fmpz_poly_factor_squarefree(factors, integral);
     for (slong i = 0; i < factors->num; i++) count += roots_of_factor(factors->p + i, roots + count);
     fmpz_poly_factor_clear(factors);

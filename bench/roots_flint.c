@@ -1,35 +1,12 @@
 /* roots_flint.c - FLINT: real roots of polynomials with integer coefficients, isolated by Vincent's theorem
  * and bisection (since 3.6), or counted. */
-#include <math.h>
-
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_vec.h>
 
+#include "roots_integers.h"
 #include "roots_others.h"
-
-enum { BITS = 53 };
-
-/* A multiple by a power of two, made primitive. */
-static void set_integers(fmpz_poly_t p, const double *c, int degree) {
-    int exponent, least = 1 << 20;
-    fmpz_t m;
-    for (int k = 0; k <= degree; k++)
-        if (c[k] != 0) {
-            (void)frexp(c[k], &exponent);
-            if (exponent - BITS < least) least = exponent - BITS;
-        }
-    fmpz_init(m);
-    for (int k = degree; k >= 0; k--)
-        if (c[k] != 0) {
-            fmpz_set_si(m, (slong)ldexp(frexp(c[k], &exponent), BITS));
-            fmpz_mul_2exp(m, m, (ulong)(exponent - BITS - least));
-            fmpz_poly_set_coeff_fmpz(p, k, m);
-        }
-    fmpz_clear(m);
-    fmpz_poly_primitive_part(p, p);
-}
 
 #ifdef WITH_FLINT_ISOLATION
 int by_flint_isolated(const double *c, int degree) {
