@@ -63,6 +63,30 @@ static void check_one(int degree, int i, int state, double root) {
     exact_sturm_clear(&s);
 }
 
+/* All roots, by every kernel, are those of single calls. */
+static void check_all_roots(int degree, int count) {
+    static algsurf_real_root found[MOST * TOP], one[TOP];
+    const double *rows[TOP + 1];
+    const char *kernel;
+    int counts[MOST], room = degree > 0 ? degree : 1;
+    for (int k = 0; k <= degree; k++) rows[k] = c[k];
+    const algsurf_poly_packet packet = {sizeof packet, (size_t)count, degree, rows, NULL, lo, hi};
+    for (int j = 0; (kernel = algsurf_kernel_name(j)); j++) {
+        const algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
+        fuzz_check(algsurf_real_roots_packet(&packet, &options, found, counts) == ALGSURF_OK);
+        for (int i = 0; i < count; i++) {
+            double p[TOP + 1];
+            int roots = -1;
+            for (int k = 0; k <= degree; k++) p[k] = c[k][i];
+            algsurf_status status = algsurf_real_roots(p, degree, lo[i], hi[i], one, TOP, &roots);
+            fuzz_check(status == ALGSURF_OK || status == ALGSURF_E_ZERO);
+            fuzz_check(counts[i] == roots);
+            for (int k = 0; k < roots; k++)
+                fuzz_check(memcmp(&one[k], &found[i * room + k], sizeof one[k]) == 0);
+        }
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_numbers in = fuzz_numbers_of(data, size);
     int degree = fuzz_whole(&in, 0, TOP), count = 0;
@@ -85,5 +109,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         check_bits(&all, (size_t)i, &other, 1);
         check_one(degree, i, all.state[i], all.root[i]);
     }
+    check_all_roots(degree, count);
     return 0;
 }

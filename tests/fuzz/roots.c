@@ -4,7 +4,10 @@
  * for real polynomials.  BOX is the box to look at where there are many.  A box must hold as many roots as it
  * says, counted exactly (exact_winding.h) in the box widened by next to nothing.
  */
+#include <string.h>
+
 #include "algsurf/allroots.h"
+#include "algsurf/intersect.h"
 #include "exact_winding.h"
 #include "fuzz.h"
 
@@ -132,12 +135,38 @@ static void member(const question *q, int up, algsurf_complex *c) {
     }
 }
 
+/* A packet of three copies, by every kernel, has the answers of the single call. */
+static void check_packet(const question *q, algsurf_status status, const algsurf_enclosure *e, int count) {
+    enum { COPIES = 3 };
+    static double re[TOP + 1][COPIES], im[TOP + 1][COPIES], r[TOP + 1][COPIES];
+    static algsurf_enclosure found[COPIES * TOP];
+    const double *res[TOP + 1], *ims[TOP + 1], *rs[TOP + 1];
+    const char *kernel;
+    int counts[COPIES], real = q->flags & REAL_CALL && is_real(q);
+    for (int k = 0; k <= q->degree; k++) {
+        for (int i = 0; i < COPIES; i++) re[k][i] = q->c[k].re, im[k][i] = q->c[k].im, r[k][i] = q->r[k];
+        res[k] = re[k], ims[k] = im[k], rs[k] = r[k];
+    }
+    const algsurf_complex_packet packet = {
+        sizeof packet, COPIES, q->degree, res, real ? NULL : ims, q->flags & RADII ? rs : NULL};
+    for (int j = 0; q->degree > 0 && (kernel = algsurf_kernel_name(j)); j++) {
+        const algsurf_roots_packet_options options = {.size = sizeof options, .kernel = kernel};
+        fuzz_check(algsurf_roots_packet(&packet, &options, found, counts) == status);
+        for (int i = 0; i < COPIES; i++) {
+            fuzz_check(counts[i] == (status < 0 ? (int)status : count));
+            if (status == ALGSURF_OK)
+                fuzz_check(memcmp(found + i * q->degree, e, (size_t)count * sizeof *e) == 0);
+        }
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_numbers in = fuzz_numbers_of(data, size);
     question q = read_question(&in);
     algsurf_enclosure e[TOP + 1];
     int count = -77;
     algsurf_status status = solve(&q, e, &count);
+    check_packet(&q, status, e, count);
     if (status < 0) {
         fuzz_check(count == -77);
         fuzz_check(status == ALGSURF_E_ZERO || status == ALGSURF_E_RANGE);
