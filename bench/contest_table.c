@@ -56,7 +56,7 @@ static void write_csv(const contest_table *t, const char *folder, const char *na
     results_finish(file, folder, name);
 }
 
-enum { MOST_CHAPTERS = 8, MOST_TASKS = 16, MOST_PROGRAMS = 12 };
+enum { MOST_CHAPTERS = 8, MOST_TASKS = 16, MOST_PROGRAMS = 8 }; /* colours */
 
 /* One section as bars: tasks side by side, the programs in each. */
 typedef struct chart {

@@ -87,7 +87,6 @@ static const solver solvers[] = {
     {"isolated + TOMS 748", 0, NULL, by_toms748, NULL, NULL},
 #endif
 #ifdef WITH_GSL
-    {"isolated + GSL Brent", 0, NULL, by_gsl_brent, NULL, NULL},
     {"GSL", 0, by_gsl_first, NULL, NULL, NULL},
 #endif
 #ifdef WITH_PARI

@@ -1,9 +1,7 @@
 /* roots_gsl.c - the GNU Scientific Library: closed forms for degrees 2 and 3, else the eigenvalues of the
- * companion matrix by balanced QR; Brent's method on a bracket.
- */
+ * companion matrix by balanced QR. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_poly.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 
 #include "algsurf/status.h"
@@ -45,28 +43,4 @@ int by_gsl_all(const double *re, const double *im, int degree, other_root *roots
     if (!workspace || gsl_poly_complex_solve(re, (size_t)degree + 1, workspace, z) != GSL_SUCCESS) return 0;
     for (int i = 0; i < degree; i++) roots[i] = (other_root){z[2 * i], z[2 * i + 1], NAN};
     return degree;
-}
-
-typedef struct polynomial {
-    const double *c;
-    int degree;
-} polynomial;
-
-static double value(double x, void *data) {
-    const polynomial *p = data;
-    return gsl_poly_eval(p->c, p->degree + 1, x);
-}
-
-double by_gsl_brent(const double *c, int degree, double lo, double hi, double tolerance) {
-    static gsl_root_fsolver *solver;
-    polynomial p = {c, degree};
-    gsl_function f = {value, &p};
-    gsl_set_error_handler_off();
-    if (!solver) solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    if (!solver || gsl_root_fsolver_set(solver, &f, lo, hi) != GSL_SUCCESS) return NAN;
-    for (int i = 0; i < 1000 && gsl_root_fsolver_iterate(solver) == GSL_SUCCESS; i++)
-        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver),
-                                   2 * tolerance, 0) == GSL_SUCCESS)
-            break;
-    return gsl_root_fsolver_root(solver);
 }

@@ -33,7 +33,7 @@ typedef int other_all(const double *re, const double *im, int degree, other_root
 other_first by_gsl_first, by_pari_first, by_cy_first;
 other_interval by_gsl_interval, by_arb_interval, by_pari_interval, by_cy_interval;
 other_line by_flint_isolated, by_flint_counted, by_pari_isolated, by_pari_counted;
-other_refine by_gsl_brent, by_toms748;
+other_refine by_toms748;
 other_all by_gsl_all, by_arb_all, by_mpsolve_isolate, by_mpsolve_approximate, by_pari_all;
 
 /* Those in [-1,1] among all roots, in increasing order: those count as real whose imaginary part is exactly

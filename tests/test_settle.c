@@ -1,8 +1,8 @@
 /* test_settle.c - simple roots brought between neighbouring doubles, by every kernel: exact signs at both
  * ends, the same bits, and hardly one left open.
  *
- * Catches: a pair that does not enclose, lanes that answer for others, a bound that lets a wrong sign pass
- * (on ill-conditioned roots), neighbours across a power of two or below 0. */
+ * Catches: a pair that does not enclose, lanes that answer for others, a bound of compensated values that is
+ * too small or never felt, neighbours across a power of two or below 0. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

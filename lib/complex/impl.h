@@ -73,6 +73,10 @@ algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf
                                    int degree, int real_radii, const algsurf_complex *start,
                                    algsurf_enclosure *roots, int *count);
 
+/* algsurf_roots in the standard environment, without lanes; multiple roots are parted. */
+algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                        algsurf_enclosure *roots, int *count);
+
 /* Coefficients in units of 2^unit of the variable, divided by 2^exponent. */
 typedef struct algsurf_i_local {
     const double *cr, *ci, *size, *radius;

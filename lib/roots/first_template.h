@@ -2,23 +2,22 @@
  *
  * They are counted by Descartes' rule.  Those with more than one variation of sign are split, all of them
  * once; what is still open is packed together and split again, so that no lane waits for another.  Brackets
- * are refined by Halley's method (Traub, Iterative Methods for the Solution of Equations, 1964) on the power
- * basis about the middle, from where the control polygon crosses zero. */
+ * are refined by Halley's method on the power basis about the middle (halley_template.h), from where the
+ * control polygon crosses zero. */
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "centred_template.h"
+#include "closed_template.h"
 #include "enclose_template.h"
+#include "halley_template.h"
 #include "kernel.h"
 #include "packet_template.h"
 
 #define POLYS 128 /* solved together */
-/* Longer ones do not tell what the next will be; the interval has length 2. */
-#define SHORT_ROOT_STEP 0x1p-10
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
-#define FLAT 0x1p-12            /* sqrt(D): as BLURRED */
 #define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
 
 /* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
@@ -203,44 +202,6 @@ INLINE void divide_last_cells(poly_block *block, int n, int turn) {
     leave_in_doubt(block, id, open);
 }
 
-/* A polynomial between its bracket and its root. */
-typedef struct approach {
-    lanes x, begin, end, last, slope;
-    mask moving, stuck;
-} approach;
-
-/* Halley's step, kept to the bracket and to at least half of Newton's; moving lanes are those that need
- * another one.  The errors shrink with the third power, by a factor that the last two steps tell, or by the
- * square of bend / slope if that is more: so is known how long it would be.  After many, values below `noise`
- * end it. */
-INLINE void halley(approach *a, const lanes *d, int n, lanes noise, double tolerance, int many) {
-    lanes f = d[n], slope = all_lanes(0), bend = slope;
-    for (int i = n - 1; i >= 0; i--) {
-        bend = bend * a->x + slope;
-        slope = slope * a->x + f;
-        f = f * a->x + d[i];
-    }
-    mask before = ~negative((words)f); /* the root is further right */
-    a->begin = choose(before, a->x, a->begin);
-    a->end = choose(before, a->end, a->x);
-    lanes newton = slope * slope, below = newton - f * bend, next = a->x - f * slope / below;
-    mask sound = at_most(absolute(below), 2 * newton); /* not so where p' is 0 */
-    sound &= at_most(a->begin, next) & at_most(next, a->end);
-    next = choose(sound, next, 0.5 * (a->begin + a->end));
-    lanes step = absolute(next - a->x), cube = step * step * step, last = a->last;
-    a->x = choose(a->moving, next, a->x);
-    a->last = step;
-    mask close = sound & at_most(step, all_lanes(SHORT_ROOT_STEP)) & at_most(4 * step, last) &
-                 at_most(cube * step, tolerance * last * last * last) &
-                 at_most(4 * cube * bend * bend, tolerance * newton);
-    a->slope = choose(a->moving, slope, a->slope);
-    a->moving &= ~close;
-    if (many) {
-        a->stuck |= a->moving & at_most(absolute(f), noise);
-        a->moving &= ~a->stuck;
-    }
-}
-
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
 INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half,
                       double x) {
@@ -366,31 +327,6 @@ INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t
     for (int i = 0; i < count; i += LANES)
         doubts |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES));
     return doubts;
-}
-
-/* The closed form for degrees 1 and 2.  Let s be the sign at the left end.  Where signs at the ends differ,
- * or both are s, the middle coefficient's is not, and the discriminant D is positive, then the first root is
- * the one where the slope d_1 + 2 d_2 v = -s sqrt(D).  Errors R of b are errors of at most R of d_0, d_1 and
- * 2 R of d_2; they change D by less than 16 R (|d_0| + |d_1| + |d_2| + R), which exceeds its roundings too.
- * The root is off by about u (|d_0| + |d_1| + |d_2|) / sqrt(D), so hits with a small D are doubtful. */
-INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtful) {
-    lanes a = n == 2 ? p->d[2] : all_lanes(0), b = p->d[1], c = p->d[0], radius = p->radius;
-    lanes left = c - b + a, middle = c - a, right = c + b + a;
-    words sign = (words)left & (words)all_lanes(-0.0);
-    lanes size = absolute(a) + absolute(b) + absolute(c), D = b * b - 4 * a * c;
-    mask crosses = negative((words)left ^ (words)right), dips = negative((words)left ^ (words)middle);
-    mask sure = less(radius, smaller(absolute(left), absolute(right)));
-    mask around = ~crosses & (dips | ~less(radius, absolute(middle)));
-    sure &=
-        ~around | (dips & less(radius, absolute(middle)) & less(16 * radius * (size + radius), absolute(D)));
-    sure &= p->sound;
-    lanes slope = root(larger(D, all_lanes(0)));
-    *hit = sure & (crosses | (around & less(all_lanes(0), D)));
-    *doubtful = ~sure | (*hit & less(slope, FLAT * size));
-    *hit &= ~*doubtful;
-    mask same = ~negative((words)b ^ sign);
-    lanes sum = b + (lanes)((words)slope | ((words)b & (words)all_lanes(-0.0)));
-    return choose(same, -sum, -2 * c) / choose(same, 2 * a, sum);
 }
 
 INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {

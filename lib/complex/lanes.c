@@ -1,0 +1,124 @@
+/* lanes.c - all complex roots, of one polynomial or of many: the public calls.
+ *
+ * Exact polynomials of small degrees go to the lanes first (boxes_template.h); what those leave open, and all
+ * others, to allroots.c. */
+#include "algsurf/allroots.h"
+
+#include "../base/fpenv.h"
+#include "../base/options.h"
+#include "impl.h"
+#include "kernel.h"
+
+static ALGSURF_NOINLINE algsurf_status run_real_on_stack(const double *c, const double *r, int degree,
+                                                         algsurf_enclosure *roots, int *count) {
+    algsurf_complex z[ALGSURF_MAX_DEGREE + 1];
+    for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};
+    return algsurf_i_roots_on_stack(z, r, degree, 1, roots, count);
+}
+
+/* In lanes, if they can: exact coefficients k at re[k stride], im[k stride], im null if all are real. */
+static int run_in_lanes(const algsurf_i_allroots_kernel *kernel, const double *re, const double *im,
+                        int stride, int degree, algsurf_enclosure *roots, int *count) {
+    while (degree > 0 && re[degree * stride] == 0 && (!im || im[degree * stride] == 0)) degree--;
+    if (degree < 1 || degree > ALGSURF_MOST_ROOTS_IN_LANES) return 0;
+    if (!kernel->one(re, im, stride, degree, roots)) return 0;
+    *count = degree;
+    return 1;
+}
+
+static ALGSURF_NOINLINE algsurf_status solve(const algsurf_i_allroots_kernel *kernel,
+                                             const algsurf_complex *c, const double *r, int degree,
+                                             algsurf_enclosure *roots, int *count) {
+    int real = 1;
+    for (int k = 0; k <= degree; k++) real = real && c[k].im == 0;
+    if (!r && run_in_lanes(kernel, &c->re, real ? NULL : &c->im, 2, degree, roots, count)) return ALGSURF_OK;
+    return algsurf_i_roots_on_stack(c, r, degree, 0, roots, count);
+}
+
+static ALGSURF_NOINLINE algsurf_status solve_real(const algsurf_i_allroots_kernel *kernel, const double *c,
+                                                  const double *r, int degree, algsurf_enclosure *roots,
+                                                  int *count) {
+    if (!r && run_in_lanes(kernel, c, NULL, 1, degree, roots, count)) return ALGSURF_OK;
+    return run_real_on_stack(c, r, degree, roots, count);
+}
+
+static const algsurf_i_allroots_kernel *fastest(void) {
+    return algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL));
+}
+
+algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree, algsurf_enclosure *roots,
+                             int *count) {
+    if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = solve(fastest(), c, r, degree, roots, count);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+algsurf_status algsurf_roots_real(const double *c, const double *r, int degree, algsurf_enclosure *roots,
+                                  int *count) {
+    if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = solve_real(fastest(), c, r, degree, roots, count);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+/* ---- many polynomials ---- */
+
+static algsurf_status check_packet(const algsurf_complex_packet *p) {
+    if (p->degree < 1 || p->degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
+    if (p->count > 0 && !p->re) return ALGSURF_E_ARGUMENT;
+    for (int k = 0; p->count > 0 && k <= p->degree; k++)
+        if (!p->re[k] || (p->im && !p->im[k]) || (p->r && !p->r[k])) return ALGSURF_E_ARGUMENT;
+    return ALGSURF_OK;
+}
+
+/* Polynomial i by itself. */
+static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_kernel *kernel,
+                                                    const algsurf_complex_packet *p, size_t i,
+                                                    algsurf_enclosure *roots, int *count) {
+    algsurf_complex c[ALGSURF_MAX_DEGREE + 1];
+    double re[ALGSURF_MAX_DEGREE + 1], r[ALGSURF_MAX_DEGREE + 1];
+    for (int k = 0; k <= p->degree; k++) {
+        re[k] = p->re[k][i];
+        c[k] = (algsurf_complex){re[k], p->im ? p->im[k][i] : 0};
+        if (p->r) r[k] = p->r[k][i];
+    }
+    return p->im ? solve(kernel, c, p->r ? r : NULL, p->degree, roots, count)
+                 : solve_real(kernel, re, p->r ? r : NULL, p->degree, roots, count);
+}
+
+static ALGSURF_NOINLINE algsurf_status solve_packet(const algsurf_i_allroots_kernel *kernel,
+                                                    const algsurf_complex_packet *p, algsurf_enclosure *roots,
+                                                    int *count) {
+    algsurf_status first = ALGSURF_OK;
+    int in_lanes = !p->r && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
+    if (in_lanes) kernel->many(p->re, p->im, p->degree, p->count, roots, count);
+    for (size_t i = 0; i < p->count; i++) {
+        if (in_lanes && count[i] >= 0) continue;
+        algsurf_status status = solve_member(kernel, p, i, roots + i * (size_t)p->degree, count + i);
+        if (status < 0) count[i] = status;
+        if (first == ALGSURF_OK) first = status;
+    }
+    return first;
+}
+
+algsurf_status algsurf_roots_packet(const algsurf_complex_packet *packet,
+                                    const algsurf_roots_packet_options *options, algsurf_enclosure *roots,
+                                    int *count) {
+    algsurf_complex_packet p;
+    algsurf_roots_packet_options o = {.size = sizeof o};
+    if (!packet || !algsurf_options_read(&p, sizeof p, packet)) return ALGSURF_E_ARGUMENT;
+    if (options && !algsurf_options_read(&o, sizeof o, options)) return ALGSURF_E_ARGUMENT;
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
+    if (!kernel || check_packet(&p) != ALGSURF_OK) return ALGSURF_E_ARGUMENT;
+    if (p.count > 0 && (!roots || !count)) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = solve_packet(algsurf_i_allroots_kernel_for(kernel), &p, roots, count);
+    algsurf_fpenv_leave(&saved);
+    return status;
+}
