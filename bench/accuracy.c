@@ -70,7 +70,7 @@ static const char legend[] =
     "             hits: none does)\n"
     "  spread     longest less shortest time, in units of the median; median over tolerances\n"
     "  wrong      rays with another state than the truth, or t off by more than tolerance and rounding,\n"
-    "             at the tolerance with most of them; uncertain: so told, at tolerance 0\n"
+    "             at the tolerance with most of them; undecided: so told, at tolerance 0\n"
     "  settled    the largest tolerance from which on the picture's bytes, standard quality, do not\n"
     "             change any more; of other methods than the default, it is drawn ray by ray\n";
 

@@ -15,7 +15,7 @@ static void write_line(FILE *file, const record *r, const line *l) {
                 way_name(l->setting.way), method_name(l->setting.method), tier_name(l->setting.tier),
                 accuracy_tolerances[k], r->rays, r->hits);
         fprintf(file, "%.4g,%.4g,%.4g,%.4g,%.4g,%zu,%zu,", line_ns(l, k, 0.5), line_ns(l, k, 0),
-                line_ns(l, k, 1), v->usual, v->largest, v->wrong, v->uncertain);
+                line_ns(l, k, 1), v->usual, v->largest, v->wrong, v->undecided);
         if (l->settled >= 0) fprintf(file, "%g", accuracy_tolerances[l->settled]);
         fputc('\n', file);
     }
@@ -24,7 +24,7 @@ static void write_line(FILE *file, const record *r, const line *l) {
 static void write_csv(const record *records, int count, const char *folder) {
     FILE *file = results_create(folder, "accuracy.csv");
     fprintf(file, "surface,degree,way,method,tier,tolerance,rays,hits,ns_median,ns_min,ns_max,error_99.9,"
-                  "error_largest,wrong,uncertain,settled\n");
+                  "error_largest,wrong,undecided,settled\n");
     for (const record *r = records; r < records + count; r++)
         for (const line *l = r->line; l < r->line + LINES; l++) write_line(file, r, l);
     results_finish(file, folder, "accuracy.csv");

@@ -40,7 +40,7 @@ static void print_titles(void) {
     for (int i = 0; i < SHOWN; i++) printf("%8s", tolerance_text(text, accuracy_tolerances[shown[i]]));
     printf(" ");
     for (int i = 0; i < SHOWN; i++) printf("%9s", tolerance_text(text, accuracy_tolerances[shown[i]]));
-    printf("%10s%7s%7s%10s%9s\n", "at 0", "spread", "wrong", "uncertain", "settled");
+    printf("%10s%7s%7s%10s%9s\n", "at 0", "spread", "wrong", "undecided", "settled");
 }
 
 /* The most of all tolerances. */
@@ -66,7 +66,7 @@ static void print_line(const line *l) {
     printf(" ");
     for (int i = 0; i < SHOWN; i++) printf("%9.1e", l->verdict[shown[i]].usual);
     printf("%10.1e%6.0f%%%7zu", l->verdict[ALL_DIGITS].largest, 100 * spread(l), most_wrong(l));
-    printf("%10zu%9s\n", l->verdict[ALL_DIGITS].uncertain,
+    printf("%10zu%9s\n", l->verdict[ALL_DIGITS].undecided,
            l->settled < 0 ? "-" : tolerance_text(text, accuracy_tolerances[l->settled]));
 }
 
@@ -153,13 +153,13 @@ static size_t rays_of(const record *records, int count) {
     return rays;
 }
 
-static size_t uncertain_of(const record *records, int count) {
-    size_t uncertain = 0;
+static size_t undecided_of(const record *records, int count) {
+    size_t undecided = 0;
     for (const record *r = records; r < records + count; r++)
-        uncertain += record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_BOUNDED)
+        undecided += record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_BOUNDED)
                          ->verdict[ALL_DIGITS]
-                         .uncertain;
-    return uncertain;
+                         .undecided;
+    return undecided;
 }
 
 /* The least tolerance from which on pictures do not change, over all surfaces. */
@@ -204,10 +204,10 @@ void report_advice(const record *records, int count) {
            "itself;\n    the error of t at 1e-15 is %.1f to %.1f times that at 0.\n",
            step.lo, step.hi);
     printf("  - Certified decides every ray; only what doubles leave open, here %zu of %zu rays, goes to\n"
-           "    integers.  Bounded leaves that uncertain, for hosts that need a bounded time for every ray.\n"
+           "    integers.  Bounded leaves that undecided, for hosts that need a bounded time for every ray.\n"
            "  - Fast proves nothing; wrong here: %zu answers, in all tolerances.  Worth it where no one\n"
            "    relies on an answer and the ratio above counts.\n",
-           uncertain_of(records, count), rays_of(records, count), wrong_of(records, count, 0));
+           undecided_of(records, count), rays_of(records, count), wrong_of(records, count, 0));
     printf("  - Brent and bisection find the same roots, at the ratios above: partly the method's own (the\n"
            "    seed comparison tells which part), mostly that only the default has packet code, which a\n"
            "    single call uses, too.  Regula falsi is for comparison only: wrong %zu times, in all\n"

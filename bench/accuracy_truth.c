@@ -161,12 +161,12 @@ static void find_truth(view *v, const algsurf_ray *ray, const algsurf_ray *chord
     must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, NULL, &hit), name);
     must(algsurf_intersect_first(v->surface, &v->entry->extent, ray, &bounded, &by_doubles), name);
     *known = (truth){.state = hit.state,
-                     .left_open = by_doubles.state == ALGSURF_UNCERTAIN,
+                     .left_open = by_doubles.state == ALGSURF_UNDECIDED,
                      .lo = hit.t_lo,
                      .hi = hit.t_hi,
                      .t = hit.t,
                      .error = INFINITY};
-    v->open += hit.state == ALGSURF_UNCERTAIN;
+    v->open += hit.state == ALGSURF_UNDECIDED;
     if (changes_before(v, chord, known)) cli_fail(CLI_BROKEN, "%s: a root before the first hit", name);
     if (hit.state != ALGSURF_HIT) return;
     prove(v, ray, known);

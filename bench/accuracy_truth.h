@@ -5,7 +5,7 @@
 
 typedef struct truth {
     int state;      /* an algsurf_hit_state: what the certified tier says */
-    int left_open;  /* doubles do not decide this ray: the bounded tier is uncertain */
+    int left_open;  /* doubles do not decide this ray: the bounded tier is undecided */
     double lo, hi;  /* encloses the first root, which no other precedes */
     double t, rest; /* t + rest is the root: |t + rest - exact| <= error, proved here */
     double error;   /* infinite if it could not be proved: the error of t is then not told */
@@ -25,7 +25,7 @@ typedef struct view {
     size_t *pixel;            /* of each, row times width plus column */
     algsurf_ray *ray, *chord; /* the whole ray, and what of it is inside the extent */
     truth *truth;
-    size_t hits, open, unproved; /* hits; uncertain ones; hits with an infinite error */
+    size_t hits, open, unproved; /* hits; undecided ones; hits with an infinite error */
     double worst;                /* the largest finite error */
 } view;
 

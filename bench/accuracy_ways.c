@@ -224,7 +224,7 @@ static int is_near(const view *v, const setting *s, size_t i, double t, double e
 /* Null, or how an answer of a tier that proves contradicts the truth. */
 static const char *breach_of(const answer *a, const truth *known) {
     double error = isinf(known->error) ? 0 : known->error;
-    if (a->state == ALGSURF_UNCERTAIN)
+    if (a->state == ALGSURF_UNDECIDED)
         return known->state == ALGSURF_HIT && a->has_interval && known->hi < a->lo
                    ? "doubt that begins behind the root"
                    : NULL;
@@ -237,7 +237,7 @@ static const char *breach_of(const answer *a, const truth *known) {
 
 /* In a picture of the bounded tier rays that doubles leave open are drawn as hits. */
 static int is_open(const setting *s, const truth *known) {
-    return known->state == ALGSURF_UNCERTAIN ||
+    return known->state == ALGSURF_UNDECIDED ||
            (s->way == WAY_PICTURE && s->tier == ALGSURF_TIER_BOUNDED && known->left_open);
 }
 
@@ -245,9 +245,9 @@ static void judge_ray(ways *w, const setting *s, size_t i, verdict *r) {
     const truth *known = &w->view->truth[i];
     const answer *a = &w->answer[i];
     const char *breach = breach_of(a, known);
-    r->uncertain += a->state == ALGSURF_UNCERTAIN;
+    r->undecided += a->state == ALGSURF_UNDECIDED;
     if (is_open(s, known)) return;
-    int wrong = a->state != ALGSURF_UNCERTAIN && a->state != known->state;
+    int wrong = a->state != ALGSURF_UNDECIDED && a->state != known->state;
     if (a->state == ALGSURF_HIT && known->state == ALGSURF_HIT && !isinf(known->error)) {
         double error = w->error[r->hits++] = fabs((a->t - known->t) - known->rest);
         wrong = !is_near(w->view, s, i, a->t, error);

@@ -32,7 +32,7 @@ double ways_run(ways *w, const setting *s);
 typedef struct verdict {
     size_t hits;             /* of the rays that hit, those judged and told to */
     double usual, largest;   /* |t - exact| of these: 99.9 % do not exceed `usual`; 0 if there are none */
-    size_t wrong, uncertain; /* another state than the truth, or t off by more than is stated; uncertain */
+    size_t wrong, undecided; /* another state than the truth, or t off by more than is stated; undecided */
     size_t first_wrong;      /* the pixel of the first wrong one */
     const char *breach;      /* null, or what of it contradicts a promise of the setting, a static text */
     size_t at;               /* the pixel of the breach */

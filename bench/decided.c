@@ -90,7 +90,7 @@ static int judge(const example *e, size_t i) {
     if (algsurf_intersect_first(e->equation, &e->extent, ray, NULL, &hit) != ALGSURF_OK ||
         algsurf_intersect_first(e->equation, &e->extent, ray, &bounded, &by_doubles) != ALGSURF_OK)
         refuse(e, i, "it is refused");
-    int open = by_doubles.state == ALGSURF_UNCERTAIN;
+    int open = by_doubles.state == ALGSURF_UNDECIDED;
     if (hit.state != ALGSURF_HIT) refuse(e, i, "no hit");
     if (hit.multiplicity != e->multiplicity) refuse(e, i, "a hit of another multiplicity");
     if ((hit.side == 0) != (hit.multiplicity == 0)) refuse(e, i, "a side where there is none, or none");

@@ -48,7 +48,7 @@ static const cli_program program = {
     .name = "extremes",
     .synopsis = "[options]",
     .about = "Asks for first hits at the edges of what doubles can say, checks the answers, then\n"
-             "prints how many were uncertain, how far off, and how long they took.  A wrong answer\n"
+             "prints how many were undecided, how far off, and how long they took.  A wrong answer\n"
              "of any tier but the fast one: one line on standard error, no table, exit status 1.",
     .options = options_table,
     .positional = FIELD(extra),
@@ -61,7 +61,7 @@ static const char legend[] =
     "  rays, hits  asked; those that hit\n"
     "  wrong       of the fast tier: a hit or miss that is none, or t off by more than 1000 units, or by\n"
     "              1e-6 t; the others have none\n"
-    "  uncertain%  share of the rays that the tier leaves open\n"
+    "  undecided%  share of the rays that the tier leaves open\n"
     "  error50%    of t, median; max: the largest.  Unit: u kappa |t|, u = 2^-53, kappa = 1 + S / |t "
     "P'(t)|,\n"
     "              S = sum of |a x^i y^j z^k|: what rounding coefficients and t may do.  Of the hits that\n"
@@ -93,7 +93,7 @@ static void free_answers(answers *a) {
 
 /* What is found out about the rays of one value, scene by scene. */
 typedef struct tally {
-    size_t rays, hits, wrong, uncertain, errors;
+    size_t rays, hits, wrong, undecided, errors;
     double *error;
     double seconds[REPEAT]; /* for all rays, once */
 } tally;
@@ -133,7 +133,7 @@ static void judge_all(const work *w, const truth *known, tally *t) {
         t->rays++;
         t->hits += known[i].state == ALGSURF_HIT;
         t->wrong += v.wrong != NULL;
-        t->uncertain += (size_t)v.uncertain;
+        t->undecided += (size_t)v.undecided;
         if (!v.wrong && !isnan(v.error)) t->error[t->errors++] = v.error;
     }
 }
@@ -159,7 +159,7 @@ static void run_scene(work *w, tally tallies[MANNERS]) {
 /* ---- a sweep ---- */
 
 static finding find(tally *t) {
-    finding f = {t->rays, t->hits, t->wrong, t->uncertain, NAN, NAN, 0, 0, 0};
+    finding f = {t->rays, t->hits, t->wrong, t->undecided, NAN, NAN, 0, 0, 0};
     double unit = 1e9 / (double)t->rays;
     measure_sort(t->seconds, REPEAT);
     f.ns = unit * measure_quantile(t->seconds, REPEAT, 0.5);

@@ -15,7 +15,7 @@ typedef struct scene {
     algsurf_extent extent;
     size_t count;
     double *origin[3], *direction[3], *t_min, *t_max;
-    unsigned char *expected; /* an algsurf_hit_state that is known from how the ray was made; UNCERTAIN: it
+    unsigned char *expected; /* an algsurf_hit_state that is known from how the ray was made; UNDECIDED: it
                                 is not */
 } scene;
 

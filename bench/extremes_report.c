@@ -23,12 +23,12 @@ void report_table(const record *r) {
     char median[16], most[16];
     printf("\n%s\n%s: %s\n\n%8s  %-9s %6s %6s %6s %10s %8s %8s %9s %9s %9s\n", r->sweep->title,
            r->sweep->name, r->sweep->quantity, r->sweep->name, "manner", "rays", "hits", "wrong",
-           "uncertain%", "error50%", "max", "ns50%", "min", "max");
+           "undecided%", "error50%", "max", "ns50%", "min", "max");
     for (int point = 0; point < r->sweep->points; point++)
         for (int m = 0; m < MANNERS; m++) {
             const finding *f = &r->finding[point][m];
             printf("%8.3g  %-9s %6zu %6zu %6zu %10.2f %8s %8s %9.0f %9.0f %9.0f\n", r->sweep->values[point],
-                   manner_names[m], f->rays, f->hits, f->wrong, percent(f->uncertain, f->rays),
+                   manner_names[m], f->rays, f->hits, f->wrong, percent(f->undecided, f->rays),
                    error_text(f->error_median, median), error_text(f->error_max, most), f->ns, f->ns_min,
                    f->ns_max);
         }
@@ -40,13 +40,13 @@ static void write_csv(const record *records, size_t count, const char *folder) {
     static const char name[] = "extremes.csv";
     char median[16], most[16];
     FILE *file = results_create(folder, name);
-    fprintf(file, "sweep,value,manner,rays,hits,wrong,uncertain,error_median,error_max,ns,ns_min,ns_max\n");
+    fprintf(file, "sweep,value,manner,rays,hits,wrong,undecided,error_median,error_max,ns,ns_min,ns_max\n");
     for (const record *r = records; r < records + count; r++)
         for (int point = 0; point < r->sweep->points; point++)
             for (int m = 0; m < MANNERS; m++) {
                 const finding *f = &r->finding[point][m];
                 fprintf(file, "%s,%.3g,%s,%zu,%zu,%zu,%zu,%s,%s,%.1f,%.1f,%.1f\n", r->sweep->name,
-                        r->sweep->values[point], manner_names[m], f->rays, f->hits, f->wrong, f->uncertain,
+                        r->sweep->values[point], manner_names[m], f->rays, f->hits, f->wrong, f->undecided,
                         error_text(f->error_median, median), error_text(f->error_max, most), f->ns, f->ns_min,
                         f->ns_max);
             }
@@ -60,7 +60,7 @@ static void write_csv(const record *records, size_t count, const char *folder) {
 enum { PANELS = 3 };
 
 static double shown(const finding *f, int panel, manner m) {
-    if (panel == 0) return m == MANNER_FAST ? percent(f->wrong, f->rays) : percent(f->uncertain, f->rays);
+    if (panel == 0) return m == MANNER_FAST ? percent(f->wrong, f->rays) : percent(f->undecided, f->rays);
     return panel == 1 ? fmax(f->error_max, LEAST_ERROR) : f->ns;
 }
 

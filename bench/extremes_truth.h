@@ -9,7 +9,7 @@
  * Coefficients that are off by a relative u move the root by u S / |P'(t)|, and rounding t by u |t|.  What
  * rounding the ray would do is not in it: far eyes are no excuse. */
 typedef struct truth {
-    int state;         /* an algsurf_hit_state; UNCERTAIN: not known */
+    int state;         /* an algsurf_hit_state; UNDECIDED: not known */
     double root, rest; /* the first root is their sum; if it is a hit */
     double unit;       /* infinite: the root is not known well enough to tell errors */
 } truth;
@@ -32,7 +32,7 @@ truth scene_truth(const scene *s, size_t i, const answers *certified);
 
 typedef struct verdict {
     const char *wrong; /* what contradicts the truth; null: nothing */
-    int uncertain;
+    int undecided;
     double error; /* of t, in the truth's units; NaN: not told */
 } verdict;
 

@@ -31,7 +31,7 @@ typedef struct studio {
     peers_scene scene;
     uint8_t *pixels;
     double *hits;
-    uint64_t uncertain;   /* pixels of the bounded tier */
+    uint64_t undecided;   /* pixels of the bounded tier */
     char *shows[ARTISTS]; /* 1 where the surface is seen */
 } studio;
 
@@ -49,7 +49,7 @@ static double draw_here(studio *s, artist who) {
         status = algsurf_render(s->scene.scene, &options, s->pixels, 3 * PEERS_WIDTH, s->hits, &stats);
     double seconds = measure_cpu() - begun;
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", s->scene.name, algsurf_status_text(status));
-    if (who == BOUNDED) s->uncertain = stats.uncertain;
+    if (who == BOUNDED) s->undecided = stats.undecided;
     for (int i = 0; i < PIXELS; i++) s->shows[who][i] = (char)(isnan(s->hits[i]) == 0);
     return seconds;
 }
@@ -170,7 +170,7 @@ static void compare(const studio *s, artist who, contest_row *row) {
         row->missed += there && !seen;
         row->extra += seen && !there;
     }
-    if (who == BOUNDED && row->missed + row->extra > s->uncertain)
+    if (who == BOUNDED && row->missed + row->extra > s->undecided)
         cli_fail(CLI_BROKEN, "%s: the bounded and the certified tier contradict each other", s->scene.name);
     row->error = 100 * fabs((double)row->count - (double)truth) / (double)truth;
 }

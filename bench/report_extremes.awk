@@ -8,7 +8,7 @@
     }
     if (how == "fast") { wrong[at] += $(c("wrong")); wrongs += $(c("wrong")) }
     else others += $(c("wrong"))
-    left[how, at] += $(c("uncertain")); lefts[how] += $(c("uncertain"))
+    left[how, at] += $(c("undecided")); lefts[how] += $(c("undecided"))
 }
 END {
     printf "%d sweeps, each towards an edge of what doubles can say, %d rays in all: ", n, all

@@ -28,16 +28,16 @@ typedef struct solver {
 } solver;
 
 /* This library's answers, one by one and in packets. */
-static algsurf_enclosure *box, *packed_box;
+static algsurf_complex_root *box, *packed_box;
 static int *boxes, *packed_boxes;
 
 static void solve_here(const roots_set *on, size_t i) {
     size_t n = (size_t)on->degree, from = i * (n + 1);
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1];
     for (size_t k = 0; on->im && k <= n; k++) c[k] = (algsurf_complex){on->c[from + k], on->im[from + k]};
-    algsurf_status status = on->im
-                                ? algsurf_roots(c, NULL, on->degree, box + i * n, &boxes[i])
-                                : algsurf_roots_real(on->c + from, NULL, on->degree, box + i * n, &boxes[i]);
+    algsurf_status status =
+        on->im ? algsurf_complex_roots(c, NULL, on->degree, box + i * n, &boxes[i])
+               : algsurf_complex_roots_of_real(on->c + from, NULL, on->degree, box + i * n, &boxes[i]);
     if (status != ALGSURF_OK)
         cli_fail(CLI_BROKEN, "%s, polynomial %zu: %s", on->name, i, algsurf_status_text(status));
 }
@@ -48,13 +48,13 @@ static void solve_packet(const roots_set *on, size_t begin, size_t end) {
         re[k] = on->column[k] + begin;
         im[k] = on->im ? on->im_column[k] + begin : NULL;
     }
-    const algsurf_complex_packet packet = {.size = sizeof packet,
-                                           .count = end - begin,
-                                           .degree = on->degree,
-                                           .re = re,
-                                           .im = on->im ? im : NULL};
-    algsurf_status status =
-        algsurf_roots_packet(&packet, NULL, packed_box + begin * (size_t)on->degree, packed_boxes + begin);
+    const algsurf_complex_batch packet = {.size = sizeof packet,
+                                          .count = end - begin,
+                                          .degree = on->degree,
+                                          .re = re,
+                                          .im = on->im ? im : NULL};
+    algsurf_status status = algsurf_complex_roots_batch(
+        &packet, NULL, packed_box + begin * (size_t)on->degree, packed_boxes + begin);
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s, packet: %s", on->name, algsurf_status_text(status));
 }
 
@@ -83,7 +83,7 @@ static double reach(const other_root *root) {
 }
 
 /* The nearest root without a box that reaches this one; -1: none. */
-static int nearest(const algsurf_enclosure *own, const other_root *root, const char *taken, int roots) {
+static int nearest(const algsurf_complex_root *own, const other_root *root, const char *taken, int roots) {
     double least = INFINITY;
     int best = -1;
     for (int k = 0; k < roots; k++) {
@@ -106,7 +106,7 @@ static void compare_packets(const roots_set *on, size_t count) {
 
 static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
     size_t n = (size_t)s->on->degree;
-    const algsurf_enclosure *own = box + i * n;
+    const algsurf_complex_root *own = box + i * n;
     const other_root *root = s->root + i * n;
     char taken[ALGSURF_MAX_DEGREE] = {0};
     int matched = 0;

@@ -31,7 +31,7 @@ static void must(algsurf_status status, const char *what) {
 
 static double refine_here(const double *c, int degree, double lo, double hi, double tolerance) {
     const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
-    algsurf_root root;
+    algsurf_refined_root root;
     must(algsurf_refine_poly(c, degree, lo, hi, &options, &root), "refinement");
     return root.root;
 }
@@ -49,13 +49,13 @@ static void solve_packet(const solver *s, size_t begin, size_t end) {
     const double *column[ALGSURF_MAX_DEGREE + 1];
     unsigned char state[ROOTS_AT_ONCE];
     for (int k = 0; k <= s->on->degree; k++) column[k] = s->on->column[k] + begin;
-    const algsurf_poly_packet packet = {.size = sizeof packet,
-                                        .count = end - begin,
-                                        .degree = s->on->degree,
-                                        .c = column,
-                                        .lo = s->on->lo,
-                                        .hi = s->on->hi};
-    must(algsurf_first_roots(&packet, NULL, state, s->answer + begin), "packet");
+    const algsurf_real_batch packet = {.size = sizeof packet,
+                                       .count = end - begin,
+                                       .degree = s->on->degree,
+                                       .c = column,
+                                       .lo = s->on->lo,
+                                       .hi = s->on->hi};
+    must(algsurf_first_roots_batch(&packet, NULL, state, s->answer + begin), "packet");
     for (size_t i = 0; i < packet.count; i++) /* +inf is none there */
         if (state[i] != ALGSURF_FIRST_ROOT_FOUND) s->answer[begin + i] = NAN;
 }

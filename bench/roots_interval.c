@@ -36,13 +36,13 @@ static void solve_packet(const solver *s, size_t begin, size_t end) {
     const double *column[ALGSURF_MAX_DEGREE + 1];
     size_t n = (size_t)s->on->degree;
     for (size_t k = 0; k <= n; k++) column[k] = s->on->column[k] + begin;
-    const algsurf_poly_packet packet = {.size = sizeof packet,
-                                        .count = end - begin,
-                                        .degree = s->on->degree,
-                                        .c = column,
-                                        .lo = s->on->lo,
-                                        .hi = s->on->hi};
-    algsurf_status status = algsurf_real_roots_packet(&packet, NULL, found, s->count + begin);
+    const algsurf_real_batch packet = {.size = sizeof packet,
+                                       .count = end - begin,
+                                       .degree = s->on->degree,
+                                       .c = column,
+                                       .lo = s->on->lo,
+                                       .hi = s->on->hi};
+    algsurf_status status = algsurf_real_roots_batch(&packet, NULL, found, s->count + begin);
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "packet: %s", algsurf_status_text(status));
     for (size_t i = begin; i < end; i++)
         for (int k = 0; k < s->count[i]; k++)

@@ -55,9 +55,10 @@ static int count_here(const double *c, int degree) {
 }
 
 static int complex_here(const double *c, int degree) {
-    algsurf_enclosure e[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root e[ALGSURF_MAX_DEGREE];
     int count, real = 0;
-    if (degree > ALGSURF_MAX_DEGREE || algsurf_roots_real(c, NULL, degree, e, &count) != ALGSURF_OK)
+    if (degree > ALGSURF_MAX_DEGREE ||
+        algsurf_complex_roots_of_real(c, NULL, degree, e, &count) != ALGSURF_OK)
         return -1;
     for (int i = 0; i < count; i++) real += e[i].real;
     return real;

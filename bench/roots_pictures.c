@@ -89,7 +89,7 @@ static void contend(const catalogue_entry *entry, const roots_effort *effort, co
                            .unit = "ms",
                            .count = m[i].stats.hits,
                            .missed = m[i].stats.single_rays,
-                           .extra = m[i].stats.uncertain,
+                           .extra = m[i].stats.undecided,
                            .error = (double)m[i].stats.iterations / (WIDTH * HEIGHT) / entry->degree};
         contest_tell_time(&row, contestants[i].seconds, (size_t)effort->takes, 1e3);
         contest_add(table, &row);

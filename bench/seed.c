@@ -68,7 +68,7 @@ static void judge(const seed_view *view, int m, seed_cost *cost) {
     const seed_method *method = &seed_methods[m];
     double evaluations = 0;
     for (const seed_ray *ray = view->rays; ray < view->rays + view->count; ray++) {
-        algsurf_root root;
+        algsurf_refined_root root;
         if (!ray->bracketed) continue;
         algsurf_status status =
             seed_solve(method, ray->c, view->entry->degree, ray->lo, ray->hi, TOLERANCE, 0, &root);
@@ -117,7 +117,7 @@ static double pass(const seed_view *view, int m, double tolerance, int with_isol
     for (size_t i = 0; i < view->count; i += stride) {
         const seed_ray *ray = &view->rays[i];
         algsurf_bracket bracket;
-        algsurf_root root;
+        algsurf_refined_root root;
         int found;
         if (with_isolation) (void)algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
         rays += with_isolation || ray->bracketed;

@@ -18,8 +18,8 @@
 static const double TOLERANCE = 1e-6;
 enum { LIMIT = 1000, BRENT = 0, PLAIN = 1, SMALL = 2, AGREE = 3 };
 
-static algsurf_root solve(int row, const seed_ray *ray, int degree) {
-    algsurf_root root;
+static algsurf_refined_root solve(int row, const seed_ray *ray, int degree) {
+    algsurf_refined_root root;
     const seed_method *method = &seed_methods[row == AGREE ? SEED_REGULA_FALSI : SEED_BRENT];
     double small = row == SMALL ? TOLERANCE : 0;
     if (row == PLAIN || row == SMALL)
@@ -38,7 +38,7 @@ static double half_in_pixels(const seed_view *view, const seed_ray *ray) {
 }
 
 /* As an example serves best a ray on which, in the end, half of a long way is left. */
-static void consider(seed_decic *decic, const seed_ray *ray, const algsurf_root *root) {
+static void consider(seed_decic *decic, const seed_ray *ray, const algsurf_refined_root *root) {
     double whole = root->lo > ray->lo ? ray->root - ray->lo : ray->hi - ray->root;
     double left = fabs(root->root - ray->root), merit = fmin(left, whole - left);
     if (decic->slow && merit <= decic->merit) return;
@@ -46,7 +46,7 @@ static void consider(seed_decic *decic, const seed_ray *ray, const algsurf_root 
     decic->merit = merit;
 }
 
-static void count_error(seed_decic *decic, int row, const seed_ray *ray, const algsurf_root *root) {
+static void count_error(seed_decic *decic, int row, const seed_ray *ray, const algsurf_refined_root *root) {
     seed_decic_row *to = &decic->row[row];
     double error = fmax(0, fabs(root->root - ray->root) - ray->radius);
     to->roots++;
@@ -140,7 +140,7 @@ static void solve_all(seed_decic *decic, int row, double *found) {
     const seed_view *view = &decic->view;
     for (size_t i = 0; i < view->count; i++) {
         if (!view->rays[i].bracketed) continue;
-        algsurf_root root = solve(row, &view->rays[i], view->entry->degree);
+        algsurf_refined_root root = solve(row, &view->rays[i], view->entry->degree);
         count_error(decic, row, &view->rays[i], &root);
         found[i] = root.root;
     }

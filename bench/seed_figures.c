@@ -112,7 +112,7 @@ enum { POINTS = 1000, STEP = 10, SHOWN = POINTS / STEP };
 static size_t approach(const seed_ray *ray, int degree, int m, double *evaluations, double *error) {
     size_t count = 0;
     for (int most = 1; most <= POINTS; most += 1 + most / 40) {
-        algsurf_root root;
+        algsurf_refined_root root;
         if (m == SEED_REGULA_FALSI)
             (void)seed_false_position(ray->c, degree, ray->lo, ray->hi, 0, 0, most, &root);
         else
@@ -140,7 +140,7 @@ static void plot_approach(plot *p, const seed_ray *ray, int degree, double (*x)[
 /* Every tenth point of plain false position: the end of the bracket that moves. */
 static void creep(const seed_ray *ray, int degree, double *x, double *y) {
     for (int i = 0; i < SHOWN; i++) {
-        algsurf_root root;
+        algsurf_refined_root root;
         (void)seed_false_position(ray->c, degree, ray->lo, ray->hi, 0, 0, STEP * i + 1, &root);
         x[i] = root.lo != ray->lo ? root.lo : root.hi;
         y[i] = seed_value(ray->c, degree, x[i], NULL);

@@ -47,7 +47,7 @@ static algsurf_ray from_the_middle(const algsurf_ray *chord) {
 }
 
 static void prove_root(seed_ray *ray, int degree, const char *name) {
-    algsurf_root found;
+    algsurf_refined_root found;
     seed_must(seed_solve(&seed_methods[SEED_BISECTION], ray->c, degree, ray->lo, ray->hi, 0, 0, &found),
               name);
     ray->root = found.root;
@@ -60,8 +60,8 @@ static void prove_root(seed_ray *ray, int degree, const char *name) {
     cli_fail(CLI_BROKEN, "%s: no root is proved to be near %.17g", name, ray->root);
 }
 
-/* The bracket that the paper's halving finds, if it is proved to hold the first root and no other: the library
- * splits where it expects to gain most, and false position would not show what it is known for. */
+/* The bracket that the paper's halving finds, if it is proved to hold the first root and no other: the
+ * library splits where it expects to gain most, and false position would not show what it is known for. */
 static void take_half(seed_ray *ray, int degree) {
     double lo, hi;
     int before = 1, inside = 0;
@@ -78,7 +78,7 @@ static void isolate(seed_view *view, seed_ray *ray) {
     algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
     if (status < 0) seed_must(status, view->entry->name);
     view->undecided += status > 0;
-    ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_ROOT_BRACKET;
+    ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED;
     if (!ray->bracketed) return;
     view->bracketed++;
     ray->lo = bracket.lo;

@@ -62,15 +62,15 @@ static int done(const bracket *s) { return s->fa == 0 || s->fb == 0 || 0.5 * fab
 
 static int running(const bracket *s) { return !done(s) && s->iterations < s->most; }
 
-static algsurf_status finish(const bracket *s, algsurf_root *r) {
+static algsurf_status finish(const bracket *s, algsurf_refined_root *r) {
     int first = fabs(s->fa) < fabs(s->fb);
-    *r = (algsurf_root){.root = better(s),
-                        .lo = fmin(s->a, s->b),
-                        .hi = fmax(s->a, s->b),
-                        .value = first ? s->fa : s->fb,
-                        .evaluations = s->evaluations,
-                        .iterations = s->iterations,
-                        .converged = done(s)};
+    *r = (algsurf_refined_root){.root = better(s),
+                                .lo = fmin(s->a, s->b),
+                                .hi = fmax(s->a, s->b),
+                                .value = first ? s->fa : s->fb,
+                                .evaluations = s->evaluations,
+                                .iterations = s->iterations,
+                                .converged = done(s)};
     return r->converged ? ALGSURF_OK : ALGSURF_NOT_CONVERGED;
 }
 
@@ -78,7 +78,7 @@ static algsurf_status finish(const bracket *s, algsurf_root *r) {
 static double chord(const bracket *s, double fa) { return s->b - s->fb * ((s->b - s->a) / (s->fb - fa)); }
 
 algsurf_status seed_false_position(const double *c, int degree, double lo, double hi, double tolerance,
-                                   double small, int most, algsurf_root *result) {
+                                   double small, int most, algsurf_refined_root *result) {
     const algsurf_refine_options options = {
         .size = sizeof options, .tolerance = tolerance, .max_iterations = most};
     bracket s = start(c, degree, lo, hi, &options);
@@ -92,7 +92,7 @@ algsurf_status seed_false_position(const double *c, int degree, double lo, doubl
 }
 
 static algsurf_status illinois(const double *c, int degree, double lo, double hi,
-                               const algsurf_refine_options *options, algsurf_root *result) {
+                               const algsurf_refine_options *options, algsurf_refined_root *result) {
     bracket s = start(c, degree, lo, hi, options);
     double weight = 1; /* of the end that stayed */
     while (running(&s)) {
@@ -115,7 +115,7 @@ static double quadratic(const bracket *s, double d, double fd) {
 
 /* a is the newest point, b the other end; d was an end before. */
 static algsurf_status chandrupatla(const double *c, int degree, double lo, double hi,
-                                   const algsurf_refine_options *options, algsurf_root *result) {
+                                   const algsurf_refine_options *options, algsurf_refined_root *result) {
     bracket s = start(c, degree, lo, hi, options);
     double part = 0.5;
     while (running(&s)) {
@@ -130,7 +130,7 @@ static algsurf_status chandrupatla(const double *c, int degree, double lo, doubl
 }
 
 static algsurf_status itp(const double *c, int degree, double lo, double hi,
-                          const algsurf_refine_options *options, algsurf_root *result) {
+                          const algsurf_refine_options *options, algsurf_refined_root *result) {
     bracket s = start(c, degree, lo, hi, options);
     double least = s.tolerance + 0x1p-51 * fmax(fmax(fabs(lo), fabs(hi)), DBL_MIN);
     double k1 = 0.2 / (hi - lo), reach = least * exp2(fmax(0, ceil(log2((hi - lo) / (2 * least)))) + 1);
@@ -161,7 +161,7 @@ const seed_method seed_methods[SEED_METHODS] = {
     {"ITP", itp, ALGSURF_METHOD_DEFAULT, 0, 0}};
 
 algsurf_status seed_solve(const seed_method *method, const double *c, int degree, double lo, double hi,
-                          double tolerance, int most, algsurf_root *result) {
+                          double tolerance, int most, algsurf_refined_root *result) {
     const algsurf_refine_options options = {
         .size = sizeof options, .method = method->method, .max_iterations = most, .tolerance = tolerance};
     return method->solve(c, degree, lo, hi, &options, result);

@@ -6,7 +6,7 @@
 /* As algsurf_refine_poly, whose arguments a rival takes for granted: a bracket with different signs at its
  * finite ends, and options. */
 typedef algsurf_status seed_solver(const double *c, int degree, double lo, double hi,
-                                   const algsurf_refine_options *options, algsurf_root *result);
+                                   const algsurf_refine_options *options, algsurf_refined_root *result);
 
 typedef struct seed_method {
     const char *name;
@@ -23,12 +23,12 @@ extern const seed_method seed_methods[SEED_METHODS];
 
 /* One of them, with a wanted half width and at most so many iterations. */
 algsurf_status seed_solve(const seed_method *method, const double *c, int degree, double lo, double hi,
-                          double tolerance, int most, algsurf_root *result);
+                          double tolerance, int most, algsurf_refined_root *result);
 
 /* Plain false position that does not stop where it only hardly moves: at the limit of iterations, at
  * |p| <= small, or when the bracket is as narrow as is wanted, which as a rule it never is. */
 algsurf_status seed_false_position(const double *c, int degree, double lo, double hi, double tolerance,
-                                   double small, int most, algsurf_root *result);
+                                   double small, int most, algsurf_refined_root *result);
 
 /* p, and its derivative if slope is not null. */
 double seed_value(const double *c, int degree, double x, double *slope);

@@ -58,13 +58,13 @@ static const cli_program program = {
 
 /* One polynomial at hand, and room for the answers. */
 typedef struct work {
-    algsurf_root_solver *solver;
+    algsurf_complex_solver *solver;
     const polynomial *p;
     const algsurf_complex *start;
     algsurf_status status;
     int complete, count;
     algsurf_cpoly_zero zeros[ALGSURF_MAX_DEGREE];
-    algsurf_enclosure boxes[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root boxes[ALGSURF_MAX_DEGREE];
 } work;
 
 static void solve_paper(void *data) {
@@ -74,8 +74,8 @@ static void solve_paper(void *data) {
 
 static void solve_robust(void *data) {
     work *w = data;
-    w->status =
-        algsurf_root_solver_run(w->solver, w->p->c, NULL, w->p->degree, w->start, w->boxes, &w->count, NULL);
+    w->status = algsurf_complex_solver_run(w->solver, w->p->c, NULL, w->p->degree, w->start, w->boxes,
+                                           &w->count, NULL);
 }
 
 static void read_paper(const work *w, answer *a) {
@@ -89,7 +89,7 @@ static void read_paper(const work *w, answer *a) {
 static void read_robust(const work *w, answer *a) {
     *a = (answer){.complete = 1, .count = w->count};
     for (int i = 0; i < a->count; i++) {
-        const algsurf_enclosure *e = &w->boxes[i];
+        const algsurf_complex_root *e = &w->boxes[i];
         a->root[i] = (answer_root){e->box, e->value, e->multiplicity, e->multiplicity == 1};
     }
 }
@@ -317,14 +317,14 @@ int main(int argc, char **argv) {
     if (o.output) results_folder(o.output);
     polynomial *p = allocate((size_t)o.polys, sizeof *p);
     row *rows = allocate(MAX_FAMILIES * METHODS, sizeof *rows);
-    if (algsurf_root_solver_create(ALGSURF_MAX_DEGREE, &w->solver) != ALGSURF_OK) cli_no_memory();
+    if (algsurf_complex_solver_create(ALGSURF_MAX_DEGREE, &w->solver) != ALGSURF_OK) cli_no_memory();
     measure_random seeds = {(uint64_t)o.seed};
     int count = run_usual(w, &o, &seeds, p, rows);
     if (o.output) count += run_more(w, &o, &seeds, p, rows + count);
     report_table(rows, count, o.seed, o.tsv);
     cli_finish_output();
     if (o.output) report_files(rows, count, o.output);
-    algsurf_root_solver_free(w->solver);
+    algsurf_complex_solver_free(w->solver);
     free(rows);
     free(p);
     free(w);

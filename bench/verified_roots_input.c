@@ -62,11 +62,11 @@ static int by_magnitude(const void *left, const void *right) {
 
 /* Start values for p, on its chord, from the roots of the neighbour on its own, if they are all simple. */
 static void start_near(polynomial *p, chord on, const polynomial *neighbour, chord other) {
-    algsurf_enclosure root[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root root[ALGSURF_MAX_DEGREE];
     int count;
     p->has_near = 0;
     if (neighbour->degree != p->degree ||
-        algsurf_roots(neighbour->c, NULL, neighbour->degree, root, &count) != ALGSURF_OK ||
+        algsurf_complex_roots(neighbour->c, NULL, neighbour->degree, root, &count) != ALGSURF_OK ||
         count != p->degree)
         return;
     double shift = (other.middle - on.middle) / on.half, scale = other.half / on.half;

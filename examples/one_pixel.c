@@ -155,7 +155,7 @@ static void print_iterate(double s, double value, void *data) {
 }
 
 static void show_refinement(centred *p, const double bracket[2]) {
-    algsurf_root root;
+    algsurf_refined_root root;
     printf("\n[refinement]\n     s               t                 p\n");
     check(algsurf_refine_poly_observed(p->c, DEGREE, bracket[0], bracket[1], NULL, print_iterate, p, &root));
     printf("%d evaluations, t = %.12f\n", root.evaluations, p->middle + p->half * root.root);
@@ -294,7 +294,7 @@ static void show_packet(const algsurf_surface *surface, const algsurf_camera *ca
 
 /* ---- complex space ---- */
 
-static void print_roots(const centred *p, const algsurf_enclosure *roots, int count) {
+static void print_roots(const centred *p, const algsurf_complex_root *roots, int count) {
     for (int i = 0; i < count; i++) {
         double re = p->middle + p->half * roots[i].value.re, im = p->half * roots[i].value.im;
         printf("  %.10f %+.10f i   |t| %.6f%s\n", re, im, hypot(re, im),
@@ -305,15 +305,15 @@ static void print_roots(const centred *p, const algsurf_enclosure *roots, int co
 static void show_complex_space(const algsurf_surface *surface, const algsurf_ray *ray, const centred *p) {
     const double degree = 3.14159265358979323846 / 180;
     algsurf_complex_space space = {.size = sizeof space, .sector = {0, 2 * degree}, .imaginary = {2}};
-    algsurf_enclosure roots[DEGREE];
+    algsurf_complex_root roots[DEGREE];
     algsurf_complex c[DEGREE + 1], root;
     algsurf_hit hit;
     int count;
-    check(algsurf_roots_real(p->c, p->r, DEGREE, roots, &count));
+    check(algsurf_complex_roots_of_real(p->c, p->r, DEGREE, roots, &count));
     printf("\n[complex space]\nall roots t\n");
     print_roots(p, roots, count);
     for (int k = 0; k <= DEGREE; k++) c[k] = (algsurf_complex){p->c[k], k == 0 ? 2 : 0};
-    check(algsurf_roots(c, p->r, DEGREE, roots, &count));
+    check(algsurf_complex_roots(c, p->r, DEGREE, roots, &count));
     printf("with 2 i added to p_0\n");
     print_roots(p, roots, count);
     check(algsurf_intersect_complex(surface, &BALL, ray, &space, NULL, NULL, &hit, &root));

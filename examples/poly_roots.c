@@ -1,6 +1,7 @@
 /* poly_roots.c - the smallest program that uses libalgsurf on polynomials: all roots in an interval.
  *
- *     cc -O2 -ffp-contract=off -I../include poly_roots.c $(find ../lib -name "*.c") -lm -pthread -o poly_roots
+ *     cc -O2 -ffp-contract=off -I../include poly_roots.c $(find ../lib -name "*.c") -lm -pthread -o
+ * poly_roots
  */
 #include <stdio.h>
 
@@ -23,8 +24,8 @@ int main(int argc, char **argv) {
         return 1;
     }
     for (int i = 0; i < count; i++) {
-        algsurf_root root = {.root = bracket[i].lo}; /* exact, when the bracket is a point */
-        if (bracket[i].kind == ALGSURF_ROOT_BRACKET)
+        algsurf_refined_root root = {.root = bracket[i].lo}; /* exact, when the bracket is a point */
+        if (bracket[i].kind == ALGSURF_BRACKET_ISOLATED)
             algsurf_refine_poly(c, DEGREE, bracket[i].lo, bracket[i].hi, NULL, &root);
         printf("%.17g\n", root.root);
     }

@@ -96,7 +96,7 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->view.width,
              r->options->view.height, render_quality_name(r->options->quality),
              is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
-             stats->kernel, stats->threads, stats->rays, stats->hits, stats->uncertain, stats->single_rays,
+             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->single_rays,
              stats->shadow_rays, stats->iterations, stats->expand_s, stats->solve_s, stats->point_s,
              stats->shadow_s, stats->shade_s, stats->total_s, algsurf_version());
     output_text(set, path, text);

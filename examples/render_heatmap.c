@@ -15,7 +15,7 @@ static int doubles_decide(const algsurf_surface *surface, const algsurf_extent *
     const algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_BOUNDED};
     algsurf_hit hit;
     return algsurf_intersect_first(surface, extent, ray, &how, &hit) == ALGSURF_OK &&
-           hit.state != ALGSURF_UNCERTAIN;
+           hit.state != ALGSURF_UNDECIDED;
 }
 
 /* Evaluations until the root in a bracket is refined, as a single ray does it. */
@@ -25,7 +25,7 @@ static int evaluations(const chord *on, const algsurf_bracket *bracket,
                                       .method = how->method,
                                       .max_iterations = how->max_iterations,
                                       .tolerance = 0.5 * how->tolerance / on->half};
-    algsurf_root root = {.evaluations = 2}; /* the ends, if that is all */
+    algsurf_refined_root root = {.evaluations = 2}; /* the ends, if that is all */
     (void)algsurf_refine_poly(on->c, on->degree, bracket->lo, bracket->hi, &options, &root);
     return root.evaluations;
 }
@@ -39,7 +39,7 @@ static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent,
     if (!meets) return NO_CHORD;
     if (status != ALGSURF_OK || !doubles_decide(surface, extent, ray)) return LEFT_OPEN;
     status = algsurf_isolate_first_counted(on.c, on.r, on.degree, -1, 1, &bracket, &found, &intervals);
-    if (status == ALGSURF_OK && found && bracket.kind == ALGSURF_ROOT_BRACKET)
+    if (status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED)
         return intervals + evaluations(&on, &bracket, how);
     return intervals;
 }

@@ -83,7 +83,7 @@ typedef struct batch {
     const shortest_powers *powers;
     cli_line *line;
     int lines;
-    algsurf_root_solver *solver;
+    algsurf_complex_solver *solver;
     roots_polynomial polynomial;
     roots_row rows[ROOTS_MAX_FIELDS];
     roots_text answers, complaints;
@@ -168,7 +168,7 @@ static void make_batches(batch *b, int count, int lines, const roots_options *op
         b[i].options = options;
         b[i].powers = powers;
         b[i].line = calloc((size_t)lines, sizeof *b[i].line);
-        if (!b[i].line || algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &b[i].solver) != ALGSURF_OK)
+        if (!b[i].line || algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &b[i].solver) != ALGSURF_OK)
             cli_no_memory();
     }
 }
@@ -177,7 +177,7 @@ static void free_batches(batch *b, int count, int lines) {
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < lines; k++) free(b[i].line[k].text);
         free(b[i].line);
-        algsurf_root_solver_free(b[i].solver);
+        algsurf_complex_solver_free(b[i].solver);
         free(b[i].polynomial.limbs);
         free(b[i].answers.text);
         free(b[i].complaints.text);

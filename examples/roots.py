@@ -19,7 +19,7 @@ except OSError as error:
 lib.algsurf_status_text.restype = ct.c_char_p
 
 
-class Enclosure(ct.Structure):  # algsurf_enclosure in algsurf/allroots.h
+class Enclosure(ct.Structure):  # algsurf_complex_root in algsurf/allroots.h
     _fields_ = [(name, ct.c_double) for name in ("re_lo", "re_hi", "im_lo", "im_hi", "re", "im")]
     _fields_ += [("multiplicity", ct.c_int), ("real", ct.c_int)]
 
@@ -39,7 +39,7 @@ def roots(coefficients):
     """Disjoint boxes, each proved to hold `multiplicity` roots; `real` if its root is proved real."""
     n = len(coefficients)
     found, count = (Enclosure * max(n - 1, 1))(), ct.c_int()
-    status = lib.algsurf_roots_real((ct.c_double * n)(*coefficients), None, n - 1, found, ct.byref(count))
+    status = lib.algsurf_complex_roots_of_real((ct.c_double * n)(*coefficients), None, n - 1, found, ct.byref(count))
     return answer(status, found, count)
 
 

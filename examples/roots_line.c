@@ -146,18 +146,19 @@ static void real_parts(const roots_polynomial *p, double *c) {
     for (int k = 0; k <= p->degree; k++) c[k] = p->c[k].re;
 }
 
-/* Degrees that the simple calls take, which are faster; of them, algsurf_roots_real knows that the numbers
- * which radii hide are real. */
-int roots_all(algsurf_root_solver *solver, const roots_polynomial *p, roots_row *rows, roots_complaint *why) {
-    algsurf_enclosure e[ALGSURF_MAX_POLY_DEGREE];
+/* Degrees that the simple calls take, which are faster; of them, algsurf_complex_roots_of_real knows that the
+ * numbers which radii hide are real. */
+int roots_all(algsurf_complex_solver *solver, const roots_polynomial *p, roots_row *rows,
+              roots_complaint *why) {
+    algsurf_complex_root e[ALGSURF_MAX_POLY_DEGREE];
     double c[ROOTS_MAX_FIELDS];
     int count, simple = p->degree <= ALGSURF_MAX_DEGREE;
     const double *r = p->off ? p->r : NULL;
     real_parts(p, c);
-    algsurf_status status = simple && p->real ? algsurf_roots_real(c, r, p->degree, e, &count)
-                            : simple
-                                ? algsurf_roots(p->c, r, p->degree, e, &count)
-                                : algsurf_root_solver_run(solver, p->c, r, p->degree, NULL, e, &count, NULL);
+    algsurf_status status =
+        simple && p->real ? algsurf_complex_roots_of_real(c, r, p->degree, e, &count)
+        : simple          ? algsurf_complex_roots(p->c, r, p->degree, e, &count)
+                          : algsurf_complex_solver_run(solver, p->c, r, p->degree, NULL, e, &count, NULL);
     if (status < 0) return refused(status, why);
     for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].value, e[i].box, e[i].multiplicity};
     return count;
@@ -173,14 +174,14 @@ static int real_to_tolerance(const roots_polynomial *p, const roots_interval *wh
     const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
     double c[ROOTS_MAX_FIELDS];
     algsurf_bracket b[ROOTS_MAX_FIELDS];
-    algsurf_root root;
+    algsurf_refined_root root;
     int count;
     real_parts(p, c);
     algsurf_status status =
         algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, b, ROOTS_MAX_FIELDS, &count);
     for (int i = 0; status >= 0 && i < count; i++) {
         rows[i] = row_of(b[i].lo, b[i].lo, b[i].lo, b[i].multiplicity);
-        if (b[i].kind == ALGSURF_ROOT_EXACT) continue;
+        if (b[i].kind == ALGSURF_BRACKET_EXACT) continue;
         status = algsurf_refine_poly(c, p->degree, b[i].lo, b[i].hi, &options, &root);
         rows[i] = row_of(root.root, root.lo, root.hi, b[i].multiplicity);
     }

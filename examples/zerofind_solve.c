@@ -25,12 +25,12 @@ static void refine_first(zerofind *z, algsurf_method method, double tolerance) {
     const chord *on = &z->chord;
     algsurf_bracket *b = &z->bracket;
     algsurf_refine_options options = {.size = sizeof options, .method = method};
-    algsurf_root root;
+    algsurf_refined_root root;
     int found = 0;
     algsurf_status status = algsurf_isolate_first(on->c, on->r, on->degree, -1, 1, b, &found);
     double s = chord_s(on, z->hits[0].t);
     z->bracketed =
-        status == ALGSURF_OK && found && b->kind == ALGSURF_ROOT_BRACKET && b->lo <= s && s <= b->hi;
+        status == ALGSURF_OK && found && b->kind == ALGSURF_BRACKET_ISOLATED && b->lo <= s && s <= b->hi;
     if (!z->bracketed || algsurf_refine_poly(on->c, on->degree, b->lo, b->hi, NULL, &root) < ALGSURF_OK)
         return;
     z->root = root.root;

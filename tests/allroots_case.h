@@ -73,7 +73,7 @@ static inline int case_in(algsurf_complex z, algsurf_cinterval box) {
 }
 
 /* What is wrong with the boxes of a polynomial of degree n, whatever its roots; null: nothing. */
-static inline const char *case_boxes_wrong(int n, const algsurf_enclosure *e, int count) {
+static inline const char *case_boxes_wrong(int n, const algsurf_complex_root *e, int count) {
     int sum = 0;
     for (int i = 0; i < count; i++) {
         if (e[i].multiplicity < 1) return "a multiplicity below 1";
@@ -88,7 +88,7 @@ static inline const char *case_boxes_wrong(int n, const algsurf_enclosure *e, in
 }
 
 /* The same, and each box must hold as many of the roots as it says. */
-static inline const char *case_wrong(const allroots_case *p, const algsurf_enclosure *e, int count) {
+static inline const char *case_wrong(const allroots_case *p, const algsurf_complex_root *e, int count) {
     const char *what = case_boxes_wrong(p->n, e, count);
     for (int i = 0; !what && i < count; i++) {
         int inside = 0;
@@ -99,7 +99,7 @@ static inline const char *case_wrong(const allroots_case *p, const algsurf_enclo
 }
 
 /* Boxes for people, with hexadecimal numbers that read back exactly. */
-static inline void case_print(const allroots_case *p, const algsurf_enclosure *e, int count) {
+static inline void case_print(const allroots_case *p, const algsurf_complex_root *e, int count) {
     for (int k = 0; k < p->n; k++) fprintf(stderr, "root %a %+a i\n", p->root[k].re, p->root[k].im);
     for (int k = 0; k <= p->n; k++)
         fprintf(stderr, "c[%d] = %a %+a i, r %a\n", k, p->c[k].re, p->c[k].im, p->r[k]);

@@ -84,7 +84,7 @@ static inline const char *intersect_form(const intersect_case *c, const algsurf_
         return empty ? NULL : "a miss with numbers";
     }
     if ((h->state == ALGSURF_HIT) != (h->reason == ALGSURF_OK)) return "reason";
-    if (h->state == ALGSURF_UNCERTAIN && h->reason < 0) return "reason";
+    if (h->state == ALGSURF_UNDECIDED && h->reason < 0) return "reason";
     if (!(h->t_lo <= h->t && h->t <= h->t_hi)) return "t outside of its interval";
     if (!(c->ray.t_min <= h->t_lo && h->t_hi <= c->ray.t_max)) return "outside of the ray";
     int singular = h->normal[0] == 0 && h->normal[1] == 0 && h->normal[2] == 0;
@@ -143,12 +143,12 @@ static inline const char *intersect_agree(const intersect_answer *a) {
     if (a->count > 0 && a->first.state != a->all[0].state) return "first is not the first of all";
     if (a->count > 0 && !(a->first.t_lo <= a->all[0].t_hi && a->all[0].t_lo <= a->first.t_hi))
         return "first is elsewhere";
-    if (a->first.state == ALGSURF_UNCERTAIN &&
+    if (a->first.state == ALGSURF_UNDECIDED &&
         (a->first.t_lo != a->all[0].t_lo || a->first.t_hi != a->all[0].t_hi))
         return "first is in doubt elsewhere than all";
-    algsurf_hit_state wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
+    algsurf_hit_state wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     /* an odd number of hits that cannot be told apart is a hit for occluded alone */
-    return a->occluded == wanted || (wanted == ALGSURF_UNCERTAIN && a->occluded == ALGSURF_HIT)
+    return a->occluded == wanted || (wanted == ALGSURF_UNDECIDED && a->occluded == ALGSURF_HIT)
                ? NULL
                : "occluded disagrees";
 }

@@ -26,7 +26,7 @@ typedef struct isolate_answer {
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
 } isolate_answer;
 
-static inline int isolate_decided(const algsurf_bracket *b) { return b->kind != ALGSURF_ROOT_UNDECIDED; }
+static inline int isolate_decided(const algsurf_bracket *b) { return b->kind != ALGSURF_BRACKET_UNDECIDED; }
 
 static inline _Noreturn void isolate_fail(const char *what, const double *c, const double *r, int n,
                                           double lo, double hi, const isolate_answer *a) {
@@ -40,7 +40,7 @@ static inline _Noreturn void isolate_fail(const char *what, const double *c, con
 }
 
 static inline int isolate_same_place(const algsurf_bracket *a, const algsurf_bracket *b) {
-    return a->kind == ALGSURF_ROOT_BRACKET && b->kind == ALGSURF_ROOT_BRACKET && a->lo == b->lo &&
+    return a->kind == ALGSURF_BRACKET_ISOLATED && b->kind == ALGSURF_BRACKET_ISOLATED && a->lo == b->lo &&
            a->hi == b->hi;
 }
 
@@ -56,10 +56,10 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
         if (i > 0 && !shares && !(b->lo >= b[-1].hi)) return "out of order";
         if (i > 0 && b[-1].lo == b->hi) return "one point twice";
         if (isolate_decided(b) != (b->status == ALGSURF_OK) || b->status < 0) return "status of an entry";
-        if (b->kind == ALGSURF_ROOT_BRACKET && !(b->lo < b->hi && b->sign * b->sign == 1))
+        if (b->kind == ALGSURF_BRACKET_ISOLATED && !(b->lo < b->hi && b->sign * b->sign == 1))
             return "no bracket";
-        if (b->kind == ALGSURF_ROOT_EXACT && !(b->lo == b->hi)) return "not one point";
-        if (b->kind != ALGSURF_ROOT_BRACKET && b->sign != 0) return "a sign where there is none";
+        if (b->kind == ALGSURF_BRACKET_EXACT && !(b->lo == b->hi)) return "not one point";
+        if (b->kind != ALGSURF_BRACKET_ISOLATED && b->sign != 0) return "a sign where there is none";
         if (b->multiplicity < 1) return "an entry without roots";
         if (reason == ALGSURF_OK) reason = b->status;
         decided += isolate_decided(b);
@@ -80,8 +80,8 @@ static inline const char *isolate_truth(const exact_sturm *s, double lo, double 
     for (int i = 0; i < a->count; i++) {
         const algsurf_bracket *b = a->b + i;
         int inside = exact_count_roots(s, b->lo, b->hi);
-        if (b->kind == ALGSURF_ROOT_BRACKET && inside != 1) return "not one root in a bracket";
-        if (b->kind == ALGSURF_ROOT_EXACT && inside != 1) return "no root at an exact one";
+        if (b->kind == ALGSURF_BRACKET_ISOLATED && inside != 1) return "not one root in a bracket";
+        if (b->kind == ALGSURF_BRACKET_EXACT && inside != 1) return "no root at an exact one";
         if (inside > b->multiplicity) return "more roots than at most";
         int shared = i > 0 && b[-1].hi == b->lo && isfinite(b->lo) && exact_is_root(s, b->lo);
         roots += inside - shared;
@@ -105,7 +105,7 @@ static inline int isolate_sign(const double *c, int n, double x) {
 static inline const char *isolate_signs(const double *c, int n, const isolate_answer *a) {
     for (int i = 0; i < a->count; i++) {
         const algsurf_bracket *b = a->b + i;
-        if (b->kind != ALGSURF_ROOT_BRACKET) continue;
+        if (b->kind != ALGSURF_BRACKET_ISOLATED) continue;
         if (isolate_sign(c, n, b->lo) != b->sign || isolate_sign(c, n, b->hi) != -b->sign)
             return "signs at the ends of a bracket";
     }
@@ -224,10 +224,10 @@ static inline const char *isolate_decisions(const isolate_chains *chains, double
     for (int i = 0, next; !wrong && i < a->count; i = next) {
         for (next = i + 1; next < a->count && isolate_same_place(a->b + i, a->b + next);) next++;
         switch (a->b[i].kind) {
-        case ALGSURF_ROOT_EXACT:
+        case ALGSURF_BRACKET_EXACT:
             wrong = isolate_exact_entry(chains, a->b + i);
             break;
-        case ALGSURF_ROOT_BRACKET:
+        case ALGSURF_BRACKET_ISOLATED:
             wrong = isolate_brackets(chains, a->b + i, next - i);
             break;
         default:
@@ -250,7 +250,7 @@ static inline const char *isolate_entries(const algsurf_real_root *roots, int co
         if (i > 0 && !(t->lo >= t[-1].hi || (t->lo == t[-1].lo && t->hi == t[-1].hi))) return "out of order";
         a->b[i] = (algsurf_bracket){.lo = t->lo,
                                     .hi = t->hi,
-                                    .kind = exact ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET,
+                                    .kind = exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED,
                                     .sign = t->sign,
                                     .multiplicity = t->multiplicity};
     }

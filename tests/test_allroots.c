@@ -24,42 +24,42 @@ enum { LARGE = ALGSURF_MAX_POLY_DEGREE };
 #define BIG DBL_MAX
 #define TINY DBL_TRUE_MIN
 
-static algsurf_root_solver *solver;
-static algsurf_enclosure boxes[LARGE];
+static algsurf_complex_solver *solver;
+static algsurf_complex_root boxes[LARGE];
 static algsurf_complex large[LARGE + 1];
 
 static int setup(void **state) {
     (void)state;
-    return algsurf_root_solver_create(LARGE, &solver) != ALGSURF_OK;
+    return algsurf_complex_solver_create(LARGE, &solver) != ALGSURF_OK;
 }
 
 static int teardown(void **state) {
     (void)state;
-    algsurf_root_solver_free(solver);
-    algsurf_root_solver_free(NULL);
+    algsurf_complex_solver_free(solver);
+    algsurf_complex_solver_free(NULL);
     return 0;
 }
 
 static int solve(const double *c, const double *r, int degree) {
     int count = -1;
-    assert_int_equal(algsurf_roots_real(c, r, degree, boxes, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots_of_real(c, r, degree, boxes, &count), ALGSURF_OK);
     return count;
 }
 
 /* ---- refusals ---- */
 
 static void refused(algsurf_status expected, const algsurf_complex *c, const double *r, int degree) {
-    algsurf_enclosure e[3], before[3];
-    algsurf_root_stats stats = {77, 77};
+    algsurf_complex_root e[3], before[3];
+    algsurf_complex_solver_stats stats = {77, 77};
     int count = 77;
     memset(e, 0x5a, sizeof e), memset(before, 0x5a, sizeof before);
-    assert_int_equal(algsurf_roots(c, r, degree, e, &count), expected);
-    assert_int_equal(algsurf_root_solver_run(solver, c, r, degree, NULL, e, &count, &stats), expected);
+    assert_int_equal(algsurf_complex_roots(c, r, degree, e, &count), expected);
+    assert_int_equal(algsurf_complex_solver_run(solver, c, r, degree, NULL, e, &count, &stats), expected);
     if (c && degree >= 0 && degree <= 2) {
         double real[3];
         int all_real = 1;
         for (int k = 0; k <= degree; k++) real[k] = c[k].re, all_real = all_real && c[k].im == 0;
-        if (all_real) assert_int_equal(algsurf_roots_real(real, r, degree, e, &count), expected);
+        if (all_real) assert_int_equal(algsurf_complex_roots_of_real(real, r, degree, e, &count), expected);
     }
     assert_memory_equal(e, before, sizeof e);
     assert_int_equal(count, 77);
@@ -88,39 +88,41 @@ static void test_refusals(void **state) {
     }
     const double real[3] = {1, 3, 1};
     int count = 77;
-    assert_int_equal(algsurf_roots(good, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots(good, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots(large, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_real(NULL, NULL, 2, boxes, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_real(real, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_real(real, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_real(real, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count),
+    assert_int_equal(algsurf_complex_roots(good, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots(good, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots(large, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_run(NULL, good, NULL, 2, NULL, boxes, &count, NULL),
+    assert_int_equal(algsurf_complex_roots_of_real(NULL, NULL, 2, boxes, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_of_real(real, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_run(solver, good, NULL, 2, NULL, NULL, &count, NULL),
+    assert_int_equal(algsurf_complex_solver_run(NULL, good, NULL, 2, NULL, boxes, &count, NULL),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_run(solver, good, NULL, 2, NULL, boxes, NULL, NULL),
+    assert_int_equal(algsurf_complex_solver_run(solver, good, NULL, 2, NULL, NULL, &count, NULL),
                      ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_run(solver, large, NULL, LARGE + 1, NULL, boxes, &count, NULL),
+    assert_int_equal(algsurf_complex_solver_run(solver, good, NULL, 2, NULL, boxes, NULL, NULL),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_solver_run(solver, large, NULL, LARGE + 1, NULL, boxes, &count, NULL),
                      ALGSURF_E_DEGREE);
     assert_int_equal(count, 77);
 }
 
 static void test_solver_refusals(void **state) {
     (void)state;
-    algsurf_root_solver *untouched = (algsurf_root_solver *)(void *)&solver, *s = untouched;
+    algsurf_complex_solver *untouched = (algsurf_complex_solver *)(void *)&solver, *s = untouched;
     const algsurf_complex cubic[4] = {{1, 0}, {0, 0}, {0, 0}, {1, 0}};
     int count = 77;
-    assert_int_equal(algsurf_root_solver_create(3, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_create(0, &s), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_create(-1, &s), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_root_solver_create(LARGE + 1, &s), ALGSURF_E_DEGREE);
+    assert_int_equal(algsurf_complex_solver_create(3, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_solver_create(0, &s), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_solver_create(-1, &s), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_solver_create(LARGE + 1, &s), ALGSURF_E_DEGREE);
     assert_ptr_equal(s, untouched);
-    assert_int_equal(algsurf_root_solver_create(2, &s), ALGSURF_OK);
-    assert_int_equal(algsurf_root_solver_run(s, cubic, NULL, 3, NULL, boxes, &count, NULL), ALGSURF_E_DEGREE);
+    assert_int_equal(algsurf_complex_solver_create(2, &s), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_solver_run(s, cubic, NULL, 3, NULL, boxes, &count, NULL),
+                     ALGSURF_E_DEGREE);
     assert_int_equal(count, 77);
-    algsurf_root_solver_free(s);
+    algsurf_complex_solver_free(s);
 }
 
 /* ---- small polynomials ---- */
@@ -188,7 +190,7 @@ static void test_radii(void **state) {
     const algsurf_complex two[3] = {{-1, 0}, {0, 0}, {1, 0}}, through[3] = {{0, 0}, {1, 0}, {1, 0}};
     int count = -1;
     /* -1 + 1e-3 i is one of the constants meant: its roots are not real */
-    assert_int_equal(algsurf_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count), ALGSURF_OK);
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(boxes[i].real, 0);
@@ -196,14 +198,15 @@ static void test_radii(void **state) {
     }
     for (int again = 0; again < 3; again++) { /* a constant of 0 that need not be: the same each time */
         memset(boxes, again ? 0x7f : 0, sizeof boxes);
-        assert_int_equal(algsurf_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count),
+                         ALGSURF_OK);
         assert_int_equal(count, 2);
         assert_true(fabs(boxes[1].value.re) < 1e-9 && boxes[1].box.re.hi >= 1e-10);
         assert_true(boxes[1].box.re.hi < 1e-9 && boxes[1].box.re.lo <= -1e-10);
     }
-    /* z^3 - z with an uncertain middle: the exact zero and the others stay apart, or are one box */
-    assert_int_equal(algsurf_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
-                                   (double[]){0, 3, 0, 0}, 3, boxes, &count),
+    /* z^3 - z with an undecided middle: the exact zero and the others stay apart, or are one box */
+    assert_int_equal(algsurf_complex_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
+                                           (double[]){0, 3, 0, 0}, 3, boxes, &count),
                      ALGSURF_OK);
     assert_null(case_boxes_wrong(3, boxes, count));
     refused(ALGSURF_E_RANGE, two, (double[]){0, 0, 1}, 2);
@@ -213,9 +216,9 @@ static void test_radii(void **state) {
 
 /* ---- high degrees, start values, reuse ---- */
 
-static int run(int degree, const algsurf_complex *start, algsurf_root_stats *stats) {
+static int run(int degree, const algsurf_complex *start, algsurf_complex_solver_stats *stats) {
     int count = -1;
-    assert_int_equal(algsurf_root_solver_run(solver, large, NULL, degree, start, boxes, &count, stats),
+    assert_int_equal(algsurf_complex_solver_run(solver, large, NULL, degree, start, boxes, &count, stats),
                      ALGSURF_OK);
     const char *what = case_boxes_wrong(degree, boxes, count);
     if (what) fail_msg("degree %d: %s", degree, what);
@@ -267,13 +270,13 @@ static void test_random_high_degrees(void **state) {
 static void test_start_values(void **state) {
     (void)state;
     enum { N = 10 };
-    algsurf_root_stats cold, warm;
+    algsurf_complex_solver_stats cold, warm;
     algsurf_complex start[N];
     const double odd[] = {NAN, HUGE_VAL, 1e300, 1e155, 1e-155, 1e-300, TINY, 0, 1, -3};
     memset(large, 0, sizeof large);
     for (int k = 0; k <= N; k++) large[k] = (algsurf_complex){k % 3 - 0.5, k % 4 - 1.25};
     assert_int_equal(run(N, NULL, &cold), N);
-    algsurf_enclosure expected[N];
+    algsurf_complex_root expected[N];
     memcpy(expected, boxes, sizeof expected);
     for (int i = 0; i < N; i++) start[i] = boxes[i].value;
     assert_int_equal(run(N, start, &warm), N);
@@ -292,10 +295,10 @@ static void test_reuse_and_environments(void **state) {
     (void)state;
     enum { N = 9 };
     algsurf_complex c[N + 1] = {{0, 0}};
-    algsurf_enclosure first[N], again[N];
+    algsurf_complex_root first[N], again[N];
     int count, count_again;
     for (int k = 0; k <= N; k++) c[k] = (algsurf_complex){1.0 / (k + 1), k == 4 ? 0x1p-1060 : 0.1 * k};
-    assert_int_equal(algsurf_roots(c, NULL, N, first, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots(c, NULL, N, first, &count), ALGSURF_OK);
     for (int i = 0; i < 2 * ENVIRONMENTS; i++) {
         if (i == ENVIRONMENTS) { /* after a large and different problem */
             memset(large, 0, sizeof large), large[0].re = 7, large[100].im = 1;
@@ -304,8 +307,8 @@ static void test_reuse_and_environments(void **state) {
         memset(again, 0, sizeof again);
         environment_set(i % ENVIRONMENTS);
         algsurf_status status =
-            i % 2 ? algsurf_roots(c, NULL, N, again, &count_again)
-                  : algsurf_root_solver_run(solver, c, NULL, N, NULL, again, &count_again, NULL);
+            i % 2 ? algsurf_complex_roots(c, NULL, N, again, &count_again)
+                  : algsurf_complex_solver_run(solver, c, NULL, N, NULL, again, &count_again, NULL);
         assert_true(environment_unset(i % ENVIRONMENTS));
         assert_int_equal(status, ALGSURF_OK);
         assert_int_equal(count, count_again);

@@ -149,7 +149,7 @@ static int roots_in(const factor *f, int unit, algsurf_cinterval box, int *real)
     return count;
 }
 
-static void give_up(const product *t, const algsurf_enclosure *e, int count, const char *what) {
+static void give_up(const product *t, const algsurf_complex_root *e, int count, const char *what) {
     exact_zpoly_print("p", t->p);
     for (int i = 0; i < t->count; i++)
         fprintf(stderr, "(%ld x^2 + %ld x + %ld)^%d ", t->f[i].a, t->f[i].b, t->f[i].c, t->f[i].m);
@@ -160,14 +160,14 @@ static void give_up(const product *t, const algsurf_enclosure *e, int count, con
     fail_msg("%s", what);
 }
 
-static double ulps(const algsurf_enclosure *e) {
+static double ulps(const algsurf_complex_root *e) {
     double size =
         fmax(fmax(fabs(e->box.re.lo), fabs(e->box.re.hi)), fmax(fabs(e->box.im.lo), fabs(e->box.im.hi)));
     double w = fmax(e->box.re.hi - e->box.re.lo, e->box.im.hi - e->box.im.lo);
     return w > 0 ? w / (nextafter(size, HUGE_VAL) - size) : 0;
 }
 
-static int mirrored(const algsurf_enclosure *e, int count) {
+static int mirrored(const algsurf_complex_root *e, int count) {
     for (int i = 0; i < count; i++) {
         int images = 0;
         for (int j = 0; j < count; j++)
@@ -181,7 +181,7 @@ static int mirrored(const algsurf_enclosure *e, int count) {
 }
 
 /* What is wrong; *alone grows by the boxes that hold one root, whatever its multiplicity. */
-static const char *wrong(const product *t, const algsurf_enclosure *e, int count, int *alone) {
+static const char *wrong(const product *t, const algsurf_complex_root *e, int count, int *alone) {
     const char *what = case_boxes_wrong(t->n, e, count);
     if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
     for (int i = 0; i < count && !what; i++) {
@@ -208,18 +208,18 @@ static int distinct(const product *t) {
 
 /* Solves and judges; returns how many roots, each counted once, have no box of their own. */
 static int judge(const product *t) {
-    algsurf_enclosure e[MOST_DEGREE];
+    algsurf_complex_root e[MOST_DEGREE];
     int count = 0, alone = 0, before = blocks;
     algsurf_status status;
     if (t->n <= ALGSURF_MAX_DEGREE) {
-        status = algsurf_roots_real(t->c, NULL, t->n, e, &count);
+        status = algsurf_complex_roots_of_real(t->c, NULL, t->n, e, &count);
     } else {
-        algsurf_root_solver *solver;
+        algsurf_complex_solver *solver;
         algsurf_complex z[MOST_DEGREE + 1];
         for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-        assert_int_equal(algsurf_root_solver_create(t->n, &solver), ALGSURF_OK);
-        status = algsurf_root_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
-        algsurf_root_solver_free(solver);
+        assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+        status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
+        algsurf_complex_solver_free(solver);
     }
     assert_int_equal(blocks, before);
     const char *what = status == ALGSURF_OK ? wrong(t, e, count, &alone) : algsurf_status_text(status);
@@ -369,19 +369,20 @@ static void test_random(void **state) {
 /* Q^m R with factors of any degree: every box must lie over that of one root of one factor, which says how
  * often it counts. */
 static void judge_powers(product *t, const long *q, int dq, int m, const long *r, int dr) {
-    algsurf_enclosure e[MOST_DEGREE], of_q[MOST_DEGREE], of_r[MOST_DEGREE];
+    algsurf_complex_root e[MOST_DEGREE], of_q[MOST_DEGREE], of_r[MOST_DEGREE];
     algsurf_complex z[MOST_DEGREE + 1];
-    algsurf_root_solver *solver;
+    algsurf_complex_solver *solver;
     int count, in_q, in_r = 0;
-    assert_int_equal(algsurf_root_solver_create(MOST_DEGREE, &solver), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_solver_create(MOST_DEGREE, &solver), ALGSURF_OK);
     for (int k = 0; k <= dq; k++) z[k] = (algsurf_complex){(double)q[k], 0};
-    assert_int_equal(algsurf_root_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL), ALGSURF_OK);
     for (int k = 0; k <= dr; k++) z[k] = (algsurf_complex){(double)r[k], 0};
     if (dr)
-        assert_int_equal(algsurf_root_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL),
+                         ALGSURF_OK);
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_root_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL), ALGSURF_OK);
-    algsurf_root_solver_free(solver);
+    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL), ALGSURF_OK);
+    algsurf_complex_solver_free(solver);
     const char *what = case_boxes_wrong(t->n, e, count);
     if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
     if (count != in_q + in_r || in_q != dq || in_r != dr) what = "a root without a box of its own";
@@ -450,7 +451,7 @@ static void test_high(void **state) {
 static void test_clusters_stay(void **state) {
     (void)state;
     product *t = open_product();
-    algsurf_enclosure e[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root e[ALGSURF_MAX_DEGREE];
     algsurf_complex z[5];
     double r[5] = {0};
     int count;
@@ -458,13 +459,13 @@ static void test_clusters_stay(void **state) {
     join_factor(t, 0, 1, -1, 4);
     assert_true(finish(t, 0));
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_roots(z, r, 4, e, &count), ALGSURF_OK); /* radii of 0 are exact */
+    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK); /* radii of 0 are exact */
     assert_true(count == 1 && e[0].multiplicity == 4 && e[0].real && ulps(e) <= 2);
     r[2] = 0x1p-40;
-    assert_int_equal(algsurf_roots(z, r, 4, e, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK);
     assert_true(count == 1 && e[0].multiplicity == 4 && !e[0].real && ulps(e) > 1e6);
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], t->c[k]};
-    assert_int_equal(algsurf_roots(z, NULL, 4, e, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots(z, NULL, 4, e, &count), ALGSURF_OK);
     assert_true(count == 1 && e[0].multiplicity == 4 && ulps(e) > 1e6);
     close_product(t);
 }
@@ -474,18 +475,18 @@ static void test_without_memory(void **state) {
     (void)state;
     product *t = open_product();
     const long q[11] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
-    algsurf_enclosure e[MOST_DEGREE];
+    algsurf_complex_root e[MOST_DEGREE];
     algsurf_complex z[MOST_DEGREE + 1];
-    algsurf_root_solver *solver;
+    algsurf_complex_solver *solver;
     double widest[2] = {0, 0};
     times(t, q, 10, 20);
     assert_true(finish(t, 0));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_root_solver_create(t->n, &solver), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
     for (int fails = 0; fails < 2; fails++) {
         int count, before = blocks;
         malloc_fails = fails;
-        algsurf_status status = algsurf_root_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
+        algsurf_status status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         malloc_fails = 0;
         assert_int_equal(status, ALGSURF_OK);
         assert_int_equal(blocks, before);
@@ -495,7 +496,7 @@ static void test_without_memory(void **state) {
         for (int i = 0; i < count; i++) widest[fails] = fmax(widest[fails], ulps(e + i));
     }
     assert_true(widest[0] <= 4 && widest[1] > 1e6);
-    algsurf_root_solver_free(solver);
+    algsurf_complex_solver_free(solver);
     close_product(t);
 }
 

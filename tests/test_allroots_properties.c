@@ -1,4 +1,4 @@
-/* test_allroots_properties.c - algsurf_roots on random polynomials whose roots are known exactly.
+/* test_allroots_properties.c - algsurf_complex_roots on random polynomials whose roots are known exactly.
  *
  * Products of linear factors with roots in doubles, multiplied out in rational arithmetic: simple roots,
  * multiplicities to 8, clusters 1e-1 .. 1e-12 wide, conjugate pairs, magnitudes far apart; solved as they
@@ -46,7 +46,7 @@ static allroots_case random_case(int most, int bits, int real) {
 }
 
 static void verdict(const allroots_case *p, const char *what, algsurf_status status,
-                    const algsurf_enclosure *e, int count) {
+                    const algsurf_complex_root *e, int count) {
     if (status == ALGSURF_OK) {
         const char *wrong = case_wrong(p, e, count);
         if (!wrong) return;
@@ -57,7 +57,7 @@ static void verdict(const allroots_case *p, const char *what, algsurf_status sta
     fail_msg("%s: %s (seed %llu)", what, algsurf_status_text(status), (unsigned long long)seed);
 }
 
-static int conjugate_boxes(const algsurf_enclosure *e, int count) {
+static int conjugate_boxes(const algsurf_complex_root *e, int count) {
     for (int i = 0; i < count; i++) {
         int mirrored = 0;
         for (int j = 0; j < count; j++)
@@ -75,9 +75,9 @@ static void test_exact_products(void **state) {
         allroots_case p = random_case(12, 1 + exact_random_int(&seed, 10), round % 2);
         case_expand(&p, dyadic(3) + 0.0625);
         if (!p.exact) continue;
-        algsurf_enclosure e[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        algsurf_status status = algsurf_roots(p.c, NULL, p.n, e, &count);
+        algsurf_status status = algsurf_complex_roots(p.c, NULL, p.n, e, &count);
         verdict(&p, "exact product", status, e, count);
         int real = 1;
         for (int k = 0; k <= p.n; k++) real = real && p.c[k].im == 0;
@@ -104,9 +104,9 @@ static void test_rounded_products(void **state) {
     for (int round = 0; round < 1500; round++) {
         allroots_case p = random_case(20, 20, 0);
         case_expand(&p, 1.0);
-        algsurf_enclosure e[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        algsurf_status status = algsurf_complex_roots(p.c, p.r, p.n, e, &count);
         verdict(&p, "rounded product", status, e, count);
         boxes += count, roots += p.n;
     }
@@ -128,9 +128,9 @@ static void test_members(void **state) {
             p.c[k].im += di;
             p.r[k] += hypot(dr, di) + slack;
         }
-        algsurf_enclosure e[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        algsurf_status status = algsurf_complex_roots(p.c, p.r, p.n, e, &count);
         verdict(&p, "member of a wide polynomial", status, e, count);
         boxes += count > 1;
     }
@@ -153,9 +153,9 @@ static void test_far_apart(void **state) {
             in_range =
                 in_range && hypot(p.c[k].re, p.c[k].im) > 0x1p-1000 && hypot(p.c[k].re, p.c[k].im) < 0x1p1000;
         if (!in_range) continue;
-        algsurf_enclosure e[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        algsurf_status status = algsurf_roots(p.c, p.r, p.n, e, &count);
+        algsurf_status status = algsurf_complex_roots(p.c, p.r, p.n, e, &count);
         verdict(&p, "roots far apart", status, e, count);
         alone += count, roots += p.n;
     }
@@ -163,7 +163,7 @@ static void test_far_apart(void **state) {
 }
 
 /* The product of (X - box), times the leading coefficient, encloses the coefficients. */
-static void check_reconstruction(const allroots_case *p, const algsurf_enclosure *e, int count) {
+static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
     algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
     int n = 0;
     q[0] = algsurf_cinterval_point(p->c[p->n]);
@@ -189,9 +189,9 @@ static void test_reconstruction(void **state) {
         for (int k = 0; k <= p.n; k++)
             p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
                                        round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
-        algsurf_enclosure e[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        assert_int_equal(algsurf_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
         assert_null(case_boxes_wrong(p.n, e, count));
         check_reconstruction(&p, e, count);
     }
@@ -210,10 +210,10 @@ static void test_scaling(void **state) {
             q.c[k].re = ldexp(p.c[k].re, value - k * variable);
             q.c[k].im = ldexp(p.c[k].im, value - k * variable);
         }
-        algsurf_enclosure e[CASE_MAX], f[CASE_MAX];
+        algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
         int count = 0, count_scaled = 0;
-        assert_int_equal(algsurf_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
-        assert_int_equal(algsurf_roots(q.c, NULL, p.n, f, &count_scaled), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled), ALGSURF_OK);
         assert_int_equal(count, count_scaled);
         for (int i = 0; i < count; i++) {
             const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
@@ -229,7 +229,7 @@ static void test_scaling(void **state) {
 
 /* Pellet: if |c_k| R^k is larger than all other terms together, k roots are below R in magnitude.  Boxes that
  * are certainly below, or beyond, may not hold more roots than that. */
-static void judge_circles(const double *c, int n, const algsurf_enclosure *e, int count, int *circles) {
+static void judge_circles(const double *c, int n, const algsurf_complex_root *e, int count, int *circles) {
     for (int k = 0; k <= n; k++) {
         int least = -1000, most = 1000, below = 0, beyond = 0;
         for (int j = 0; j <= n;
@@ -261,12 +261,12 @@ static void test_spread(void **state) {
         int n = round % 3 ? ALGSURF_MAX_DEGREE : 2 + exact_random_int(&seed, 30), count;
         int range = 700 + 100 * exact_random_int(&seed, 4), extreme = round % 2;
         double c[ALGSURF_MAX_DEGREE + 1];
-        algsurf_enclosure e[ALGSURF_MAX_DEGREE];
+        algsurf_complex_root e[ALGSURF_MAX_DEGREE];
         for (int k = 0; k <= n; k++) {
             int end = exact_random_int(&seed, 2) ? range : -range;
             c[k] = exact_random_wide(&seed, extreme ? end : -range, extreme ? end : range);
         }
-        assert_int_equal(algsurf_roots_real(c, NULL, n, e, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, n, e, &count), ALGSURF_OK);
         const char *what = case_boxes_wrong(n, e, count);
         if (what) fail_msg("%s, degree %d", what, n);
         judge_circles(c, n, e, count, &circles);
@@ -285,7 +285,7 @@ static void test_zero_ends(void **state) {
     int ends = 0;
     for (int round = 0; round < 4000; round++) {
         algsurf_complex c[8];
-        algsurf_enclosure e[8];
+        algsurf_complex_root e[8];
         int n = 1 + exact_random_int(&seed, 7), count;
         for (int k = 0; k <= n; k++) {
             c[k] = (algsurf_complex){exact_random_int(&seed, 7) - 3, exact_random_int(&seed, 7) - 3};
@@ -301,7 +301,7 @@ static void test_zero_ends(void **state) {
                     negative_zero(zero[i].box.im.lo) || negative_zero(zero[i].box.im.hi) ||
                     negative_zero(zero[i].value.re) || negative_zero(zero[i].value.im))
                     fail_msg("-0 in a box of algsurf_cpoly_zeros");
-        if (algsurf_roots(c, NULL, n, e, &count) != ALGSURF_OK) continue;
+        if (algsurf_complex_roots(c, NULL, n, e, &count) != ALGSURF_OK) continue;
         for (int i = 0; i < count; i++) {
             algsurf_interval re = e[i].box.re, im = e[i].box.im;
             ends += re.lo == 0 || re.hi == 0 || im.lo == 0 || im.hi == 0;

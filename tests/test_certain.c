@@ -24,7 +24,7 @@ enum { MOST = 128 };
 static int refined; /* brackets */
 
 static _Noreturn void give_up(const char *what, const double *c, int n, const algsurf_bracket *b,
-                              const algsurf_root *r) {
+                              const algsurf_refined_root *r) {
     exact_print_doubles("c", c, n + 1);
     fail_msg("%s: [%a,%a] -> %a in [%a,%a], value %g after %d", what, b->lo, b->hi, r->root, r->lo, r->hi,
              r->value, r->evaluations);
@@ -39,7 +39,7 @@ static int sign_at(const double *c, int n, double x) {
 }
 
 static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
-    algsurf_root r;
+    algsurf_refined_root r;
     memset(&r, 0, sizeof r);
     algsurf_status status = algsurf_refine_poly(c, n, b->lo, b->hi, NULL, &r);
     if (status != ALGSURF_OK) give_up(algsurf_status_text(status), c, n, b, &r);
@@ -58,7 +58,7 @@ static int check_on(const double *c, int n, double lo, double hi) {
     int count;
     assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, MOST, &count), ALGSURF_OK);
     for (int i = 0; i < count; i++)
-        if (b[i].kind == ALGSURF_ROOT_BRACKET) check_bracket(c, n, b + i);
+        if (b[i].kind == ALGSURF_BRACKET_ISOLATED) check_bracket(c, n, b + i);
     return count;
 }
 
@@ -124,7 +124,7 @@ static void test_underflow(void **state) {
         for (int e = -300; e <= 300; e += 75) {
             double c[MOST + 1] = {0}, a = ldexp(k % 2 ? 1 : 1.7, e);
             const algsurf_bracket b = {.lo = 0x1p-1074, .hi = 1.1 * a};
-            algsurf_root r;
+            algsurf_refined_root r;
             c[k] = -a, c[k + 1] = 1;
             check(c, k + 1, 1.1 * a);
             assert_int_equal(algsurf_refine_poly(c, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
@@ -176,7 +176,7 @@ static void test_multiple_roots(void **state) {
     (void)state;
     for (int m = 3; m <= 11; m += 2) {
         double c[MOST + 1] = {1};
-        algsurf_root r;
+        algsurf_refined_root r;
         for (int k = 0; k < m; k++) times_root(c, k, 1);
         assert_int_equal(algsurf_refine_poly(c, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
         assert_true(r.root == 1 && r.value == 0 && r.evaluations < 16);
@@ -190,7 +190,7 @@ static void test_neighbours(void **state) {
     static const double third_squared[] = {1, -6, 9}, none[] = {1, 0, 1}, beyond[] = {-0x1p1000, 0x1p-100};
     double third = 1.0 / 3, above = nextafter(third, 1);
     const algsurf_bracket good = {.lo = third, .hi = above}, far = {.lo = DBL_MAX, .hi = INFINITY};
-    algsurf_root r;
+    algsurf_refined_root r;
     check_bracket(third_squared, 2, &good);
     check_bracket(beyond, 1, &far);
     assert_int_equal(algsurf_refine_poly(beyond, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);

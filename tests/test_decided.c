@@ -589,8 +589,8 @@ static void test_limit_of_memory(void **state) {
     assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_E_NO_MEMORY);
     assert_int_equal(algsurf_occluded_packet(c.surface, &box, &rays, &options, any), ALGSURF_E_NO_MEMORY);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(states[i], i == 1 ? ALGSURF_UNCERTAIN : ALGSURF_MISS);
-        assert_int_equal(any[i], i == 1 ? ALGSURF_UNCERTAIN : ALGSURF_MISS);
+        assert_int_equal(states[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
+        assert_int_equal(any[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
     }
     options.max_memory = (size_t)1 << 24;
     assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_OK);

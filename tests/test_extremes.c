@@ -188,7 +188,7 @@ static exact_truth find_exact(const scene *s, size_t i) {
 /* ---- judgement ---- */
 
 typedef struct tally {
-    int asked, judged, hits, wrong, unmeasured, uncertain[MANNERS];
+    int asked, judged, hits, wrong, unmeasured, undecided[MANNERS];
 } tally;
 
 typedef struct stage {
@@ -219,7 +219,7 @@ static void judge_answer(const stage *at, size_t i, const exact_truth *exact, ma
                          tally *t) {
     const answers *a = &at->answers[m];
     verdict v = judge(&exact->first, m, a, i);
-    t->uncertain[m] += v.uncertain;
+    t->undecided[m] += v.undecided;
     if (m == MANNER_FAST) {
         t->wrong += v.wrong != NULL;
         return;
@@ -235,9 +235,9 @@ static void judge_answer(const stage *at, size_t i, const exact_truth *exact, ma
 static void judge_belief(const stage *at, size_t i, const exact_truth *exact, tally *t) {
     truth believed = scene_truth(&at->scene, i, &at->answers[MANNER_CERTIFIED]);
     const truth *first = &exact->first;
-    if (at->scene.expected[i] != ALGSURF_UNCERTAIN && at->scene.expected[i] != first->state)
+    if (at->scene.expected[i] != ALGSURF_UNDECIDED && at->scene.expected[i] != first->state)
         refuse(at, i, "scene", "not what was expected", first->root);
-    if (believed.state == ALGSURF_UNCERTAIN) return;
+    if (believed.state == ALGSURF_UNDECIDED) return;
     if (believed.state != first->state) refuse(at, i, "benchmark", "believes another state", first->root);
     if (believed.state != ALGSURF_HIT || at->answers[MANNER_CERTIFIED].state[i] != ALGSURF_HIT) return;
     double off = fabs((believed.root - first->root) + (believed.rest - first->rest)) / first->unit;
@@ -258,7 +258,7 @@ static void judge_scene(stage *at, int most_error, tally *t) {
 
 /* ---- the sweeps ---- */
 
-/* Percent that may be uncertain in the bounded tier, that must hit, and that may be wrong in the fast tier;
+/* Percent that may be undecided in the bounded tier, that must hit, and that may be wrong in the fast tier;
  * units of error. */
 typedef struct limits {
     int bounded, hits, fast, error;
@@ -281,12 +281,12 @@ static void judge_sweep(int which, limits most) {
     for (int m = 0; m < MANNERS; m++)
         free(at.answers[m].state), free(at.answers[m].t), free(at.answers[m].t_lo), free(at.answers[m].t_hi);
     printf(
-        "%s: %d rays, %d judged, %d hits, fast: %d wrong, uncertain: %d bounded, %d certified, %d packet\n",
-        at.sweep->name, t.asked, t.judged, t.hits, t.wrong, t.uncertain[MANNER_BOUNDED],
-        t.uncertain[MANNER_CERTIFIED], t.uncertain[MANNER_PACKET]);
+        "%s: %d rays, %d judged, %d hits, fast: %d wrong, undecided: %d bounded, %d certified, %d packet\n",
+        at.sweep->name, t.asked, t.judged, t.hits, t.wrong, t.undecided[MANNER_BOUNDED],
+        t.undecided[MANNER_CERTIFIED], t.undecided[MANNER_PACKET]);
     if (t.judged * 100 < t.asked * 98 || t.hits * 100 < t.asked * most.hits || t.unmeasured * 100 > t.asked ||
-        t.wrong * 100 > t.asked * most.fast || t.uncertain[MANNER_BOUNDED] * 100 > t.asked * most.bounded ||
-        t.uncertain[MANNER_PACKET] > 0 || t.uncertain[MANNER_CERTIFIED] > 0)
+        t.wrong * 100 > t.asked * most.fast || t.undecided[MANNER_BOUNDED] * 100 > t.asked * most.bounded ||
+        t.undecided[MANNER_PACKET] > 0 || t.undecided[MANNER_CERTIFIED] > 0)
         fail_msg("%s, seed %d: too many, or too few", at.sweep->name, seed);
 }
 

@@ -103,16 +103,16 @@ static void judge(const char *family, const poly *p, const poly *const *factor, 
  * axis real, across whose boxes p changes its sign. */
 static void judge_complex(const char *family, const poly *p, int real) {
     static algsurf_complex c[MOST + 1];
-    static algsurf_enclosure e[MOST];
-    algsurf_root_solver *solver;
+    static algsurf_complex_root e[MOST];
+    algsurf_complex_solver *solver;
     int count, sum = 0, found = 0, clusters = 0;
     for (int k = 0; k <= p->degree; k++) {
         c[k] = (algsurf_complex){mpz_get_d(p->c[k]), 0};
         if (mpz_cmp_d(p->c[k], c[k].re) != 0) return;
     }
-    assert_int_equal(algsurf_root_solver_create(p->degree, &solver), ALGSURF_OK);
-    algsurf_status status = algsurf_root_solver_run(solver, c, NULL, p->degree, NULL, e, &count, NULL);
-    algsurf_root_solver_free(solver);
+    assert_int_equal(algsurf_complex_solver_create(p->degree, &solver), ALGSURF_OK);
+    algsurf_status status = algsurf_complex_solver_run(solver, c, NULL, p->degree, NULL, e, &count, NULL);
+    algsurf_complex_solver_free(solver);
     if (status != ALGSURF_OK) fail_msg("%s, degree %d: status %d", family, p->degree, status);
     for (int i = 0; i < count; i++) {
         sum += e[i].multiplicity;

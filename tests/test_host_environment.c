@@ -2,7 +2,7 @@
  * cameras, scenes, pictures, rays and roots made in it are those of the usual one, bit for bit, and the
  * host's control bits and exception flags come back as they were.
  *
- * What test_intersect_options, test_intersect_packet, test_packet, test_expand, test_isolate_radii and
+ * What test_intersect_options, test_intersect_packet, test_batch, test_expand, test_isolate_radii and
  * test_allroots say of single calls is not repeated.  Breaks tried, each caught by the tests:
  *   the environment, or the flags alone, left to the host in algsurf_render, algsurf_scene_create (flags),
  *   algsurf_camera_pinhole, algsurf_surface_from_equation, algsurf_intersect_complex, algsurf_select
@@ -73,7 +73,7 @@ typedef struct answers {
     algsurf_hit first, complex;
     unsigned char state[RAYS];
     double packet_t[RAYS], packet_lo[RAYS], packet_hi[RAYS];
-    algsurf_enclosure roots[DEGREE];
+    algsurf_complex_root roots[DEGREE];
     int root_count;
     algsurf_status sector_status[2];
     int holds[2], index[2];
@@ -153,7 +153,7 @@ static void solve(answers *a) {
     ok(a, 12, algsurf_intersect_first(surface, NULL, &ray, NULL, &a->first));
     ok(a, 13, algsurf_intersect_packet(surface, NULL, &rays, NULL, &hits));
     ok(a, 14, algsurf_intersect_complex(surface, NULL, &ray, &space, NULL, NULL, &a->complex, NULL));
-    ok(a, 15, algsurf_roots_real(c, NULL, DEGREE, a->roots, &a->root_count));
+    ok(a, 15, algsurf_complex_roots_of_real(c, NULL, DEGREE, a->roots, &a->root_count));
     algsurf_surface_free(surface);
 }
 
@@ -161,8 +161,8 @@ static void solve(answers *a) {
  */
 static void choose(answers *a) {
     const algsurf_sector sectors[2] = {{1e-20, 0x1.921fb54442d19p+1}, {1e-310, 0.3}};
-    const algsurf_enclosure roots[2] = {{{{1, 1}, {0, 0}}, {1, 0}, 1, 1},
-                                        {{{2, 2}, {1e-310, 1}}, {2, 0}, 1, 0}};
+    const algsurf_complex_root roots[2] = {{{{1, 1}, {0, 0}}, {1, 0}, 1, 1},
+                                           {{{2, 2}, {1e-310, 1}}, {2, 0}, 1, 0}};
     for (int i = 0; i < 2; i++) {
         a->sector_status[i] = algsurf_sector_holds(sectors + i, roots, a->holds + i);
         ok(a, 16, algsurf_select(roots, 2, sectors + i, 0, 10, a->selected + i, a->index + i));

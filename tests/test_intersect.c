@@ -351,7 +351,7 @@ static void test_chmutov(void **state) {
     (void)state;
     const double t16[] = {1, -128, 2688, -21504, 84480, -180224, 212992, -131072, 32768};
     algsurf_term terms[28];
-    int count = 0, hits = 0, uncertain = 0;
+    int count = 0, hits = 0, undecided = 0;
     for (int k = 0; k <= 8; k++) {
         terms[count++] = (algsurf_term){2 * k, 0, 0, t16[k]};
         terms[count++] = (algsurf_term){0, 2 * k, 0, t16[k]};
@@ -366,10 +366,10 @@ static void test_chmutov(void **state) {
         set_ray(x, y, -4, 0.125 * y, 0.0625 * x, 1, 2.5, 5.5);
         intersect_judge(&c, NULL, &answer);
         for (int k = 0; k < answer.count; k++) {
-            hits += answer.all[k].state == ALGSURF_HIT, uncertain += answer.all[k].state != ALGSURF_HIT;
+            hits += answer.all[k].state == ALGSURF_HIT, undecided += answer.all[k].state != ALGSURF_HIT;
         }
     }
-    assert_true(hits > 500 && uncertain == 0);
+    assert_true(hits > 500 && undecided == 0);
     done();
 }
 

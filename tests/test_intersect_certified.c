@@ -50,7 +50,7 @@ static void hairs_apart(void **state) {
         for (int i = 0; i < ROUNDS; i++, rays++) {
             ray_in_plane(&seed, i % 2 ? 20 : 52);
             intersect_judge(&c, &bounded, &answer);
-            doubtful += answer.first.state == ALGSURF_UNCERTAIN;
+            doubtful += answer.first.state == ALGSURF_UNDECIDED;
             intersect_judge(&c, NULL, &answer);
         }
         algsurf_surface_free(c.surface);
@@ -169,7 +169,7 @@ static void what_becomes_of_doubt(void **state) {
     static const struct {
         algsurf_doubt doubt;
         int state;
-    } cases[] = {{ALGSURF_DOUBT_REPORT, ALGSURF_UNCERTAIN},
+    } cases[] = {{ALGSURF_DOUBT_REPORT, ALGSURF_UNDECIDED},
                  {ALGSURF_DOUBT_HIT, ALGSURF_HIT},
                  {ALGSURF_DOUBT_MISS, ALGSURF_MISS}};
     (void)state;

@@ -60,7 +60,7 @@ static void test_real_space(void **state) {
             algsurf_ray ray = ray_towards(eye, target);
             algsurf_hit real, complex = hit_of(s, &ray, &space);
             assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
-            if (complex.state == ALGSURF_UNCERTAIN || real.state == ALGSURF_UNCERTAIN) continue;
+            if (complex.state == ALGSURF_UNDECIDED || real.state == ALGSURF_UNDECIDED) continue;
             assert_int_equal(complex.state, real.state);
             if (real.state != ALGSURF_HIT) continue;
             hits++;
@@ -104,7 +104,7 @@ static void test_complex_sphere(void **state) {
         space.imaginary[0] = m;
         algsurf_hit hit = hit_of(s, &ray, &space);
         double expected = sphere_magnitude(&ray, m, delta);
-        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        if (hit.state == ALGSURF_UNDECIDED) continue;
         assert_int_equal(hit.state, isinf(expected) ? ALGSURF_MISS : ALGSURF_HIT);
         if (hit.state == ALGSURF_HIT) {
             assert_true(fabs(hit.t - expected) < 1e-12);
@@ -198,9 +198,9 @@ static void test_far_eye(void **state) {
     algsurf_surface_free(s);
 }
 
-/* A ray in the surface, one beyond the range of double, one that touches: uncertain, and why; without a root
+/* A ray in the surface, one beyond the range of double, one that touches: undecided, and why; without a root
  * to show there is none in root, and the hit is where the ray begins. */
-static void test_uncertain(void **state) {
+static void test_undecided(void **state) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -220,7 +220,7 @@ static void test_uncertain(void **state) {
         algsurf_hit hit;
         assert_int_equal(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root),
                          ALGSURF_OK);
-        assert_int_equal(hit.state, ALGSURF_UNCERTAIN);
+        assert_int_equal(hit.state, ALGSURF_UNDECIDED);
         assert_int_equal(hit.reason, cases[i].reason);
         assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && fabs(hit.t - cases[i].t) < 1e-6);
         int shown = cases[i].reason == ALGSURF_UNDECIDED_MULTIPLE;
@@ -318,7 +318,7 @@ static void test_rivals(void **state) {
         assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
                          ALGSURF_OK);
         algsurf_surface_free(s);
-        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
         if (hit.state != ALGSURF_HIT || root.re < 0) fail_msg("k = %d: %d, root %a", k, hit.state, root.re);
     }
@@ -340,7 +340,7 @@ static void test_conjugates(void **state) {
         space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
         assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
                          ALGSURF_OK);
-        if (hit.state == ALGSURF_UNCERTAIN) continue;
+        if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
         if (hit.state != ALGSURF_HIT || (root.im > 0) != (k % 2))
             fail_msg("k = %d: state %d, root %a + i %a", k, hit.state, root.re, root.im);
@@ -396,7 +396,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
         cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
-        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_uncertain),
+        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_undecided),
         cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_small_imaginary),
         cmocka_unit_test(test_small_t_min),   cmocka_unit_test(test_rivals),
         cmocka_unit_test(test_conjugates),

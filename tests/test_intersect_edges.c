@@ -239,7 +239,7 @@ static void found_before(void **state) {
     }
 }
 
-/* With coefficients that are not exact, edges far from a root do not make it uncertain. */
+/* With coefficients that are not exact, edges far from a root do not make it undecided. */
 static void a_long_box(void **state) {
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1e15, 1, 1}};
     static intersect_case c;
@@ -351,7 +351,7 @@ static int root_of(const edge_case *e, const algsurf_hit *h, double reach) {
 /* What is told of the first hit: a root in the extent, and the first. */
 static const char *judge_first(const edge_case *e, algsurf_tier tier, const algsurf_hit *h) {
     int fast = tier == ALGSURF_TIER_FAST;
-    if (h->state == ALGSURF_UNCERTAIN) return fast ? "the fast tier is uncertain" : NULL;
+    if (h->state == ALGSURF_UNDECIDED) return fast ? "the fast tier is undecided" : NULL;
     if (fast && surely(e, e->root[0]) * surely(e, e->root[1]) == 0) return NULL; /* takes signs as computed */
     int told = h->state == ALGSURF_HIT ? root_of(e, h, fast ? 1e-9 * (1 + fabs(h->t)) : 0) : PLANES;
     if (h->state == ALGSURF_HIT && told == PLANES) return "no root is there";
@@ -361,8 +361,8 @@ static const char *judge_first(const edge_case *e, algsurf_tier tier, const algs
 }
 
 /* Roots just inside, just outside, and on the extent's surface. */
-static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *uncertain) {
-    static const int becomes[] = {ALGSURF_UNCERTAIN, ALGSURF_HIT, ALGSURF_MISS};
+static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *undecided) {
+    static const int becomes[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     intersect_answer report, a;
     for (int doubt = ALGSURF_DOUBT_REPORT; doubt <= ALGSURF_DOUBT_MISS; doubt++) {
         const algsurf_intersect_options how = {
@@ -371,33 +371,33 @@ static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *un
         if (doubt == ALGSURF_DOUBT_REPORT) report = a;
         const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);
         if (!wrong && doubt == ALGSURF_DOUBT_REPORT) wrong = judge_first(e, tier, &a.first);
-        int open = report.first.state == ALGSURF_UNCERTAIN;
+        int open = report.first.state == ALGSURF_UNDECIDED;
         if (a.first.state != (open ? becomes[doubt] : report.first.state)) wrong = "what becomes of doubt";
-        open = report.occluded == ALGSURF_UNCERTAIN;
+        open = report.occluded == ALGSURF_UNDECIDED;
         if ((int)a.occluded != (open ? becomes[doubt] : (int)report.occluded)) wrong = "occluded in doubt";
         if (wrong) refuse(e, &a, wrong, round);
     }
-    *uncertain += report.first.state == ALGSURF_UNCERTAIN;
+    *undecided += report.first.state == ALGSURF_UNDECIDED;
 }
 
 static void doubt_at_the_edge(void **state) {
     uint64_t seed = SEED + 1;
-    int uncertain = 0, none = 0, rounds = 0;
+    int undecided = 0, none = 0, rounds = 0;
     static edge_case e;
     (void)state;
     mpq_inits(e.root[0], e.root[1], NULL);
     for (int i = 0; i < ROUNDS; i++) {
         if (!make_planes(&e, &seed)) continue;
         if (make_extent(&e, &seed)) {
-            judge_tier(&e, i, ALGSURF_TIER_BOUNDED, &uncertain);
+            judge_tier(&e, i, ALGSURF_TIER_BOUNDED, &undecided);
             judge_tier(&e, i, ALGSURF_TIER_FAST, &none);
             rounds++;
         }
         algsurf_surface_free(e.c.surface);
     }
     mpq_clears(e.root[0], e.root[1], NULL);
-    if (none > 0 || uncertain * 10 < rounds || uncertain == rounds)
-        fail_msg("seed %u: %d rounds, %d uncertain", SEED, rounds, uncertain);
+    if (none > 0 || undecided * 10 < rounds || undecided == rounds)
+        fail_msg("seed %u: %d rounds, %d undecided", SEED, rounds, undecided);
 }
 
 int main(void) {

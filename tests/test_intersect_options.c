@@ -108,13 +108,13 @@ static void test_fast_tier(void **state) {
                 c.ray = (algsurf_ray){{0, i % 2, -2}, {0, i % 3 == 0, 1}, 0, i % 7 ? 4 : INFINITY};
             intersect_ask(&c, NULL, &fast, &answer);
             intersect_ask(&c, NULL, NULL, &proved);
-            assert_true(answer.first.state != ALGSURF_UNCERTAIN && answer.occluded != ALGSURF_UNCERTAIN);
+            assert_true(answer.first.state != ALGSURF_UNDECIDED && answer.occluded != ALGSURF_UNDECIDED);
             for (int k = 0; k < answer.count; k++) {
                 assert_true(answer.all[k].state == ALGSURF_HIT && answer.all[k].reason == ALGSURF_OK);
                 assert_true(answer.all[k].t_lo == answer.all[k].t && answer.all[k].t_hi == answer.all[k].t);
                 assert_true(c.ray.t_min <= answer.all[k].t && answer.all[k].t <= c.ray.t_max);
             }
-            if (proved.first.state == ALGSURF_UNCERTAIN || i % 5 == 0) continue;
+            if (proved.first.state == ALGSURF_UNDECIDED || i % 5 == 0) continue;
             all++,
                 same += answer.first.state == proved.first.state &&
                         (answer.first.state == ALGSURF_MISS || fabs(answer.first.t - proved.first.t) < 1e-9);

@@ -132,8 +132,8 @@ static void judge_single(const packet_case *c, int i, const algsurf_extent *exte
     algsurf_hit_state occluded;
     assert_int_equal(algsurf_intersect_first(surface, extent, &ray, options, &single), ALGSURF_OK);
     assert_int_equal(algsurf_occluded(surface, extent, &ray, options, &occluded), ALGSURF_OK);
-    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNCERTAIN))
-        packet_fail("a reason to be uncertain", c, i, &single);
+    if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNDECIDED))
+        packet_fail("a reason to be undecided", c, i, &single);
     single.reason = ALGSURF_OK; /* packets do not tell */
     if (memcmp(&hit, &single, sizeof hit) != 0 || c->occluded[i] != occluded)
         packet_fail("not what a single call writes", c, i, &single);
@@ -834,7 +834,7 @@ static void test_lengths(void **state) {
                 algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
                 scaled.t = ldexp(scaled.t, lengths[k]);
                 scaled.t_lo = ldexp(scaled.t_lo, lengths[k]), scaled.t_hi = ldexp(scaled.t_hi, lengths[k]);
-                if (plain.state != ALGSURF_UNCERTAIN && memcmp(&plain, &scaled, sizeof plain) != 0)
+                if (plain.state != ALGSURF_UNDECIDED && memcmp(&plain, &scaled, sizeof plain) != 0)
                     packet_fail("another length", &q, i, &plain);
             }
         }

@@ -2,7 +2,7 @@
  *
  * Breaks caught, each tried: a sign used inside its bound, an undecided cell taken for a hit, an interval
  * moved off its root, the final Newton step left out, the middle of the chord without its rounding error, a
- * first hit in doubt that swallows the hit behind it, an ever-uncertain tier; the isolating interval for
+ * first hit in doubt that swallows the hit behind it, an ever-undecided tier; the isolating interval for
  * [t_lo,t_hi].
  */
 #include "intersect_case.h"
@@ -64,7 +64,7 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
         random_ray(&seed, bits);
         if (in_the_surface()) continue;
         intersect_judge(&c, NULL, &answer);
-        done++, certain += answer.first.state != ALGSURF_UNCERTAIN, hits += answer.first.state == ALGSURF_HIT;
+        done++, certain += answer.first.state != ALGSURF_UNDECIDED, hits += answer.first.state == ALGSURF_HIT;
         if (answer.first.state == ALGSURF_HIT && i % 8 == 0) {
             exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
             exact_sturm s = exact_sturm_of(line.c, c.degree);

@@ -106,7 +106,7 @@ static void test_known_roots(void **state) {
         for (int at = 0; at < 17; at++) {
             const algsurf_bracket *b = entry_at((at - 8) / 4.0);
             int m = multiplicity[at];
-            if (m > 0 && !(b && b->multiplicity == m && (m == 1 || b->kind == ALGSURF_ROOT_EXACT)))
+            if (m > 0 && !(b && b->multiplicity == m && (m == 1 || b->kind == ALGSURF_BRACKET_EXACT)))
                 isolate_fail("a known root", c, NULL, n, lo, hi, &answer);
         }
     }
@@ -242,7 +242,7 @@ static void test_one_point(void **state) {
     const double c[] = {-3, 4}, third[] = {-1, 3};
     isolate_judge(c, 1, 0.75, 0.75, &answer);
     assert_int_equal(answer.count, 1);
-    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     isolate_judge(c, 1, nextafter(0.75, 1), nextafter(0.75, 1), &answer);
     assert_int_equal(answer.count, 0);
     isolate_judge(third, 1, 1.0 / 3, 1.0 / 3, &answer); /* off by 2^-55 or so */
@@ -358,7 +358,7 @@ static void test_counted(void **state) {
     assert_int_equal(algsurf_isolate_first_counted(two, NULL, 3, 0.5, 1, &b, &found, &n), ALGSURF_OK);
     assert_true(found == 1 && n == 3); /* the same, and the left half's root is the first */
     assert_int_equal(algsurf_isolate_first_counted(dyadic, NULL, 2, 0.5, 0.5, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 1 && b.kind == ALGSURF_ROOT_EXACT);
+    assert_true(found == 1 && b.kind == ALGSURF_BRACKET_EXACT);
     assert_int_equal(algsurf_isolate_first_counted(twice, NULL, 2, 0, 1, &b, &found, &n),
                      algsurf_isolate_first(twice, NULL, 2, 0, 1, &plain, &as_plain));
     assert_int_equal(found, as_plain);
@@ -366,7 +366,7 @@ static void test_counted(void **state) {
     assert_in_range(n, 20, 100);                  /* the divisor is asked for when halving comes to no end */
     const double irrational[] = {4, 0, -4, 0, 1}; /* (t^2 - 2)^2 */
     (void)algsurf_isolate_first_counted(irrational, NULL, 4, 0, 4, &b, &found, &n);
-    assert_true(found == 1 && b.kind == ALGSURF_ROOT_BRACKET && b.multiplicity == 2);
+    assert_true(found == 1 && b.kind == ALGSURF_BRACKET_ISOLATED && b.multiplicity == 2);
     assert_in_range(n, 16, 100);
     n = 77;
     assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 0, 1, &b, &found, NULL), ALGSURF_E_ARGUMENT);

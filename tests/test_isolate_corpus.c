@@ -42,7 +42,7 @@ static void test_multiple_root(void **state) {
     const double ends[][2] = {{-INFINITY, INFINITY}, {0, 2}, {1, 2}, {1, 1}};
     for (int i = 0; i < 4; i++) {
         decided(fourth, 4, ends[i][0], ends[i][1], 1);
-        assert_true(answer.b[0].kind == ALGSURF_ROOT_EXACT && answer.b[0].multiplicity == 4);
+        assert_true(answer.b[0].kind == ALGSURF_BRACKET_EXACT && answer.b[0].multiplicity == 4);
     }
     decided(fourth, 4, 1.25, INFINITY, 0);
 }
@@ -190,7 +190,7 @@ static void test_degenerate(void **state) {
     decided(constant, 0, -INFINITY, INFINITY, 0);
     decided(constant, 3, -INFINITY, INFINITY, 0);
     decided(monomial, 3, -1, 1, 1);
-    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     decided(monomial, 3, 0x1p-1074, 1, 0);
     decided(monomial, 3, -INFINITY, 0, 1);
     decided(monomial, 3, 0, 0, 1);
@@ -216,7 +216,7 @@ typedef struct narrow_case {
 
 static void test_roots_between_doubles(void **state) {
     (void)state;
-    enum { BRACKET = ALGSURF_ROOT_BRACKET, EXACT = ALGSURF_ROOT_EXACT };
+    enum { BRACKET = ALGSURF_BRACKET_ISOLATED, EXACT = ALGSURF_BRACKET_EXACT };
     const double least = 0x1p-1074, inf = INFINITY;
     const narrow_case cases[] = {
         /* below the least double, beyond the largest, both, and a whole group of them */

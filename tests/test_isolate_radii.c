@@ -53,7 +53,7 @@ static void judge_box(uint64_t *seed, const double *c, const double *r, int n, d
     const char *wrong = answer.status < 0 ? "refused" : isolate_form(c, r, n, lo, hi, &answer);
     for (int i = 0; !wrong && i < answer.count; i++) {
         const algsurf_bracket *b = answer.b + i;
-        if (b->kind != ALGSURF_ROOT_BRACKET) continue;
+        if (b->kind != ALGSURF_BRACKET_ISOLATED) continue;
         if ((isfinite(b->lo) && !margin_holds(c, r, n, b->lo)) ||
             (isfinite(b->hi) && !margin_holds(c, r, n, b->hi)))
             wrong = "no margin at an end";
@@ -181,13 +181,13 @@ static void test_least_numbers(void **state) {
     const double c[] = {0, 1}, r[] = {0, 0.5}; /* the root at 0 is certain, for all members */
     judge_box(&seed, c, r, 1, -1, 1);
     assert_int_equal(answer.status, ALGSURF_OK);
-    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     judge_box(&seed, c, r, 1, 0, 0);
     assert_int_equal(answer.status, ALGSURF_OK);
     const double touching[] = {0, 1, 1e5}, touch[] = {0, 1, 0}; /* the other root is not right of 0 */
     judge_box(&seed, touching, touch, 2, 0, 1);
     assert_int_equal(answer.status, ALGSURF_OK);
-    assert_int_equal(answer.b[0].kind, ALGSURF_ROOT_EXACT);
+    assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     const double least[] = {0, 1e5, 1}, below[] = {0x1p-1060, 0, 0}; /* a root below the least double */
     judge_box(&seed, least, below, 2, -1, 1);
     assert_int_equal(answer.status, ALGSURF_OK);
@@ -202,14 +202,15 @@ static void test_root_on_either_side(void **state) {
     judge_box(&seed, line, narrow, 1, -1, 1);
     assert_int_equal(answer.status, ALGSURF_OK);
     assert_int_equal(answer.count, 1);
-    assert_true(answer.b[0].kind == ALGSURF_ROOT_BRACKET && answer.b[0].sign == -1);
+    assert_true(answer.b[0].kind == ALGSURF_BRACKET_ISOLATED && answer.b[0].sign == -1);
     assert_true(answer.b[0].lo < -1e-9 && answer.b[0].lo > -1.1e-9);
     assert_true(answer.b[0].hi > 1e-9 && answer.b[0].hi < 1.1e-9);
     judge_box(&seed, line, narrow, 1, 0, 1); /* not for all of them */
     assert_int_equal(answer.status, ALGSURF_UNDECIDED_MULTIPLE);
     const double half[] = {1, 1}, touch[] = {1, 0}; /* the root in [-2,0] */
     judge_box(&seed, half, touch, 1, -INFINITY, INFINITY);
-    assert_true(answer.status == ALGSURF_OK && answer.count == 1 && answer.b[0].kind == ALGSURF_ROOT_BRACKET);
+    assert_true(answer.status == ALGSURF_OK && answer.count == 1 &&
+                answer.b[0].kind == ALGSURF_BRACKET_ISOLATED);
     const double cube[] = {0, 0, 0, 1}; /* not simple for one of the set */
     judge_box(&seed, cube, narrow, 3, -1, 1);
     assert_true(answer.status > 0);

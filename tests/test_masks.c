@@ -4,7 +4,7 @@
  * Half of the pixels are taken from outlines, where a neighbour shows something else.  Wrong is a miss where
  * the ray of the pixel has a root inside the extent, a hit where it has none (roots within ROOM rounding
  * errors of t at an end of the extent may count or not), and a hit elsewhere than at the first root.  In the
- * certified tier no pixel is uncertain; in the bounded one they are counted, and a wrong one is one of those.
+ * certified tier no pixel is undecided; in the bounded one they are counted, and a wrong one is one of those.
  *
  * Breaks tried, each caught: two variations of sign counted as none, the right half of a cell first, a check
  * of the cuts that show no root left out, rays a twentieth of a pixel aside, doubtful rays dropped.  Not
@@ -39,7 +39,7 @@ typedef struct view {
     double distance; /* of the eye from the extent's centre */
 } view;
 
-static struct { long checked, outlines, hits, misses, ends, uncertain, rays, excused, wrong; } seen;
+static struct { long checked, outlines, hits, misses, ends, undecided, rays, excused, wrong; } seen;
 
 static double hits[TIERS][WIDTH * HEIGHT];
 static uint8_t bytes[3 * WIDTH * HEIGHT], is_excused[WIDTH * HEIGHT]; /* of one view, bounded tier */
@@ -86,11 +86,11 @@ static void draw(const view *v, int tier) {
     assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
     assert_int_equal(algsurf_render(scene, &o, bytes, 3 * WIDTH, hits[tier], &stats), ALGSURF_OK);
     algsurf_scene_free(scene);
-    seen.uncertain += (long)stats.uncertain, seen.rays += (long)stats.rays;
-    if (stats.uncertain > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
+    seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
+    if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
         seen.wrong++;
-        fprintf(stderr, "%s, view %d, tier %d: %ld pixels uncertain\n", v->name, v->number, (int)tiers[tier],
-                (long)stats.uncertain);
+        fprintf(stderr, "%s, view %d, tier %d: %ld pixels undecided\n", v->name, v->number, (int)tiers[tier],
+                (long)stats.undecided);
     }
 }
 
@@ -132,7 +132,7 @@ static void check_pixel(const view *v, int x, int row) {
         algsurf_hit hit;
         assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
         uint8_t *before = &is_excused[(row - v->row_begin) * WIDTH + x];
-        if (hit.state == ALGSURF_UNCERTAIN && tiers[tier] == ALGSURF_TIER_BOUNDED)
+        if (hit.state == ALGSURF_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
             seen.excused += !*before, *before = 1;
         else
             complain(v, tier, x, row, &ray, &answer, wrong);
@@ -153,7 +153,7 @@ static int is_outline(const view *v, int x, int row) {
 }
 
 static void check_view(view *v, uint64_t *seed) {
-    long excused = seen.excused, uncertain = seen.uncertain, wrong = seen.wrong;
+    long excused = seen.excused, undecided = seen.undecided, wrong = seen.wrong;
     memset(is_excused, 0, sizeof is_excused);
     set_camera(v, seed);
     v->row_begin = whole ? 0 : exact_random_int(seed, HEIGHT - ROWS);
@@ -168,9 +168,9 @@ static void check_view(view *v, uint64_t *seed) {
         seen.outlines += outline;
         done++;
     }
-    if (seen.excused - excused > seen.uncertain - uncertain) {
+    if (seen.excused - excused > seen.undecided - undecided) {
         seen.wrong++;
-        fprintf(stderr, "%s, view %d: more pixels uncertain than the pictures say\n", v->name, v->number);
+        fprintf(stderr, "%s, view %d: more pixels undecided than the pictures say\n", v->name, v->number);
     }
 }
 
@@ -181,9 +181,9 @@ static void check_surface(const char *name, const char *equation, const algsurf_
     set_surface(&v, equation);
     for (v.number = 0; v.number < views; v.number++) check_view(&v, &seed);
     printf(
-        "%s: %ld pixels checked, %ld on outlines, %ld hits, %ld misses, %ld at an end; %ld of %ld uncertain, "
+        "%s: %ld pixels checked, %ld on outlines, %ld hits, %ld misses, %ld at an end; %ld of %ld undecided, "
         "%ld excused, %ld wrong\n",
-        name, seen.checked, seen.outlines, seen.hits, seen.misses, seen.ends, seen.uncertain, seen.rays,
+        name, seen.checked, seen.outlines, seen.hits, seen.misses, seen.ends, seen.undecided, seen.rays,
         seen.excused, seen.wrong);
     exact_form_clear(&v.form);
     algsurf_surface_free(v.surface);

@@ -134,10 +134,10 @@ static algsurf_status scene(void) {
 }
 
 static algsurf_status root_solver(void) {
-    algsurf_root_solver *s = untouched;
-    algsurf_status status = algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &s);
+    algsurf_complex_solver *s = untouched;
+    algsurf_status status = algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &s);
     if (status == ALGSURF_OK)
-        algsurf_root_solver_free(s);
+        algsurf_complex_solver_free(s);
     else
         assert_ptr_equal(s, untouched);
     return status;
@@ -289,9 +289,9 @@ static void ask_packets(void) {
     for (int k = 0; k < 3; k++) rays.origin[k] = o[k], rays.direction[k] = d[k];
     int wanted = asked->count ? ALGSURF_HIT : ALGSURF_MISS;
     algsurf_status status = algsurf_intersect_packet(asked_surface, &asked->extent, &rays, NULL, &to);
-    assert_int_equal(state[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNCERTAIN);
+    assert_int_equal(state[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNDECIDED);
     status = algsurf_occluded_packet(asked_surface, &asked->extent, &rays, NULL, occluded);
-    assert_int_equal(occluded[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNCERTAIN);
+    assert_int_equal(occluded[1], is_done(status, NULL, NULL, 0) ? wanted : ALGSURF_UNDECIDED);
     if (asked->extent.kind == ALGSURF_EXTENT_ALL) return;
     for (int i = 0; i < 3; i += 2) assert_true(state[i] == ALGSURF_MISS && occluded[i] == ALGSURF_MISS);
 }
@@ -358,7 +358,7 @@ static algsurf_status render_small(void) {
     if (!is_done(status, NULL, NULL, 0)) return status;
     assert_memory_equal(p.hits, small_reference.hits, sizeof p.hits);
     assert_memory_equal(p.pixels, small_reference.pixels, sizeof p.pixels);
-    assert_int_equal(p.stats.uncertain, 0);
+    assert_int_equal(p.stats.undecided, 0);
     return status;
 }
 
@@ -379,7 +379,7 @@ static void test_certified_picture(void **state) {
     static small_picture p;
     assert_int_equal(algsurf_scene_set_intersect(stage, &poor), ALGSURF_OK);
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
-    assert_true(p.stats.rays == small_reference.stats.rays && p.stats.uncertain > 0 &&
+    assert_true(p.stats.rays == small_reference.stats.rays && p.stats.undecided > 0 &&
                 p.pixels[0][0] != 0xa5);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
@@ -399,7 +399,7 @@ static void test_root_solver(void **state) {
 /* x^40 - x^39 + 2^-1000 x^38 underflows at the lower end. */
 static algsurf_status refine(void) {
     const double c[41] = {[38] = 0x1p-1000, [39] = -1, [40] = 1};
-    algsurf_root root = {.root = 7};
+    algsurf_refined_root root = {.root = 7};
     algsurf_status status = algsurf_refine_poly(c, 40, 0x1p-990, 2, NULL, &root);
     if (status == ALGSURF_OK)
         assert_true(root.lo == 1 - 0x1p-53 && root.hi == 1);

@@ -162,7 +162,7 @@ static void test_vanishing_direction(void **state) {
     assert_int_equal(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
     assert_int_equal(count, 0); /* p is -5/4 */
     assert_int_equal(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
-    for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_UNCERTAIN && hits[i].t_hi > 1e4;
+    for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_UNDECIDED && hits[i].t_hi > 1e4;
     assert_true(beyond);
     algsurf_surface_free(known);
     algsurf_surface_free(exact);

@@ -56,8 +56,8 @@ static double half_width(double tolerance, double root) {
 static int sign_of(double x) { return (x > 0) - (x < 0); }
 
 /* What every result promises, whatever the method. */
-static void check_result(const algsurf_root *r, const probe *p, double lo, double hi, double tolerance,
-                         algsurf_method method) {
+static void check_result(const algsurf_refined_root *r, const probe *p, double lo, double hi,
+                         double tolerance, algsurf_method method) {
     assert_true(lo <= r->lo && r->lo <= r->root && r->root <= r->hi && r->hi <= hi);
     assert_true(r->root == r->lo || r->root == r->hi);
     assert_int_equal(r->evaluations, p->calls);
@@ -120,7 +120,7 @@ static void test_methods_agree_on_known_roots(void **state) {
             for (int m = 0; m < 4; m++) {
                 double tolerance = tolerances[t], lo = table[i].lo, hi = table[i].hi;
                 algsurf_refine_options o = options_of(methods[m], tolerance, 3000);
-                algsurf_root r;
+                algsurf_refined_root r;
                 p.f = table[i].f, p.calls = 0;
                 algsurf_status status = algsurf_refine_function(call, &p, lo, hi, &o, &r);
                 check_result(&r, &p, lo, hi, tolerance, methods[m]);
@@ -140,7 +140,7 @@ static void test_evaluations_are_bounded(void **state) {
     (void)state;
     static probe p;
     for (int i = 0; i < TABLE; i++) {
-        algsurf_root brent, bisection;
+        algsurf_refined_root brent, bisection;
         algsurf_refine_options o = options_of(ALGSURF_METHOD_BISECTION, 1e-12, 0);
         double lo = table[i].lo, hi = table[i].hi, halvings = ceil(log2((hi - lo) / 2e-12));
         p.f = table[i].f;
@@ -201,7 +201,7 @@ static void compare_with_book(double (*f)(double), double lo, double hi, double 
     static probe p;
     static double at[RECORDED];
     algsurf_refine_options o = options_of(ALGSURF_METHOD_BRENT, tolerance, RECORDED);
-    algsurf_root r;
+    algsurf_refined_root r;
     p.f = f, p.calls = 0;
     assert_int_equal(algsurf_refine_function(call, &p, lo, hi, &o, &r), ALGSURF_OK);
     int count = book(f, lo, hi, tolerance, at);
@@ -232,7 +232,7 @@ static void test_regula_falsi_says_when_it_fails(void **state) {
     (void)state;
     static probe p = {.f = f_power};
     algsurf_refine_options o = options_of(ALGSURF_METHOD_REGULA_FALSI, 1e-14, 60);
-    algsurf_root r;
+    algsurf_refined_root r;
     assert_int_equal(algsurf_refine_function(call, &p, 0, 3, &o, &r), ALGSURF_NOT_CONVERGED);
     check_result(&r, &p, 0, 3, 1e-14, o.method);
     assert_true(!r.converged && r.iterations == 60 && r.root < 0.1 && r.hi == 3);
@@ -248,7 +248,7 @@ static void test_iteration_limit(void **state) {
     for (int m = 0; m < 4; m++)
         for (int limit = 1; limit < 6; limit++) {
             algsurf_refine_options o = options_of(methods[m], 0, limit);
-            algsurf_root r;
+            algsurf_refined_root r;
             p.f = f_exp, p.calls = 0;
             assert_int_equal(algsurf_refine_function(call, &p, -4, 4, &o, &r), ALGSURF_NOT_CONVERGED);
             check_result(&r, &p, -4, 4, 0, methods[m]);
@@ -264,7 +264,7 @@ static double f_big_root(double x) { return x > 1e-200 ? 1 : -1; }
 static void test_ends_and_extremes(void **state) {
     (void)state;
     static probe p;
-    algsurf_root r;
+    algsurf_refined_root r;
     for (int m = 0; m < 4; m++) {
         algsurf_refine_options o = options_of(methods[m], 0, 3000);
         p = (probe){.f = f_identity};
@@ -304,7 +304,7 @@ static void from_roots(double *c, const double *roots, int n) {
 }
 
 static void fail_poly(const char *what, const double *c, int n, algsurf_method method,
-                      const algsurf_root *r) {
+                      const algsurf_refined_root *r) {
     exact_print_doubles("c", c, n + 1);
     fail_msg("%s, seed %u, method %d: root %a in [%a,%a] after %d", what, SEED, (int)method, r->root, r->lo,
              r->hi, r->evaluations);
@@ -328,7 +328,7 @@ static void test_polynomials_with_known_roots(void **state) {
             for (int t = 0; t < 2; t++) {
                 double tolerance = t ? 1e-9 : 0;
                 algsurf_refine_options o = options_of(methods[m], tolerance, 100000);
-                algsurf_root r;
+                algsurf_refined_root r;
                 assert_int_equal(algsurf_refine_poly(c, n, lo, hi, &o, &r), ALGSURF_OK);
                 int narrow = r.value == 0 || r.hi - r.lo <= 2 * half_width(tolerance, r.root);
                 if (methods[m] == ALGSURF_METHOD_REGULA_FALSI) narrow = 1;
@@ -358,7 +358,7 @@ static void test_multiple_roots(void **state) {
         for (int m = 0; m < 3; m++)
             for (double shift = 0; shift < 0.9; shift += 0.13) {
                 algsurf_refine_options o = options_of(methods[m], 0, 0);
-                algsurf_root r;
+                algsurf_refined_root r;
                 assert_int_equal(algsurf_refine_poly(c, multiplicity[i], shift, 2.7, &o, &r), ALGSURF_OK);
                 assert_true(r.value == 0 || r.hi - r.lo <= 2 * half_width(0, r.root));
                 if (fabs(r.root - 1) > noise[i] || r.evaluations > 150)
@@ -380,7 +380,7 @@ static void test_newton_is_bounded(void **state) {
         for (int i = 0; i <= n; i++) c[i] = exact_random_wide(&seed, wide ? -900 : -3, wide ? 900 : 3);
         int range = wide == 2 ? 1000 : 3;
         double lo = exact_random_wide(&seed, -range, range), hi = exact_random_wide(&seed, -range, range);
-        algsurf_root r;
+        algsurf_refined_root r;
         algsurf_status status = algsurf_refine_poly(c, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
         if (status == ALGSURF_E_ARGUMENT) continue; /* no sign change */
         assert_int_equal(status, ALGSURF_OK);
@@ -394,7 +394,7 @@ static void test_newton_is_bounded(void **state) {
 
 static void test_extreme_polynomials(void **state) {
     (void)state;
-    algsurf_root r;
+    algsurf_refined_root r;
     static const double sqrt2 = 1.4142135623730951;
     static const double scales[] = {1, 1e300, 1e-300, 0x1p-1070, 0x1p1020};
     for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++)
@@ -443,7 +443,7 @@ static void test_any_environment(void **state) {
     for (int m = 0; m < 4; m++)
         for (int i = 0; i < 3; i++) {
             algsurf_refine_options o = options_of(methods[m], 0, 0);
-            algsurf_root want[2] = {{0}}, got[2] = {{0}};
+            algsurf_refined_root want[2] = {{0}}, got[2] = {{0}};
             assert_int_equal(algsurf_refine_poly(c, 5, -1, 0, &o, &want[0]), ALGSURF_OK);
             assert_int_equal(algsurf_refine_poly(small, 2, 0, 9, &o, &want[1]), ALGSURF_OK);
             fesetround(modes[i]);
@@ -462,7 +462,7 @@ static void test_any_environment(void **state) {
             assert_memory_equal(want, got, sizeof want);
         }
     int seen = 0; /* a function runs in the caller's environment */
-    algsurf_root r;
+    algsurf_refined_root r;
     fesetround(FE_UPWARD);
     algsurf_status status = algsurf_refine_function(f_in_mode, &seen, 0, 1, NULL, &r);
     fesetround(FE_TONEAREST);
@@ -473,7 +473,7 @@ static void test_any_environment(void **state) {
 static void test_options(void **state) {
     (void)state;
     static probe p = {.f = f_exp};
-    algsurf_root r;
+    algsurf_refined_root r;
     struct {
         algsurf_refine_options known;
         double later;
@@ -508,7 +508,7 @@ static double f_nan_end(double x) { return x == 0 ? NAN : x - 0.5; }
 static void test_bad_input(void **state) {
     (void)state;
     static probe p = {.f = f_exp};
-    algsurf_root r, before;
+    algsurf_refined_root r, before;
     memset(&r, 0x5a, sizeof r), memcpy(&before, &r, sizeof r);
     assert_int_equal(algsurf_refine_function(NULL, &p, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_function(call, &p, 0, 1, NULL, NULL), ALGSURF_E_ARGUMENT);
@@ -564,7 +564,7 @@ static double horner(const double *c, int n, double x) {
 
 /* What a record says is what happened: the ends, the points, their values, the bracket they leave. */
 static void check_record(const record *seen, const double *c, int n, double lo, double hi,
-                         algsurf_method method, const algsurf_root *r) {
+                         algsurf_method method, const algsurf_refined_root *r) {
     double left = lo, right = hi;
     int found = 0;
     assert_int_equal(seen->calls, r->evaluations);
@@ -603,7 +603,7 @@ static void test_observer(void **state) {
         polynomials++;
         for (int m = 0; m < 4; m++) {
             algsurf_refine_options o = options_of(methods[m], 1e-9, 0);
-            algsurf_root plain, r;
+            algsurf_refined_root plain, r;
             memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
             seen.calls = 0;
             algsurf_status status = algsurf_refine_poly(c, 5, lo, hi, &o, &plain);
@@ -618,7 +618,7 @@ static void test_observer(void **state) {
     assert_true(polynomials > 50);
     assert_int_equal(seen.other_rounding, 0);
     const double c[2] = {-0.5, 1};
-    algsurf_root r;
+    algsurf_refined_root r;
     seen.calls = 0;
     assert_int_equal(algsurf_refine_poly_observed(c, 1, 0, 1, NULL, NULL, &seen, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly_observed(NULL, 1, 0, 1, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);

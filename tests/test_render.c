@@ -6,7 +6,7 @@
  *   depth measured from the eye; ball of the wrong radius                         preview_depth
  *   no shadows, shadows of what is behind the light, shadow of the point itself   shadows
  *   share of an area light from its middle alone, samples behind the surface      penumbra
- *   uncertain drawn as background or counted as a hit                             uncertain_is_drawn
+ *   undecided drawn as background or counted as a hit                             undecided_is_drawn
  *   default lights behind the surface                                             defaults
  */
 #include <setjmp.h>
@@ -74,7 +74,7 @@ static void pixel_by_pixel(void **state) {
         assert_true(p->stats.rays == (uint64_t)(W * H * n * n) && p->stats.hits == count);
         if (otherwise > 4) fail_msg("%d bytes otherwise", (int)otherwise);
         assert_true(p->stats.shadow_rays == 0 && p->stats.size == sizeof p->stats);
-        assert_true(p->stats.uncertain < p->stats.rays / 50);
+        assert_true(p->stats.undecided < p->stats.rays / 50);
         assert_in_range(count * 100 / p->stats.rays, 15, 70); /* per cent of the picture is surface */
         assert_true(p->stats.solve_s > 0 && p->stats.shade_s > 0 && p->stats.total_s > 0);
         free(p);
@@ -214,7 +214,7 @@ static void double_plane(algsurf_tier tier) {
         assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
         assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
         picture *p = drawn(scene, 1);
-        assert_true(p->stats.uncertain == open && p->stats.hits == all - open && p->stats.rays == all);
+        assert_true(p->stats.undecided == open && p->stats.hits == all - open && p->stats.rays == all);
         for (int k = 0; k < W * H; k++) {
             algsurf_ray ray;
             assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);

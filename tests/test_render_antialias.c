@@ -121,14 +121,14 @@ static void one_of_two(void **state) {
 static void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
     sum->rays += more->rays;
     sum->hits += more->hits;
-    sum->uncertain += more->uncertain;
+    sum->undecided += more->undecided;
     sum->shadow_rays += more->shadow_rays;
     sum->single_rays += more->single_rays;
     sum->iterations += more->iterations;
 }
 
 static void assert_same_counts(const algsurf_render_stats *a, const algsurf_render_stats *b) {
-    assert_true(a->rays == b->rays && a->hits == b->hits && a->uncertain == b->uncertain);
+    assert_true(a->rays == b->rays && a->hits == b->hits && a->undecided == b->undecided);
     assert_true(a->shadow_rays == b->shadow_rays && a->single_rays == b->single_rays);
     assert_true(a->iterations == b->iterations);
 }

@@ -5,7 +5,7 @@
  *   space not handed on, |t| not in the hits, shadows                            pixel_by_pixel
  *   never warm, a slice's first row begun anew                                   iterations_saved
  *   a row lost in a batch, rows beyond the last one drawn                        same_bytes
- *   a doubtful pixel not drawn                                                   border_is_uncertain
+ *   a doubtful pixel not drawn                                                   border_is_undecided
  *   imaginary parts of the wrong scale, start values from elsewhere              states_of_single_rays
  *   sector of real space too narrow or too wide                                  real_space
  *   rows of roots too short, a null row read                                     odd_surfaces
@@ -115,7 +115,7 @@ static void pixel_by_pixel(void **state) {
 static void assert_same_states(const catalogue_entry *entry, const algsurf_surface *surface,
                                const algsurf_complex_space *space, const picture *p) {
     algsurf_camera camera;
-    uint64_t uncertain = 0;
+    uint64_t undecided = 0;
     assert_int_equal(algsurf_camera_pinhole(&camera, entry->eye, entry->look_at, entry->up, entry->fov),
                      ALGSURF_OK);
     for (int k = 0; k < W * H; k++) {
@@ -125,11 +125,11 @@ static void assert_same_states(const catalogue_entry *entry, const algsurf_surfa
         assert_int_equal(
             algsurf_intersect_complex(surface, &entry->extent, &ray, space, NULL, NULL, &hit, NULL),
             ALGSURF_OK);
-        uncertain += hit.state == ALGSURF_UNCERTAIN;
+        undecided += hit.state == ALGSURF_UNDECIDED;
         assert_true(isnan(p->hits[k]) == (hit.state == ALGSURF_MISS));
         if (hit.state == ALGSURF_HIT) assert_true(agrees(p->hits[k], &hit));
     }
-    assert_true(uncertain == p->stats.uncertain);
+    assert_true(undecided == p->stats.undecided);
 }
 
 /* Surfaces, what gets an imaginary part, and delta. */
@@ -166,14 +166,14 @@ static void same_bytes(void **state) {
         assert_int_equal(algsurf_scene_set_antialias(scene, shots[s].antialias), ALGSURF_OK);
         picture *one = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
         assert_in_range(one->stats.hits * 100 / one->stats.rays, 10, 90);
-        assert_true(one->stats.uncertain <= one->stats.rays / 200);
+        assert_true(one->stats.undecided <= one->stats.rays / 200);
         for (int c = ALGSURF_COHERENCE_NONE; c <= ALGSURF_COHERENCE_NEIGHBOURS; c++) {
             picture *other;
             for (int k = 0; k < 3; k++) {
                 other = drawn_with(scene, (algsurf_coherence)c, threads[k]);
                 assert_same_picture(one, other);
                 assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits &&
-                            other->stats.uncertain == one->stats.uncertain);
+                            other->stats.undecided == one->stats.undecided);
                 free(other);
             }
             other = sliced(scene);
@@ -282,8 +282,8 @@ static void real_space(void **state) {
             else if (!isnan(real->hits[k]))
                 assert_true(fabs(real->hits[k] - complex->hits[k]) <= 1e-9);
         }
-        assert_true(differ <= real->stats.uncertain + complex->stats.uncertain);
-        assert_true(complex->stats.uncertain <= W * H / 200);
+        assert_true(differ <= real->stats.undecided + complex->stats.undecided);
+        assert_true(complex->stats.undecided <= W * H / 200);
         free(real), free(complex);
         release(scene, surface);
     }
@@ -300,7 +300,7 @@ static algsurf_scene *from_above(const algsurf_surface *surface, double height) 
 
 /* Every ray has the root 4 + i, and delta is its argument: open for each, however it was started.  With
  * z = 4 - t:  z (z+20) - 1 + (28 - 2t) i = (t - 4 - i)(t - 24 - i). */
-static void border_is_uncertain(void **state) {
+static void border_is_undecided(void **state) {
     algsurf_surface *surface = surface_of("z (z+20) - 1");
     algsurf_scene *scene = from_above(surface, 4);
     algsurf_complex_space space = space_of(atan2(1, 4), 0, 28);
@@ -309,7 +309,7 @@ static void border_is_uncertain(void **state) {
     assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
     picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
-    assert_true(cold->stats.uncertain == W * H && warm->stats.uncertain == W * H);
+    assert_true(cold->stats.undecided == W * H && warm->stats.undecided == W * H);
     assert_true(fabs(cold->hits[0] - sqrt(17)) < 1e-12);
     assert_true(cold->stats.single_rays == W * H && warm->stats.single_rays == W * H);
     assert_same_picture(cold, warm);
@@ -362,8 +362,8 @@ static void odd_surfaces(void **state) {
         picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
         assert_same_picture(cold, warm);
         assert_true(cold->stats.iterations == warm->stats.iterations); /* nothing to start from */
-        assert_true(s == 0 ? cold->stats.hits + cold->stats.uncertain == 0
-                           : cold->stats.hits + cold->stats.uncertain > W * H / 4);
+        assert_true(s == 0 ? cold->stats.hits + cold->stats.undecided == 0
+                           : cold->stats.hits + cold->stats.undecided > W * H / 4);
         free(cold), free(warm);
         release(scene, surface);
     }
@@ -445,7 +445,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pixel_by_pixel),      cmocka_unit_test(same_bytes),
         cmocka_unit_test(iterations_saved),    cmocka_unit_test(real_space),
-        cmocka_unit_test(border_is_uncertain), cmocka_unit_test(cluster_is_left),
+        cmocka_unit_test(border_is_undecided), cmocka_unit_test(cluster_is_left),
         cmocka_unit_test(odd_surfaces),        cmocka_unit_test(setters),
         cmocka_unit_test(older_stats),         cmocka_unit_test(states_of_single_rays),
     };

@@ -194,11 +194,11 @@ static void sized_structs(void **state) {
     newer.o.size = offsetof(algsurf_render_options, row_begin); /* knows width and height only */
     newer.o.row_begin = -5;
     blank(&p);
-    p.stats.size = offsetof(algsurf_render_stats, uncertain);
+    p.stats.size = offsetof(algsurf_render_stats, undecided);
     assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, &p.stats), ALGSURF_OK);
     assert_same_picture(whole, &p);
     assert_true(p.stats.hits == whole->stats.hits);
-    assert_int_equal(((const unsigned char *)&p.stats.uncertain)[0], SENTINEL);
+    assert_int_equal(((const unsigned char *)&p.stats.undecided)[0], SENTINEL);
     free(whole);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }

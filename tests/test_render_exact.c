@@ -10,7 +10,7 @@
  *     ROOM rounding errors of t at an end of the extent;
  *   - a point that is not the first root: |t - root| > u (T |t| + S |gradient| distance (1 + slopes) +
  *     V n sum |a| |X|^e + (B radius)^2 |d2P/dt2|) / |dP/dt| + R radius, the factors below: what rounding t,
- * the ray and P comes to, and what one Newton step leaves of an error of B. A pixel may be uncertain: then
+ * the ray and P comes to, and what one Newton step leaves of an error of B. A pixel may be undecided: then
  * algsurf_intersect_first says so of its ray, and there are no more of them than the picture counts.
  *
  * The tests behind the first are places found by reading the bounds, or by long runs of the first.
@@ -64,7 +64,7 @@ typedef struct drawing {
 } drawing;
 
 static struct {
-    long views, rays, single, checked, hits, misses, edges, uncertain, excused, clustered, wrong;
+    long views, rays, single, checked, hits, misses, edges, undecided, excused, clustered, wrong;
     double worst; /* error of t by what is allowed */
 } seen;
 
@@ -375,7 +375,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
         assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
-        unsure |= hit.state == ALGSURF_UNCERTAIN;
+        unsure |= hit.state == ALGSURF_UNDECIDED;
         for (int i = 0; i < answer.count && !isnan(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
             double part = fabs(t - answer.t[i]) / room;
@@ -420,14 +420,14 @@ static void check_drawing(const view *v, const drawing *d, uint64_t *seed) {
         if (!done[at]) check_pixel(v, d, at % v->width, v->row_begin + at / v->width, edge);
         done[at] = 1;
     }
-    if (seen.excused - excused > (long)d->stats.uncertain) {
+    if (seen.excused - excused > (long)d->stats.undecided) {
         seen.wrong++;
-        fprintf(stderr, "view %d: %ld pixels without a root, %ld of them uncertain\n", v->number,
-                seen.excused - excused, (long)d->stats.uncertain);
+        fprintf(stderr, "view %d: %ld pixels without a root, %ld of them undecided\n", v->number,
+                seen.excused - excused, (long)d->stats.undecided);
     }
     seen.views++;
     seen.rays += (long)d->stats.rays, seen.single += (long)d->stats.single_rays;
-    seen.uncertain += (long)d->stats.uncertain;
+    seen.undecided += (long)d->stats.undecided;
 }
 
 /* The same bits from another kernel, and for a part of the rows. */
@@ -507,10 +507,10 @@ static void test_extreme_views(void **state) {
         }
         release(&v);
     }
-    printf("%ld views, %ld rays, %ld single, %ld uncertain; %ld pixels checked, %ld edges, %ld hits, %ld "
+    printf("%ld views, %ld rays, %ld single, %ld undecided; %ld pixels checked, %ld edges, %ld hits, %ld "
            "misses, "
            "%ld excused, %ld clustered, %ld wrong; t within %.3g of what is allowed\n",
-           seen.views, seen.rays, seen.single, seen.uncertain, seen.checked, seen.edges, seen.hits,
+           seen.views, seen.rays, seen.single, seen.undecided, seen.checked, seen.edges, seen.hits,
            seen.misses, seen.excused, seen.clustered, seen.wrong, seen.worst);
     assert_int_equal(seen.wrong, 0);
     if (view_count < 100) return;
@@ -669,7 +669,7 @@ static void aim_at_wide_extent(view *v, uint64_t *seed) {
         aim(v, eye, at, far > 1 ? 0.35 : 1, seed);
 }
 
-/* A pixel against integers, and against a single ray in the same tier; returns 1 if that is uncertain.  Of
+/* A pixel against integers, and against a single ray in the same tier; returns 1 if that is undecided.  Of
  * extents so large that sums of t overflow only the state is looked at. */
 static int check_certified_pixel(const view *v, const drawing *d, int x, int y) {
     const algsurf_intersect_options how = {.size = sizeof how, .tier = v->tier};
@@ -681,7 +681,7 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
     seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;
-    if (hit.state == ALGSURF_UNCERTAIN) return 1;
+    if (hit.state == ALGSURF_UNDECIDED) return 1;
     if (state != hit.state) complain(v, x + 0.5, y + 0.5, t, &ray, &answer, "not what the single ray says");
     if (state == ALGSURF_MISS && answer.sure) complain(v, x, y, t, &ray, &answer, "a miss for a hit");
     if (state == ALGSURF_HIT && !met) complain(v, x, y, t, &ray, &answer, "not the first root");
@@ -693,7 +693,7 @@ static void test_wide_extents(void **state) {
     static const int sizes[] = {-1000, -997, -505, -300, 0, 300, 499, 505, 900, 997, 1005, 1015, 1020};
     enum { SIZES = sizeof sizes / sizeof *sizes, TURNS = 12 };
     static drawing d;
-    long wrong = seen.wrong, hits = seen.hits, misses = seen.misses, uncertain = 0;
+    long wrong = seen.wrong, hits = seen.hits, misses = seen.misses, undecided = 0;
     uint64_t seed = 11;
     (void)state;
     for (int turn = 0; turn < SIZES * TURNS; turn++) {
@@ -712,14 +712,14 @@ static void test_wide_extents(void **state) {
         int open = 0;
         for (int i = 0; i < v.width * v.height && seen.wrong < wrong + 3; i++)
             open += check_certified_pixel(&v, &d, i % v.width, i / v.width);
-        uncertain += open;
-        if (open > (int)d.stats.uncertain) fail_msg("%d uncertain, %d told", open, (int)d.stats.uncertain);
+        undecided += open;
+        if (open > (int)d.stats.undecided) fail_msg("%d undecided, %d told", open, (int)d.stats.undecided);
         release(&v);
     }
     assert_int_equal(seen.wrong, wrong);
     hits = seen.hits - hits, misses = seen.misses - misses;
-    if (hits < 2000 || misses < 2000 || uncertain * 100 > hits)
-        fail_msg("%ld hits, %ld misses, %ld uncertain", hits, misses, uncertain);
+    if (hits < 2000 || misses < 2000 || undecided * 100 > hits)
+        fail_msg("%ld hits, %ld misses, %ld undecided", hits, misses, undecided);
 }
 
 int main(int count, char **arguments) {

@@ -1,7 +1,7 @@
 /* test_render_packets.c - pictures by packets against pictures ray by ray, for all named surfaces.
  *
  * The reference is the same scene with another method of refinement, which takes every ray through
- * algsurf_intersect_first.  No pixel may differ, but those that function calls uncertain; t must be a zero of
+ * algsurf_intersect_first.  No pixel may differ, but those that function calls undecided; t must be a zero of
  * P as far as P can be evaluated there; and all kernels must give the same bits.
  *
  * Breaks tried, each caught by the test named:
@@ -98,7 +98,7 @@ static void check_pixels(const algsurf_surface *surface, const view *v, const pi
         assert_int_equal(algsurf_camera_ray(&v->camera, W, H, i % W + 0.5, i / W + 0.5, &ray), ALGSURF_OK);
         if (isnan(packets->hits[i]) != isnan(singly->hits[i])) {
             assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
-            if (hit.state != ALGSURF_UNCERTAIN)
+            if (hit.state != ALGSURF_UNDECIDED)
                 fail_msg("%s, view %d, pixel %d,%d: %s by packets only", v->entry->name, v->number, i % W,
                          i / W, isnan(packets->hits[i]) ? "missed" : "hit");
         } else if (!isnan(packets->hits[i]) && packets->hits[i] != singly->hits[i] &&
@@ -190,7 +190,7 @@ static void compare_tiers(const algsurf_surface *surface, const view *v, void *d
     const algsurf_intersect_options standard = {.size = sizeof standard};
     shares *s = data;
     picture *p = draw(surface, v, &fast), *q = draw(surface, v, &standard);
-    assert_true(p->stats.uncertain == 0);
+    assert_true(p->stats.undecided == 0);
     for (int k = 0; k < W * H && v->number >= 6; k++) {
         s->part += (uint64_t)(isnan(p->hits[k]) != isnan(q->hits[k]));
         s->whole += (uint64_t)!isnan(q->hits[k]);

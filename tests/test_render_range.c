@@ -280,7 +280,7 @@ static long compare_with_rays(const test_view *v) {
                          ALGSURF_OK);
         assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
         alone += hit.state == ALGSURF_HIT;
-        if (hit.state == ALGSURF_UNCERTAIN || (hit.state == ALGSURF_HIT) == !isnan(hits[i])) continue;
+        if (hit.state == ALGSURF_UNDECIDED || (hit.state == ALGSURF_HIT) == !isnan(hits[i])) continue;
         if (seen.lost++ < 5) show_view(v, x, y);
     }
     seen.views++;

@@ -18,19 +18,19 @@
 
 static const double pi = 3.141592653589793;
 
-static algsurf_enclosure box(double re_lo, double re_hi, double im_lo, double im_hi) {
-    return (algsurf_enclosure){{{re_lo, re_hi}, {im_lo, im_hi}},
-                               {0.5 * (re_lo + re_hi), 0.5 * (im_lo + im_hi)},
-                               1,
-                               im_lo == 0 && im_hi == 0};
+static algsurf_complex_root box(double re_lo, double re_hi, double im_lo, double im_hi) {
+    return (algsurf_complex_root){{{re_lo, re_hi}, {im_lo, im_hi}},
+                                  {0.5 * (re_lo + re_hi), 0.5 * (im_lo + im_hi)},
+                                  1,
+                                  im_lo == 0 && im_hi == 0};
 }
 
-static algsurf_enclosure near_point(double re, double im) {
+static algsurf_complex_root near_point(double re, double im) {
     double r = 1e-12 * hypot(re, im), s = im == 0 ? 0 : r;
     return box(re - r, re + r, im - s, im + s);
 }
 
-static void check_holds(double sigma, double delta, algsurf_enclosure root, int expected) {
+static void check_holds(double sigma, double delta, algsurf_complex_root root, int expected) {
     const algsurf_sector sector = {sigma, delta};
     int holds = 17;
     assert_int_equal(algsurf_sector_holds(&sector, &root, &holds), ALGSURF_OK);
@@ -66,7 +66,7 @@ static int truth_of(const algsurf_sector *sector, const mpf_t arg) {
 }
 
 static int held(const algsurf_sector *sector, double re, double im) {
-    const algsurf_enclosure root = box(re, re, im, im);
+    const algsurf_complex_root root = box(re, re, im, im);
     int holds = 17;
     assert_int_equal(algsurf_sector_holds(sector, &root, &holds), ALGSURF_OK);
     return holds;
@@ -127,20 +127,20 @@ static void test_pi(void **state) {
     assert_int_equal(held(&below, -1, -0x1p-40), 1);
 }
 
-static void check_select(const algsurf_enclosure *roots, int count, double lo, double hi,
+static void check_select(const algsurf_complex_root *roots, int count, double lo, double hi,
                          algsurf_selected expected, int which) {
     const algsurf_sector sector = {0, 0.5};
     algsurf_selected selected = ALGSURF_SELECTED_UNDECIDED;
     int index = 99;
-    assert_int_equal(algsurf_select_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
+    assert_int_equal(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
     assert_int_equal(selected, expected);
     assert_int_equal(index, expected == ALGSURF_SELECTED_NONE ? 99 : which);
 }
 
 static void test_least(void **state) {
     (void)state;
-    const algsurf_enclosure roots[] = {near_point(3, 0), near_point(0.5, 2), near_point(2, 0.4),
-                                       near_point(2, -0.4), near_point(-1, 0)};
+    const algsurf_complex_root roots[] = {near_point(3, 0), near_point(0.5, 2), near_point(2, 0.4),
+                                          near_point(2, -0.4), near_point(-1, 0)};
     check_select(roots, 5, 0, HUGE_VAL, ALGSURF_SELECTED_ONE, 2);
     check_select(roots, 5, 2.5, HUGE_VAL, ALGSURF_SELECTED_ONE, 0);
     check_select(roots, 5, 0, 2.5, ALGSURF_SELECTED_ONE, 2);
@@ -152,21 +152,21 @@ static void test_least(void **state) {
 
 static void test_undecided(void **state) {
     (void)state;
-    algsurf_enclosure edge = box(cos(0.5) - 1e-9, cos(0.5) + 1e-9, sin(0.5) - 1e-9, sin(0.5) + 1e-9);
-    const algsurf_enclosure smaller[] = {near_point(3, 0), edge};
+    algsurf_complex_root edge = box(cos(0.5) - 1e-9, cos(0.5) + 1e-9, sin(0.5) - 1e-9, sin(0.5) + 1e-9);
+    const algsurf_complex_root smaller[] = {near_point(3, 0), edge};
     check_select(smaller, 2, 0, HUGE_VAL, ALGSURF_SELECTED_UNDECIDED, 1);
-    const algsurf_enclosure larger[] = {near_point(0.9, 0), edge};
+    const algsurf_complex_root larger[] = {near_point(0.9, 0), edge};
     check_select(larger, 2, 0, HUGE_VAL, ALGSURF_SELECTED_ONE, 0);
-    const algsurf_enclosure overlap[] = {box(1, 1.1, 0, 0), box(1.05, 1.2, 0, 0)};
+    const algsurf_complex_root overlap[] = {box(1, 1.1, 0, 0), box(1.05, 1.2, 0, 0)};
     check_select(overlap, 2, 0, HUGE_VAL, ALGSURF_SELECTED_UNDECIDED, 0);
-    const algsurf_enclosure at_end[] = {box(1, 1.1, 0, 0)};
+    const algsurf_complex_root at_end[] = {box(1, 1.1, 0, 0)};
     check_select(at_end, 1, 1.05, 2, ALGSURF_SELECTED_UNDECIDED, 0);
 }
 
-typedef algsurf_status selector(const algsurf_enclosure *, int, const algsurf_sector *, double, double,
+typedef algsurf_status selector(const algsurf_complex_root *, int, const algsurf_sector *, double, double,
                                 algsurf_selected *, int *);
 
-static algsurf_selected selected_by(selector *by, const algsurf_enclosure *roots, int count, double delta,
+static algsurf_selected selected_by(selector *by, const algsurf_complex_root *roots, int count, double delta,
                                     int *index) {
     const algsurf_sector sector = {0, delta};
     algsurf_selected selected = ALGSURF_SELECTED_NONE;
@@ -174,7 +174,7 @@ static algsurf_selected selected_by(selector *by, const algsurf_enclosure *roots
     return selected;
 }
 
-static selector *const selectors[2] = {algsurf_select, algsurf_select_real};
+static selector *const selectors[2] = {algsurf_select, algsurf_select_of_real};
 
 /* Of the roots of t^2 + 2^-k t - 1 the positive one is the smaller, by 2^-k. */
 static void test_real_rivals(void **state) {
@@ -182,9 +182,9 @@ static void test_real_rivals(void **state) {
     int decided = 0;
     for (int k = 1; k <= 1074; k++) {
         const double c[3] = {-1, ldexp(1, -k), 1};
-        algsurf_enclosure roots[2];
+        algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_roots_real(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count), ALGSURF_OK);
         assert_int_equal(count, 2);
         for (int i = 0; i < 2; i++) {
             algsurf_selected selected = selected_by(selectors[i], roots, 2, pi, &index);
@@ -206,9 +206,9 @@ static void test_near_conjugates(void **state) {
     for (int k = 1; k <= 51; k++) {
         double e = ldexp(1, -k);
         const algsurf_complex c[3] = {{2 + 2 * e, 0}, {-(2 + e), e}, {1, 0}};
-        algsurf_enclosure roots[2];
+        algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
         assert_int_equal(count, 2);
         algsurf_selected selected = selected_by(algsurf_select, roots, 2, pi, &index);
         assert_true(selected != ALGSURF_SELECTED_NONE);
@@ -222,11 +222,12 @@ static void test_near_conjugates(void **state) {
 /* Boxes that look alike are no proof: only those of a real polynomial, off the axis, mirror a root. */
 static void test_alike(void **state) {
     (void)state;
-    const algsurf_enclosure upper = box(1, 1.1, 1, 1.1), lower = box(1, 1.1, -1.1, -1),
-                            other = box(1, 1.1, -1.2, -1);
-    const algsurf_enclosure right = box(1, 1.1, 0, 0), left = box(-1.1, -1, 0, 0), axis = box(1, 1.1, -1, 1);
+    const algsurf_complex_root upper = box(1, 1.1, 1, 1.1), lower = box(1, 1.1, -1.1, -1),
+                               other = box(1, 1.1, -1.2, -1);
+    const algsurf_complex_root right = box(1, 1.1, 0, 0), left = box(-1.1, -1, 0, 0),
+                               axis = box(1, 1.1, -1, 1);
     const struct {
-        algsurf_enclosure roots[2];
+        algsurf_complex_root roots[2];
         algsurf_selected any, real;
     } cases[] = {
         {{upper, lower}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_ONE},
@@ -245,19 +246,19 @@ static void test_alike(void **state) {
         int index = 99;
         assert_int_equal(selected_by(algsurf_select, cases[i].roots, 2, pi, &index), cases[i].any);
         assert_int_equal(index, 0);
-        assert_int_equal(selected_by(algsurf_select_real, cases[i].roots, 2, pi, &index), cases[i].real);
+        assert_int_equal(selected_by(algsurf_select_of_real, cases[i].roots, 2, pi, &index), cases[i].real);
         assert_int_equal(index, 0);
     }
     /* a third root as large as a pair's may be */
-    const algsurf_enclosure three[] = {upper, lower, box(-1.1, -1, 1, 1.1)};
+    const algsurf_complex_root three[] = {upper, lower, box(-1.1, -1, 1, 1.1)};
     int index = 99;
-    assert_int_equal(selected_by(algsurf_select_real, three, 3, pi, &index), ALGSURF_SELECTED_UNDECIDED);
+    assert_int_equal(selected_by(algsurf_select_of_real, three, 3, pi, &index), ALGSURF_SELECTED_UNDECIDED);
 }
 
 static void test_bad_arguments(void **state) {
     (void)state;
     const algsurf_sector good = {0, 1}, bad[] = {{-1, 1}, {0, -1}, {3, 1}, {NAN, 1}, {0, NAN}};
-    const algsurf_enclosure root = near_point(1, 0);
+    const algsurf_complex_root root = near_point(1, 0);
     algsurf_selected selected = ALGSURF_SELECTED_ONE;
     int index = 7, holds = 7;
     for (int i = 0; i < 5; i++) {

@@ -36,7 +36,8 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
     int all = 0, count = 0;
     assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, ALGSURF_MAX_DEGREE, &all), ALGSURF_OK);
     for (int i = 0; i < all; i++)
-        if (b[i].kind == ALGSURF_ROOT_BRACKET && b[i].multiplicity == 1 && !isinf(b[i].lo) && !isinf(b[i].hi))
+        if (b[i].kind == ALGSURF_BRACKET_ISOLATED && b[i].multiplicity == 1 && !isinf(b[i].lo) &&
+            !isinf(b[i].hi))
             b[count++] = b[i];
     memset(r, 0, sizeof r);
     memset(other, 0, sizeof other);

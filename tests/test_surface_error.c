@@ -80,7 +80,7 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
             if (!wrong && state == ALGSURF_MISS && roots > 0) wrong = "packet misses";
             if (!wrong && state == ALGSURF_HIT && roots == 0) wrong = "packet hits nothing";
             if (wrong) intersect_fail(wrong, &member, &answer);
-            *certain += answer.first.state != ALGSURF_UNCERTAIN;
+            *certain += answer.first.state != ALGSURF_UNDECIDED;
             exact_sturm_clear(&chain);
             algsurf_surface_free(own);
         }
@@ -131,7 +131,7 @@ static void values(void **state) {
 }
 
 /* About (off, off, 0): away from the origin the terms are larger than what they add up to. */
-static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double *t, uint64_t *uncertain) {
+static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double *t, uint64_t *undecided) {
     const double eye[3] = {off + 3, off - 4, 2}, at[3] = {off + 0.05, off + 0.03, 0.02}, up[3] = {0, 0, 1};
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {off, off, 0}, {2.5, 0, 0}};
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = ALGSURF_DOUBT_REPORT};
@@ -147,28 +147,28 @@ static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double
     assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
     assert_int_equal(algsurf_render(scene, &o, bytes, 3 * SIDE, t, &stats), ALGSURF_OK);
-    *uncertain = (uint64_t)stats.uncertain;
+    *undecided = (uint64_t)stats.undecided;
     algsurf_scene_free(scene);
 }
 
-/* A picture's uncertain pixels are counted, not marked: members may differ from it in no more than those. */
+/* A picture's undecided pixels are counted, not marked: members may differ from it in no more than those. */
 static void pictures(void **state) {
     static double t[SIDE * SIDE], own[SIDE * SIDE];
-    uint64_t seed = SEED, uncertain, none;
+    uint64_t seed = SEED, undecided, none;
     (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(5e-4);
         double off = e == TUBE ? 12 : 0;
-        draw(s, off, ALGSURF_TIER_BOUNDED, t, &uncertain);
+        draw(s, off, ALGSURF_TIER_BOUNDED, t, &undecided);
         for (int m = 0; m < 6; m++) {
             uint64_t different = 0;
             make_member(&seed, 5e-4);
             draw(member.surface, off, ALGSURF_TIER_CERTIFIED, own, &none);
             for (int i = 0; i < SIDE * SIDE; i++) different += isnan(t[i]) != isnan(own[i]);
-            if (different > uncertain || uncertain > SIDE * SIDE / 2)
-                fail_msg("seed %u, %s: %d pixels differ, %d are uncertain", SEED, equations[e],
-                         (int)different, (int)uncertain);
+            if (different > undecided || undecided > SIDE * SIDE / 2)
+                fail_msg("seed %u, %s: %d pixels differ, %d are undecided", SEED, equations[e],
+                         (int)different, (int)undecided);
             algsurf_surface_free(member.surface);
         }
         algsurf_surface_free(s);
@@ -232,7 +232,7 @@ static void a_point(void **state) {
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
     assert_int_equal(algsurf_intersect_first(s, NULL, &at_one, &o, &hit), ALGSURF_OK);
-    assert_int_equal(hit.state, ALGSURF_UNCERTAIN);
+    assert_int_equal(hit.state, ALGSURF_UNDECIDED);
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
     assert_int_equal(algsurf_intersect_first(s, NULL, &beside, &o, &hit), ALGSURF_OK);
     assert_int_equal(hit.state, ALGSURF_MISS);

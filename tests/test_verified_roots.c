@@ -110,10 +110,10 @@ static void neighbours_are_near(void **state) {
     int near = 0, roots = 0;
     (void)state;
     for (int i = 0; i < COUNT; i++) {
-        algsurf_enclosure root[ALGSURF_MAX_DEGREE];
+        algsurf_complex_root root[ALGSURF_MAX_DEGREE];
         int count;
         if (!p[i].has_near) continue;
-        assert_int_equal(algsurf_roots(p[i].c, NULL, p[i].degree, root, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots(p[i].c, NULL, p[i].degree, root, &count), ALGSURF_OK);
         for (int k = 0; k < p[i].degree; k++) {
             const algsurf_complex z = p[i].near[k], zero = {0, 0};
             double least = INFINITY;
@@ -131,9 +131,9 @@ static void neighbours_are_near(void **state) {
 /* ---- the judge ---- */
 
 static answer true_answer(const polynomial *p) {
-    algsurf_enclosure root[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root root[ALGSURF_MAX_DEGREE];
     answer a = {.complete = 1};
-    assert_int_equal(algsurf_roots(p->c, NULL, p->degree, root, &a.count), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count), ALGSURF_OK);
     for (int i = 0; i < a.count; i++)
         a.root[i] =
             (answer_root){root[i].box, root[i].value, root[i].multiplicity, root[i].multiplicity == 1};

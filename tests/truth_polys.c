@@ -40,7 +40,7 @@ static int is_mirror(algsurf_cinterval a, algsurf_cinterval b) {
     return a.re.lo == b.re.lo && a.re.hi == b.re.hi && a.im.lo == -b.im.hi && a.im.hi == -b.im.lo;
 }
 
-static void judge_boxes(const poly_case *p, const algsurf_enclosure *e, int count) {
+static void judge_boxes(const poly_case *p, const algsurf_complex_root *e, int count) {
     int sum = 0;
     for (int i = 0; i < count; i++) {
         int inside = 0, mirrored = 0;
@@ -71,8 +71,8 @@ static void measure(algsurf_interval part, double at) {
     tally.width[ulps < WIDTHS ? (int)ceil(ulps) : WIDTHS]++;
 }
 
-static void judge_root(const poly_case *p, const poly_root *root, const algsurf_enclosure *e, int count) {
-    const algsurf_enclosure *at = NULL;
+static void judge_root(const poly_case *p, const poly_root *root, const algsurf_complex_root *e, int count) {
+    const algsurf_complex_root *at = NULL;
     for (int i = 0; i < count; i++)
         if (poly_root_in(root, e[i].box)) at = &e[i];
     if (!at) {
@@ -91,11 +91,11 @@ static void judge_root(const poly_case *p, const poly_root *root, const algsurf_
 }
 
 static void judge(const poly_case *p) {
-    algsurf_enclosure e[ALGSURF_MAX_DEGREE], again[ALGSURF_MAX_DEGREE];
+    algsurf_complex_root e[ALGSURF_MAX_DEGREE], again[ALGSURF_MAX_DEGREE];
     double real[ALGSURF_MAX_DEGREE + 1];
     int count = -1, count_again = -1;
     clock_t start = clock();
-    algsurf_status status = algsurf_roots(p->c, NULL, p->degree, e, &count);
+    algsurf_status status = algsurf_complex_roots(p->c, NULL, p->degree, e, &count);
     double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     if (status != ALGSURF_OK) {
         wrong(p, algsurf_status_text(status));
@@ -106,7 +106,8 @@ static void judge(const poly_case *p) {
     for (int k = 0; k < p->distinct; k++) judge_root(p, &p->root[k], e, count);
     if (!p->real) return;
     for (int k = 0; k <= p->degree; k++) real[k] = p->c[k].re;
-    if (algsurf_roots_real(real, NULL, p->degree, again, &count_again) != ALGSURF_OK || count_again != count)
+    if (algsurf_complex_roots_of_real(real, NULL, p->degree, again, &count_again) != ALGSURF_OK ||
+        count_again != count)
         wrong(p, "as a real polynomial it has other roots");
     for (int i = 0; i < count && count_again == count; i++)
         if (memcmp(&e[i].box, &again[i].box, sizeof e[i].box) != 0)

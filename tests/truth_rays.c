@@ -12,7 +12,7 @@
  * Prints a table for each query, a line for each violation, and fails if there is one.  Catches: a
  * second root taken for the first, a root lost at an end of the ray, an enclosure off by one ulp, a
  * sign believed inside its error bound, digits lost to a far eye, and a solver that hides behind
- * "uncertain".
+ * "undecided".
  */
 #include <math.h>
 #include <stdio.h>
@@ -60,7 +60,7 @@ typedef struct truth {
 
 typedef struct tally {
     const char *kind;
-    int rows, hits, misses, uncertain, wrong;
+    int rows, hits, misses, undecided, wrong;
     double worst; /* error of t in units of u acond + ulp(t)/2 */
 } tally;
 
@@ -89,7 +89,7 @@ static void count_state(int query, const truth *r, int state) {
     y->rows++;
     if (state == ALGSURF_HIT) y->hits++;
     if (state == ALGSURF_MISS) y->misses++;
-    if (state == ALGSURF_UNCERTAIN) y->uncertain++;
+    if (state == ALGSURF_UNDECIDED) y->undecided++;
 }
 
 static int has_multiple(const truth *r) {
@@ -142,8 +142,8 @@ static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
         judge_error(query, r, hit, 4);
         if (hit->multiplicity != r->root[0].mult) wrong(query, r, "another multiplicity", hit);
     } else {
-        if (query != FIRST_BOUNDED) wrong(query, r, "uncertain, but decidable", hit);
-        if (hit->reason <= ALGSURF_OK) wrong(query, r, "uncertain for no reason", hit);
+        if (query != FIRST_BOUNDED) wrong(query, r, "undecided, but decidable", hit);
+        if (hit->reason <= ALGSURF_OK) wrong(query, r, "undecided for no reason", hit);
         if (r->n && !at_least(r->root[0].t, hit->t_lo))
             wrong(query, r, "a root before the doubtful place", hit);
     }
@@ -217,15 +217,15 @@ static void judge_all(const algsurf_surface *s, const truth *r) {
         return;
     }
     for (int i = 0; i < count; i++) {
-        open |= hits[i].state == ALGSURF_UNCERTAIN;
+        open |= hits[i].state == ALGSURF_UNDECIDED;
         if (i > 0 && !(hits[i].t_lo >= hits[i - 1].t_lo))
             wrong(query, r, "not in increasing order", &hits[i]);
     }
-    count_state(query, r, open ? ALGSURF_UNCERTAIN : count ? ALGSURF_HIT : ALGSURF_MISS);
+    count_state(query, r, open ? ALGSURF_UNDECIDED : count ? ALGSURF_HIT : ALGSURF_MISS);
     if (!r->in_surface) pair_off(query, r, hits, count);
     if (r->in_surface && !count) wrong(query, r, "the ray lies in the surface, and nothing is told", NULL);
     if (!open && !r->in_surface && count != r->n) wrong(query, r, "the number of hits", NULL);
-    if (open) wrong(query, r, "uncertain, but decidable", &hits[0]);
+    if (open) wrong(query, r, "undecided, but decidable", &hits[0]);
 }
 
 static void judge_all_fast(const algsurf_surface *s, const truth *r) {
@@ -245,7 +245,7 @@ static void judge_whether(int query, const truth *r, int state) {
     count_state(query, r, state);
     if (state == ALGSURF_MISS && (r->n || r->in_surface)) wrong(query, r, "told free", NULL);
     if (state == ALGSURF_HIT && !r->n && !r->in_surface) wrong(query, r, "told occluded", NULL);
-    if (state == ALGSURF_UNCERTAIN) wrong(query, r, "uncertain, but decidable", NULL);
+    if (state == ALGSURF_UNDECIDED) wrong(query, r, "undecided, but decidable", NULL);
 }
 
 static void judge_occluded(const algsurf_surface *s, const truth *r) {
@@ -305,7 +305,7 @@ static truth truth_of(const truth_table *rays, const truth_table *roots, size_t 
     return r;
 }
 
-/* A tier that leaves everything uncertain is never wrong: percent of a kind that it may.  Of rays that end at
+/* A tier that leaves everything undecided is never wrong: percent of a kind that it may.  Of rays that end at
  * a root, or a few digits beside it, all are: no rounded value shows on which side the root is. */
 static void judge_bounded(void) {
     static const struct {
@@ -317,8 +317,8 @@ static void judge_bounded(void) {
     for (const tally *y = tallies[FIRST_BOUNDED]; y->kind; y++) {
         size_t i = 0;
         while (i < sizeof most / sizeof *most && strcmp(y->kind, most[i].kind) != 0) i++;
-        if (i < sizeof most / sizeof *most && y->uncertain * 100 <= y->rows * most[i].percent) continue;
-        fprintf(stderr, "truth_rays: the bounded tier leaves %d of %d rays uncertain: %s\n", y->uncertain,
+        if (i < sizeof most / sizeof *most && y->undecided * 100 <= y->rows * most[i].percent) continue;
+        fprintf(stderr, "truth_rays: the bounded tier leaves %d of %d rays undecided: %s\n", y->undecided,
                 y->rows, y->kind);
         violations++;
     }
@@ -326,10 +326,10 @@ static void judge_bounded(void) {
 
 static void print_tables(void) {
     for (int q = 0; q < QUERIES; q++) {
-        printf("\n%-20s %6s %6s %6s %9s %6s %10s\n", query_name[q], "rows", "hit", "miss", "uncertain",
+        printf("\n%-20s %6s %6s %6s %9s %6s %10s\n", query_name[q], "rows", "hit", "miss", "undecided",
                "wrong", "worst");
         for (const tally *y = tallies[q]; y->kind; y++)
-            printf("  %-18s %6d %6d %6d %9d %6d %10.3g\n", y->kind, y->rows, y->hits, y->misses, y->uncertain,
+            printf("  %-18s %6d %6d %6d %9d %6d %10.3g\n", y->kind, y->rows, y->hits, y->misses, y->undecided,
                    y->wrong, y->worst);
     }
     printf("\nworst: error of t for a simple first root, in units of u acond + ulp/2\n");

@@ -24,7 +24,8 @@ enum { REPEAT = 5 };
 static int violations, brackets;
 static double isolation, refinement; /* seconds */
 
-static void wrong(const poly_case *p, const char *what, const algsurf_bracket *b, const algsurf_root *r) {
+static void wrong(const poly_case *p, const char *what, const algsurf_bracket *b,
+                  const algsurf_refined_root *r) {
     violations++;
     printf("WRONG %s (%s, %s): %s, [%a,%a] -> [%a,%a]\n", p->id, p->family, p->label, what, b->lo, b->hi,
            r->lo, r->hi);
@@ -41,7 +42,7 @@ static int roots_in(const poly_case *p, double lo, double hi) {
 }
 
 static void judge_bracket(const poly_case *p, const algsurf_bracket *b, algsurf_status status,
-                          const algsurf_root *r) {
+                          const algsurf_refined_root *r) {
     brackets++;
     if (status != ALGSURF_OK || !r->converged) {
         wrong(p, "refused", b, r);
@@ -59,7 +60,7 @@ static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
 static void judge(const poly_case *p, double lo, double hi) {
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
-    algsurf_root r[ALGSURF_MAX_DEGREE];
+    algsurf_refined_root r[ALGSURF_MAX_DEGREE];
     algsurf_status status[ALGSURF_MAX_DEGREE];
     double c[ALGSURF_MAX_DEGREE + 1], begin = seconds();
     int count = 0;
@@ -70,12 +71,12 @@ static void judge(const poly_case *p, double lo, double hi) {
     double between = seconds();
     for (int i = 0; i < REPEAT; i++)
         for (int j = 0; j < count; j++)
-            if (b[j].kind == ALGSURF_ROOT_BRACKET)
+            if (b[j].kind == ALGSURF_BRACKET_ISOLATED)
                 status[j] = algsurf_refine_poly(c, p->degree, b[j].lo, b[j].hi, NULL, r + j);
     isolation += between - begin;
     refinement += seconds() - between;
     for (int j = 0; j < count; j++)
-        if (b[j].kind == ALGSURF_ROOT_BRACKET) judge_bracket(p, b + j, status[j], r + j);
+        if (b[j].kind == ALGSURF_BRACKET_ISOLATED) judge_bracket(p, b + j, status[j], r + j);
 }
 
 /* A finite interval that holds the real roots that doubles hold, with no root at its ends. */

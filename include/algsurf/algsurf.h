@@ -10,7 +10,7 @@
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
  *                  failure, an unknown positive one is undecided.
- * The last digits of approximate values, the width of enclosures, the colours of pixels and what is uncertain
+ * The last digits of approximate values, the width of enclosures, the colours of pixels and what is undecided
  * may change with a version, within what is guaranteed.  The rules that keep this are in lib/algsurf.map.
  */
 #ifndef ALGSURF_ALGSURF_H
@@ -20,8 +20,8 @@
 #include "algsurf/poly.h"
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
-#include "algsurf/packet.h"
 #include "algsurf/allroots.h"
+#include "algsurf/batch.h"
 #include "algsurf/select.h"
 #include "algsurf/surface.h"
 #include "algsurf/ray.h"

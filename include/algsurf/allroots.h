@@ -1,7 +1,7 @@
 /* algsurf/allroots.h - all complex roots of a polynomial, enclosed and counted.
  *
- * Two families.  The robust solver, algsurf_roots and its kin, returns for degree n always n roots, as
- * disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.  The
+ * Two families.  The robust solver, algsurf_complex_roots and its kin, returns for degree n always n roots,
+ * as disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.  The
  * algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
  * beside it, with the failures they have: algsurf_approximation, algsurf_interval_iteration,
  * algsurf_cpoly_zeros.
@@ -14,18 +14,19 @@
 #include <stddef.h>
 
 #include "algsurf/interval.h"
+#include "algsurf/poly.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /* A root, simple or multiple, or a cluster of roots that could not be told apart. */
-typedef struct algsurf_enclosure {
+typedef struct algsurf_complex_root {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex value; /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
     int real;              /* 1: real, proved, whatever the multiplicity: box.im is [0,0] */
-} algsurf_enclosure;
+} algsurf_complex_root;
 
 /* All roots of sum c_k z^k.
  *   c, r    degree+1 coefficients, lowest first; radii or null
@@ -46,36 +47,29 @@ typedef struct algsurf_enclosure {
  * 1 GiB, freed at the end. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith
  * 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).
  * Since 1.0. */
-ALGSURF_API algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree,
-                                         algsurf_enclosure *roots, int *count);
+ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
+                                                 algsurf_complex_root *roots, int *count);
 
 /* The same for real coefficients; radii then stand for real coefficients too, so that roots can be proved
  * real.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_roots_real(const double *c, const double *r, int degree,
-                                              algsurf_enclosure *roots, int *count);
+ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
+                                                         algsurf_complex_root *roots, int *count);
 
 /* ---- many polynomials at once ---- */
 
 /* Polynomials as structure of arrays: number i is the sum of (re[k][i] + i im[k][i]) z^k, with radii
  * r[k][i]. */
-typedef struct algsurf_complex_packet {
-    size_t size;             /* sizeof(algsurf_complex_packet) */
+typedef struct algsurf_complex_batch {
+    size_t size;             /* sizeof(algsurf_complex_batch) */
     size_t count;            /* of polynomials; the arrays may be null when it is 0 */
     int degree;              /* a bound, 1..ALGSURF_MAX_DEGREE: leading zeros are allowed */
     const double *const *re; /* degree + 1 arrays of `count` real parts, lowest power first */
     const double *const *im; /* the same for imaginary parts; null: the coefficients are real */
     const double *const *r;  /* the same for radii; null: the coefficients are exact */
-} algsurf_complex_packet;
+} algsurf_complex_batch;
 
-/* How the roots of a packet are found. */
-typedef struct algsurf_roots_packet_options {
-    size_t size;        /* sizeof(algsurf_roots_packet_options) */
-    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
-                           runs here.  All of them give the same bits. */
-} algsurf_roots_packet_options;
-
-/* All roots of each polynomial: bit for bit what algsurf_roots_real returns for it (im null), or
- * algsurf_roots.
+/* All roots of each polynomial: bit for bit what algsurf_complex_roots_of_real returns for it (im null), or
+ * algsurf_complex_roots.
  *   options  null: all defaults
  *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
  *   count    for each polynomial the number of its entries; or, where the single call fails, its error, a
@@ -83,14 +77,15 @@ typedef struct algsurf_roots_packet_options {
  * Neither may overlap the input.
  * Returns the first of these errors: all other answers stand.  Errors: E_ARGUMENT (null, degree outside its
  * range, bad size or kernel): nothing is written; else those of the single call.
- * Guarantee: verified, as algsurf_roots.
+ * Guarantee: verified, as algsurf_complex_roots.
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.
- * Source: as algsurf_roots; degree 2 with real coefficients in closed form, in doubled precision.  Since 1.0.
+ * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
+ * Since 1.0.
  */
-ALGSURF_API algsurf_status algsurf_roots_packet(const algsurf_complex_packet *packet,
-                                                const algsurf_roots_packet_options *options,
-                                                algsurf_enclosure *roots, int *count);
+ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *packet,
+                                                       const algsurf_batch_options *options,
+                                                       algsurf_complex_root *roots, int *count);
 
 /* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
 
@@ -164,26 +159,27 @@ ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const d
 
 /* Work memory for repeated calls and for degrees up to ALGSURF_MAX_POLY_DEGREE; not to be used by two
  * threads at once. */
-typedef struct algsurf_root_solver algsurf_root_solver;
+typedef struct algsurf_complex_solver algsurf_complex_solver;
 
 /* What a solve took. */
-typedef struct algsurf_root_stats {
+typedef struct algsurf_complex_solver_stats {
     int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
     int retries;    /* roots that went to double-double */
-} algsurf_root_stats;
+} algsurf_complex_solver_stats;
 
 /* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,
  * E_NO_MEMORY.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **solver);
+ALGSURF_API algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver);
 /* Releases a solver and its memory; null is allowed.  Since 1.0. */
-ALGSURF_API void algsurf_root_solver_free(algsurf_root_solver *solver);
-/* As algsurf_roots; `start` null, or `degree` start values for the iteration, all different (good ones
- * save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.
- * Errors: as algsurf_roots; E_DEGREE (above the solver's).  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsurf_complex *c,
-                                                   const double *r, int degree, const algsurf_complex *start,
-                                                   algsurf_enclosure *roots, int *count,
-                                                   algsurf_root_stats *stats);
+ALGSURF_API void algsurf_complex_solver_free(algsurf_complex_solver *solver);
+/* As algsurf_complex_roots; `start` null, or `degree` start values for the iteration, all different (good
+ * ones save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.
+ * Errors: as algsurf_complex_roots; E_DEGREE (above the solver's).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver,
+                                                      const algsurf_complex *c, const double *r, int degree,
+                                                      const algsurf_complex *start,
+                                                      algsurf_complex_root *roots, int *count,
+                                                      algsurf_complex_solver_stats *stats);
 
 #ifdef __cplusplus
 }

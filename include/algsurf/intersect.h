@@ -16,10 +16,10 @@ extern "C" {
 typedef enum algsurf_tier {
     /* Every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide where their error bounds
      * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
-     * at an end of the ray or on the extent's surface, rays in the surface.  Uncertain is only what
+     * at an end of the ray or on the extent's surface, rays in the surface.  Undecided is only what
      * coefficients that are known to an error (algsurf_surface_with_error) leave open. */
     ALGSURF_TIER_CERTIFIED = 0,
-    /* The same doubles, and no integers: what they do not decide is uncertain.  For hosts that need a bounded
+    /* The same doubles, and no integers: what they do not decide is undecided.  For hosts that need a bounded
      * time for every ray. */
     ALGSURF_TIER_BOUNDED = 1,
     /* Signs of doubles as computed, without bounds: may be wrong within rounding of a tangency, or of a root
@@ -27,9 +27,9 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_FAST = 2
 } algsurf_tier;
 
-/* What becomes of an uncertain place. */
+/* What becomes of an undecided place. */
 typedef enum algsurf_doubt {
-    ALGSURF_DOUBT_REPORT = 0, /* it is reported, as ALGSURF_UNCERTAIN */
+    ALGSURF_DOUBT_REPORT = 0, /* it is reported, as ALGSURF_UNDECIDED */
     ALGSURF_DOUBT_HIT = 1,    /* it counts as a hit; its `reason` still tells why it was in doubt */
     ALGSURF_DOUBT_MISS = 2    /* it is passed over */
 } algsurf_doubt;
@@ -38,21 +38,21 @@ typedef enum algsurf_doubt {
 typedef enum algsurf_hit_state {
     ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified as algsurf_tier says */
     ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified as algsurf_tier says */
-    ALGSURF_UNCERTAIN = 2 /* not decided: coefficients known to an error only, or the bounded tier */
+    ALGSURF_UNDECIDED = 2 /* not decided: coefficients known to an error only, or the bounded tier */
 } algsurf_hit_state;
 
 /* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
 typedef struct algsurf_hit {
     int state;             /* an algsurf_hit_state */
-    algsurf_status reason; /* ALGSURF_OK, or why it is uncertain (a positive status) */
+    algsurf_status reason; /* ALGSURF_OK, or why it is undecided (a positive status) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
-                         where the ray lies in the surface, of a miss, and of an uncertain place */
+                         where the ray lies in the surface, of a miss, and of an undecided place */
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
-    double t;         /* approximate, along the ray as given; uncertain: where it is in doubt */
+    double t;         /* approximate, along the ray as given; undecided: where it is in doubt */
     double t_lo, t_hi;  /* encloses the hit, and no other hit is before it: neighbouring doubles, or t alone,
                            where integers decided; where doubles did, what rounding P there leaves open, some
                            100 units in the last place for moderate surfaces, or, where that has not been
-                           shown, the interval that isolates the hit; uncertain: no hit is before t_lo, it is
+                           shown, the interval that isolates the hit; undecided: no hit is before t_lo, it is
                            open whether one is in [t_lo, t_hi]; fast tier: both are t */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
@@ -70,7 +70,7 @@ typedef struct algsurf_intersect_options {
                               Newton step on P at the point itself */
     const char *kernel;    /* the packet code to use for packets and pictures, by a name that
                               algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
-    algsurf_doubt doubt;   /* what becomes of an uncertain place */
+    algsurf_doubt doubt;   /* what becomes of an undecided place */
     size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                           answer is E_NO_MEMORY */
 } algsurf_intersect_options;
@@ -91,7 +91,7 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit
  * in the last place where integers decided.  A ray's answer has the same bits alone as in a packet
  * (algsurf_intersect_packet), by whatever kernel.
- * Returns OK also for a miss and for uncertain: the state is in hit.
+ * Returns OK also for a miss and for undecided: the state is in hit.
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction),
  * E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
@@ -104,7 +104,7 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
 
 /* All hits, in increasing t, each once with its multiplicity.  (A ray in the surface has one, at its begin.)
  *   hits, capacity  room for the answer; the surface's degree, at least 1, always suffices
- *   count           how many were written, uncertain ones included
+ *   count           how many were written, undecided ones included
  * Guarantee: that of the first hit, for each; what is not in an entry is no hit.  The first entry is the hit
  * of algsurf_intersect_first; its t, t_lo and t_hi may differ where one of the calls went to integers.
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Cost: 0.3 to 3 microseconds
@@ -116,8 +116,8 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
                                                  int capacity, int *count);
 
 /* Is there any hit?  Cheaper than the first hit: nothing is refined, and an odd number of roots is
- * known from the ends alone: it may be a hit where the first hit is uncertain.
- *   state  ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNCERTAIN
+ * known from the ends alone: it may be a hit where the first hit is undecided.
+ *   state  ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
  * Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
@@ -151,7 +151,7 @@ typedef struct algsurf_hit_packet {
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
  * options; E_ARGUMENT (null, or a size that is none): nothing is written.  E_NO_MEMORY: the rays that could
- * not be decided for want of memory are uncertain from end to end, all others are answered.
+ * not be decided for want of memory are undecided from end to end, all others are answered.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
  * side by side.  The cost of a single call is added for a ray that doubles leave undecided, one without end,
  * and one that is several thousand times as long as the surface is large.
@@ -186,7 +186,7 @@ typedef struct algsurf_complex_space {
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
  *          normal of the surface shown when the direction varies about a fixed origin (with g the complex
  *          gradient of P at origin + t direction: Re(g / p'(t)) corrected along the ray), the gradient's
- *          direction for a real root.  state UNCERTAIN: whether a root is in the sector or range, or which
+ *          direction for a real root.  state UNDECIDED: whether a root is in the sector or range, or which
  *          one is the least, stays open; the hit then is the least root that may be meant
  *   root   the complex root t shown; may be null
  *   start  null, or degree-many start values for the roots t, from a neighbouring ray say: they change
@@ -194,7 +194,7 @@ typedef struct algsurf_complex_space {
  *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
  *          is missing is NaN
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
- * algsurf_roots, 2 to 10 microseconds for degrees 4 to 10.  Since 1.0. */
+ * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
                                                      const algsurf_extent *extent, const algsurf_ray *ray,
                                                      const algsurf_complex_space *space,

@@ -66,25 +66,26 @@ typedef struct algsurf_integer {
 
 /* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
  * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
- * ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20, 15 for degree 8
- * and 1000 bits.  Since 1.0. */
+ * ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20, 15 for degree
+ * 8 and 1000 bits.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
 
 /* What is known of a place. */
-typedef enum algsurf_root_kind {
-    ALGSURF_ROOT_BRACKET = 0,  /* lo < root < hi, for one root: verified */
-    ALGSURF_ROOT_EXACT = 1,    /* lo = hi is a root exactly: verified */
-    ALGSURF_ROOT_UNDECIDED = 2 /* only with radii: 0 .. multiplicity roots in [lo,hi], not the same number for
-                                  all polynomials of the set, or not known; status says why it stays open */
-} algsurf_root_kind;
+typedef enum algsurf_bracket_kind {
+    ALGSURF_BRACKET_ISOLATED = 0, /* lo < root < hi, for one root: verified */
+    ALGSURF_BRACKET_EXACT = 1,    /* lo = hi is a root exactly: verified */
+    /* Only with radii: 0 .. multiplicity roots in [lo,hi], not the same number for all polynomials of the
+     * set, or not known; status says why it stays open. */
+    ALGSURF_BRACKET_UNDECIDED = 2
+} algsurf_bracket_kind;
 
 /* A root, or a place where roots may be. */
 typedef struct algsurf_bracket {
     double lo, hi;    /* in the unit of the caller's interval; one of a bracket's ends may be infinite, the
                          other is the largest double then; undecided: either may be */
-    int kind;         /* an algsurf_root_kind */
+    int kind;         /* an algsurf_bracket_kind */
     int sign;         /* of p just before the root, -1 or +1, for a bracket; 0 otherwise */
     int multiplicity; /* of the root: verified.  Undecided, or exact with radii: the roots in it, counted
                          with multiplicity, are at most this, >= 1.  (A bracket with radii: 1) */

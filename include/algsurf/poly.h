@@ -9,6 +9,8 @@
  */
 #ifndef ALGSURF_POLY_H
 #define ALGSURF_POLY_H
+#include <stddef.h>
+
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
@@ -41,6 +43,17 @@ ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const 
  * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
                                                      double hi, double *b, double *br);
+
+/* ---- many polynomials at once ---- */
+
+/* How the roots of many polynomials are found. */
+typedef struct algsurf_batch_options {
+    size_t size;        /* sizeof(algsurf_batch_options) */
+    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
+                           runs here.  All of them give the same bits. */
+    double tolerance;   /* wanted error of a root, relative to the length of its interval, 0 <= tolerance < 1;
+                           0: 1e-12 or better */
+} algsurf_batch_options;
 
 #ifdef __cplusplus
 }

@@ -112,7 +112,7 @@ typedef struct algsurf_render_stats {
                              middle of each pixel, and n x n for each pixel chosen, the middle not counted
                              again where it is one of them.  Counts are those of the rows drawn */
     uint64_t hits;        /* of them, ALGSURF_HIT */
-    uint64_t uncertain;   /* of them, ALGSURF_UNCERTAIN, not among the hits (drawn like them, where the
+    uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */
     uint64_t shadow_rays; /* only lights and samples above the tangent plane get one */
     double solve_s;       /* seconds spent in intersection, summed over threads */
@@ -136,14 +136,14 @@ typedef struct algsurf_render_stats {
  *            middle is sample (0,0) of 1 x 1; |t - exact| is within what rounding that ray, t and P can
  *            change, and 2^-36 of the extent's radius
  *   stats    null, or receives counts and times
- * Uncertain samples are drawn as hits at the place of doubt and counted; an uncertain shadow ray counts
+ * Undecided samples are drawn as hits at the place of doubt and counted; an undecided shadow ray counts
  * as occluded.  A pixel is the average of its samples' clamped colours, rounded to nearest.
  * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
  * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY (to draw
  * at all; or, when single rays could not be decided for want of it, everything else is drawn, they count as
- * uncertain, and stats is written), E_THREAD (no locks to be had).
+ * undecided, and stats is written), E_THREAD (no locks to be had).
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
  * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some

@@ -78,7 +78,7 @@ ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
 /* The same surface with coefficients that are known up to a relative error only: it stands for all
  * polynomials with coefficients a', |a' - a| <= error |a|, and what is said to be certain of it (states, that
  * a root is the first, the intervals that enclose it, bounds of values) holds for each of them.  What differs
- * among them is uncertain; the certified tier cannot decide it either.  With the error that
+ * among them is undecided; the certified tier cannot decide it either.  With the error that
  * algsurf_surface_rounding tells, answers are about the equation instead of its rounded coefficients.
  *   error        0 <= error < 1; 0 for exact coefficients
  *   approximate  receives the new surface; free it with algsurf_surface_free

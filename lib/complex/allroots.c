@@ -14,10 +14,10 @@
 #include "impl.h"
 #include "../base/fpenv.h"
 
-struct algsurf_root_solver {
+struct algsurf_complex_solver {
     int max_degree;
     algsurf_i_roots p;
-    algsurf_enclosure *boxes;
+    algsurf_complex_root *boxes;
 };
 
 /* Slices of a block of ALGSURF_ROOTS_DOUBLES * (m+1) doubles and ALGSURF_ROOTS_INTS * (m+1) ints. */
@@ -189,7 +189,7 @@ static int sharpen_wide(algsurf_i_roots *p) {
 }
 
 static int solve_scaled(algsurf_i_roots *p, const algsurf_complex *start, int unit,
-                        algsurf_enclosure *boxes) {
+                        algsurf_complex_root *boxes) {
     algsurf_i_roots_start(p);
     for (int i = 0; start && i < p->n; i++) { /* what is no number keeps its own start value */
         if (!isfinite(start[i].re) || !isfinite(start[i].im)) continue;
@@ -226,15 +226,15 @@ static double value_in(algsurf_interval box, double high, int unit, int multipli
 
 /* Boxes in the caller's unit, and the exact root 0; returns their number, -1 when there are none to give.
  * Boxes that differ only beyond the range of double become one. */
-static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algsurf_enclosure *e, int count,
-                       int unit) {
+static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algsurf_complex_root *e,
+                       int count, int unit) {
     for (int i = 0; i < count; i++) {
         algsurf_cinterval *b = &e[i].box;
         b->re = (algsurf_interval){unscale(b->re.lo, unit, -1), unscale(b->re.hi, unit, 1)};
         b->im = (algsurf_interval){unscale(b->im.lo, unit, -1), unscale(b->im.hi, unit, 1)};
         if (!(b->re.lo <= b->re.hi && b->im.lo <= b->im.hi)) return -1;
     }
-    if (in->low > 0) e[count++] = (algsurf_enclosure){{{0, 0}, {0, 0}}, {0, 0}, in->low, 1};
+    if (in->low > 0) e[count++] = (algsurf_complex_root){{{0, 0}, {0, 0}}, {0, 0}, in->low, 1};
     count = algsurf_i_roots_join(e, count, p->real);
     for (int i = 0; i < count; i++) {
         e[i].value.re = value_in(e[i].box.re, e[i].value.re, unit, e[i].multiplicity);
@@ -244,18 +244,19 @@ static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algs
 }
 
 static int compare(const void *left, const void *right) {
-    const algsurf_enclosure *a = left, *b = right;
+    const algsurf_complex_root *a = left, *b = right;
     if (a->value.re != b->value.re) return a->value.re < b->value.re ? -1 : 1;
     return (a->value.im > b->value.im) - (a->value.im < b->value.im);
 }
 
-void algsurf_i_roots_sort(algsurf_enclosure *roots, int count) {
+void algsurf_i_roots_sort(algsurf_complex_root *roots, int count) {
     qsort(roots, (size_t)count, sizeof *roots, compare);
 }
 
 ALGSURF_NOINLINE algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
-                                                      const algsurf_complex *start, algsurf_enclosure *boxes,
-                                                      algsurf_enclosure *roots, int *count) {
+                                                      const algsurf_complex *start,
+                                                      algsurf_complex_root *boxes,
+                                                      algsurf_complex_root *roots, int *count) {
     int unit = scale(p, in), n = 0;
     if (!(p->size[p->n] * (1 - 8 * ALGSURF_U) > p->radius[p->n])) return ALGSURF_E_RANGE;
     if (p->n > 0) n = solve_scaled(p, start, unit, boxes);
@@ -268,7 +269,7 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const 
 }
 
 static algsurf_status run(algsurf_i_roots *p, const algsurf_i_input *in, const algsurf_complex *start,
-                          algsurf_enclosure *boxes, algsurf_enclosure *roots, int *count) {
+                          algsurf_complex_root *boxes, algsurf_complex_root *roots, int *count) {
     p->iterations = p->retries = 0;
     algsurf_status status = algsurf_i_roots_solve(p, in, start, boxes, roots, count);
     if (status == ALGSURF_OK) algsurf_i_roots_separate(p, in, boxes, roots, count);
@@ -277,7 +278,7 @@ static algsurf_status run(algsurf_i_roots *p, const algsurf_i_input *in, const a
 
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
                                    int degree, int real_radii, const algsurf_complex *start,
-                                   algsurf_enclosure *roots, int *count) {
+                                   algsurf_complex_root *roots, int *count) {
     algsurf_i_input in;
     algsurf_status status = read_input(c, r, degree, real_radii, &in);
     if (status != ALGSURF_OK) return status;
@@ -287,7 +288,7 @@ algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf
 }
 
 algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                        algsurf_enclosure *roots, int *count) {
+                                        algsurf_complex_root *roots, int *count) {
     algsurf_i_roots_memory memory;
     algsurf_i_input in;
     lay_out(&memory.p, ALGSURF_MAX_DEGREE, memory.doubles, memory.ints);
@@ -296,14 +297,14 @@ algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *
     return status;
 }
 
-algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **solver) {
+algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver) {
     if (!solver || max_degree < 1) return ALGSURF_E_ARGUMENT;
     if (max_degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_DEGREE;
-    algsurf_root_solver *s = malloc(sizeof *s);
+    algsurf_complex_solver *s = malloc(sizeof *s);
     size_t m = (size_t)max_degree;
     double *d = malloc(ALGSURF_ROOTS_DOUBLES * (m + 1) * sizeof *d);
     int *k = malloc(ALGSURF_ROOTS_INTS * (m + 1) * sizeof *k);
-    algsurf_enclosure *boxes = malloc((m + 1) * sizeof *boxes);
+    algsurf_complex_root *boxes = malloc((m + 1) * sizeof *boxes);
     if (!s || !d || !k || !boxes) {
         free(s);
         free(d);
@@ -318,7 +319,7 @@ algsurf_status algsurf_root_solver_create(int max_degree, algsurf_root_solver **
     return ALGSURF_OK;
 }
 
-void algsurf_root_solver_free(algsurf_root_solver *solver) {
+void algsurf_complex_solver_free(algsurf_complex_solver *solver) {
     if (!solver) return;
     free(solver->p.cr);
     free(solver->p.exponent);
@@ -326,9 +327,10 @@ void algsurf_root_solver_free(algsurf_root_solver *solver) {
     free(solver);
 }
 
-algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsurf_complex *c, const double *r,
-                                       int degree, const algsurf_complex *start, algsurf_enclosure *roots,
-                                       int *count, algsurf_root_stats *stats) {
+algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const algsurf_complex *c,
+                                          const double *r, int degree, const algsurf_complex *start,
+                                          algsurf_complex_root *roots, int *count,
+                                          algsurf_complex_solver_stats *stats) {
     if (!solver || !roots || !count) return ALGSURF_E_ARGUMENT;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
     algsurf_fpenv saved;
@@ -337,6 +339,7 @@ algsurf_status algsurf_root_solver_run(algsurf_root_solver *solver, const algsur
     algsurf_status status = read_input(c, r, degree, 0, &in);
     if (status == ALGSURF_OK) status = run(&solver->p, &in, start, solver->boxes, roots, count);
     algsurf_fpenv_leave(&saved);
-    if (status >= ALGSURF_OK && stats) *stats = (algsurf_root_stats){solver->p.iterations, solver->p.retries};
+    if (status >= ALGSURF_OK && stats)
+        *stats = (algsurf_complex_solver_stats){solver->p.iterations, solver->p.retries};
     return status;
 }

@@ -300,10 +300,10 @@ INLINE void set_answer(layout s, int real, const points *r, const narrow *b, ans
 }
 
 /* Roots of lane l, or all of them, in their order; + 0.0 makes +0 of -0. */
-INLINE void write_answer(layout s, int real, const answer *a, int l, algsurf_enclosure *roots) {
+INLINE void write_answer(layout s, int real, const answer *a, int l, algsurf_complex_root *roots) {
     for (int i = 0; i < s.n; i++) {
         int g = s.together ? i / LANES : i, at = s.together ? i % LANES : l;
-        algsurf_enclosure *e = roots + (int)a->place[g][at];
+        algsurf_complex_root *e = roots + (int)a->place[g][at];
         e->box.re.lo = a->re[0][g][at] + 0.0, e->box.re.hi = a->re[1][g][at] + 0.0;
         e->box.im.lo = a->im[0][g][at] + 0.0, e->box.im.hi = a->im[1][g][at] + 0.0;
         e->value.re = a->re[2][g][at] + 0.0, e->value.im = a->im[2][g][at] + 0.0;
@@ -314,7 +314,7 @@ INLINE void write_answer(layout s, int real, const answer *a, int l, algsurf_enc
 
 /* All roots of the lanes' polynomials, to roots + l * stride for lane l, or to roots; which lanes were
  * solved. */
-INLINE unsigned solve_boxes(const polynomials *p, layout s, unsigned wanted, algsurf_enclosure *roots,
+INLINE unsigned solve_boxes(const polynomials *p, layout s, unsigned wanted, algsurf_complex_root *roots,
                             size_t stride) {
     lanes size[MOST_ROOTS + 1];
     points r;

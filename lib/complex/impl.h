@@ -42,7 +42,7 @@ typedef struct algsurf_i_roots_memory {
     algsurf_i_roots p;
     double doubles[ALGSURF_ROOTS_DOUBLES * (ALGSURF_MAX_DEGREE + 1)];
     int ints[ALGSURF_ROOTS_INTS * (ALGSURF_MAX_DEGREE + 1)];
-    algsurf_enclosure boxes[ALGSURF_MAX_DEGREE + 1];
+    algsurf_complex_root boxes[ALGSURF_MAX_DEGREE + 1];
 } algsurf_i_roots_memory;
 
 /* The polynomial to be solved, without exact zeros at either end. */
@@ -58,24 +58,24 @@ typedef struct algsurf_i_input {
 int algsurf_i_roots_unit(const algsurf_i_input *in);
 /* All roots by value, clusters among them.  boxes: work space for as many as `roots`. */
 algsurf_status algsurf_i_roots_solve(algsurf_i_roots *p, const algsurf_i_input *in,
-                                     const algsurf_complex *start, algsurf_enclosure *boxes,
-                                     algsurf_enclosure *roots, int *count);
+                                     const algsurf_complex *start, algsurf_complex_root *boxes,
+                                     algsurf_complex_root *roots, int *count);
 /* The answer of algsurf_i_roots_solve with the multiple roots in boxes of their own, if the polynomial is
  * real and exact, and has some; else unchanged.  May allocate. */
-void algsurf_i_roots_separate(algsurf_i_roots *p, const algsurf_i_input *in, algsurf_enclosure *boxes,
-                              algsurf_enclosure *roots, int *count);
-void algsurf_i_roots_sort(algsurf_enclosure *roots, int count);
+void algsurf_i_roots_separate(algsurf_i_roots *p, const algsurf_i_input *in, algsurf_complex_root *boxes,
+                              algsurf_complex_root *roots, int *count);
+void algsurf_i_roots_sort(algsurf_complex_root *roots, int count);
 
-/* algsurf_root_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment, without memory
- * from elsewhere: multiple roots stay clusters.  memory->p.iterations tells what it took.  real_radii: those
- * of real coefficients mean real numbers. */
+/* algsurf_complex_solver_run for degree at most ALGSURF_MAX_DEGREE, in the standard environment, without
+ * memory from elsewhere: multiple roots stay clusters.  memory->p.iterations tells what it took.  real_radii:
+ * those of real coefficients mean real numbers. */
 algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf_complex *c, const double *r,
                                    int degree, int real_radii, const algsurf_complex *start,
-                                   algsurf_enclosure *roots, int *count);
+                                   algsurf_complex_root *roots, int *count);
 
-/* algsurf_roots in the standard environment, without lanes; multiple roots are parted. */
+/* algsurf_complex_roots in the standard environment, without lanes; multiple roots are parted. */
 algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                        algsurf_enclosure *roots, int *count);
+                                        algsurf_complex_root *roots, int *count);
 
 /* Coefficients in units of 2^unit of the variable, divided by 2^exponent. */
 typedef struct algsurf_i_local {
@@ -92,7 +92,7 @@ void algsurf_i_roots_start(algsurf_i_roots *p);
 void algsurf_i_roots_propose(algsurf_i_roots *p);
 /* One Newton step with a residual in doubled precision for each root whose residual is HUGE_VAL, that is
  * unknown, and whose low parts are 0; sets low parts and residual, or nothing where the root is too
- * uncertain for that. */
+ * undecided for that. */
 void algsurf_i_roots_tighten(algsurf_i_roots *p);
 /* One Newton step of root i in double-double; sets its residual. */
 void algsurf_i_roots_sharpen(algsurf_i_roots *p, int i);
@@ -102,9 +102,9 @@ void algsurf_i_roots_retry(algsurf_i_roots *p);
  * of roots whose group holds others. */
 int algsurf_i_roots_group(algsurf_i_roots *p);
 /* Boxes of the groups, disjoint, conjugate ones exactly so; returns their number.  Scaled units. */
-int algsurf_i_roots_boxes(algsurf_i_roots *p, algsurf_enclosure *boxes);
+int algsurf_i_roots_boxes(algsurf_i_roots *p, algsurf_complex_root *boxes);
 /* Joins boxes that meet; for a real polynomial also those that meet one box's mirror image.  Returns the
  * number left. */
-int algsurf_i_roots_join(algsurf_enclosure *e, int count, int real);
+int algsurf_i_roots_join(algsurf_complex_root *e, int count, int real);
 
 #endif

@@ -13,11 +13,11 @@
 typedef struct algsurf_i_allroots_kernel {
     /* One polynomial, coefficient k at re[k stride] and im[k stride]; im null: real.  Whether it is solved.
      */
-    int (*one)(const double *re, const double *im, int stride, int n, algsurf_enclosure *roots);
+    int (*one)(const double *re, const double *im, int stride, int n, algsurf_complex_root *roots);
     /* Number i has coefficients re[k][i] and im[k][i], im null: all are real; its roots are
      * roots[i n + k].  found[i] becomes n, or -1 where roots are not solved. */
     void (*many)(const double *const *re, const double *const *im, int n, size_t count,
-                 algsurf_enclosure *roots, int *found);
+                 algsurf_complex_root *roots, int *found);
 } algsurf_i_allroots_kernel;
 
 extern const algsurf_i_allroots_kernel algsurf_i_allroots_avx512, algsurf_i_allroots_avx2,

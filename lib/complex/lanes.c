@@ -10,7 +10,7 @@
 #include "kernel.h"
 
 static ALGSURF_NOINLINE algsurf_status run_real_on_stack(const double *c, const double *r, int degree,
-                                                         algsurf_enclosure *roots, int *count) {
+                                                         algsurf_complex_root *roots, int *count) {
     algsurf_complex z[ALGSURF_MAX_DEGREE + 1];
     for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};
     return algsurf_i_roots_on_stack(z, r, degree, 1, roots, count);
@@ -18,7 +18,7 @@ static ALGSURF_NOINLINE algsurf_status run_real_on_stack(const double *c, const 
 
 /* In lanes, if they can: exact coefficients k at re[k stride], im[k stride], im null if all are real. */
 static int run_in_lanes(const algsurf_i_allroots_kernel *kernel, const double *re, const double *im,
-                        int stride, int degree, algsurf_enclosure *roots, int *count) {
+                        int stride, int degree, algsurf_complex_root *roots, int *count) {
     while (degree > 0 && re[degree * stride] == 0 && (!im || im[degree * stride] == 0)) degree--;
     if (degree < 1 || degree > ALGSURF_MOST_ROOTS_IN_LANES) return 0;
     if (!kernel->one(re, im, stride, degree, roots)) return 0;
@@ -28,7 +28,7 @@ static int run_in_lanes(const algsurf_i_allroots_kernel *kernel, const double *r
 
 static ALGSURF_NOINLINE algsurf_status solve(const algsurf_i_allroots_kernel *kernel,
                                              const algsurf_complex *c, const double *r, int degree,
-                                             algsurf_enclosure *roots, int *count) {
+                                             algsurf_complex_root *roots, int *count) {
     int real = 1;
     for (int k = 0; k <= degree; k++) real = real && c[k].im == 0;
     if (!r && run_in_lanes(kernel, &c->re, real ? NULL : &c->im, 2, degree, roots, count)) return ALGSURF_OK;
@@ -36,7 +36,7 @@ static ALGSURF_NOINLINE algsurf_status solve(const algsurf_i_allroots_kernel *ke
 }
 
 static ALGSURF_NOINLINE algsurf_status solve_real(const algsurf_i_allroots_kernel *kernel, const double *c,
-                                                  const double *r, int degree, algsurf_enclosure *roots,
+                                                  const double *r, int degree, algsurf_complex_root *roots,
                                                   int *count) {
     if (!r && run_in_lanes(kernel, c, NULL, 1, degree, roots, count)) return ALGSURF_OK;
     return run_real_on_stack(c, r, degree, roots, count);
@@ -46,8 +46,8 @@ static const algsurf_i_allroots_kernel *fastest(void) {
     return algsurf_i_allroots_kernel_for(algsurf_i_kernel_find(NULL));
 }
 
-algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degree, algsurf_enclosure *roots,
-                             int *count) {
+algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
+                                     algsurf_complex_root *roots, int *count) {
     if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
@@ -56,8 +56,8 @@ algsurf_status algsurf_roots(const algsurf_complex *c, const double *r, int degr
     return status;
 }
 
-algsurf_status algsurf_roots_real(const double *c, const double *r, int degree, algsurf_enclosure *roots,
-                                  int *count) {
+algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
+                                             algsurf_complex_root *roots, int *count) {
     if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
@@ -68,7 +68,7 @@ algsurf_status algsurf_roots_real(const double *c, const double *r, int degree, 
 
 /* ---- many polynomials ---- */
 
-static algsurf_status check_packet(const algsurf_complex_packet *p) {
+static algsurf_status check_packet(const algsurf_complex_batch *p) {
     if (p->degree < 1 || p->degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
     if (p->count > 0 && !p->re) return ALGSURF_E_ARGUMENT;
     for (int k = 0; p->count > 0 && k <= p->degree; k++)
@@ -78,8 +78,8 @@ static algsurf_status check_packet(const algsurf_complex_packet *p) {
 
 /* Polynomial i by itself. */
 static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_kernel *kernel,
-                                                    const algsurf_complex_packet *p, size_t i,
-                                                    algsurf_enclosure *roots, int *count) {
+                                                    const algsurf_complex_batch *p, size_t i,
+                                                    algsurf_complex_root *roots, int *count) {
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1];
     double re[ALGSURF_MAX_DEGREE + 1], r[ALGSURF_MAX_DEGREE + 1];
     for (int k = 0; k <= p->degree; k++) {
@@ -92,8 +92,8 @@ static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_ker
 }
 
 static ALGSURF_NOINLINE algsurf_status solve_packet(const algsurf_i_allroots_kernel *kernel,
-                                                    const algsurf_complex_packet *p, algsurf_enclosure *roots,
-                                                    int *count) {
+                                                    const algsurf_complex_batch *p,
+                                                    algsurf_complex_root *roots, int *count) {
     algsurf_status first = ALGSURF_OK;
     int in_lanes = !p->r && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
     if (in_lanes) kernel->many(p->re, p->im, p->degree, p->count, roots, count);
@@ -106,11 +106,11 @@ static ALGSURF_NOINLINE algsurf_status solve_packet(const algsurf_i_allroots_ker
     return first;
 }
 
-algsurf_status algsurf_roots_packet(const algsurf_complex_packet *packet,
-                                    const algsurf_roots_packet_options *options, algsurf_enclosure *roots,
-                                    int *count) {
-    algsurf_complex_packet p;
-    algsurf_roots_packet_options o = {.size = sizeof o};
+algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *packet,
+                                           const algsurf_batch_options *options, algsurf_complex_root *roots,
+                                           int *count) {
+    algsurf_complex_batch p;
+    algsurf_batch_options o = {.size = sizeof o};
     if (!packet || !algsurf_options_read(&p, sizeof p, packet)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&o, sizeof o, options)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);

@@ -31,11 +31,11 @@ typedef struct separation {
     const algsurf_i_input *whole; /* the polynomial */
     int unit;                     /* x = 2^unit y; factors are polynomials in y */
     algsurf_memory *m;
-    algsurf_zpoly *share;    /* share[i]: the roots of multiplicity above i */
-    algsurf_complex *c;      /* a factor's coefficients, */
-    double *r;               /* their radii */
-    algsurf_enclosure *work; /* the solver's */
-    algsurf_enclosure *found;
+    algsurf_zpoly *share;       /* share[i]: the roots of multiplicity above i */
+    algsurf_complex *c;         /* a factor's coefficients, */
+    double *r;                  /* their radii */
+    algsurf_complex_root *work; /* the solver's */
+    algsurf_complex_root *found;
     int count;
 } separation;
 
@@ -62,7 +62,7 @@ static int is_point(const algsurf_cinterval *b) { return b->re.lo == b->re.hi &&
 
 static int is_zero(const algsurf_cinterval *b) { return is_point(b) && b->re.lo == 0 && b->im.lo == 0; }
 
-static int has_cluster(const algsurf_enclosure *roots, int count) {
+static int has_cluster(const algsurf_complex_root *roots, int count) {
     for (int i = 0; i < count; i++)
         if (roots[i].multiplicity > 1 && !is_point(&roots[i].box)) return 1;
     return 0;
@@ -123,7 +123,7 @@ static algsurf_i_input round_factor(const separation *s, const algsurf_zpoly *f)
 static int solve_factor(separation *s, const algsurf_zpoly *f, int k) {
     int count;
     algsurf_i_input in = round_factor(s, f);
-    algsurf_enclosure *e = s->found + s->count;
+    algsurf_complex_root *e = s->found + s->count;
     if (algsurf_i_roots_solve(s->p, &in, NULL, s->work, e, &count) != ALGSURF_OK) return 0;
     for (int i = 0; i < count; i++) e[i].multiplicity *= k;
     s->count += count;
@@ -141,8 +141,8 @@ static int meet(const algsurf_cinterval *a, const algsurf_cinterval *b) {
 }
 
 /* f_1's only box that meets `old`; null: there are several. */
-static algsurf_enclosure *only_one(const separation *s, const algsurf_cinterval *old) {
-    algsurf_enclosure *one = NULL;
+static algsurf_complex_root *only_one(const separation *s, const algsurf_cinterval *old) {
+    algsurf_complex_root *one = NULL;
     for (int i = 0; i < s->count; i++) {
         if (!meet(&s->found[i].box, old)) continue;
         if (one) return NULL;
@@ -154,10 +154,10 @@ static algsurf_enclosure *only_one(const separation *s, const algsurf_cinterval 
 /* A simple root in an isolating box of the first answer is a root of f_1: if only one of f_1's boxes meets
  * that box, and holds one root, then it is this root, in what the boxes share.  So no simple root comes out
  * in a wider box than before, even where the rounding of f_1 was much. */
-static void narrow_simple(separation *s, const algsurf_enclosure *roots, int count) {
+static void narrow_simple(separation *s, const algsurf_complex_root *roots, int count) {
     for (int i = 0; i < count; i++) {
         if (roots[i].multiplicity > 1 || is_zero(&roots[i].box)) continue; /* the root 0 is not one of f_1 */
-        algsurf_enclosure *e = only_one(s, &roots[i].box);
+        algsurf_complex_root *e = only_one(s, &roots[i].box);
         if (!e || e->multiplicity > 1) continue;
         e->box = (algsurf_cinterval){shared(e->box.re, roots[i].box.re), shared(e->box.im, roots[i].box.im)};
         e->value = (algsurf_complex){clamp(e->value.re, e->box.re), clamp(e->value.im, e->box.im)};
@@ -166,7 +166,7 @@ static void narrow_simple(separation *s, const algsurf_enclosure *roots, int cou
 }
 
 /* The first answer's simple roots in place of f_1's, if all of them are isolated there. */
-static void keep_simple(separation *s, const algsurf_enclosure *roots, int count, int wanted) {
+static void keep_simple(separation *s, const algsurf_complex_root *roots, int count, int wanted) {
     int isolated = 0;
     for (int i = 0; i < count; i++) isolated += roots[i].multiplicity == 1 && !is_zero(&roots[i].box);
     if (isolated < wanted) return;
@@ -176,7 +176,7 @@ static void keep_simple(separation *s, const algsurf_enclosure *roots, int count
 }
 
 /* All factors but constant ones, the lowest multiplicity first; what each took is given back. */
-static int solve_factors(separation *s, int highest, const algsurf_enclosure *roots, int count) {
+static int solve_factors(separation *s, int highest, const algsurf_complex_root *roots, int count) {
     for (int k = 1; k <= highest; k++) {
         int degree = s->share[k - 1].degree - (k < highest ? s->share[k].degree : 0);
         if (degree == 0) continue;
@@ -199,17 +199,17 @@ static double middle(algsurf_interval x) {
 static void join(separation *s) {
     int before = s->count;
     if (s->whole->low > 0)
-        s->found[s->count++] = (algsurf_enclosure){.multiplicity = s->whole->low, .real = 1};
+        s->found[s->count++] = (algsurf_complex_root){.multiplicity = s->whole->low, .real = 1};
     s->count = algsurf_i_roots_join(s->found, s->count, 1);
     if (s->count == before + (s->whole->low > 0)) return;
     for (int i = 0; i < s->count; i++) {
-        algsurf_enclosure *e = s->found + i;
+        algsurf_complex_root *e = s->found + i;
         if (e->multiplicity > 1) e->value = (algsurf_complex){middle(e->box.re), middle(e->box.im)};
     }
 }
 
 /* 1: s->found has all roots of a polynomial that is not squarefree. */
-static int separate(separation *s, const algsurf_enclosure *roots, int count) {
+static int separate(separation *s, const algsurf_complex_root *roots, int count) {
     algsurf_zpoly z;
     int highest;
     if (!take_all(s, s->whole->high - s->whole->low + 1) || !make_integral(s, &z)) return 0;
@@ -220,7 +220,7 @@ static int separate(separation *s, const algsurf_enclosure *roots, int count) {
 }
 
 ALGSURF_NOINLINE void algsurf_i_roots_separate(algsurf_i_roots *p, const algsurf_i_input *in,
-                                               algsurf_enclosure *boxes, algsurf_enclosure *roots,
+                                               algsurf_complex_root *boxes, algsurf_complex_root *roots,
                                                int *count) {
     uint64_t own[OWN_WORDS];
     algsurf_memory m;

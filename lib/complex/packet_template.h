@@ -25,7 +25,7 @@
 
 #define APART static __attribute__((noinline))
 
-APART int solve_one_real(const double *re, int stride, int n, algsurf_enclosure *roots) {
+APART int solve_one_real(const double *re, int stride, int n, algsurf_complex_root *roots) {
     polynomials p;
     p.real = 1;
     for (int k = 0; k <= n; k++) p.re[k] = all_lanes(re[k * stride]), p.im[k] = all_lanes(0);
@@ -33,7 +33,8 @@ APART int solve_one_real(const double *re, int stride, int n, algsurf_enclosure 
     FOR_DEGREE(n, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
 }
 
-APART int solve_one_complex(const double *re, const double *im, int stride, int n, algsurf_enclosure *roots) {
+APART int solve_one_complex(const double *re, const double *im, int stride, int n,
+                            algsurf_complex_root *roots) {
     polynomials p;
     p.real = 0;
     for (int k = 0; k <= n; k++) p.re[k] = all_lanes(re[k * stride]), p.im[k] = all_lanes(im[k * stride]);
@@ -41,24 +42,24 @@ APART int solve_one_complex(const double *re, const double *im, int stride, int 
     return solve_boxes(&p, (layout){n, 1}, 1, roots, 0) != 0;
 }
 
-APART unsigned solve_real(polynomials *p, int n, unsigned wanted, algsurf_enclosure *roots) {
+APART unsigned solve_real(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {
     p->real = 1;
     if (n == 2) return solve_quadratics(p, wanted, roots, 2);
     FOR_DEGREE(n, return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N))
 }
 
-APART unsigned solve_complex(polynomials *p, int n, unsigned wanted, algsurf_enclosure *roots) {
+APART unsigned solve_complex(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {
     p->real = 0;
     if (n < 1 || n > MOST_ROOTS) __builtin_unreachable();
     return solve_boxes(p, (layout){n, 0}, wanted, roots, (size_t)n);
 }
 
-static int solve_one(const double *re, const double *im, int stride, int n, algsurf_enclosure *roots) {
+static int solve_one(const double *re, const double *im, int stride, int n, algsurf_complex_root *roots) {
     return im ? solve_one_complex(re, im, stride, n, roots) : solve_one_real(re, stride, n, roots);
 }
 
 static void solve_many(const double *const *re, const double *const *im, int n, size_t count,
-                       algsurf_enclosure *roots, int *found) {
+                       algsurf_complex_root *roots, int *found) {
     for (size_t at = 0; at < count; at += LANES) {
         int many = count - at < LANES ? (int)(count - at) : LANES;
         unsigned wanted = (1u << many) - 1;
@@ -69,7 +70,7 @@ static void solve_many(const double *const *re, const double *const *im, int n, 
             p.im[k] = im ? load_some(im[k] + at, many) : all_lanes(0);
             if (im) real &= is_zero(p.im[k]);
         }
-        algsurf_enclosure *to = roots + at * (size_t)n;
+        algsurf_complex_root *to = roots + at * (size_t)n;
         unsigned solved = !(wanted & ~bits(real)) ? solve_real(&p, n, wanted, to)
                                                   : solve_complex(&p, n, wanted & ~bits(real), to);
         for (int l = 0; l < many; l++) found[at + (size_t)l] = solved >> l & 1 ? n : -1;

@@ -129,7 +129,7 @@ static algsurf_cinterval mirror(algsurf_cinterval a) {
 }
 
 /* Box k joins box j; returns the number of boxes left. */
-static int unite(algsurf_enclosure *e, int count, int j, int k) {
+static int unite(algsurf_complex_root *e, int count, int j, int k) {
     e[j].box = (algsurf_cinterval){hull(e[j].box.re, e[k].box.re), hull(e[j].box.im, e[k].box.im)};
     e[j].multiplicity += e[k].multiplicity;
     e[j].real = e[j].real && e[k].real;
@@ -138,7 +138,7 @@ static int unite(algsurf_enclosure *e, int count, int j, int k) {
 }
 
 /* The first two boxes that have to be one: they meet, or both meet the mirror image of a box. */
-static int find_pair(const algsurf_enclosure *e, int count, int real, int *first, int *second) {
+static int find_pair(const algsurf_complex_root *e, int count, int real, int *first, int *second) {
     for (int i = 0; i < count; i++) {
         algsurf_cinterval image = mirror(e[i].box);
         int met = -1;
@@ -155,7 +155,7 @@ static int find_pair(const algsurf_enclosure *e, int count, int real, int *first
 }
 
 /* The boxes of unions of discs may meet where the discs do not. */
-int algsurf_i_roots_join(algsurf_enclosure *e, int count, int real) {
+int algsurf_i_roots_join(algsurf_complex_root *e, int count, int real) {
     int first, second;
     while (find_pair(e, count, real, &first, &second)) count = unite(e, count, first, second);
     return count;
@@ -164,7 +164,7 @@ int algsurf_i_roots_join(algsurf_enclosure *e, int count, int real) {
 /* For real coefficients the mirror image of a box holds as many roots as the box, and now meets one box only,
  * whose image in turn meets only the first: the roots of either lie in what it shares with the image of the
  * other.  If a box meets its own image, a single root in it is real. */
-static void use_symmetry(algsurf_enclosure *e, int count) {
+static void use_symmetry(algsurf_complex_root *e, int count) {
     for (int i = 0; i < count; i++) {
         algsurf_cinterval image = mirror(e[i].box);
         int j = 0;
@@ -182,16 +182,16 @@ static void use_symmetry(algsurf_enclosure *e, int count) {
     }
 }
 
-int algsurf_i_roots_boxes(algsurf_i_roots *p, algsurf_enclosure *boxes) {
+int algsurf_i_roots_boxes(algsurf_i_roots *p, algsurf_complex_root *boxes) {
     int count = 0;
     for (int i = 0; i < p->n; i++) {
         int at = p->group[i]; /* the first of its group: i itself, or one met before */
         algsurf_cinterval box = disc_box(p, i);
         if (at == i) {
             p->exponent[i] = count; /* from here on: where the group's box is */
-            boxes[count++] = (algsurf_enclosure){box, {p->x[i], p->y[i]}, 1, 0};
+            boxes[count++] = (algsurf_complex_root){box, {p->x[i], p->y[i]}, 1, 0};
         } else {
-            algsurf_enclosure *e = boxes + p->exponent[at];
+            algsurf_complex_root *e = boxes + p->exponent[at];
             e->box = (algsurf_cinterval){hull(e->box.re, box.re), hull(e->box.im, box.im)};
             e->multiplicity++;
         }

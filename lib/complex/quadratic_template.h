@@ -39,7 +39,7 @@ INLINE mask is_in_range(lanes a) {
 }
 
 /* As solve_boxes. */
-INLINE unsigned solve_quadratics(const polynomials *p, unsigned wanted, algsurf_enclosure *roots,
+INLINE unsigned solve_quadratics(const polynomials *p, unsigned wanted, algsurf_complex_root *roots,
                                  size_t stride) {
     const lanes a = p->re[2], b = p->re[1], c = p->re[0], zero = all_lanes(0);
     lanes square_low, product_low, d_low;

@@ -48,7 +48,7 @@ static algsurf_cinterval fold(algsurf_cinterval box) {
     return (algsurf_cinterval){box.re, algsurf_interval_abs(box.im)};
 }
 
-static int in_sector(const algsurf_sector *s, const algsurf_enclosure *root) {
+static int in_sector(const algsurf_sector *s, const algsurf_complex_root *root) {
     const algsurf_cinterval box = fold(root->box);
     const double end = end_of(s);
     algsurf_interval arg;
@@ -59,7 +59,8 @@ static int in_sector(const algsurf_sector *s, const algsurf_enclosure *root) {
     return arg.lo >= s->sigma && arg.hi <= end ? 1 : 2;
 }
 
-static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root, int *holds) {
+static algsurf_status sector_holds(const algsurf_sector *sector, const algsurf_complex_root *root,
+                                   int *holds) {
     if (!valid(sector) || !root || !holds) return ALGSURF_E_ARGUMENT;
     *holds = in_sector(sector, root);
     return ALGSURF_OK;
@@ -83,7 +84,7 @@ static int mirrored(const algsurf_cinterval *a, const algsurf_cinterval *b) {
 }
 
 /* `real`: the roots are those of a real polynomial. */
-static algsurf_status choose(const algsurf_enclosure *roots, int count, int real,
+static algsurf_status choose(const algsurf_complex_root *roots, int count, int real,
                              const algsurf_sector *sector, double lo, double hi, algsurf_selected *selected,
                              int *index) {
     candidate best = {-1, 0, {0, 0}};
@@ -113,24 +114,24 @@ static algsurf_status choose(const algsurf_enclosure *roots, int count, int real
     return ALGSURF_OK;
 }
 
-static algsurf_status choose_any(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+static algsurf_status choose_any(const algsurf_complex_root *roots, int count, const algsurf_sector *sector,
                                  double lo, double hi, algsurf_selected *selected, int *index) {
     return choose(roots, count, 0, sector, lo, hi, selected, index);
 }
 
-static algsurf_status choose_real(const algsurf_enclosure *roots, int count, const algsurf_sector *sector,
+static algsurf_status choose_of_real(const algsurf_complex_root *roots, int count, const algsurf_sector *sector,
                                   double lo, double hi, algsurf_selected *selected, int *index) {
     return choose(roots, count, 1, sector, lo, hi, selected, index);
 }
 
 ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
-                 (const algsurf_sector *sector, const algsurf_enclosure *root, int *holds),
+                 (const algsurf_sector *sector, const algsurf_complex_root *root, int *holds),
                  (sector, root, holds))
 ALGSURF_I_PUBLIC(algsurf_status, select, choose_any,
-                 (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
+                 (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
                   double hi, algsurf_selected *selected, int *index),
                  (roots, count, sector, lo, hi, selected, index))
-ALGSURF_I_PUBLIC(algsurf_status, select_real, choose_real,
-                 (const algsurf_enclosure *roots, int count, const algsurf_sector *sector, double lo,
+ALGSURF_I_PUBLIC(algsurf_status, select_of_real, choose_of_real,
+                 (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
                   double hi, algsurf_selected *selected, int *index),
                  (roots, count, sector, lo, hi, selected, index))

@@ -24,7 +24,7 @@
 typedef struct algsurf_i_line {
     const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
     int wanted_count;
-    int count;  /* points: hits and uncertain ones */
+    int count;  /* points: hits and undecided ones */
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
     double *colour;    /* 3 for each point */
@@ -69,7 +69,7 @@ typedef struct algsurf_i_trail {
 
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
-    uint64_t rays, hits, uncertain, shadow_rays, iterations, single_rays;
+    uint64_t rays, hits, undecided, shadow_rays, iterations, single_rays;
     uint64_t without_memory; /* packets of rays of which some could not be decided for want of memory */
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;

@@ -86,7 +86,7 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     algsurf_render_stats ours = {.size = size,
                                  .rays = total->rays,
                                  .hits = total->hits,
-                                 .uncertain = total->uncertain,
+                                 .undecided = total->undecided,
                                  .shadow_rays = total->shadow_rays,
                                  .solve_s = total->solve_s,
                                  .shade_s = total->shade_s,

@@ -30,7 +30,7 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
     const algsurf_i_points *points = &line->points;
     int i = line->count;
     tally->hits += hit->state == ALGSURF_HIT;
-    tally->uncertain += hit->state == ALGSURF_UNCERTAIN;
+    tally->undecided += hit->state == ALGSURF_UNDECIDED;
     if (hit->state == ALGSURF_MISS) return;
     line->pixel[line->count++] = x;
     points->t[i] = hit->t;

@@ -46,7 +46,7 @@ static int stopped(const crew *team) {
 void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->rays += more->rays;
     total->hits += more->hits;
-    total->uncertain += more->uncertain;
+    total->undecided += more->undecided;
     total->shadow_rays += more->shadow_rays;
     total->iterations += more->iterations;
     total->single_rays += more->single_rays;

@@ -83,9 +83,9 @@ static int expand(complex_query *q) {
 }
 
 /* The enclosure of a root v as one of the natural parameter s. */
-static algsurf_enclosure shifted(const algsurf_i_frame *f, const algsurf_enclosure *root) {
+static algsurf_complex_root shifted(const algsurf_i_frame *f, const algsurf_complex_root *root) {
     const algsurf_interval step = {f->step, f->step}, centre = {f->centre, f->centre};
-    algsurf_enclosure e = *root;
+    algsurf_complex_root e = *root;
     e.box.re = algsurf_i_interval_add(centre, algsurf_i_interval_mul(step, root->box.re));
     e.box.im = algsurf_i_interval_mul(step, root->box.im);
     e.value = (algsurf_complex){f->centre + f->step * root->value.re, f->step * root->value.im};
@@ -128,7 +128,7 @@ static double magnitude_of(algsurf_complex z) {
 
 static double clamped(double x, double lo, double hi) { return fmin(fmax(x, lo), hi); }
 
-static void set_hit(const complex_query *q, const algsurf_enclosure *local, const algsurf_enclosure *s,
+static void set_hit(const complex_query *q, const algsurf_complex_root *local, const algsurf_complex_root *s,
                     algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_interval ends = algsurf_i_interval_scale(algsurf_i_cinterval_abs(s->box), -f->exponent);
@@ -161,7 +161,7 @@ static const algsurf_complex *start_in_v(const complex_query *q, const algsurf_c
     return v;
 }
 
-static void give_roots(const complex_query *q, const algsurf_enclosure *s, int count,
+static void give_roots(const complex_query *q, const algsurf_complex_root *s, int count,
                        algsurf_complex *roots) {
     for (int i = 0; roots && i < q->surface->degree; i++)
         roots[i] = i < count ? (algsurf_complex){ldexp(s[i].value.re, -q->frame.exponent),
@@ -172,7 +172,7 @@ static void give_roots(const complex_query *q, const algsurf_enclosure *s, int c
 /* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
     set_miss(hit, NULL);
-    hit->state = ALGSURF_UNCERTAIN;
+    hit->state = ALGSURF_UNDECIDED;
     hit->multiplicity = hit->side = 0;
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
@@ -182,14 +182,14 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
 
 /* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is
  * one that holds them, and the root has to be in one that they hold to be certain. */
-static algsurf_selected choose(const complex_query *q, const algsurf_enclosure *s, int count, int *index) {
+static algsurf_selected choose(const complex_query *q, const algsurf_complex_root *s, int count, int *index) {
     const algsurf_interval t = {q->ray.t_min, q->ray.t_max};
     const int e = q->frame.exponent;
     algsurf_interval outer = algsurf_i_interval_scale(t, e);
     algsurf_interval inner = {algsurf_i_scale_up(t.lo, e), algsurf_i_scale_down(t.hi, e)};
     algsurf_selected selected = ALGSURF_SELECTED_NONE;
-    (void)(q->real ? algsurf_select_real : algsurf_select)(s, count, &q->space->sector, outer.lo, outer.hi,
-                                                           &selected, index);
+    (void)(q->real ? algsurf_select_of_real : algsurf_select)(s, count, &q->space->sector, outer.lo, outer.hi,
+                                                              &selected, index);
     if (selected != ALGSURF_SELECTED_ONE) return selected;
     int inside = algsurf_i_interval_inside(algsurf_i_cinterval_abs(s[*index].box), inner);
     return inside ? ALGSURF_SELECTED_ONE : ALGSURF_SELECTED_UNDECIDED;
@@ -198,7 +198,7 @@ static algsurf_selected choose(const complex_query *q, const algsurf_enclosure *
 static void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
                   algsurf_complex *root, int *iterations) {
     algsurf_i_roots_memory memory;
-    algsurf_enclosure local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
+    algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
     int count = 0, index = 0, n = q->surface->degree;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
@@ -217,11 +217,11 @@ static void solve(complex_query *q, const algsurf_complex *start, algsurf_comple
     give_roots(q, s, count, roots);
     algsurf_selected selected = choose(q, s, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
-    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNCERTAIN;
+    hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;
     hit->side = 0;
     hit->reason = selected == ALGSURF_SELECTED_ONE ? ALGSURF_OK : ALGSURF_UNDECIDED_END;
-    if (hit->state == ALGSURF_UNCERTAIN && local[index].multiplicity > 1)
+    if (hit->state == ALGSURF_UNDECIDED && local[index].multiplicity > 1)
         hit->reason = ALGSURF_UNDECIDED_MULTIPLE;
     set_hit(q, local + index, s + index, hit, root);
 }
@@ -232,7 +232,7 @@ static algsurf_status check(const algsurf_complex_space *space, int n) {
         if (k > n && space->imaginary[k] != 0) return ALGSURF_E_ARGUMENT;
     }
     int holds;
-    const algsurf_enclosure probe = {{{1, 1}, {0, 0}}, {1, 0}, 1, 1};
+    const algsurf_complex_root probe = {{{1, 1}, {0, 0}}, {1, 0}, 1, 1};
     return algsurf_sector_holds(&space->sector, &probe, &holds);
 }
 

@@ -143,7 +143,7 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                              : isfinite(lo)   ? lo
                                              : isfinite(hi)   ? hi
                                                               : 0;
-    *hit = (algsurf_hit){.state = ALGSURF_UNCERTAIN, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
+    *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
     for (int i = 0; i < 3; i++)
         hit->position[i] = fmin(fmax(fma(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
 }
@@ -225,7 +225,7 @@ static void hit_undecided(const algsurf_extent *extent, const algsurf_ray *ray, 
 static void settle_undecided(algsurf_doubt doubt, algsurf_hit *hits, int *count) {
     int kept = 0;
     for (int i = 0; i < *count; i++) {
-        int undecided = hits[i].state == ALGSURF_UNCERTAIN;
+        int undecided = hits[i].state == ALGSURF_UNDECIDED;
         if (undecided && doubt == ALGSURF_DOUBT_MISS) continue;
         hits[kept] = hits[i];
         if (undecided && doubt == ALGSURF_DOUBT_HIT) hits[kept].state = ALGSURF_HIT;
@@ -314,7 +314,7 @@ algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_
     int count = 0;
     algsurf_status status = decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
-    *state = count ? ALGSURF_UNCERTAIN : ALGSURF_MISS;
+    *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
     for (int i = 0; i < count; i++)
         if (found[i].state == ALGSURF_HIT) *state = ALGSURF_HIT;
     return ALGSURF_OK;

@@ -149,7 +149,7 @@ static void set_simple(const query *q, const algsurf_hit_packet *hits, size_t i)
 
 /* A ray that could not be decided for want of memory. */
 static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
-    *hit = (algsurf_hit){.state = ALGSURF_UNCERTAIN, .reason = ALGSURF_UNDECIDED_RANGE};
+    *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = ALGSURF_UNDECIDED_RANGE};
     hit->t = hit->t_lo = ray->t_min;
     hit->t_hi = ray->t_max;
 }
@@ -299,7 +299,7 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     for (size_t i = 0; i < q.rays.count; i++) {
         if (!left_alone(&q, state, i)) continue;
         algsurf_ray ray = ray_of(&q.rays, i);
-        algsurf_hit_state one = ALGSURF_UNCERTAIN;
+        algsurf_hit_state one = ALGSURF_UNDECIDED;
         algsurf_status decided = algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
         if (decided != ALGSURF_OK) status = decided;
         state[i] = (unsigned char)one;

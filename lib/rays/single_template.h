@@ -46,7 +46,7 @@ static void bracket_powers(const single_ray *s, double *c) {
 static double refine_single(const single_ray *s) {
     double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
     algsurf_refine_options how = *s->how;
-    algsurf_root root = {.root = 0.5};
+    algsurf_refined_root root = {.root = 0.5};
     how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);
     if (how.method != ALGSURF_METHOD_DEFAULT ||

@@ -93,15 +93,15 @@ static int in_integers(algsurf_memory *m, const algsurf_i_coefficients *p, int u
 
 /* A range's bracket.  With lo = hi, a root only where all of the set vanish. */
 static algsurf_bracket bracket_of(const algsurf_i_coefficients *p, const algsurf_exact_range *range) {
-    algsurf_bracket b = {range->lo, range->hi, ALGSURF_ROOT_UNDECIDED,
+    algsurf_bracket b = {range->lo, range->hi, ALGSURF_BRACKET_UNDECIDED,
                          0,         p->degree, ALGSURF_UNDECIDED_MULTIPLE};
     if (b.lo == b.hi && algsurf_i_sign_at(p, b.lo) == 0) {
-        b.kind = ALGSURF_ROOT_EXACT;
+        b.kind = ALGSURF_BRACKET_EXACT;
         b.status = ALGSURF_OK;
     } else if (b.lo == b.hi) {
         b.status = ALGSURF_UNDECIDED_ZERO;
     } else if (range->sign_lo) {
-        b = (algsurf_bracket){b.lo, b.hi, ALGSURF_ROOT_BRACKET, range->sign_lo, 1, ALGSURF_OK};
+        b = (algsurf_bracket){b.lo, b.hi, ALGSURF_BRACKET_ISOLATED, range->sign_lo, 1, ALGSURF_OK};
     } else if (isinf(b.lo) || isinf(b.hi)) {
         b.status = ALGSURF_UNDECIDED_RANGE;
     }

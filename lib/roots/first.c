@@ -3,7 +3,7 @@
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
  * ALGSURF_LANE_DOUBTFUL as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
  * radius for each coefficient or in integers. */
-#include "algsurf/packet.h"
+#include "algsurf/batch.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,12 +16,12 @@
 #include "../base/options.h"
 
 typedef struct query {
-    algsurf_poly_packet polys;
-    algsurf_first_roots_options options;
+    algsurf_real_batch polys;
+    algsurf_batch_options options;
     const algsurf_i_roots_kernel *kernel;
 } query;
 
-static algsurf_status check_one(const algsurf_poly_packet *p, size_t i) {
+static algsurf_status check_one(const algsurf_real_batch *p, size_t i) {
     if (!isfinite(p->lo[i]) || !isfinite(p->hi[i])) return ALGSURF_E_NOT_FINITE;
     if (!(p->lo[i] < p->hi[i])) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= p->degree; k++) {
@@ -31,7 +31,7 @@ static algsurf_status check_one(const algsurf_poly_packet *p, size_t i) {
     return ALGSURF_OK;
 }
 
-static algsurf_status check_shape(const algsurf_poly_packet *p) {
+static algsurf_status check_shape(const algsurf_real_batch *p) {
     if (p->degree < 0 || p->degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     if (p->count == 0) return ALGSURF_OK;
     if (!p->c || !p->lo || !p->hi) return ALGSURF_E_ARGUMENT;
@@ -40,9 +40,9 @@ static algsurf_status check_shape(const algsurf_poly_packet *p) {
     return ALGSURF_OK;
 }
 
-static algsurf_status prepare(query *q, const algsurf_poly_packet *packet,
-                              const algsurf_first_roots_options *options) {
-    q->options = (algsurf_first_roots_options){.size = sizeof q->options};
+static algsurf_status prepare(query *q, const algsurf_real_batch *packet,
+                              const algsurf_batch_options *options) {
+    q->options = (algsurf_batch_options){.size = sizeof q->options};
     if (!packet || !algsurf_options_read(&q->polys, sizeof q->polys, packet)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&q->options, sizeof q->options, options)) return ALGSURF_E_ARGUMENT;
     if (!(q->options.tolerance >= 0 && q->options.tolerance < 1)) return ALGSURF_E_ARGUMENT;
@@ -60,8 +60,8 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     algsurf_status status =
         algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
     if (status < 0 && status != ALGSURF_E_ZERO) return status;
-    if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_ROOT_UNDECIDED)) {
-        *state = ALGSURF_FIRST_ROOT_UNCERTAIN;
+    if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_BRACKET_UNDECIDED)) {
+        *state = ALGSURF_FIRST_ROOT_UNDECIDED;
         *where = found ? 0.5 * b[0].lo + 0.5 * b[0].hi : lo;
         return ALGSURF_OK;
     }
@@ -74,8 +74,8 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     return status;
 }
 
-/* One polynomial alone: OK or E_NO_MEMORY, and then it stays uncertain. */
-static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, unsigned char *state,
+/* One polynomial alone: OK or E_NO_MEMORY, and then it stays undecided. */
+static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
     algsurf_i_coefficients p = {c, polys->r ? r : NULL, polys->degree};
@@ -87,7 +87,7 @@ static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, un
         r[k] = polys->r ? polys->r[k][i] : 0;
         zero = zero && c[k] == 0;
     }
-    state[i] = ALGSURF_FIRST_ROOT_UNCERTAIN;
+    state[i] = ALGSURF_FIRST_ROOT_UNDECIDED;
     if (p.r) {
         status = solve_set(&p, polys->lo[i], polys->hi[i], state + i, &where);
     } else if (zero) {
@@ -105,7 +105,7 @@ static algsurf_status solve_alone(const algsurf_poly_packet *polys, size_t i, un
 
 /* A job without answers for a packet of some polynomials, if all are good. */
 static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
-    const algsurf_poly_packet *p = &q->polys;
+    const algsurf_real_batch *p = &q->polys;
     *job = (algsurf_i_polys_job){p->c, p->r, p->lo, p->hi, p->degree, q->options.tolerance,
                                  NULL, NULL, NULL,  NULL};
     algsurf_status status = ALGSURF_OK;
@@ -116,13 +116,13 @@ static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
 
 static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
 
-static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_poly_packet *packet,
-                                                  const algsurf_first_roots_options *options,
-                                                  unsigned char *state, double *root) {
+static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *packet,
+                                                  const algsurf_batch_options *options, unsigned char *state,
+                                                  double *root) {
     query q;
     algsurf_i_polys_job job;
     algsurf_status status = prepare(&q, packet, options);
-    const algsurf_poly_packet *p = &q.polys;
+    const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
     if (!state) return ALGSURF_E_ARGUMENT;
     if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
@@ -143,7 +143,7 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_poly_packet *pac
 }
 
 /* All roots of one polynomial alone: OK or E_NO_MEMORY. */
-static algsurf_status find_alone(const algsurf_poly_packet *p, size_t i, algsurf_real_root *roots,
+static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
     int room = p->degree > 0 ? p->degree : 1;
@@ -154,13 +154,13 @@ static algsurf_status find_alone(const algsurf_poly_packet *p, size_t i, algsurf
     return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
-static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_poly_packet *packet,
-                                                const algsurf_first_roots_options *options,
+static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *packet,
+                                                const algsurf_batch_options *options,
                                                 algsurf_real_root *roots, int *count) {
     query q;
     algsurf_i_polys_job job;
     algsurf_status status = prepare(&q, packet, options);
-    const algsurf_poly_packet *p = &q.polys;
+    const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
     if (!roots || !count || p->r) return ALGSURF_E_ARGUMENT;
     if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
@@ -176,9 +176,9 @@ static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_poly_packet *packe
     return status;
 }
 
-algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
-                                   const algsurf_first_roots_options *options, unsigned char *state,
-                                   double *root) {
+algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *packet,
+                                         const algsurf_batch_options *options, unsigned char *state,
+                                         double *root) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = find_first(packet, options, state, root);
@@ -186,9 +186,9 @@ algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
     return status;
 }
 
-algsurf_status algsurf_real_roots_packet(const algsurf_poly_packet *packet,
-                                         const algsurf_first_roots_options *options, algsurf_real_root *roots,
-                                         int *count) {
+algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *packet,
+                                        const algsurf_batch_options *options, algsurf_real_root *roots,
+                                        int *count) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = find_all(packet, options, roots, count);

@@ -127,7 +127,7 @@ static algsurf_status walk_integers(task *t, double lo, double hi) {
         algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, &t->counted);
     for (int i = 0; i < found; i++) {
         const algsurf_real_root *r = roots + i;
-        int kind = r->lo == r->hi ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET;
+        int kind = r->lo == r->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
         t->b[t->count++] = (algsurf_bracket){r->lo, r->hi, kind, r->sign, r->multiplicity, ALGSURF_OK};
     }
     return status;
@@ -152,7 +152,8 @@ static algsurf_status walk_parts(task *t) {
     for (int i = 0; status == ALGSURF_OK && i < count && !(t->wanted == FIRST && t->count); i++) {
         const algsurf_i_part *k = parts + i;
         if (k->sign)
-            t->b[t->count++] = (algsurf_bracket){k->lo, k->hi, ALGSURF_ROOT_BRACKET, k->sign, 1, ALGSURF_OK};
+            t->b[t->count++] =
+                (algsurf_bracket){k->lo, k->hi, ALGSURF_BRACKET_ISOLATED, k->sign, 1, ALGSURF_OK};
         else
             status = walk_part(t, k->lo, k->hi);
     }
@@ -249,7 +250,7 @@ static algsurf_status walk_envelopes(task *t) {
 
 static void all_undecided(task *t) {
     int most = t->p.degree > 0 ? t->p.degree : 1;
-    t->b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_ROOT_UNDECIDED, 0, most, ALGSURF_UNDECIDED_ZERO};
+    t->b[0] = (algsurf_bracket){t->lo, t->hi, ALGSURF_BRACKET_UNDECIDED, 0, most, ALGSURF_UNDECIDED_ZERO};
     t->count = 1;
 }
 
@@ -304,7 +305,7 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     if (intervals) *intervals = t.counted;
     if (wanted == NUMBER) return ALGSURF_OK;
     for (int i = 0; i < t.count; i++)
-        if (room[i].kind == ALGSURF_ROOT_EXACT) room[i].sign = 0;
+        if (room[i].kind == ALGSURF_BRACKET_EXACT) room[i].sign = 0;
     for (int i = 0; i < t.count; i++)
         if (room[i].status != ALGSURF_OK) return room[i].status;
     return ALGSURF_OK;
@@ -350,7 +351,7 @@ algsurf_status algsurf_count_roots(const double *c, const double *r, int degree,
     int number = lo == -HUGE_VAL && hi == HUGE_VAL && !r;
     algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, room, &n, NULL);
     if (status < 0) return status;
-    for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_ROOT_UNDECIDED;
+    for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_BRACKET_UNDECIDED;
     *count = number ? n : roots;
     return status;
 }

@@ -11,7 +11,7 @@
 /* The bounds of centred_template.h hold up to this degree. */
 #define ALGSURF_MAX_POLYS_DEGREE 20
 
-/* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_poly_packet, and their answers. */
+/* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_real_batch, and their answers. */
 typedef struct algsurf_i_polys_job {
     const double *const *c, *const *r;
     const double *lo, *hi;

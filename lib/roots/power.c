@@ -149,7 +149,7 @@ static algsurf_bracket bracket_of(const algsurf_i_power *w, const place *r, int 
     int sign = side > 0 ? r->before : w->zeros % 2 ? -after : after;
     return (algsurf_bracket){side > 0 ? r->lo : -r->hi,
                              side > 0 ? r->hi : -r->lo,
-                             exact ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET,
+                             exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED,
                              sign,
                              multiplicity,
                              ALGSURF_OK};
@@ -176,7 +176,7 @@ static algsurf_bracket mirrored(const algsurf_i_power *w, const algsurf_bracket 
 
 static algsurf_bracket zero_root(const algsurf_i_power *w) {
     int sign = (w->q[0] > 0) == (w->zeros % 2 == 0) ? 1 : -1;
-    return (algsurf_bracket){0, 0, ALGSURF_ROOT_EXACT, sign, w->zeros, ALGSURF_OK};
+    return (algsurf_bracket){0, 0, ALGSURF_BRACKET_EXACT, sign, w->zeros, ALGSURF_OK};
 }
 
 /* Is the root in [lo,hi]?  A bracket that an end lies inside is cut there: two neighbours are not. */
@@ -187,7 +187,7 @@ static int is_inside(const algsurf_i_coefficients *p, double lo, double hi, algs
         int sign = algsurf_i_sign_at(p, ends[i]);
         if (sign != -b->sign) b->lo = ends[i];
         if (sign != b->sign) b->hi = ends[i];
-        if (sign == 0) b->kind = ALGSURF_ROOT_EXACT;
+        if (sign == 0) b->kind = ALGSURF_BRACKET_EXACT;
     }
     if (b->lo == b->hi) return b->lo >= lo && b->lo <= hi;
     return b->lo >= lo && b->hi <= hi;

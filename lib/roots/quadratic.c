@@ -31,7 +31,7 @@ static int slope_sign(const double *c, double x) {
 }
 
 static algsurf_bracket bracket(double lo, double hi, int sign) {
-    return (algsurf_bracket){lo, hi, ALGSURF_ROOT_BRACKET, sign, 1, ALGSURF_OK};
+    return (algsurf_bracket){lo, hi, ALGSURF_BRACKET_ISOLATED, sign, 1, ALGSURF_OK};
 }
 
 int algsurf_i_quadratic_isolate(const double *c, int degree, double lo, double hi, algsurf_bracket *brackets,

@@ -54,7 +54,7 @@ static double nearer(const algsurf_i_coefficients *p, double lo, double hi) {
 
 /* From a bracket to neighbouring doubles; 0 when there is no memory. */
 static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, algsurf_real_root *root) {
-    algsurf_root found;
+    algsurf_refined_root found;
     if (algsurf_i_refine_bracket(p, b->lo, b->hi, &found) != ALGSURF_OK) return 0;
     double lo = found.lo, hi = found.hi, between;
     while (lo < hi && (between = nextafter(lo, hi)) < hi) {

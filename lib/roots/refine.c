@@ -54,15 +54,15 @@ static int search_start(algsurf_i_search *s, double lo, double hi) {
     return opposite;
 }
 
-static algsurf_status search_finish(const algsurf_i_search *s, algsurf_root *result) {
+static algsurf_status search_finish(const algsurf_i_search *s, algsurf_refined_root *result) {
     if (s->nan) return ALGSURF_E_NOT_FINITE;
-    *result = (algsurf_root){.root = s->b,
-                             .lo = fmin(s->b, s->c),
-                             .hi = fmax(s->b, s->c),
-                             .value = s->fb,
-                             .evaluations = s->evaluations,
-                             .iterations = s->iterations,
-                             .converged = converged(s)};
+    *result = (algsurf_refined_root){.root = s->b,
+                                     .lo = fmin(s->b, s->c),
+                                     .hi = fmax(s->b, s->c),
+                                     .value = s->fb,
+                                     .evaluations = s->evaluations,
+                                     .iterations = s->iterations,
+                                     .converged = converged(s)};
     return result->converged ? ALGSURF_OK : ALGSURF_NOT_CONVERGED;
 }
 
@@ -101,7 +101,7 @@ static void run(algsurf_i_search *s, algsurf_method method) {
 /* No change of the floating-point environment here: f is the caller's, and the bracket, whose ends only
  * have to be points where f was evaluated, is right in any rounding mode. */
 algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
-                                       const algsurf_refine_options *options, algsurf_root *result) {
+                                       const algsurf_refine_options *options, algsurf_refined_root *result) {
     if (!f || !result) return ALGSURF_E_ARGUMENT;
     algsurf_i_search s = {.f = f, .data = data};
     algsurf_method method;
@@ -154,7 +154,7 @@ static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo
 }
 
 static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
-                                     algsurf_root *result) {
+                                     algsurf_refined_root *result) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
     algsurf_i_polynomial_scale(p, fmin(fmax(fabs(lo), fabs(hi)), DBL_MAX), c, r);
     s->rounding = 0x1p-53;
@@ -171,14 +171,14 @@ static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *
 }
 
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
-                                        algsurf_root *result) {
+                                        algsurf_refined_root *result) {
     algsurf_i_polynomial polynomial = {.given = *p, .c = p->c};
     algsurf_i_search s = {.f = algsurf_i_polynomial_certain, .data = &polynomial, .max_iterations = 1000};
     return refine_certain(&s, &polynomial, lo, hi, result);
 }
 
 static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
-                                   algsurf_method method, algsurf_root *result) {
+                                   algsurf_method method, algsurf_refined_root *result) {
     double room[ALGSURF_MAX_POLY_DEGREE + 1];
     balance(p, room);
     int bracketed = search_start(s, lo, hi);
@@ -197,7 +197,7 @@ static algsurf_status check_ends(double lo, double hi, algsurf_method method) {
 
 static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, double lo, double hi,
                                                    const algsurf_refine_options *options,
-                                                   algsurf_root *result) {
+                                                   algsurf_refined_root *result) {
     algsurf_i_search s = {.data = &p};
     algsurf_method method;
     algsurf_status status = prepare(&s, options, &method);
@@ -215,7 +215,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, doubl
 
 static algsurf_status run_guarded(const double *c, int degree, double lo, double hi,
                                   const algsurf_refine_options *options, algsurf_refine_observer observe,
-                                  void *data, algsurf_root *result) {
+                                  void *data, algsurf_refined_root *result) {
     if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
@@ -226,14 +226,14 @@ static algsurf_status run_guarded(const double *c, int degree, double lo, double
 }
 
 algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
-                                   const algsurf_refine_options *options, algsurf_root *result) {
+                                   const algsurf_refine_options *options, algsurf_refined_root *result) {
     return run_guarded(c, degree, lo, hi, options, NULL, NULL, result);
 }
 
 algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
                                             const algsurf_refine_options *options,
                                             algsurf_refine_observer observe, void *data,
-                                            algsurf_root *result) {
+                                            algsurf_refined_root *result) {
     if (!observe) return ALGSURF_E_ARGUMENT;
     return run_guarded(c, degree, lo, hi, options, observe, data, result);
 }

@@ -49,7 +49,7 @@ void algsurf_i_refine_regula_falsi(algsurf_i_search *s);
 
 /* As algsurf_refine_poly with no options, for a bracket that is one. */
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
-                                        algsurf_root *result);
+                                        algsurf_refined_root *result);
 
 /* f is a polynomial, its signs are certain; *newton is Newton's step from s->x, -f/f', written whenever f is
  * called. */

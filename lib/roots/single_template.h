@@ -108,7 +108,7 @@ static int set_end(const single *s, double at, double least, int sign, double *e
 
 static int set_bracket(const single *s, const packet *k, double least, algsurf_bracket *b) {
     int sign = k->at.side[0] ? -1 : 1;
-    *b = (algsurf_bracket){s->lo, s->hi, ALGSURF_ROOT_BRACKET, sign, 1, ALGSURF_OK};
+    *b = (algsurf_bracket){s->lo, s->hi, ALGSURF_BRACKET_ISOLATED, sign, 1, ALGSURF_OK};
     if (k->at.p[0] > 0 && !set_end(s, k->at.p[0], least, sign, &b->lo)) return 0;
     if (k->at.q[0] < 1 && !set_end(s, k->at.q[0], b->lo, -sign, &b->hi)) return 0;
     return b->lo < b->hi;

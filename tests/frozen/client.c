@@ -145,10 +145,10 @@ static void check_complex(const algsurf_surface *s) {
 static void check_roots(void) {
     const double c[] = {-2, 0, 1}; /* t^2 - 2 */
     const algsurf_complex p[] = {{-2, 0}, {0, 0}, {1, 0}}, start[] = {{1, 1}, {1, -1}};
-    algsurf_enclosure roots[2];
+    algsurf_complex_root roots[2];
     algsurf_bracket bracket;
     int count = 0, found = 0;
-    CHECK(algsurf_roots_real(c, NULL, 2, roots, &count) == ALGSURF_OK && count == 2);
+    CHECK(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count) == ALGSURF_OK && count == 2);
     CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].value.re), sqrt(2)));
     CHECK(algsurf_isolate_first(c, NULL, 2, 0, 2, &bracket, &found) == ALGSURF_OK && found == 1);
     CHECK(bracket.lo <= sqrt(2) && sqrt(2) <= bracket.hi && bracket.sign == -1);
@@ -156,7 +156,7 @@ static void check_roots(void) {
     BLANK(algsurf_refine_options, r);
     r.method = ALGSURF_METHOD_BISECTION, r.max_iterations = 100, r.tolerance = 1e-9;
     for (size_t size = UNIT; size <= sizeof r; size += UNIT) {
-        algsurf_root root;
+        algsurf_refined_root root;
         CHECK(algsurf_refine_poly(c, 2, 1, 2, at_edge(&r, size), &root) == ALGSURF_OK);
         CHECK(near(root.root, sqrt(2)) && root.converged == 1);
     }
@@ -174,14 +174,14 @@ static void check_roots(void) {
 static void check_many(void) {
     const double c0[] = {-2, 2}, c1[] = {0, 0}, c2[] = {1, 1}, lo[] = {0, 0}, hi[] = {2, 2};
     const double *const c[] = {c0, c1, c2};
-    BLANK(algsurf_poly_packet, packet);
-    BLANK(algsurf_first_roots_options, o);
+    BLANK(algsurf_real_batch, packet);
+    BLANK(algsurf_batch_options, o);
     packet.count = 2, packet.degree = 2, packet.c = c, packet.r = NULL, packet.lo = lo, packet.hi = hi;
     o.kernel = NULL, o.tolerance = 0;
     for (size_t size = UNIT; size <= sizeof o; size += UNIT) {
         unsigned char state[2];
         double root[2];
-        CHECK(algsurf_first_roots(at_edge(&packet, sizeof packet), at_edge(&o, size), state, root) ==
+        CHECK(algsurf_first_roots_batch(at_edge(&packet, sizeof packet), at_edge(&o, size), state, root) ==
               ALGSURF_OK);
         CHECK(state[0] == ALGSURF_FIRST_ROOT_FOUND && near(root[0], sqrt(2)));
         CHECK(state[1] == ALGSURF_FIRST_ROOT_NONE && isinf(root[1]));

@@ -1,4 +1,5 @@
-/* first_roots.c - fuzzes algsurf_first_roots: "DEGREE", then "LO HI COEFFICIENT ..." for each polynomial.
+/* first_roots.c - fuzzes algsurf_first_roots_batch: "DEGREE", then "LO HI COEFFICIENT ..." for each
+ * polynomial.
  *
  * A state is judged by a Sturm chain and must be that of algsurf_isolate_first; the root must be the chain's
  * first; all kernels, and each polynomial alone, must give the same bits.
@@ -7,7 +8,7 @@
 
 #include "algsurf/intersect.h"
 #include "algsurf/isolate.h"
-#include "algsurf/packet.h"
+#include "algsurf/batch.h"
 #include "exact_roots.h"
 #include "fuzz.h"
 
@@ -23,9 +24,9 @@ typedef struct answers {
 static algsurf_status solve(int degree, size_t first, size_t count, const char *kernel, answers *to) {
     const double *rows[TOP + 1];
     for (int k = 0; k <= degree; k++) rows[k] = c[k] + first;
-    const algsurf_poly_packet packet = {sizeof packet, count, degree, rows, NULL, lo + first, hi + first};
-    const algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
-    return algsurf_first_roots(&packet, &options, to->state, to->root);
+    const algsurf_real_batch packet = {sizeof packet, count, degree, rows, NULL, lo + first, hi + first};
+    const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
+    return algsurf_first_roots_batch(&packet, &options, to->state, to->root);
 }
 
 static void check_bits(const answers *a, size_t at, const answers *b, size_t count) {
@@ -39,21 +40,21 @@ static void check_one(int degree, int i, int state, double root) {
     int found = 0, zero = 1;
     for (int k = 0; k <= degree; k++) one[k] = c[k][i], zero = zero && one[k] == 0;
     if (zero) {
-        fuzz_check(state == ALGSURF_FIRST_ROOT_UNCERTAIN);
+        fuzz_check(state == ALGSURF_FIRST_ROOT_UNDECIDED);
         return;
     }
     algsurf_status status = algsurf_isolate_first(one, NULL, degree, lo[i], hi[i], &b, &found);
     int subnormal = b.lo >= -DBL_MIN && b.hi <= DBL_MIN; /* a packet may tell such a root from 0 */
     if (status == ALGSURF_OK || !subnormal)
-        fuzz_check(state == (status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNCERTAIN : found));
+        fuzz_check(state == (status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED : found));
     if (state == ALGSURF_FIRST_ROOT_NONE) fuzz_check(root == (double)INFINITY);
     if (state != ALGSURF_FIRST_ROOT_NONE) fuzz_check(lo[i] <= root && root <= hi[i]);
     if (fuzz_span(one, degree + 1) * degree > MOST_BITS) return;
     exact_sturm s = exact_sturm_of_doubles(one, degree);
     int roots = exact_count_roots(&s, lo[i], hi[i]);
-    if (state != ALGSURF_FIRST_ROOT_UNCERTAIN && (roots > 0) != state)
+    if (state != ALGSURF_FIRST_ROOT_UNDECIDED && (roots > 0) != state)
         exact_print_doubles("c", one, degree + 1);
-    if (state != ALGSURF_FIRST_ROOT_UNCERTAIN) fuzz_check((roots > 0) == state);
+    if (state != ALGSURF_FIRST_ROOT_UNDECIDED) fuzz_check((roots > 0) == state);
     if (state == ALGSURF_FIRST_ROOT_FOUND) {
         double exact = exact_root(&s, lo[i], hi[i], 0), error = fabs(root - exact);
         if (!(error <= 1e-12 * (hi[i] - lo[i]) + 0x1p-51 * fabs(exact)))
@@ -70,10 +71,10 @@ static void check_all_roots(int degree, int count) {
     const char *kernel;
     int counts[MOST], room = degree > 0 ? degree : 1;
     for (int k = 0; k <= degree; k++) rows[k] = c[k];
-    const algsurf_poly_packet packet = {sizeof packet, (size_t)count, degree, rows, NULL, lo, hi};
+    const algsurf_real_batch packet = {sizeof packet, (size_t)count, degree, rows, NULL, lo, hi};
     for (int j = 0; (kernel = algsurf_kernel_name(j)); j++) {
-        const algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
-        fuzz_check(algsurf_real_roots_packet(&packet, &options, found, counts) == ALGSURF_OK);
+        const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
+        fuzz_check(algsurf_real_roots_batch(&packet, &options, found, counts) == ALGSURF_OK);
         for (int i = 0; i < count; i++) {
             double p[TOP + 1];
             int roots = -1;

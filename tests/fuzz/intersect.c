@@ -101,10 +101,10 @@ static void check_lanes(const packet *p, const algsurf_extent *extent) {
         one.t[i] = hit.t, one.t_lo[i] = hit.t_lo, one.t_hi[i] = hit.t_hi;
         for (int k = 0; k < 3; k++) one.position[k][i] = hit.position[k], one.normal[k][i] = hit.normal[k];
         check_bits(p, &one, (size_t)i);
-        fuzz_check(hit.state != ALGSURF_UNCERTAIN && (int)occluded == hit.state);
+        fuzz_check(hit.state != ALGSURF_UNDECIDED && (int)occluded == hit.state);
         ask_single(p, i, extent, ALGSURF_TIER_BOUNDED, &hit, &occluded);
-        fuzz_check(hit.state == ALGSURF_UNCERTAIN || hit.state == p->state[i]);
-        fuzz_check(occluded == ALGSURF_UNCERTAIN || (int)occluded == p->occluded[i]);
+        fuzz_check(hit.state == ALGSURF_UNDECIDED || hit.state == p->state[i]);
+        fuzz_check(occluded == ALGSURF_UNDECIDED || (int)occluded == p->occluded[i]);
     }
 }
 

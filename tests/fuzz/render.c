@@ -71,7 +71,7 @@ static int answers_around(const view *v, int pixel, int *state, double t[2]) {
         algsurf_hit hit;
         if (algsurf_camera_ray(&v->camera, SIDE, SIDE, x, y, &ray) != ALGSURF_OK) return 0;
         if (algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit) != ALGSURF_OK) return 0;
-        if (hit.state == ALGSURF_UNCERTAIN || (i > 0 && hit.state != *state)) return 0;
+        if (hit.state == ALGSURF_UNDECIDED || (i > 0 && hit.state != *state)) return 0;
         *state = hit.state;
         t[0] = fmin(t[0], hit.t), t[1] = fmax(t[1], hit.t);
     }
@@ -102,9 +102,9 @@ static void check_picture(const view *v) {
     if (draw(v, kernel, &p) != ALGSURF_OK) return;
     uint64_t samples = (uint64_t)(PIXELS * v->samples * v->samples), drawn = 0;
     for (int i = 0; i < PIXELS; i++) drawn += isnan(p.hits[i]) ? 0 : 1;
-    fuzz_check(p.stats.rays == samples && p.stats.hits + p.stats.uncertain <= samples);
-    fuzz_check(drawn <= p.stats.hits + p.stats.uncertain);
-    fuzz_check(v->samples > 1 || drawn == p.stats.hits + p.stats.uncertain);
+    fuzz_check(p.stats.rays == samples && p.stats.hits + p.stats.undecided <= samples);
+    fuzz_check(drawn <= p.stats.hits + p.stats.undecided);
+    fuzz_check(v->samples > 1 || drawn == p.stats.hits + p.stats.undecided);
     for (int i = 1; (kernel = algsurf_kernel_name(i)); i++) {
         fuzz_check(draw(v, kernel, &other) == ALGSURF_OK);
         fuzz_check(memcmp(p.bytes, other.bytes, sizeof p.bytes) == 0);

@@ -1,4 +1,4 @@
-/* roots.c - fuzzes algsurf_roots and its kin: "FLAGS BOX COEFFICIENT COEFFICIENT ...".
+/* roots.c - fuzzes algsurf_complex_roots and its kin: "FLAGS BOX COEFFICIENT COEFFICIENT ...".
  *
  * FLAGS: 1: coefficients are pairs re im; 2: each is followed by a radius; 4: real ones go through the call
  * for real polynomials.  BOX is the box to look at where there are many.  A box must hold as many roots as it
@@ -36,12 +36,13 @@ static int is_real(const question *q) {
     return 1;
 }
 
-static algsurf_status solve(const question *q, algsurf_enclosure *roots, int *count) {
+static algsurf_status solve(const question *q, algsurf_complex_root *roots, int *count) {
     const double *r = q->flags & RADII ? q->r : NULL;
     double c[TOP + 1];
-    if (!(q->flags & REAL_CALL) || !is_real(q)) return algsurf_roots(q->c, r, q->degree, roots, count);
+    if (!(q->flags & REAL_CALL) || !is_real(q))
+        return algsurf_complex_roots(q->c, r, q->degree, roots, count);
     for (int k = 0; k <= q->degree; k++) c[k] = q->c[k].re;
-    return algsurf_roots_real(c, r, q->degree, roots, count);
+    return algsurf_complex_roots_of_real(c, r, q->degree, roots, count);
 }
 
 /* Between two disjoint boxes, the distance along the axis that parts them. */
@@ -52,7 +53,7 @@ static double gap(algsurf_cinterval a, algsurf_cinterval b) {
 
 /* By how little a box is widened, as a power of two: far less than to the next one, and than its last bits.
  */
-static int margin_of(const algsurf_enclosure *e, int count, int i) {
+static int margin_of(const algsurf_complex_root *e, int count, int i) {
     algsurf_cinterval box = e[i].box;
     double size = fmax(fmax(fabs(box.re.lo), fabs(box.re.hi)), fmax(fabs(box.im.lo), fabs(box.im.hi)));
     int margin = (size > 0 ? ilogb(size) : 0) - 80;
@@ -63,7 +64,7 @@ static int margin_of(const algsurf_enclosure *e, int count, int i) {
     return margin;
 }
 
-static void check_form(const question *q, const algsurf_enclosure *e, int count) {
+static void check_form(const question *q, const algsurf_complex_root *e, int count) {
     int sum = 0, degree = q->degree;
     while (degree > 0 && q->c[degree].re == 0 && q->c[degree].im == 0) degree--;
     for (int i = 0; i < count; i++) {
@@ -79,7 +80,7 @@ static void check_form(const question *q, const algsurf_enclosure *e, int count)
 }
 
 /* Real polynomials: boxes come in conjugate pairs, or on the axis. */
-static void check_symmetry(const algsurf_enclosure *e, int count) {
+static void check_symmetry(const algsurf_complex_root *e, int count) {
     for (int i = 0; i < count; i++) {
         int mates = 0;
         for (int j = 0; j < count; j++)
@@ -91,7 +92,7 @@ static void check_symmetry(const algsurf_enclosure *e, int count) {
 }
 
 /* What a real polynomial's boxes on the axis hold, by the number of distinct real roots. */
-static void check_real_roots(const question *q, const algsurf_enclosure *e, int count) {
+static void check_real_roots(const question *q, const algsurf_complex_root *e, int count) {
     double c[TOP + 1];
     for (int k = 0; k <= q->degree; k++) c[k] = q->c[k].re;
     exact_sturm s = exact_sturm_of_doubles(c, q->degree);
@@ -112,7 +113,8 @@ static int is_bounded(algsurf_cinterval box) {
     return isfinite(box.re.lo) && isfinite(box.re.hi) && isfinite(box.im.lo) && isfinite(box.im.hi);
 }
 
-static void check_boxes(const question *q, const algsurf_complex *c, const algsurf_enclosure *e, int count) {
+static void check_boxes(const question *q, const algsurf_complex *c, const algsurf_complex_root *e,
+                        int count) {
     exact_complex_poly p = exact_complex_of(c, q->degree);
     for (int i = 0; i < count; i++) {
         if (q->degree > ALL_BOXES && i != q->which % count) continue;
@@ -136,10 +138,10 @@ static void member(const question *q, int up, algsurf_complex *c) {
 }
 
 /* A packet of three copies, by every kernel, has the answers of the single call. */
-static void check_packet(const question *q, algsurf_status status, const algsurf_enclosure *e, int count) {
+static void check_packet(const question *q, algsurf_status status, const algsurf_complex_root *e, int count) {
     enum { COPIES = 3 };
     static double re[TOP + 1][COPIES], im[TOP + 1][COPIES], r[TOP + 1][COPIES];
-    static algsurf_enclosure found[COPIES * TOP];
+    static algsurf_complex_root found[COPIES * TOP];
     const double *res[TOP + 1], *ims[TOP + 1], *rs[TOP + 1];
     const char *kernel;
     int counts[COPIES], real = q->flags & REAL_CALL && is_real(q);
@@ -147,11 +149,11 @@ static void check_packet(const question *q, algsurf_status status, const algsurf
         for (int i = 0; i < COPIES; i++) re[k][i] = q->c[k].re, im[k][i] = q->c[k].im, r[k][i] = q->r[k];
         res[k] = re[k], ims[k] = im[k], rs[k] = r[k];
     }
-    const algsurf_complex_packet packet = {
+    const algsurf_complex_batch packet = {
         sizeof packet, COPIES, q->degree, res, real ? NULL : ims, q->flags & RADII ? rs : NULL};
     for (int j = 0; q->degree > 0 && (kernel = algsurf_kernel_name(j)); j++) {
-        const algsurf_roots_packet_options options = {.size = sizeof options, .kernel = kernel};
-        fuzz_check(algsurf_roots_packet(&packet, &options, found, counts) == status);
+        const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
+        fuzz_check(algsurf_complex_roots_batch(&packet, &options, found, counts) == status);
         for (int i = 0; i < COPIES; i++) {
             fuzz_check(counts[i] == (status < 0 ? (int)status : count));
             if (status == ALGSURF_OK)
@@ -163,7 +165,7 @@ static void check_packet(const question *q, algsurf_status status, const algsurf
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_numbers in = fuzz_numbers_of(data, size);
     question q = read_question(&in);
-    algsurf_enclosure e[TOP + 1];
+    algsurf_complex_root e[TOP + 1];
     int count = -77;
     algsurf_status status = solve(&q, e, &count);
     check_packet(&q, status, e, count);

@@ -49,7 +49,7 @@ static int judge_is_there(char *const *field, int rounded) {
 }
 
 /* All roots are there; judged: all real ones are in boxes. */
-static void check_all(algsurf_root_solver *solver, int judged) {
+static void check_all(algsurf_complex_solver *solver, int judged) {
     int count = roots_all(solver, &p, rows, &why), sum = 0, inside = 0;
     if (count < 0) return;
     for (int i = 0; i < count; i++) {
@@ -73,7 +73,7 @@ static void check_real(double lo, double hi, int judged) {
         check_row(&rows[i]);
         algsurf_interval x = rows[i].box.re;
         a.b[i] = (algsurf_bracket){.lo = x.lo, .hi = x.hi, .multiplicity = rows[i].multiplicity};
-        a.b[i].kind = x.lo == x.hi ? ALGSURF_ROOT_EXACT : ALGSURF_ROOT_BRACKET;
+        a.b[i].kind = x.lo == x.hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
         int shares = i > 0 && isolate_same_place(a.b + i - 1, a.b + i);
         fuzz_check(lo <= x.lo && x.hi <= hi && (i == 0 || shares || a.b[i - 1].hi <= x.lo));
         if (judged) a.b[i].sign = isolate_sign_after(&chains, x.lo);
@@ -92,7 +92,7 @@ static int is_short(int rounded) {
     return p.degree <= 64 && 64 * most * p.degree < 5 * MOST_BITS;
 }
 
-static void check_line(algsurf_root_solver *solver, char *const *field, int fields, int rounded) {
+static void check_line(algsurf_complex_solver *solver, char *const *field, int fields, int rounded) {
     if (!roots_parse(field, fields, rounded, &p, &why)) return;
     fuzz_check(p.degree >= 0 && p.degree < fields);
     int judged = judge_is_there(field, rounded);
@@ -105,8 +105,8 @@ static void check_line(algsurf_root_solver *solver, char *const *field, int fiel
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static algsurf_root_solver *solver;
-    if (!solver) fuzz_check(algsurf_root_solver_create(ALGSURF_MAX_POLY_DEGREE, &solver) == ALGSURF_OK);
+    static algsurf_complex_solver *solver;
+    if (!solver) fuzz_check(algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &solver) == ALGSURF_OK);
     if (size == 0) return 0;
     FILE *file = fmemopen((void *)(uintptr_t)data, size, "rb");
     cli_line line = {.number = 0};

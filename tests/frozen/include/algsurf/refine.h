@@ -38,7 +38,7 @@ typedef struct algsurf_refine_options {
 } algsurf_refine_options;
 
 /* A refined root, and what it took. */
-typedef struct algsurf_root {
+typedef struct algsurf_refined_root {
     double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
     double value;    /* f(root) as computed; a polynomial's by default: its sign is certain, 0 is a root */
@@ -47,7 +47,7 @@ typedef struct algsurf_root {
     int converged;   /* 1: hi - lo <= 2 (tolerance + rounding) or value == 0; 0: the limit was reached.
                         Regula falsi also stops, as converged, when two consecutive points differ by no
                         more than that: near a root or only slow, it cannot tell. */
-} algsurf_root;
+} algsurf_refined_root;
 
 /* Real function of a real variable; data is the caller's, passed through. */
 typedef double (*algsurf_function)(double x, void *data);
@@ -63,7 +63,7 @@ typedef double (*algsurf_function)(double x, void *data);
  * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
                                                    const algsurf_refine_options *options,
-                                                   algsurf_root *result);
+                                                   algsurf_refined_root *result);
 
 /* The same for a polynomial in the power basis, degree+1 coefficients, lowest first.
  * By the default method:
@@ -79,7 +79,8 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
  * roots need.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
-                                               const algsurf_refine_options *options, algsurf_root *result);
+                                               const algsurf_refine_options *options,
+                                               algsurf_refined_root *result);
 
 /* Called with a point and the polynomial's value there, as the method computed it; data is the caller's. */
 typedef void (*algsurf_refine_observer)(double x, double value, void *data);
@@ -93,7 +94,7 @@ typedef void (*algsurf_refine_observer)(double x, double value, void *data);
 ALGSURF_API algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
                                                         const algsurf_refine_options *options,
                                                         algsurf_refine_observer observe, void *data,
-                                                        algsurf_root *result);
+                                                        algsurf_refined_root *result);
 
 #ifdef __cplusplus
 }

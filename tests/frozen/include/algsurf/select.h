@@ -30,27 +30,27 @@ typedef enum algsurf_selected {
 /* Is every root of the enclosure in the sector (1), none (0), or is that undecided (2)?  The root 0 has
  * argument 0.  Decided with the enclosing box: a real one has argument exactly 0 or pi.
  * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector, const algsurf_enclosure *root,
-                                                int *holds);
+ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
+                                                const algsurf_complex_root *root, int *holds);
 
 /* The root of least magnitude among those in the sector with lo <= |t| <= hi.
- *   roots, count  as algsurf_roots gives them
+ *   roots, count  as algsurf_complex_roots gives them
  *   lo, hi        magnitudes that count; 0 <= lo <= hi, hi may be infinite
  *   selected      an algsurf_selected
  *   index         which; untouched if NONE
  * Nothing is assumed of the polynomial: two boxes whose magnitudes overlap leave open which root is smaller,
  * also where the boxes are mirror images of each other.
  * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument is in doubt.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_select(const algsurf_enclosure *roots, int count,
+ALGSURF_API algsurf_status algsurf_select(const algsurf_complex_root *roots, int count,
                                           const algsurf_sector *sector, double lo, double hi,
                                           algsurf_selected *selected, int *index);
 
-/* The same for the roots of one polynomial with real coefficients, all of them, as algsurf_roots_real gives
- * them (or algsurf_roots without radii): there a box off the real axis and its mirror image hold conjugates,
- * which are equally large.  Errors, cost: as above.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_select_real(const algsurf_enclosure *roots, int count,
-                                               const algsurf_sector *sector, double lo, double hi,
-                                               algsurf_selected *selected, int *index);
+/* The same for the roots of one polynomial with real coefficients, all of them, as
+ * algsurf_complex_roots_of_real gives them (or algsurf_complex_roots without radii): there a box off the real
+ * axis and its mirror image hold conjugates, which are equally large.  Errors, cost: as above.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_select_of_real(const algsurf_complex_root *roots, int count,
+                                                  const algsurf_sector *sector, double lo, double hi,
+                                                  algsurf_selected *selected, int *index);
 
 #ifdef __cplusplus
 }

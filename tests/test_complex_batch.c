@@ -1,4 +1,4 @@
-/* test_allroots_packet.c - all roots of many polynomials: the bits of single calls, by every kernel, and
+/* test_complex_batch.c - all roots of many polynomials: the bits of single calls, by every kernel, and
  * boxes that hold their roots, judged by arithmetic without rounding (exact_complex.h): the disc about z that
  * holds a root must lie within the box, whose ends no root here is as near as that, or leave it to its
  * rounding.
@@ -29,7 +29,7 @@ static const char *const names[] = {"avx512", "avx2", "baseline"};
 typedef struct batch {
     double re[MOST + 1][MANY], im[MOST + 1][MANY];
     const double *at_re[MOST + 1], *at_im[MOST + 1];
-    algsurf_complex_packet packet;
+    algsurf_complex_batch packet;
 } batch;
 
 static void set_batch(batch *b, const problem *p, int real) {
@@ -37,15 +37,14 @@ static void set_batch(batch *b, const problem *p, int real) {
         for (int i = 0; i < MANY; i++) b->re[k][i] = p[i].re[k], b->im[k][i] = p[i].im[k];
         b->at_re[k] = b->re[k], b->at_im[k] = b->im[k];
     }
-    b->packet =
-        (algsurf_complex_packet){sizeof b->packet, MANY, p->n, b->at_re, real ? NULL : b->at_im, NULL};
+    b->packet = (algsurf_complex_batch){sizeof b->packet, MANY, p->n, b->at_re, real ? NULL : b->at_im, NULL};
 }
 
-static algsurf_status solve_one(const problem *p, algsurf_enclosure *roots, int *count) {
+static algsurf_status solve_one(const problem *p, algsurf_complex_root *roots, int *count) {
     algsurf_complex c[MOST + 1];
-    if (p->real) return algsurf_roots_real(p->re, NULL, p->n, roots, count);
+    if (p->real) return algsurf_complex_roots_of_real(p->re, NULL, p->n, roots, count);
     for (int k = 0; k <= p->n; k++) c[k] = (algsurf_complex){p->re[k], p->im[k]};
-    return algsurf_roots(c, NULL, p->n, roots, count);
+    return algsurf_complex_roots(c, NULL, p->n, roots, count);
 }
 
 static int lies_in(const mpf_t x, double by, double lo, double hi) {
@@ -58,7 +57,7 @@ static int lies_in(const mpf_t x, double by, double lo, double hi) {
 }
 
 /* Boxes are disjoint, in order, symmetric for real p, and each simple one holds a root. */
-static void judge(const problem *p, const algsurf_enclosure *e, int count) {
+static void judge(const problem *p, const algsurf_complex_root *e, int count) {
     point z;
     init(&z);
     for (int i = 0; i < count; i++) {
@@ -97,7 +96,7 @@ static void judge(const problem *p, const algsurf_enclosure *e, int count) {
 /* Batch and single calls agree in each bit; the answers are true if asked for. */
 static void compare(const problem *p, int real, int judged) {
     batch b;
-    algsurf_enclosure single[MANY][MOST], roots[MANY * MOST];
+    algsurf_complex_root single[MANY][MOST], roots[MANY * MOST];
     int count[MANY], found[MANY];
     set_batch(&b, p, real);
     for (int i = 0; i < MANY; i++) {
@@ -108,9 +107,10 @@ static void compare(const problem *p, int real, int judged) {
             judge(p + i, single[i], count[i]);
     }
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
-        const algsurf_roots_packet_options options = {sizeof options, names[k]};
+        const algsurf_batch_options options = {.size = sizeof options, .kernel = names[k]};
         if (!algsurf_i_kernel_find(names[k])) continue;
-        algsurf_status status = algsurf_roots_packet(&b.packet, &options, roots, found), first = ALGSURF_OK;
+        algsurf_status status = algsurf_complex_roots_batch(&b.packet, &options, roots, found),
+                       first = ALGSURF_OK;
         for (int i = 0; i < MANY; i++) {
             assert_int_equal(found[i], count[i]);
             if (found[i] < 0 && first == ALGSURF_OK) first = (algsurf_status)found[i];
@@ -131,7 +131,7 @@ static void check_width(algsurf_interval part, double at, double size) {
 /* How many of them each kernel solves in lanes: all the same ones, one by one or not, with the same bits. */
 static int solved_in_lanes(const problem *p, int real) {
     batch b;
-    algsurf_enclosure one[MOST], roots[MANY * MOST];
+    algsurf_complex_root one[MOST], roots[MANY * MOST];
     int found[MANY], before[MANY], solved = 0;
     set_batch(&b, p, real);
     for (size_t k = 0, kernels = 0; k < sizeof names / sizeof *names; k++) {
@@ -220,14 +220,14 @@ static void hard_ones(void **state) {
     assert_int_equal(solved_in_lanes(p, 1), 0);
     for (int i = 0; i < MANY; i++) p[i].re[1] = i == 3 ? NAN : i == 7 ? HUGE_VAL : 1;
     compare(p, 1, 0);
-    assert_int_equal(algsurf_roots_packet(NULL, NULL, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(NULL, NULL, NULL, NULL), ALGSURF_E_ARGUMENT);
 }
 
 /* Real ones among complex ones, radii, and misuse. */
 static void the_interface(void **state) {
     problem p[MANY];
     batch b;
-    algsurf_enclosure roots[MANY * MOST], single[MOST];
+    algsurf_complex_root roots[MANY * MOST], single[MOST];
     int found[MANY], count;
     double radii[MOST + 1];
     const double *r[MOST + 1];
@@ -236,7 +236,7 @@ static void the_interface(void **state) {
     for (int round = 0; round < 20; round++) {
         for (int i = 0; i < MANY; i++) {
             p[i] = random_problem(5, PLAIN, round % 2 ? 1 : below(2));
-            p[i].real = 0; /* algsurf_roots, which sees for itself */
+            p[i].real = 0; /* algsurf_complex_roots, which sees for itself */
         }
         compare(p, 0, 0);
     }
@@ -244,29 +244,29 @@ static void the_interface(void **state) {
     set_batch(&b, p, 1);
     for (int k = 0; k <= 5; k++) r[k] = spread;
     b.packet.r = r;
-    assert_int_equal(algsurf_roots_packet(&b.packet, NULL, roots, found), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots_batch(&b.packet, NULL, roots, found), ALGSURF_OK);
     for (int i = 0; i < MANY; i++) {
         for (int k = 0; k <= 5; k++) radii[k] = spread[i];
-        assert_int_equal(algsurf_roots_real(p[i].re, radii, 5, single, &count), ALGSURF_OK);
+        assert_int_equal(algsurf_complex_roots_of_real(p[i].re, radii, 5, single, &count), ALGSURF_OK);
         assert_int_equal(count, found[i]);
         assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
     }
-    const algsurf_roots_packet_options unknown = {sizeof unknown, "none"}, small = {1, NULL};
-    algsurf_complex_packet bad = b.packet;
+    const algsurf_batch_options unknown = {.size = sizeof unknown, .kernel = "none"}, small = {.size = 1};
+    algsurf_complex_batch bad = b.packet;
     found[0] = 77;
-    assert_int_equal(algsurf_roots_packet(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_packet(&bad, &small, roots, found), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, &small, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
     bad.degree = 0;
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     bad.degree = ALGSURF_MAX_DEGREE + 1;
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     bad.degree = 5, bad.re = NULL;
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(found[0], 77);
     bad.count = 0;
-    assert_int_equal(algsurf_roots_packet(&bad, NULL, NULL, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL), ALGSURF_OK);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* test_packet.c - first roots of many polynomials: states against the single calls, roots against a Sturm
+/* test_batch.c - first roots of many polynomials: states against the single calls, roots against a Sturm
  * chain over integers, bits of one kernel against those of the others.
  *
  * Breaks caught, each tried: the error radius left out, of whole polynomials or of cells, what lies behind an
@@ -20,7 +20,7 @@
 
 #include "algsurf/intersect.h"
 #include "algsurf/isolate.h"
-#include "algsurf/packet.h"
+#include "algsurf/batch.h"
 #include "algsurf/poly.h"
 #include "environments.h"
 #include "roots/kernel.h"
@@ -36,19 +36,20 @@ typedef struct answers {
     double root[MOST];
 } answers;
 
-static algsurf_poly_packet packet_of(int degree, size_t first, size_t count, int radii) {
+static algsurf_real_batch packet_of(int degree, size_t first, size_t count, int radii) {
     for (int k = 0; k <= degree; k++) {
         c_rows[k] = c[k] + first;
         r_rows[k] = r[k] + first;
     }
-    return (algsurf_poly_packet){sizeof(algsurf_poly_packet), count,      degree,    c_rows,
-                                 radii ? r_rows : NULL,       lo + first, hi + first};
+    return (algsurf_real_batch){sizeof(algsurf_real_batch), count,      degree,    c_rows,
+                                radii ? r_rows : NULL,      lo + first, hi + first};
 }
 
 static void solve(int degree, size_t first, size_t count, int radii, const char *kernel, answers *to) {
-    algsurf_poly_packet p = packet_of(degree, first, count, radii);
-    algsurf_first_roots_options options = {.size = sizeof options, .kernel = kernel};
-    assert_int_equal(algsurf_first_roots(&p, &options, to->state + first, to->root + first), ALGSURF_OK);
+    algsurf_real_batch p = packet_of(degree, first, count, radii);
+    algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
+    assert_int_equal(algsurf_first_roots_batch(&p, &options, to->state + first, to->root + first),
+                     ALGSURF_OK);
 }
 
 static _Noreturn void complain(const char *what, int degree, int i, const answers *a, int expected) {
@@ -74,8 +75,8 @@ static void check_states(int degree, int count, int radii, const answers *a, int
         for (int k = 0; k <= degree; k++) one[k] = c[k][i], radius[k] = r[k][i];
         algsurf_status status =
             algsurf_isolate_first(one, radii ? radius : NULL, degree, lo[i], hi[i], &b, &found);
-        int expected = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNCERTAIN : found;
-        if (a->state[i] != expected && !(radii && expected == ALGSURF_FIRST_ROOT_UNCERTAIN))
+        int expected = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED : found;
+        if (a->state[i] != expected && !(radii && expected == ALGSURF_FIRST_ROOT_UNDECIDED))
             complain("another state", degree, i, a, expected);
         if (expected == ALGSURF_FIRST_ROOT_NONE && a->root[i] != (double)INFINITY)
             complain("a root of none", degree, i, a, expected);
@@ -118,12 +119,12 @@ static int true_roots(int degree, int i) {
 
 static void check_all(int degree, int count) {
     static const char *const told = "all roots";
-    algsurf_poly_packet p = packet_of(degree, 0, (size_t)count, 0);
-    algsurf_first_roots_options options = {.size = sizeof options};
+    algsurf_real_batch p = packet_of(degree, 0, (size_t)count, 0);
+    algsurf_batch_options options = {.size = sizeof options};
     answers none = {{0}, {0}};
     for (int i = 0; (options.kernel = algsurf_kernel_name(i)); i++) {
         memset(all_roots, 0x55, sizeof all_roots);
-        assert_int_equal(algsurf_real_roots_packet(&p, &options, all_roots, counts), ALGSURF_OK);
+        assert_int_equal(algsurf_real_roots_batch(&p, &options, all_roots, counts), ALGSURF_OK);
         for (int j = 0; j < count; j++)
             if (!same_roots(degree, j)) complain(told, degree, j, &none, counts[j]);
     }
@@ -152,7 +153,7 @@ static void check_roots(int degree, int count, const answers *a, double toleranc
     for (int i = 0; i < count; i++) {
         double one[TOP + 1];
         for (int k = 0; k <= degree; k++) one[k] = c[k][i];
-        if (a->state[i] == ALGSURF_FIRST_ROOT_UNCERTAIN) continue;
+        if (a->state[i] == ALGSURF_FIRST_ROOT_UNDECIDED) continue;
         exact_sturm s = exact_sturm_of_doubles(one, degree);
         int roots = exact_count_roots(&s, lo[i], hi[i]);
         if ((roots > 0) != (a->state[i] == ALGSURF_FIRST_ROOT_FOUND))
@@ -291,11 +292,11 @@ static void test_special(void **unused) {
     c[0][0] = c[1][0] = c[2][0] = 0;
     answers a;
     solve(2, 0, 1, 0, NULL, &a);
-    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
+    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNDECIDED);
     check_all(2, 1);
     assert_int_equal(counts[0], -1);
     solve(0, 0, 1, 0, NULL, &a);
-    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNCERTAIN);
+    assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_UNDECIDED);
     c[0][0] = 3;
     solve(0, 0, 1, 0, NULL, &a);
     assert_int_equal(a.state[0], ALGSURF_FIRST_ROOT_NONE);
@@ -408,8 +409,8 @@ static void test_counts(void **unused) {
                 assert_int_equal(((unsigned char *)(some.root + first + count))[0], 0x55);
             }
         }
-        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
-        assert_int_equal(algsurf_first_roots(&p, NULL, some.state, NULL), ALGSURF_OK);
+        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+        assert_int_equal(algsurf_first_roots_batch(&p, NULL, some.state, NULL), ALGSURF_OK);
         assert_memory_equal(some.state, all.state, MOST);
     }
 }
@@ -421,12 +422,12 @@ static void check_wide(int n, double sign, double from, double to) {
     static double one[HIGH + 1];
     static const double *rows[HIGH + 1];
     for (int k = 0; k <= n; k++) one[k] = k == n ? 1 : k == n - 1 ? 2 : k == 0 ? -sign : 0, rows[k] = one + k;
-    const algsurf_poly_packet p = {sizeof p, 1, n, rows, NULL, &from, &to};
+    const algsurf_real_batch p = {sizeof p, 1, n, rows, NULL, &from, &to};
     algsurf_bracket b;
     unsigned char state;
     double root = 0;
     int found = 0;
-    assert_int_equal(algsurf_first_roots(&p, NULL, &state, &root), ALGSURF_OK);
+    assert_int_equal(algsurf_first_roots_batch(&p, NULL, &state, &root), ALGSURF_OK);
     assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
     assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, &b, &found), ALGSURF_OK);
     /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
@@ -456,9 +457,9 @@ static void test_tolerance(void **unused) {
         answers fine, coarse;
         put_random(n, &random);
         solve(n, 0, MOST, 0, NULL, &fine);
-        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
-        algsurf_first_roots_options options = {.size = sizeof options, .tolerance = 1e-4};
-        assert_int_equal(algsurf_first_roots(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
+        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+        algsurf_batch_options options = {.size = sizeof options, .tolerance = 1e-4};
+        assert_int_equal(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
         for (int i = 0; i < MOST; i++)
             if (fine.state[i] == ALGSURF_FIRST_ROOT_FOUND &&
                 !(fabs(fine.root[i] - coarse.root[i]) <= 2e-4 * (hi[i] - lo[i])))
@@ -475,7 +476,7 @@ static void test_kernels_decide(void **unused) {
         answers a;
         int doubtful = 0;
         put_random(n, &random);
-        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
@@ -495,7 +496,7 @@ static void test_kernels_enclose(void **unused) {
             double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
             put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
         }
-        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
@@ -510,7 +511,7 @@ static void test_kernels_find_all(void **unused) {
     for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
         int doubtful = 0;
         put_random(n, &random);
-        algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
+        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, NULL, NULL, all_roots, counts};
         algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += counts[i] < 0;
@@ -518,24 +519,24 @@ static void test_kernels_find_all(void **unused) {
     }
 }
 
-static void expect_error(const algsurf_poly_packet *p, const algsurf_first_roots_options *options,
+static void expect_error(const algsurf_real_batch *p, const algsurf_batch_options *options,
                          algsurf_status status) {
     answers a, untouched;
     memset(&a, 0x55, sizeof a);
     untouched = a;
-    assert_int_equal(algsurf_first_roots(p, options, a.state, a.root), status);
+    assert_int_equal(algsurf_first_roots_batch(p, options, a.state, a.root), status);
     assert_memory_equal(&a, &untouched, sizeof a);
 }
 
 static void test_errors(void **unused) {
     (void)unused;
     uint64_t random = SEED + 9;
-    algsurf_first_roots_options options = {.size = sizeof options};
+    algsurf_batch_options options = {.size = sizeof options};
     double *const place[] = {&c[0][17], &c[3][0], &lo[130], &hi[64], &r[2][129]};
     answers a;
     put_random(3, &random);
     memset(r, 0, sizeof r);
-    algsurf_poly_packet good = packet_of(3, 0, MOST, 1), p = good;
+    algsurf_real_batch good = packet_of(3, 0, MOST, 1), p = good;
     for (int i = 0; i < 5; i++)
         for (int j = 0; j < 2; j++) {
             double was = *place[i];
@@ -566,20 +567,20 @@ static void test_errors(void **unused) {
     good = packet_of(3, 0, MOST, 1);
     options.kernel = "none";
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
-    options = (algsurf_first_roots_options){.size = sizeof options, .tolerance = -1};
+    options = (algsurf_batch_options){.size = sizeof options, .tolerance = -1};
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     options.tolerance = (double)NAN;
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_first_roots(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_first_roots(&good, NULL, a.state, a.root), ALGSURF_OK);
-    assert_int_equal(algsurf_real_roots_packet(&good, NULL, all_roots, counts),
+    assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_first_roots_batch(&good, NULL, a.state, a.root), ALGSURF_OK);
+    assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, counts),
                      ALGSURF_E_ARGUMENT); /* radii */
     good = packet_of(3, 0, MOST, 0);
-    assert_int_equal(algsurf_real_roots_packet(&good, NULL, NULL, counts), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_real_roots_packet(&good, NULL, all_roots, NULL), ALGSURF_E_ARGUMENT);
-    p = (algsurf_poly_packet){.size = sizeof p, .degree = 3};
-    assert_int_equal(algsurf_real_roots_packet(&p, NULL, NULL, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_first_roots(&p, NULL, NULL, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_real_roots_batch(&good, NULL, NULL, counts), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, NULL), ALGSURF_E_ARGUMENT);
+    p = (algsurf_real_batch){.size = sizeof p, .degree = 3};
+    assert_int_equal(algsurf_real_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_first_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
 }
 
 static void test_environment(void **unused) {
@@ -593,8 +594,8 @@ static void test_environment(void **unused) {
         solve(n, 0, MOST, 0, NULL, &usual);
         for (int i = 0; i < ENVIRONMENTS; i++) {
             environment_set(i);
-            algsurf_poly_packet p = packet_of(n, 0, MOST, 0);
-            algsurf_status status = algsurf_first_roots(&p, NULL, here.state, here.root);
+            algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+            algsurf_status status = algsurf_first_roots_batch(&p, NULL, here.state, here.root);
             int kept = environment_unset(i);
             assert_int_equal(status, ALGSURF_OK);
             assert_true(kept);

@@ -1,4 +1,4 @@
-/* algsurf/packet.h - the first roots, or all roots, of many real polynomials of one degree, side by side.
+/* algsurf/batch.h - the first roots, or all roots, of many real polynomials of one degree, side by side.
  *
  * What isolate.h and refine.h do for one polynomial, the packet code of this processor does here for
  * several at once.  A polynomial that it would have to doubt is decided alone. */
@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "algsurf/isolate.h"
+#include "algsurf/poly.h"
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
@@ -15,55 +16,46 @@ extern "C" {
 
 /* Polynomials as structure of arrays: number i is c[0][i] + c[1][i] t + ... + c[degree][i] t^degree, with
  * radii r[k][i], on the interval [lo[i], hi[i]]. */
-typedef struct algsurf_poly_packet {
-    size_t size;            /* sizeof(algsurf_poly_packet) */
+typedef struct algsurf_real_batch {
+    size_t size;            /* sizeof(algsurf_real_batch) */
     size_t count;           /* of polynomials; the arrays may be null when it is 0 */
     int degree;             /* a bound: leading zeros are allowed */
     const double *const *c; /* degree + 1 arrays of `count` coefficients, lowest power first */
     const double *const *r; /* the same for radii; null: the coefficients are exact */
     const double *lo, *hi;  /* finite, lo < hi; both ends belong to the interval */
-} algsurf_poly_packet;
+} algsurf_real_batch;
 
 /* What is known of the first root. */
 typedef enum algsurf_first_root_state {
     ALGSURF_FIRST_ROOT_NONE = 0,     /* no root in the interval: verified; root is +inf */
     ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one: verified */
-    ALGSURF_FIRST_ROOT_UNCERTAIN = 2 /* not the same for all polynomials within the radii, or zero throughout,
+    ALGSURF_FIRST_ROOT_UNDECIDED = 2 /* not the same for all polynomials within the radii, or zero throughout,
                                         or no memory; root is where it is in doubt: none is before, but for
                                         the width of the place in doubt (+inf without memory) */
 } algsurf_first_root_state;
-
-/* How first roots are found. */
-typedef struct algsurf_first_roots_options {
-    size_t size;        /* sizeof(algsurf_first_roots_options) */
-    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
-                           runs here.  All of them give the same bits. */
-    double tolerance;   /* wanted error of a root, relative to the length of its interval, 0 <= tolerance < 1;
-                           0: 1e-12 or better */
-} algsurf_first_roots_options;
 
 /* The first (smallest) root of each polynomial in its interval.
  *   options  null: all defaults
  *   state    an algsurf_first_root_state for each polynomial
  *   root     for each polynomial; null: not asked for
  * Neither may overlap the input.
- * Guarantee: a state other than UNCERTAIN is verified, and is what algsurf_isolate_first says.  (With
+ * Guarantee: a state other than UNDECIDED is verified, and is what algsurf_isolate_first says.  (With
  * radii, one may be verified where the single call stays undecided.)  Without radii, only a polynomial that
- * is zero throughout is UNCERTAIN.  Multiple roots are found like others.  The root is that of a bracket
+ * is zero throughout is UNDECIDED.  Multiple roots are found like others.  The root is that of a bracket
  * which isolates the first one; where in it is approximate, by the default tolerance to 1e-12 of the interval
  * and the rounding of the root itself; of an ill-conditioned one, it is one of the two doubles around it.
  * The bits of an answer depend on its polynomial only, not on the kernel, the other polynomials or their
  * number. Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad
  * size, tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
- * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNCERTAIN for want of memory;
+ * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
  * the other answers stand.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
  * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
  * 1 GiB at most, and give it back.
  * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet,
-                                               const algsurf_first_roots_options *options,
-                                               unsigned char *state, double *root);
+ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *packet,
+                                                     const algsurf_batch_options *options,
+                                                     unsigned char *state, double *root);
 
 /* All real roots of each polynomial in its interval, as algsurf_real_roots gives them, bit for bit.
  *   packet   without radii
@@ -78,9 +70,9 @@ ALGSURF_API algsurf_status algsurf_first_roots(const algsurf_poly_packet *packet
  * more; 100 KiB of stack.  A polynomial that doubles leave in doubt costs as much
  * as in algsurf_real_roots; so do all above degree 20. Source: as above; signs beside the roots by the
  * compensated Horner scheme (Graillat, Langlois, Louvet 2005). Since 1.0. */
-ALGSURF_API algsurf_status algsurf_real_roots_packet(const algsurf_poly_packet *packet,
-                                                     const algsurf_first_roots_options *options,
-                                                     algsurf_real_root *roots, int *count);
+ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *packet,
+                                                    const algsurf_batch_options *options,
+                                                    algsurf_real_root *roots, int *count);
 
 #ifdef __cplusplus
 }
