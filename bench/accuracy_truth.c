@@ -216,7 +216,7 @@ view *view_open(const catalogue_entry *entry, int width, int height, int rows) {
     v->term_count = algsurf_surface_term_count(v->surface);
     v->terms = allocate(v->term_count, sizeof *v->terms);
     must(algsurf_surface_terms(v->surface, v->terms), entry->name);
-    must(algsurf_camera_pinhole(&v->camera, entry->eye, entry->look_at, entry->up, entry->fov), entry->name);
+    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &v->camera), entry->name);
     v->pixel = allocate(room, sizeof *v->pixel);
     v->ray = allocate(room, sizeof *v->ray);
     v->chord = allocate(room, sizeof *v->chord);

@@ -332,7 +332,7 @@ void example_named(example *e, const char *name, kind which, size_t count, int s
     e->least = 1;
     e->most = e->degree;
     must(algsurf_surface_from_equation(entry->equation, NULL, 0, &e->equation, NULL));
-    must(algsurf_camera_pinhole(&camera, entry->eye, entry->look_at, entry->up, entry->fov));
+    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
     take_rays(e, count);
     for (size_t i = 0; i < count;) {
         double x = measure_uniform(&random, 0, WIDTH), y = measure_uniform(&random, 0, HEIGHT);

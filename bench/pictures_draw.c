@@ -53,7 +53,7 @@ static void place_camera(stage *s) {
     double length = sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]), eye[3];
     double fov = 2 * atan(HALF_HEIGHT / DISTANCE) * (180 / acos(-1));
     for (int i = 0; i < 3; i++) eye[i] = extent->centre[i] + DISTANCE * extent->size[0] * (to[i] / length);
-    must(algsurf_camera_pinhole(&s->camera, eye, extent->centre, up, fov), s->entry->name);
+    must(algsurf_camera_pinhole(eye, extent->centre, up, fov, &s->camera), s->entry->name);
 }
 
 /* Twice the most that |P| can be in a ball. */

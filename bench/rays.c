@@ -21,8 +21,8 @@ void rays_camera(const algsurf_extent *extent, algsurf_camera *camera) {
     const double towards[3] = {2, -3, 1.2}, up[3] = {0, 0, 1};
     double length = sqrt(towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2]), eye[3];
     for (int i = 0; i < 3; i++) eye[i] = extent->centre[i] + distance * extent->size[0] * towards[i] / length;
-    must(algsurf_camera_pinhole(camera, eye, extent->centre, up,
-                                2 * atan(half_height / distance) * (180 / acos(-1))),
+    must(algsurf_camera_pinhole(eye, extent->centre, up, 2 * atan(half_height / distance) * (180 / acos(-1)),
+                                camera),
          "camera");
 }
 

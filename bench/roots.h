@@ -21,15 +21,13 @@ void roots_pictures(const roots_effort *effort, contest_table *table);
 
 enum { ROOTS_AT_ONCE = 1024, ROOTS_FEW = 8 }; /* polynomials in a packet */
 
-/* Polynomials of one degree. */
+/* Polynomials of one degree, to be searched in [-1,1]. */
 typedef struct roots_set {
     const char *name;
     int degree;
     size_t count;
-    double *c;                                      /* polynomial by polynomial, lowest power first */
-    double *column[ALGSURF_MAX_DEGREE + 1];         /* the same coefficients, power by power */
-    double *im, *im_column[ALGSURF_MAX_DEGREE + 1]; /* imaginary parts; null: none */
-    double *lo, *hi;                                /* -1 and 1 for each */
+    double *c;  /* polynomial by polynomial, lowest power first */
+    double *im; /* imaginary parts; null: none */
 } roots_set;
 
 /* Along rays of a surface of the catalogue, the chord being [-1,1]. */
@@ -41,6 +39,9 @@ void roots_set_grazing(roots_set *set, const char *name, int degree, size_t coun
 
 /* Parts of coefficients uniform in [-1,1]. */
 void roots_set_at_random(roots_set *set, const char *name, int degree, int complex, size_t count);
+
+/* c or im of polynomials begin, begin+1 .., as the library reads them. */
+algsurf_table roots_set_rows(const roots_set *set, const double *c, size_t begin);
 
 void roots_set_free(roots_set *set);
 

@@ -43,16 +43,11 @@ static void solve_here(const roots_set *on, size_t i) {
 }
 
 static void solve_packet(const roots_set *on, size_t begin, size_t end) {
-    const double *re[ALGSURF_MAX_DEGREE + 1], *im[ALGSURF_MAX_DEGREE + 1];
-    for (int k = 0; k <= on->degree; k++) {
-        re[k] = on->column[k] + begin;
-        im[k] = on->im ? on->im_column[k] + begin : NULL;
-    }
     const algsurf_complex_batch packet = {.size = sizeof packet,
                                           .count = end - begin,
                                           .degree = on->degree,
-                                          .re = re,
-                                          .im = on->im ? im : NULL};
+                                          .re = roots_set_rows(on, on->c, begin),
+                                          .im = roots_set_rows(on, on->im, begin)};
     algsurf_status status = algsurf_complex_roots_batch(
         &packet, NULL, packed_box + begin * (size_t)on->degree, packed_boxes + begin);
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s, packet: %s", on->name, algsurf_status_text(status));

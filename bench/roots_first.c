@@ -46,15 +46,14 @@ static double first_root(const double *c, int degree, other_refine *refine, doub
 }
 
 static void solve_packet(const solver *s, size_t begin, size_t end) {
-    const double *column[ALGSURF_MAX_DEGREE + 1];
     unsigned char state[ROOTS_AT_ONCE];
-    for (int k = 0; k <= s->on->degree; k++) column[k] = s->on->column[k] + begin;
+    const double lo = -1, hi = 1;
     const algsurf_real_batch packet = {.size = sizeof packet,
                                        .count = end - begin,
                                        .degree = s->on->degree,
-                                       .c = column,
-                                       .lo = s->on->lo,
-                                       .hi = s->on->hi};
+                                       .coefficients = roots_set_rows(s->on, s->on->c, begin),
+                                       .lo = &lo,
+                                       .hi = &hi};
     must(algsurf_first_roots_batch(&packet, NULL, state, s->answer + begin), "packet");
     for (size_t i = 0; i < packet.count; i++) /* +inf is none there */
         if (state[i] != ALGSURF_FIRST_ROOT_FOUND) s->answer[begin + i] = NAN;

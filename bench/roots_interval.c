@@ -33,15 +33,14 @@ static int find_here(const double *c, int degree, double *roots) {
 
 static void solve_packet(const solver *s, size_t begin, size_t end) {
     static algsurf_real_root found[ROOTS_AT_ONCE * ALGSURF_MAX_DEGREE];
-    const double *column[ALGSURF_MAX_DEGREE + 1];
     size_t n = (size_t)s->on->degree;
-    for (size_t k = 0; k <= n; k++) column[k] = s->on->column[k] + begin;
+    const double lo = -1, hi = 1;
     const algsurf_real_batch packet = {.size = sizeof packet,
                                        .count = end - begin,
                                        .degree = s->on->degree,
-                                       .c = column,
-                                       .lo = s->on->lo,
-                                       .hi = s->on->hi};
+                                       .coefficients = roots_set_rows(s->on, s->on->c, begin),
+                                       .lo = &lo,
+                                       .hi = &hi};
     algsurf_status status = algsurf_real_roots_batch(&packet, NULL, found, s->count + begin);
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "packet: %s", algsurf_status_text(status));
     for (size_t i = begin; i < end; i++)

@@ -18,31 +18,17 @@ static void open(roots_set *s, const char *name, int degree, int complex, size_t
     *s = (roots_set){.name = name, .degree = degree, .count = count};
     s->c = roots_allocate(all, sizeof *s->c);
     s->im = complex ? roots_allocate(all, sizeof *s->im) : NULL;
-    s->lo = roots_allocate(count, sizeof *s->lo);
-    s->hi = roots_allocate(count, sizeof *s->hi);
 }
 
-static double *column_of(const double *c, size_t stride, size_t k, size_t count) {
-    double *column = roots_allocate(count, sizeof *column);
-    for (size_t i = 0; i < count; i++) column[i] = c[i * stride + k];
-    return column;
-}
-
-/* Columns and intervals, when the coefficients are there. */
-static void finish(roots_set *s) {
-    size_t stride = (size_t)s->degree + 1;
-    for (size_t k = 0; k < stride; k++) {
-        s->column[k] = column_of(s->c, stride, k, s->count);
-        s->im_column[k] = s->im ? column_of(s->im, stride, k, s->count) : NULL;
-    }
-    for (size_t i = 0; i < s->count; i++) s->lo[i] = -1, s->hi[i] = 1;
+algsurf_table roots_set_rows(const roots_set *s, const double *c, size_t begin) {
+    ptrdiff_t row = s->degree + 1;
+    return (algsurf_table){c ? c + (ptrdiff_t)begin * row : NULL, 1, row};
 }
 
 void roots_set_of_rays(roots_set *set, const char *surface, size_t count) {
     const catalogue_entry *entry = catalogue_find(surface);
     open(set, surface, entry->degree, 0, count);
     rays_polynomials(entry, 1, count, set->c);
-    finish(set);
 }
 
 void roots_set_at_random(roots_set *set, const char *name, int degree, int complex, size_t count) {
@@ -52,7 +38,6 @@ void roots_set_at_random(roots_set *set, const char *name, int degree, int compl
         set->c[i] = measure_uniform(&random, -1, 1);
         if (complex) set->im[i] = measure_uniform(&random, -1, 1);
     }
-    finish(set);
 }
 
 /* Multiplies p, of the degree, by q_0 + q_1 t + t^2. */
@@ -76,16 +61,9 @@ void roots_set_grazing(roots_set *set, const char *name, int degree, size_t coun
             times_quadratic(p, d, x * x + y * y, -2 * x);
         }
     }
-    finish(set);
 }
 
 void roots_set_free(roots_set *set) {
-    for (int k = 0; k <= set->degree; k++) {
-        free(set->column[k]);
-        free(set->im_column[k]);
-    }
     free(set->c);
     free(set->im);
-    free(set->lo);
-    free(set->hi);
 }

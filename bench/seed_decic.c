@@ -69,7 +69,8 @@ static const uint8_t OFF[3] = {230, 159, 0}, VISIBLE[3] = {213, 0, 94}, BEHIND[3
 /* The surface's colour where the ray has the parameter x in [-1,1]. */
 static void shade(const seed_view *view, const seed_ray *ray, double x, uint8_t pixel[3]) {
     const catalogue_entry *entry = view->entry;
-    algsurf_material material = {.ambient = 0.25, .diffuse = 0.75, .specular = 0.25, .shininess = 30};
+    algsurf_material material = {
+        .size = sizeof material, .ambient = 0.25, .diffuse = 0.75, .specular = 0.25, .shininess = 30};
     algsurf_light light = {.colour = {1, 1, 1}, .samples_u = 1, .samples_v = 1};
     algsurf_ray chord;
     double point[3], gradient[3], value, colour[3], size = 0;

@@ -91,7 +91,7 @@ void seed_open(seed_view *view, const char *name, int width, int height) {
     const catalogue_entry *entry = catalogue_find(name);
     *view = (seed_view){.entry = entry, .width = width, .height = height};
     seed_must(algsurf_surface_from_equation(entry->equation, NULL, 0, &view->surface, NULL), name);
-    seed_must(algsurf_camera_pinhole(&view->camera, entry->eye, entry->look_at, entry->up, entry->fov), name);
+    seed_must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &view->camera), name);
     view->rays = seed_allocate((size_t)width * (size_t)height, sizeof *view->rays);
     for (int pixel = 0; pixel < width * height; pixel++) {
         algsurf_ray chord;

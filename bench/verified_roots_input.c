@@ -99,7 +99,7 @@ void polynomials_of_rays(const catalogue_entry *entry, measure_random *random, p
     view v = {.extent = &entry->extent};
     must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
     v.surface = surface;
-    must(algsurf_camera_pinhole(&v.camera, entry->eye, entry->look_at, entry->up, entry->fov), entry->name);
+    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &v.camera), entry->name);
     for (int i = 0; i < count; i++) polynomial_of_ray(&v, random, &p[i]);
     algsurf_surface_free(surface);
 }

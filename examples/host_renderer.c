@@ -121,7 +121,7 @@ static void picture(const host_scene *scene, const host_options *o, uint8_t *pix
     const double eye[3] = {7.6, -13.2, 5.6}, look_at[3] = {0.5, 0, -0.2}, up[3] = {0, 0, 1};
     int width = o->view.width;
     algsurf_camera camera;
-    (void)algsurf_camera_pinhole(&camera, eye, look_at, up, 27);
+    (void)algsurf_camera_pinhole(eye, look_at, up, 27, &camera);
     for (int y = 0; y < o->view.height; y++)
         for (int x = 0; x < width; x += o->packet) {
             int N = o->packet < width - x ? o->packet : width - x;

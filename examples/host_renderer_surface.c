@@ -129,7 +129,7 @@ static void occluded(const host_arguments *a) {
             if (active[i] && state[i] != ALGSURF_MISS) take_occluder(a, i);
     } else if (a->valid[0]) {
         algsurf_ray ray = ray_of(a->rays, 0);
-        algsurf_hit_state state;
+        int state;
         if (algsurf_occluded(s->surface, &s->extent, &ray, NULL, &state) < 0) return;
         if (state != ALGSURF_MISS) take_occluder(a, 0);
     }

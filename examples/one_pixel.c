@@ -17,7 +17,8 @@ enum { WIDTH = 1024, HEIGHT = 768, PIXEL_X = 400, PIXEL_Y = 148, DEGREE = 4 };
 static const char EQUATION[] = "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8";
 static const algsurf_extent BALL = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.7, 0, 0}};
 
-static const algsurf_material MATERIAL = {{0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}, 0.2, 0.7, 0.3, 30};
+static const algsurf_material MATERIAL = {
+    sizeof MATERIAL, {0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}, 0.2, 0.7, 0.3, 30};
 static const algsurf_light LIGHT = {{20, -10, 25}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1};
 
 /* The numbers below are known to be fine; what fails is a mistake in this program. */
@@ -42,7 +43,7 @@ static void print_vector(const char *name, const double v[3]) {
 static algsurf_camera make_camera(void) {
     const double eye[3] = {7.5, -10, 6}, look_at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;
-    check(algsurf_camera_pinhole(&camera, eye, look_at, up, 30));
+    check(algsurf_camera_pinhole(eye, look_at, up, 30, &camera));
     return camera;
 }
 

@@ -83,7 +83,6 @@ typedef struct batch {
     const shortest_powers *powers;
     cli_line *line;
     int lines;
-    algsurf_complex_solver *solver;
     roots_polynomial polynomial;
     roots_row rows[ROOTS_MAX_FIELDS];
     roots_text answers, complaints;
@@ -121,7 +120,7 @@ static int solve(batch *b, char *const *field, int fields, roots_complaint *why)
     }
     if (!roots_parse(field, fields, o->rounded, &b->polynomial, why)) return -1;
     return o->real.given ? roots_real(&b->polynomial, &o->real, o->tolerance, b->rows, why)
-                         : roots_all(b->solver, &b->polynomial, b->rows, why);
+                         : roots_all(&b->polynomial, b->rows, why);
 }
 
 /* One line of input: rows of output, unless it is blank. */
@@ -168,8 +167,7 @@ static void make_batches(batch *b, int count, int lines, const roots_options *op
         b[i].options = options;
         b[i].powers = powers;
         b[i].line = calloc((size_t)lines, sizeof *b[i].line);
-        if (!b[i].line || algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &b[i].solver) != ALGSURF_OK)
-            cli_no_memory();
+        if (!b[i].line) cli_no_memory();
     }
 }
 
@@ -177,7 +175,6 @@ static void free_batches(batch *b, int count, int lines) {
     for (int i = 0; i < count; i++) {
         for (int k = 0; k < lines; k++) free(b[i].line[k].text);
         free(b[i].line);
-        algsurf_complex_solver_free(b[i].solver);
         free(b[i].polynomial.limbs);
         free(b[i].answers.text);
         free(b[i].complaints.text);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Roots of a polynomial with real coefficients, through ctypes, each proved.
 
-    python3 roots.py -2 0 1           # t^2 - 2: coefficients, lowest first, degree at most 64
+    python3 roots.py -2 0 1           # t^2 - 2: coefficients, lowest first, degree at most 512
     python3 roots.py --real -2 0 1    # the real roots only, degree at most 512
 
 All roots: prints, for each box, real or complex, number of roots in it, re, im, and the box's widths in re and

@@ -146,19 +146,15 @@ static void real_parts(const roots_polynomial *p, double *c) {
     for (int k = 0; k <= p->degree; k++) c[k] = p->c[k].re;
 }
 
-/* Degrees that the simple calls take, which are faster; of them, algsurf_complex_roots_of_real knows that the
- * numbers which radii hide are real. */
-int roots_all(algsurf_complex_solver *solver, const roots_polynomial *p, roots_row *rows,
-              roots_complaint *why) {
+/* algsurf_complex_roots_of_real knows that the numbers which radii hide are real. */
+int roots_all(const roots_polynomial *p, roots_row *rows, roots_complaint *why) {
     algsurf_complex_root e[ALGSURF_MAX_POLY_DEGREE];
     double c[ROOTS_MAX_FIELDS];
-    int count, simple = p->degree <= ALGSURF_MAX_DEGREE;
+    int count;
     const double *r = p->off ? p->r : NULL;
     real_parts(p, c);
-    algsurf_status status =
-        simple && p->real ? algsurf_complex_roots_of_real(c, r, p->degree, e, &count)
-        : simple          ? algsurf_complex_roots(p->c, r, p->degree, e, &count)
-                          : algsurf_complex_solver_run(solver, p->c, r, p->degree, NULL, e, &count, NULL);
+    algsurf_status status = p->real ? algsurf_complex_roots_of_real(c, r, p->degree, e, &count)
+                                    : algsurf_complex_roots(p->c, r, p->degree, e, &count);
     if (status < 0) return refused(status, why);
     for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].value, e[i].box, e[i].multiplicity};
     return count;

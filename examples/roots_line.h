@@ -42,8 +42,7 @@ int roots_parse(char *const *field, int count, int rounded, roots_polynomial *p,
 
 /* All complex roots: at most ALGSURF_MAX_POLY_DEGREE rows.  Returns their number, -1 and a complaint when
  * there is no answer. */
-int roots_all(algsurf_complex_solver *solver, const roots_polynomial *p, roots_row *rows,
-              roots_complaint *why);
+int roots_all(const roots_polynomial *p, roots_row *rows, roots_complaint *why);
 
 /* The same for the real roots in an interval, in increasing order; tolerance 0: as narrow as doubles allow.
  */

@@ -149,8 +149,8 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
         for (int i = 0; i < 3; i++) eye[i] += v->look_at[i];
     }
     algsurf_status status =
-        v->orthographic > 0 ? algsurf_camera_orthographic(&camera, eye, v->look_at, v->up, v->orthographic)
-                            : algsurf_camera_pinhole(&camera, eye, v->look_at, v->up, v->fov);
+        v->orthographic > 0 ? algsurf_camera_orthographic(eye, v->look_at, v->up, v->orthographic, &camera)
+                            : algsurf_camera_pinhole(eye, v->look_at, v->up, v->fov, &camera);
     if (status == ALGSURF_E_ARGUMENT)
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must be off the point looked at, and up "
                                 "not along the view");
@@ -160,7 +160,8 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
 }
 
 algsurf_material view_material(const catalogue_entry *entry) {
-    algsurf_material material = {{0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
+    algsurf_material material = {
+        sizeof material, {0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
     if (entry) {
         memcpy(material.outside, entry->outside, sizeof material.outside);
         memcpy(material.inside, entry->inside, sizeof material.inside);

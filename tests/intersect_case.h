@@ -26,7 +26,7 @@ typedef struct intersect_case {
 typedef struct intersect_answer {
     algsurf_hit first, all[ALGSURF_MAX_DEGREE + 1];
     int count;
-    algsurf_hit_state occluded;
+    int occluded;
 } intersect_answer;
 
 /* From terms, or from an equation; the terms are those the library keeps. */
@@ -146,7 +146,7 @@ static inline const char *intersect_agree(const intersect_answer *a) {
     if (a->first.state == ALGSURF_UNDECIDED &&
         (a->first.t_lo != a->all[0].t_lo || a->first.t_hi != a->all[0].t_hi))
         return "first is in doubt elsewhere than all";
-    algsurf_hit_state wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNDECIDED;
+    int wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     /* an odd number of hits that cannot be told apart is a hit for occluded alone */
     return a->occluded == wanted || (wanted == ALGSURF_UNDECIDED && a->occluded == ALGSURF_HIT)
                ? NULL

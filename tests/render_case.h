@@ -32,7 +32,7 @@ static inline algsurf_surface *torus(void) { return surface_of("(x^2+y^2+z^2+3.5
 static inline algsurf_camera camera_at(double x, double y, double z, double fov) {
     const double eye[3] = {x, y, z};
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(&camera, eye, origin, z_up, fov), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, origin, z_up, fov, &camera), ALGSURF_OK);
     return camera;
 }
 

@@ -50,7 +50,7 @@ static int solve(const double *c, const double *r, int degree) {
 
 static void refused(algsurf_status expected, const algsurf_complex *c, const double *r, int degree) {
     algsurf_complex_root e[3], before[3];
-    algsurf_complex_solver_stats stats = {77, 77};
+    algsurf_complex_solver_stats stats = {sizeof stats, 77, 77};
     int count = 77;
     memset(e, 0x5a, sizeof e), memset(before, 0x5a, sizeof before);
     assert_int_equal(algsurf_complex_roots(c, r, degree, e, &count), expected);
@@ -90,12 +90,12 @@ static void test_refusals(void **state) {
     int count = 77;
     assert_int_equal(algsurf_complex_roots(good, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots(good, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_complex_roots(large, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count),
+    assert_int_equal(algsurf_complex_roots(large, NULL, ALGSURF_MAX_POLY_DEGREE + 1, boxes, &count),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(NULL, NULL, 2, boxes, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, NULL, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_of_real(real, NULL, 2, boxes, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_complex_roots_of_real(real, NULL, ALGSURF_MAX_DEGREE + 1, boxes, &count),
+    assert_int_equal(algsurf_complex_roots_of_real(real, NULL, ALGSURF_MAX_POLY_DEGREE + 1, boxes, &count),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_solver_run(NULL, good, NULL, 2, NULL, boxes, &count, NULL),
                      ALGSURF_E_ARGUMENT);
@@ -270,7 +270,7 @@ static void test_random_high_degrees(void **state) {
 static void test_start_values(void **state) {
     (void)state;
     enum { N = 10 };
-    algsurf_complex_solver_stats cold, warm;
+    algsurf_complex_solver_stats cold = {.size = sizeof cold}, warm = {.size = sizeof warm};
     algsurf_complex start[N];
     const double odd[] = {NAN, HUGE_VAL, 1e300, 1e155, 1e-155, 1e-300, TINY, 0, 1, -3};
     memset(large, 0, sizeof large);

@@ -29,7 +29,6 @@
 enum { MOST = 131, TOP = 40 };
 
 static double c[TOP + 1][MOST], r[TOP + 1][MOST], lo[MOST], hi[MOST];
-static const double *c_rows[TOP + 1], *r_rows[TOP + 1];
 
 typedef struct answers {
     unsigned char state[MOST];
@@ -37,12 +36,14 @@ typedef struct answers {
 } answers;
 
 static algsurf_real_batch packet_of(int degree, size_t first, size_t count, int radii) {
-    for (int k = 0; k <= degree; k++) {
-        c_rows[k] = c[k] + first;
-        r_rows[k] = r[k] + first;
-    }
-    return (algsurf_real_batch){sizeof(algsurf_real_batch), count,      degree,    c_rows,
-                                radii ? r_rows : NULL,      lo + first, hi + first};
+    return (algsurf_real_batch){.size = sizeof(algsurf_real_batch),
+                                .count = count,
+                                .degree = degree,
+                                .coefficients = {c[0] + first, MOST, 1},
+                                .radii = {radii ? r[0] + first : NULL, MOST, 1},
+                                .lo = lo + first,
+                                .hi = hi + first,
+                                .interval_step = 1};
 }
 
 static void solve(int degree, size_t first, size_t count, int radii, const char *kernel, answers *to) {
@@ -420,9 +421,9 @@ enum { HIGH = 511 };
 
 static void check_wide(int n, double sign, double from, double to) {
     static double one[HIGH + 1];
-    static const double *rows[HIGH + 1];
-    for (int k = 0; k <= n; k++) one[k] = k == n ? 1 : k == n - 1 ? 2 : k == 0 ? -sign : 0, rows[k] = one + k;
-    const algsurf_real_batch p = {sizeof p, 1, n, rows, NULL, &from, &to};
+    for (int k = 0; k <= n; k++) one[k] = k == n ? 1 : k == n - 1 ? 2 : k == 0 ? -sign : 0;
+    const algsurf_real_batch p = {
+        .size = sizeof p, .count = 1, .degree = n, .coefficients = {one, 1, 0}, .lo = &from, .hi = &to};
     algsurf_bracket b;
     unsigned char state;
     double root = 0;
@@ -477,7 +478,13 @@ static void test_kernels_decide(void **unused) {
         int doubtful = 0;
         put_random(n, &random);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
+        const algsurf_i_polys_job job = {.c = p.coefficients,
+                                         .lo = lo,
+                                         .hi = hi,
+                                         .interval = 1,
+                                         .degree = n,
+                                         .state = a.state,
+                                         .root = a.root};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
         assert_true(doubtful <= MOST / 16);
@@ -497,7 +504,13 @@ static void test_kernels_enclose(void **unused) {
             put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
         }
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, a.state, a.root, NULL, NULL};
+        const algsurf_i_polys_job job = {.c = p.coefficients,
+                                         .lo = lo,
+                                         .hi = hi,
+                                         .interval = 1,
+                                         .degree = n,
+                                         .state = a.state,
+                                         .root = a.root};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
         assert_true(doubtful <= MOST / 16);
@@ -512,7 +525,13 @@ static void test_kernels_find_all(void **unused) {
         int doubtful = 0;
         put_random(n, &random);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {p.c, NULL, lo, hi, n, 0, NULL, NULL, all_roots, counts};
+        const algsurf_i_polys_job job = {.c = p.coefficients,
+                                         .lo = lo,
+                                         .hi = hi,
+                                         .interval = 1,
+                                         .degree = n,
+                                         .roots = all_roots,
+                                         .found = counts};
         algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
         for (int i = 0; i < MOST; i++) doubtful += counts[i] < 0;
         assert_true(doubtful <= MOST / 16);
@@ -558,13 +577,14 @@ static void test_errors(void **unused) {
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
     p = good, p.degree = ALGSURF_MAX_POLY_DEGREE + 1;
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
-    p = good, p.c = NULL;
+    p = good, p.coefficients.at = NULL;
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
     p = good, p.hi = NULL;
     expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
-    c_rows[2] = NULL;
-    expect_error(&good, NULL, ALGSURF_E_ARGUMENT);
-    good = packet_of(3, 0, MOST, 1);
+    for (size_t size = 0; size < sizeof p; size++) { /* no release had a smaller struct */
+        p = good, p.size = size;
+        expect_error(&p, NULL, ALGSURF_E_ARGUMENT);
+    }
     options.kernel = "none";
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     options = (algsurf_batch_options){.size = sizeof options, .tolerance = -1};
@@ -581,6 +601,52 @@ static void test_errors(void **unused) {
     p = (algsurf_real_batch){.size = sizeof p, .degree = 3};
     assert_int_equal(algsurf_real_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
     assert_int_equal(algsurf_first_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
+}
+
+/* The same polynomials by rows, backwards, spread, as parts of complex numbers, in one interval or with one
+ * coefficient for all: the same bits. */
+static void test_layouts(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 15;
+    for (int n = 1; n <= 24; n += n < 6 ? 1 : 6) {
+        static double spread[2 * (TOP + 1) * MOST], spread_radii[2 * (TOP + 1) * MOST];
+        static algsurf_real_root found[MOST * TOP];
+        static int found_counts[MOST];
+        answers usual, here;
+        put_random(n, &random);
+        for (int i = 0; i < MOST; i++) lo[i] = -1, hi[i] = 2, c[n][i] = 0.75;
+        memset(r, 0, sizeof r);
+        for (int k = 0; k <= n; k++)
+            for (int i = 0; i < MOST; i++) r[k][i] = 0x1p-60 * fabs(c[k][i]);
+        const ptrdiff_t rows = n + 1,
+                        layouts[][2] = {{1, rows}, {2, 2 * rows}, {MOST, 1}, {-1, -rows}, {2 * MOST, 2}};
+        for (int radii = 0; radii < 2; radii++) {
+            solve(n, 0, MOST, radii, NULL, &usual);
+            for (size_t l = 0; l < sizeof layouts / sizeof *layouts; l++) {
+                ptrdiff_t power = layouts[l][0], polynomial = layouts[l][1];
+                ptrdiff_t start = power < 0 ? rows * MOST - 1 : 0;
+                for (int k = 0; k <= n; k++)
+                    for (int i = 0; i < MOST; i++) {
+                        spread[start + k * power + i * polynomial] = c[k][i];
+                        spread_radii[start + k * power + i * polynomial] = r[k][i];
+                    }
+                algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+                p.coefficients = (algsurf_table){spread + start, power, polynomial};
+                if (radii) p.radii = (algsurf_table){spread_radii + start, power, polynomial};
+                p.interval_step = 0;
+                assert_int_equal(algsurf_first_roots_batch(&p, NULL, here.state, here.root), ALGSURF_OK);
+                assert_true(same(&usual, &here, MOST));
+                if (radii) continue;
+                assert_int_equal(algsurf_real_roots_batch(&p, NULL, found, found_counts), ALGSURF_OK);
+                p = packet_of(n, 0, MOST, 0);
+                assert_int_equal(algsurf_real_roots_batch(&p, NULL, all_roots, counts), ALGSURF_OK);
+                for (int i = 0; i < MOST; i++) {
+                    assert_int_equal(found_counts[i], counts[i]);
+                    assert_memory_equal(found + i * n, all_roots + i * n, (size_t)counts[i] * sizeof *found);
+                }
+            }
+        }
+    }
 }
 
 static void test_environment(void **unused) {
@@ -606,14 +672,15 @@ static void test_environment(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),           cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_special),          cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_narrow),           cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_counts),           cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_kernels_decide),   cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_environment),      cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_touching),         cmocka_unit_test(test_wide_intervals),
-        cmocka_unit_test(test_kernels_find_all), cmocka_unit_test(test_kernels_enclose),
+        cmocka_unit_test(test_random),          cmocka_unit_test(test_grazing),
+        cmocka_unit_test(test_special),         cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_narrow),          cmocka_unit_test(test_radii),
+        cmocka_unit_test(test_counts),          cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_kernels_decide),  cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_environment),     cmocka_unit_test(test_flat),
+        cmocka_unit_test(test_touching),        cmocka_unit_test(test_wide_intervals),
+        cmocka_unit_test(test_layouts),         cmocka_unit_test(test_kernels_find_all),
+        cmocka_unit_test(test_kernels_enclose),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

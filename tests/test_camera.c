@@ -35,7 +35,7 @@ static void assert_near(double got, double expected, double allowed) {
 
 static algsurf_camera pinhole(const double eye[3], const double look_at[3], const double up[3], double fov) {
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(&camera, eye, look_at, up, fov), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, look_at, up, fov, &camera), ALGSURF_OK);
     return camera;
 }
 
@@ -63,8 +63,8 @@ static void frames(void **state) {
         if (k % 3 == 0) /* the angle between up and view is about 1e-1 .. 1e-8 */
             for (int i = 0; i < 3; i++) up[i] = view[i] + up[i] * pow(10, k % 8 - 8) * sqrt(dot(view, view));
         algsurf_camera c;
-        algsurf_status status = k % 2 ? algsurf_camera_pinhole(&c, eye, look_at, up, 40)
-                                      : algsurf_camera_orthographic(&c, eye, look_at, up, 2);
+        algsurf_status status = k % 2 ? algsurf_camera_pinhole(eye, look_at, up, 40, &c)
+                                      : algsurf_camera_orthographic(eye, look_at, up, 2, &c);
         assert_int_equal(status, ALGSURF_OK);
         const double *axis[3] = {c.right, c.up, c.forward};
         for (int i = 0; i < 3; i++)
@@ -155,7 +155,7 @@ static void orthographic(void **state) {
     (void)state;
     const double eye[3] = {0, 0, 5}, up[3] = {0, 1, 0}, down[3] = {0, 0, -1};
     algsurf_camera c;
-    assert_int_equal(algsurf_camera_orthographic(&c, eye, origin, up, 3), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 3, &c), ALGSURF_OK);
     for (int corner = 0; corner < 4; corner++) {
         algsurf_ray r = ray_at(&c, 200, 100, corner & 1 ? 200 : 0, corner & 2 ? 100 : 0);
         const double expected[3] = {corner & 1 ? 3 : -3, corner & 2 ? -1.5 : 1.5, 5};
@@ -172,8 +172,8 @@ static void refuse(const double eye[3], const double at[3], const double up[3], 
     algsurf_camera c, before;
     memset(&c, 0x5a, sizeof c);
     memset(&before, 0x5a, sizeof before);
-    assert_int_equal(algsurf_camera_pinhole(&c, eye, at, up, aperture), expected);
-    assert_int_equal(algsurf_camera_orthographic(&c, eye, at, up, aperture), expected);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, up, aperture, &c), expected);
+    assert_int_equal(algsurf_camera_orthographic(eye, at, up, aperture, &c), expected);
     assert_memory_equal(&c, &before, sizeof c);
 }
 
@@ -185,8 +185,8 @@ static void bad_cameras(void **state) {
     refuse(NULL, at, z_up, 30, ALGSURF_E_ARGUMENT);
     refuse(eye, NULL, z_up, 30, ALGSURF_E_ARGUMENT);
     refuse(eye, at, NULL, 30, ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_camera_pinhole(NULL, eye, at, z_up, 30), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_camera_orthographic(NULL, eye, at, z_up, 30), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, 30, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_camera_orthographic(eye, at, z_up, 30, NULL), ALGSURF_E_ARGUMENT);
     refuse(eye, eye, z_up, 30, ALGSURF_E_ARGUMENT);
     refuse(eye, at, zero, 30, ALGSURF_E_ARGUMENT);
     refuse(eye, at, along, 30, ALGSURF_E_ARGUMENT);
@@ -204,10 +204,10 @@ static void bad_cameras(void **state) {
             refuse(eye, at, z_up, bad[k], ALGSURF_E_NOT_FINITE);
         }
     algsurf_camera c = {.half_height = 7};
-    assert_int_equal(algsurf_camera_pinhole(&c, eye, at, z_up, 180), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, 180, &c), ALGSURF_E_ARGUMENT);
     assert_true(c.half_height == 7);
-    assert_int_equal(algsurf_camera_pinhole(&c, eye, at, z_up, nextafter(180, 0)), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_orthographic(&c, eye, at, z_up, 1000), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, nextafter(180, 0), &c), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_orthographic(eye, at, z_up, 1000, &c), ALGSURF_OK);
 }
 
 static void refuse_ray(const algsurf_camera *c, int width, int height, double x, double y,
@@ -258,7 +258,7 @@ static void rounding_modes(void **state) {
     memset(c, 0, sizeof c);
     for (int m = 0; m < 4; m++) {
         fesetround(modes[m]);
-        algsurf_status made = algsurf_camera_pinhole(&c[m], eye, origin, up, 33.3);
+        algsurf_status made = algsurf_camera_pinhole(eye, origin, up, 33.3, &c[m]);
         algsurf_status shot = algsurf_camera_ray(&c[m], 640, 480, 12.3, 45.6, &r[m]);
         int mode = fegetround();
         fesetround(FE_TONEAREST);

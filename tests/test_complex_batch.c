@@ -28,16 +28,17 @@ static const char *const names[] = {"avx512", "avx2", "baseline"};
 /* Coefficients of p[i] as the interface wants them. */
 typedef struct batch {
     double re[MOST + 1][MANY], im[MOST + 1][MANY];
-    const double *at_re[MOST + 1], *at_im[MOST + 1];
     algsurf_complex_batch packet;
 } batch;
 
 static void set_batch(batch *b, const problem *p, int real) {
-    for (int k = 0; k <= p->n; k++) {
+    for (int k = 0; k <= p->n; k++)
         for (int i = 0; i < MANY; i++) b->re[k][i] = p[i].re[k], b->im[k][i] = p[i].im[k];
-        b->at_re[k] = b->re[k], b->at_im[k] = b->im[k];
-    }
-    b->packet = (algsurf_complex_batch){sizeof b->packet, MANY, p->n, b->at_re, real ? NULL : b->at_im, NULL};
+    b->packet = (algsurf_complex_batch){.size = sizeof b->packet,
+                                        .count = MANY,
+                                        .degree = p->n,
+                                        .re = {b->re[0], MANY, 1},
+                                        .im = {real ? NULL : b->im[0], MANY, 1}};
 }
 
 static algsurf_status solve_one(const problem *p, algsurf_complex_root *roots, int *count) {
@@ -138,7 +139,7 @@ static int solved_in_lanes(const problem *p, int real) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(names[k]);
         if (!kernel) continue;
         const algsurf_i_allroots_kernel *code = algsurf_i_allroots_kernel_for(kernel);
-        code->many(b.packet.re, b.packet.im, p->n, MANY, roots, found);
+        code->many(&b.packet.re, &b.packet.im, p->n, MANY, roots, found);
         if (kernels++ > 0) assert_memory_equal(found, before, sizeof found);
         memcpy(before, found, sizeof found);
         solved = 0;
@@ -230,7 +231,6 @@ static void the_interface(void **state) {
     algsurf_complex_root roots[MANY * MOST], single[MOST];
     int found[MANY], count;
     double radii[MOST + 1];
-    const double *r[MOST + 1];
     static const double spread[MANY] = {0x1p-30, 0x1p-30, 0, 0x1p-20, 0, 0x1p-10, 0, 0, 0, 0, 0};
     (void)state;
     for (int round = 0; round < 20; round++) {
@@ -242,8 +242,7 @@ static void the_interface(void **state) {
     }
     for (int i = 0; i < MANY; i++) p[i] = random_problem(5, PLAIN, 1);
     set_batch(&b, p, 1);
-    for (int k = 0; k <= 5; k++) r[k] = spread;
-    b.packet.r = r;
+    b.packet.r = (algsurf_table){spread, 0, 1};
     assert_int_equal(algsurf_complex_roots_batch(&b.packet, NULL, roots, found), ALGSURF_OK);
     for (int i = 0; i < MANY; i++) {
         for (int k = 0; k <= 5; k++) radii[k] = spread[i];
@@ -260,9 +259,9 @@ static void the_interface(void **state) {
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
     bad.degree = 0;
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
-    bad.degree = ALGSURF_MAX_DEGREE + 1;
+    bad.degree = ALGSURF_MAX_POLY_DEGREE + 1;
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
-    bad.degree = 5, bad.re = NULL;
+    bad.degree = 5, bad.re.at = NULL;
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(found[0], 77);
     bad.count = 0;

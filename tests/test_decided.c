@@ -443,7 +443,7 @@ static void test_picture_of_itself(void **state) {
     algsurf_camera camera;
     int hits = 0;
     (void)state;
-    assert_int_equal(algsurf_camera_pinhole(&camera, eye, at, up, 42), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 42, &camera), ALGSURF_OK);
     set_equation("x^2 + y^2 + z^2 - 1");
     algsurf_ray_packet rays = {.size = sizeof rays, .count = SIDE};
     const algsurf_hit_packet to = {.size = sizeof to, .state = found, .t = t};
@@ -566,7 +566,7 @@ static void test_powers_of_a_sphere(void **state) {
 static void test_limit_of_memory(void **state) {
     algsurf_intersect_options options = {.size = sizeof options, .max_memory = 1};
     algsurf_hit hits[24], before[24];
-    algsurf_hit_state occluded = (algsurf_hit_state)77;
+    int occluded = 77;
     int count = 77;
     (void)state;
     set_equation("(x^10 + y^10 + z^10 - 1)^2");

@@ -77,7 +77,7 @@ typedef struct answers {
     int root_count;
     algsurf_status sector_status[2];
     int holds[2], index[2];
-    algsurf_selected selected[2];
+    int selected[2];
 } answers;
 
 typedef struct shot {
@@ -116,7 +116,7 @@ static void draw(answers *a, int i) {
     algsurf_surface *surface = NULL;
     algsurf_scene *scene = NULL;
     ok(a, 1, algsurf_surface_from_equation(s->equation, NULL, 0, &surface, NULL));
-    ok(a, 2, algsurf_camera_pinhole(a->camera + i, s->eye, centre, up, 36));
+    ok(a, 2, algsurf_camera_pinhole(s->eye, centre, up, 36, a->camera + i));
     ok(a, 3, algsurf_scene_create(surface, &scene));
     ok(a, 4, algsurf_scene_set_extent(scene, &extent));
     ok(a, 5, algsurf_scene_set_camera(scene, a->camera + i));

@@ -193,13 +193,13 @@ static void what_becomes_of_doubt(void **state) {
 }
 
 static void bad_options(void **state) {
-    algsurf_intersect_options o = {.size = sizeof o, .tier = (algsurf_tier)3};
+    algsurf_intersect_options o = {.size = sizeof o, .tier = 3};
     algsurf_hit hit;
     (void)state;
     intersect_equation(&c, "x - 1");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
-    o.tier = ALGSURF_TIER_CERTIFIED, o.doubt = (algsurf_doubt)3;
+    o.tier = ALGSURF_TIER_CERTIFIED, o.doubt = 3;
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
     algsurf_surface_free(c.surface);
 }

@@ -276,7 +276,7 @@ static void test_small_imaginary(void **state) {
             if (on) mpq_div(size, size, a); /* else but for a factor of 1 - 1e-541 or nearer to 1 */
             for (int k = 0; k < (on ? 1 : 2); k++) {
                 const plane p = {factor, place[0], place[1], place[2], k ? 0 : part, k ? part : 0};
-                algsurf_hit_state without = state_of(&p, on ? 1e-10 : 0, size), with = state_of(&p, pi, size);
+                int without = state_of(&p, on ? 1e-10 : 0, size), with = state_of(&p, pi, size);
                 if (without == ALGSURF_HIT || with == ALGSURF_MISS)
                     fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: %d without the root, %d with it", p.a,
                              p.x, p.d, p.t_max, p.m, p.k, (int)without, (int)with);

@@ -365,8 +365,7 @@ static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *un
     static const int becomes[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     intersect_answer report, a;
     for (int doubt = ALGSURF_DOUBT_REPORT; doubt <= ALGSURF_DOUBT_MISS; doubt++) {
-        const algsurf_intersect_options how = {
-            .size = sizeof how, .tier = tier, .doubt = (algsurf_doubt)doubt};
+        const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = doubt};
         intersect_ask(&e->c, &e->extent, &how, &a);
         if (doubt == ALGSURF_DOUBT_REPORT) report = a;
         const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);

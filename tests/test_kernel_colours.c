@@ -35,7 +35,8 @@ typedef struct colours {
     double rgb[3 * MOST + SPARE];
 } colours;
 
-static const algsurf_material material = {.outside = {0.8, 0.4, 0.2},
+static const algsurf_material material = {.size = sizeof material,
+                                          .outside = {0.8, 0.4, 0.2},
                                           .inside = {0.1, 0.3, 0.6},
                                           .ambient = 0.25,
                                           .diffuse = 0.5,

@@ -91,8 +91,8 @@ static void random_view(stage *s, const double centre[3], double radius, int ort
         aim[i] = centre[i] + 0.2 * radius * exact_random_unit(state);
     }
     algsurf_status status =
-        orthographic ? algsurf_camera_orthographic(&s->camera, eye, aim, up, 2.2 * radius)
-                     : algsurf_camera_pinhole(&s->camera, eye, aim, up, 40 + 30 * exact_random_unit(state));
+        orthographic ? algsurf_camera_orthographic(eye, aim, up, 2.2 * radius, &s->camera)
+                     : algsurf_camera_pinhole(eye, aim, up, 40 + 30 * exact_random_unit(state), &s->camera);
     assert_int_equal(status, ALGSURF_OK);
     set_view(s, centre, radius);
 }
@@ -119,8 +119,8 @@ static double off(const double got[3], const double expected[3]) {
     return largest;
 }
 
-/* The rows of picture/kernel.h and surface/view.h written down for one pixel, against what a kernel gave; 0 where
- * rounding decides whether the step is taken. */
+/* The rows of picture/kernel.h and surface/view.h written down for one pixel, against what a kernel gave; 0
+ * where rounding decides whether the step is taken. */
 static int check_entry(const stage *s, int pixel, double depth, const batch *out, int entry) {
     const algsurf_i_view *view = &s->view;
     double a = (pixel + s->job.offset) * s->job.pixel, u = s->job.u0 + s->job.du * a, v = s->row.v;

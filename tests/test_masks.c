@@ -68,7 +68,7 @@ static void set_camera(view *v, uint64_t *seed) {
     }
     for (int i = 0; i < 3; i++) eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
     double tangent = radius / far * pow(10, v->number % 2 ? uniform(seed, -2, 0) : 0);
-    assert_int_equal(algsurf_camera_pinhole(&v->camera, eye, at, up, 2 * atan(tangent) * 57.29577951308232),
+    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera),
                      ALGSURF_OK);
     v->distance = far;
 }

@@ -298,7 +298,7 @@ static void ask_packets(void) {
 
 static algsurf_status doubtful_intersect(void) {
     algsurf_hit all[32], before[32];
-    algsurf_hit_state occluded = (algsurf_hit_state)77;
+    int occluded = 77;
     int count = 77, untouched_count = 77;
     const algsurf_extent *extent = &asked->extent;
     memset(before, 0xa5, sizeof before), memcpy(all, before, sizeof all);

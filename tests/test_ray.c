@@ -201,7 +201,7 @@ static void bad_input(void **state) {
     r = ray, r.t_max = NAN;
     refuse(&good, &r, ALGSURF_E_ARGUMENT);
     algsurf_extent e = good;
-    e.kind = (algsurf_extent_kind)3;
+    e.kind = 3;
     refuse(&e, &ray, ALGSURF_E_ARGUMENT);
     e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0, 1, 1}};
     refuse(&e, &ray, ALGSURF_E_ARGUMENT);

@@ -143,7 +143,7 @@ static void tolerance(void **state) {
     intersect_equation(&c, "x z - 10 + y");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 1e-8}, 0, INFINITY};
     for (int m = 0; m < 3; m++) {
-        o.method = (algsurf_method)m;
+        o.method = m;
         intersect_ask(&c, NULL, &o, &hits);
         if (!(fabs(hits.first.t - 31622.776601683792) < 2e-3)) fail_msg("method %d: t = %g", m, hits.first.t);
     }

@@ -21,7 +21,7 @@
 
 #include "render_case.h"
 
-static const algsurf_material plain = {{0.9, 0.5, 0.3}, {0.2, 0.4, 0.8}, 0.3, 0.6, 0.4, 20};
+static const algsurf_material plain = {sizeof plain, {0.9, 0.5, 0.3}, {0.2, 0.4, 0.8}, 0.3, 0.6, 0.4, 20};
 
 /* The hit a sample of the torus scene must have, from the public single steps. */
 static algsurf_hit hit_of(const algsurf_surface *surface, double x, double y, algsurf_ray *ray) {
@@ -242,7 +242,7 @@ static void far_eye(void **state) {
     algsurf_camera parallel,
         far = camera_at(7 * scale, 4 * scale, 5 * scale, 360 / acos(-1) * atan(3 / distance));
     (void)state;
-    assert_int_equal(algsurf_camera_orthographic(&parallel, eye, origin, z_up, 6), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &far), ALGSURF_OK);
     picture *a = drawn(scene, 1);
     assert_int_equal(algsurf_scene_set_camera(scene, &parallel), ALGSURF_OK);
@@ -333,9 +333,9 @@ static void bad_scene(void **state) {
     REFUSED(NOT_FINITE, set_background(scene, colour));
     o.size = 1;
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o = (algsurf_intersect_options){.size = sizeof o, .tier = (algsurf_tier)3};
+    o = (algsurf_intersect_options){.size = sizeof o, .tier = 3};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o = (algsurf_intersect_options){.size = sizeof o, .method = (algsurf_method)4};
+    o = (algsurf_intersect_options){.size = sizeof o, .method = 4};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .max_iterations = -1};
     REFUSED(ARGUMENT, set_intersect(scene, &o));

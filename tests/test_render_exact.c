@@ -222,7 +222,7 @@ static void aim(view *v, const double eye[3], const double at[3], double tangent
     double up[3], fov = fmin(170, fmax(1e-5, 2 * atan(tangent) * 57.29577951308232));
     for (int turns = 0; turns < 10; turns++) {
         unit_vector(up, exact_random_int(seed, 2) * 3, seed);
-        if (algsurf_camera_pinhole(&v->camera, eye, at, up, fov) == ALGSURF_OK) return;
+        if (algsurf_camera_pinhole(eye, at, up, fov, &v->camera) == ALGSURF_OK) return;
     }
     fail_msg("view %d: no camera at %a %a %a for %a %a %a, %g degrees", v->number, eye[0], eye[1], eye[2],
              at[0], at[1], at[2], fov);
@@ -232,7 +232,7 @@ static void aim_parallel(view *v, const double eye[3], const double at[3], doubl
     double up[3];
     for (int turns = 0; turns < 10; turns++) {
         unit_vector(up, exact_random_int(seed, 2) * 3, seed);
-        if (algsurf_camera_orthographic(&v->camera, eye, at, up, height) == ALGSURF_OK) return;
+        if (algsurf_camera_orthographic(eye, at, up, height, &v->camera) == ALGSURF_OK) return;
     }
     fail_msg("view %d: no camera", v->number);
 }
@@ -548,9 +548,9 @@ static void test_edge_of_a_far_ball(void **state) {
         const algsurf_term terms[] = {{1, 0, 0, d[0]}, {0, 1, 0, d[1]}, {0, 0, 1, d[2]}};
         set_surface(&v, terms, 3);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {1}};
-        assert_int_equal(algsurf_camera_pinhole(&v.camera, eye, origin, up, 1), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 1, &v.camera), ALGSURF_OK);
         const double edge[3] = {v.camera.right[0], v.camera.right[1], v.camera.right[2]};
-        assert_int_equal(algsurf_camera_pinhole(&v.camera, eye, edge, up, 1), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_pinhole(eye, edge, up, 1, &v.camera), ALGSURF_OK);
         v.camera.half_height = 2e-8 / far;
         check_all(&v);
     }
@@ -568,7 +568,7 @@ static void test_tiny_and_huge_parallel(void **state) {
         view v = {.number = turn, .name = "sphere", .width = 11, .height = 11};
         set_surface(&v, terms, 4);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {r}};
-        assert_int_equal(algsurf_camera_orthographic(&v.camera, eye, origin, up, 2.2 * r), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2.2 * r, &v.camera), ALGSURF_OK);
         check_all(&v);
     }
 }
@@ -636,7 +636,7 @@ static void test_depths_in_a_large_ball(void **state) {
         add_dense(terms, &count, n, &seed);
         set_surface(&v, terms, count);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {32}};
-        assert_int_equal(algsurf_camera_pinhole(&v.camera, eye, origin, up, 34), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 34, &v.camera), ALGSURF_OK);
         check_all(&v);
     }
 }

@@ -56,10 +56,10 @@ static view view_of(const catalogue_entry *entry, int number, uint64_t *seed) {
         for (int i = 0; i < 3; i++) v.extent.size[i] = radius * (0.5 + 0.1 * i);
     }
     if (number % 2)
-        assert_int_equal(algsurf_camera_orthographic(&v.camera, eye, look, up, 2.2 * radius), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2.2 * radius, &v.camera), ALGSURF_OK);
     else
         assert_int_equal(
-            algsurf_camera_pinhole(&v.camera, eye, look, up, 2 * atan(fmin(1.1 * radius / far, 1)) * 57.3),
+            algsurf_camera_pinhole(eye, look, up, 2 * atan(fmin(1.1 * radius / far, 1)) * 57.3, &v.camera),
             ALGSURF_OK);
     return v;
 }

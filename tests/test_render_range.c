@@ -307,7 +307,7 @@ static void reproduction(void **state) {
         .number = -1, .width = 1024, .height = 16, .extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}}};
     (void)state;
     set_sphere(&v, 0.81);
-    assert_int_equal(algsurf_camera_pinhole(&v.camera, eye, look, up, 6), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, look, up, 6, &v.camera), ALGSURF_OK);
     seen.lost = 0;
     long hits = compare_with_rays(&v);
     print_message("%ld hits, %ld lost\n", hits, seen.lost);
@@ -350,8 +350,8 @@ static void place_camera(test_view *v, uint64_t *seed, double radius) {
     if (place == 1) v->width = 300, v->height = 3, fov = uniform(seed, 2, 40);
     int parallel = one_of(seed, 4) == 0;
     double height = radius * (fov < 1 ? 1e-9 : fov / 30);
-    while ((parallel ? algsurf_camera_orthographic(&v->camera, eye, look, up, height)
-                     : algsurf_camera_pinhole(&v->camera, eye, look, up, fov)) != ALGSURF_OK)
+    while ((parallel ? algsurf_camera_orthographic(eye, look, up, height, &v->camera)
+                     : algsurf_camera_pinhole(eye, look, up, fov, &v->camera)) != ALGSURF_OK)
         for (int i = 0; i < 3; i++) up[i] = exact_random_unit(seed); /* it was along the view */
 }
 

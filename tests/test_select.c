@@ -127,10 +127,10 @@ static void test_pi(void **state) {
     assert_int_equal(held(&below, -1, -0x1p-40), 1);
 }
 
-static void check_select(const algsurf_complex_root *roots, int count, double lo, double hi,
-                         algsurf_selected expected, int which) {
+static void check_select(const algsurf_complex_root *roots, int count, double lo, double hi, int expected,
+                         int which) {
     const algsurf_sector sector = {0, 0.5};
-    algsurf_selected selected = ALGSURF_SELECTED_UNDECIDED;
+    int selected = ALGSURF_SELECTED_UNDECIDED;
     int index = 99;
     assert_int_equal(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
     assert_int_equal(selected, expected);
@@ -164,12 +164,11 @@ static void test_undecided(void **state) {
 }
 
 typedef algsurf_status selector(const algsurf_complex_root *, int, const algsurf_sector *, double, double,
-                                algsurf_selected *, int *);
+                                int *, int *);
 
-static algsurf_selected selected_by(selector *by, const algsurf_complex_root *roots, int count, double delta,
-                                    int *index) {
+static int selected_by(selector *by, const algsurf_complex_root *roots, int count, double delta, int *index) {
     const algsurf_sector sector = {0, delta};
-    algsurf_selected selected = ALGSURF_SELECTED_NONE;
+    int selected = ALGSURF_SELECTED_NONE;
     assert_int_equal(by(roots, count, &sector, 0, HUGE_VAL, &selected, index), ALGSURF_OK);
     return selected;
 }
@@ -187,7 +186,7 @@ static void test_real_rivals(void **state) {
         assert_int_equal(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count), ALGSURF_OK);
         assert_int_equal(count, 2);
         for (int i = 0; i < 2; i++) {
-            algsurf_selected selected = selected_by(selectors[i], roots, 2, pi, &index);
+            int selected = selected_by(selectors[i], roots, 2, pi, &index);
             assert_true(selected != ALGSURF_SELECTED_NONE);
             if (selected != ALGSURF_SELECTED_ONE) continue;
             decided++;
@@ -210,7 +209,7 @@ static void test_near_conjugates(void **state) {
         int count, index = 99;
         assert_int_equal(algsurf_complex_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
         assert_int_equal(count, 2);
-        algsurf_selected selected = selected_by(algsurf_select, roots, 2, pi, &index);
+        int selected = selected_by(algsurf_select, roots, 2, pi, &index);
         assert_true(selected != ALGSURF_SELECTED_NONE);
         if (selected != ALGSURF_SELECTED_ONE) continue;
         decided++;
@@ -228,7 +227,7 @@ static void test_alike(void **state) {
                                axis = box(1, 1.1, -1, 1);
     const struct {
         algsurf_complex_root roots[2];
-        algsurf_selected any, real;
+        int any, real;
     } cases[] = {
         {{upper, lower}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_ONE},
         {{lower, upper}, ALGSURF_SELECTED_UNDECIDED, ALGSURF_SELECTED_ONE},
@@ -259,7 +258,7 @@ static void test_bad_arguments(void **state) {
     (void)state;
     const algsurf_sector good = {0, 1}, bad[] = {{-1, 1}, {0, -1}, {3, 1}, {NAN, 1}, {0, NAN}};
     const algsurf_complex_root root = near_point(1, 0);
-    algsurf_selected selected = ALGSURF_SELECTED_ONE;
+    int selected = ALGSURF_SELECTED_ONE;
     int index = 7, holds = 7;
     for (int i = 0; i < 5; i++) {
         assert_int_equal(algsurf_sector_holds(bad + i, &root, &holds), ALGSURF_E_ARGUMENT);

@@ -19,7 +19,8 @@
 
 #include "algsurf/shade.h"
 
-static const algsurf_material material = {.outside = {0.8, 0.4, 0.2},
+static const algsurf_material material = {.size = sizeof material,
+                                          .outside = {0.8, 0.4, 0.2},
                                           .inside = {0.1, 0.3, 0.6},
                                           .ambient = 0.25,
                                           .diffuse = 0.5,
@@ -264,7 +265,7 @@ static void bad_material(void **state) {
     const size_t doubles = offsetof(algsurf_material, shininess) / sizeof(double);
     (void)state;
     refuse_material(NULL, ALGSURF_E_ARGUMENT);
-    for (size_t i = 0; i <= doubles; i++) { /* each colour component and weight, and the shininess */
+    for (size_t i = 1; i <= doubles; i++) { /* each colour component and weight, and the shininess */
         algsurf_material m = material;
         double *field = (double *)(void *)((char *)&m + i * sizeof(double));
         *field = -1;

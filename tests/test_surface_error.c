@@ -140,7 +140,7 @@ static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_camera camera;
     algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_camera_pinhole(&camera, eye, at, up, 50), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 50, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_create(s, &scene), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);

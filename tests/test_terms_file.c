@@ -166,7 +166,7 @@ static void test_catalogue(void **state) {
         assert_ptr_equal(catalogue_find(entry->name), entry);
         assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), ALGSURF_OK);
         assert_int_equal(algsurf_surface_degree(surface), entry->degree);
-        assert_int_equal(algsurf_camera_pinhole(&camera, entry->eye, entry->look_at, entry->up, entry->fov),
+        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
                          ALGSURF_OK);
         algsurf_surface_free(surface);
     }

@@ -25,7 +25,7 @@ static void wrong(char *const *row, const char *what) {
 
 static void refused_ray(char *const *row, const algsurf_surface *s, const algsurf_ray *ray) {
     algsurf_hit hit = {.state = 77}, hits[ALGSURF_MAX_DEGREE] = {{.state = 77}};
-    algsurf_hit_state occluded = (algsurf_hit_state)1;
+    int occluded = 1;
     int count = 77;
     if (algsurf_intersect_first(s, NULL, ray, NULL, &hit) >= 0) wrong(row, "first hit: not refused");
     if (algsurf_intersect_all(s, NULL, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count) >= 0)
@@ -42,7 +42,7 @@ static int any_meets(char *const *row) { return strcmp(row[WHAT], "denormal dire
 static void accepted_ray(char *const *row, const algsurf_surface *s, const algsurf_ray *ray) {
     const int any = !strcmp(row[EXPECT], "any");
     algsurf_hit hit, hits[ALGSURF_MAX_DEGREE];
-    algsurf_hit_state occluded;
+    int occluded;
     int count;
     algsurf_status first = algsurf_intersect_first(s, NULL, ray, NULL, &hit);
     algsurf_status all = algsurf_intersect_all(s, NULL, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count);

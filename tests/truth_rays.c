@@ -249,7 +249,7 @@ static void judge_whether(int query, const truth *r, int state) {
 }
 
 static void judge_occluded(const algsurf_surface *s, const truth *r) {
-    algsurf_hit_state state;
+    int state;
     if (algsurf_occluded(s, NULL, &r->ray, NULL, &state) != ALGSURF_OK)
         wrong(OCCLUDED, r, "refused", NULL);
     else

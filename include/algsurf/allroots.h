@@ -39,14 +39,15 @@ typedef struct algsurf_complex_root {
  * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
  * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
  * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_DEGREE, negative radius), E_NOT_FINITE, E_ZERO,
- * E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its radius).
- * Cost: O(degree^2) times some 10 iterations; about 50 KiB of stack.  With exact coefficients, degrees to 24
- * take 0.1 to 3 microseconds (2 to 16) where roots are simple and apart, 1 to 20 otherwise.  No allocation,
- * unless a real polynomial without radii has a cluster: then, where 16 KiB of the stack do not suffice, up to
- * 1 GiB, freed at the end. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith
- * 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).
- * Since 1.0. */
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
+ * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
+ * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE). Cost: O(degree^2) times some 10 iterations; about
+ * 60 KiB of stack.  With exact coefficients, degrees to 24 take 0.1 to 3 microseconds (2 to 16) where roots
+ * are simple and apart, 1 to 20 otherwise. Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each
+ * degree.  A real polynomial without radii that has a cluster may need more than 16 KiB of the stack for its
+ * integers, and then up to 1 GiB.  All is freed. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973
+ * (iteration), Smith 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for
+ * complex arguments).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
 
@@ -57,33 +58,29 @@ ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const 
 
 /* ---- many polynomials at once ---- */
 
-/* Polynomials as structure of arrays: number i is the sum of (re[k][i] + i im[k][i]) z^k, with radii
- * r[k][i]. */
+/* Polynomials of one degree with complex or real coefficients. */
 typedef struct algsurf_complex_batch {
-    size_t size;             /* sizeof(algsurf_complex_batch) */
-    size_t count;            /* of polynomials; the arrays may be null when it is 0 */
-    int degree;              /* a bound, 1..ALGSURF_MAX_DEGREE: leading zeros are allowed */
-    const double *const *re; /* degree + 1 arrays of `count` real parts, lowest power first */
-    const double *const *im; /* the same for imaginary parts; null: the coefficients are real */
-    const double *const *r;  /* the same for radii; null: the coefficients are exact */
+    size_t size;      /* sizeof(algsurf_complex_batch) */
+    size_t count;     /* of polynomials; pointers may be null when it is 0 */
+    int degree;       /* a bound, 1..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
+    algsurf_table re; /* real parts of the coefficients */
+    algsurf_table im; /* imaginary parts; at null: the coefficients are real */
+    algsurf_table r;  /* radii of the coefficients; at null: they are exact */
 } algsurf_complex_batch;
 
-/* All roots of each polynomial: bit for bit what algsurf_complex_roots_of_real returns for it (im null), or
- * algsurf_complex_roots.
- *   options  null: all defaults
- *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
- *   count    for each polynomial the number of its entries; or, where the single call fails, its error, a
- *            negative algsurf_status: its entries mean nothing then
- * Neither may overlap the input.
- * Returns the first of these errors: all other answers stand.  Errors: E_ARGUMENT (null, degree outside its
- * range, bad size or kernel): nothing is written; else those of the single call.
+/* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (im
+ * null), or algsurf_complex_roots. options  null: all defaults roots    count times degree entries; those of
+ * polynomial i start at roots[i * degree] count    for each polynomial the number of its entries; or, where
+ * the single call fails, its error, a negative algsurf_status: its entries mean nothing then Neither may
+ * overlap the input. Returns the first of these errors: all other answers stand.  Errors: E_ARGUMENT (null,
+ * degree outside its range, bad size or kernel): nothing is written; else those of the single call.
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.
  * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
  * Since 1.0.
  */
-ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *packet,
+ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
                                                        algsurf_complex_root *roots, int *count);
 
@@ -157,12 +154,12 @@ ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const d
 
 /* ---- the robust solver with its own memory ---- */
 
-/* Work memory for repeated calls and for degrees up to ALGSURF_MAX_POLY_DEGREE; not to be used by two
- * threads at once. */
+/* Work memory for repeated calls of high degree, and start values; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 
 /* What a solve took. */
 typedef struct algsurf_complex_solver_stats {
+    size_t size;    /* sizeof(algsurf_complex_solver_stats), set by the caller */
     int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
     int retries;    /* roots that went to double-double */
 } algsurf_complex_solver_stats;

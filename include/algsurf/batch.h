@@ -14,15 +14,15 @@
 extern "C" {
 #endif
 
-/* Polynomials as structure of arrays: number i is c[0][i] + c[1][i] t + ... + c[degree][i] t^degree, with
- * radii r[k][i], on the interval [lo[i], hi[i]]. */
+/* Polynomials of one degree, each with an interval [lo, hi], both ends included. */
 typedef struct algsurf_real_batch {
-    size_t size;            /* sizeof(algsurf_real_batch) */
-    size_t count;           /* of polynomials; the arrays may be null when it is 0 */
-    int degree;             /* a bound: leading zeros are allowed */
-    const double *const *c; /* degree + 1 arrays of `count` coefficients, lowest power first */
-    const double *const *r; /* the same for radii; null: the coefficients are exact */
-    const double *lo, *hi;  /* finite, lo < hi; both ends belong to the interval */
+    size_t size;                /* sizeof(algsurf_real_batch) */
+    size_t count;               /* of polynomials; pointers may be null when it is 0 */
+    int degree;                 /* a bound: leading zeros are allowed */
+    algsurf_table coefficients; /* in the power basis */
+    algsurf_table radii;        /* of the coefficients; at null: they are exact */
+    const double *lo, *hi;      /* polynomial i: lo[i * interval_step] < hi[i * interval_step], finite */
+    ptrdiff_t interval_step;    /* 0: one interval for all; 1: arrays */
 } algsurf_real_batch;
 
 /* What is known of the first root. */
@@ -49,17 +49,17 @@ typedef enum algsurf_first_root_state {
  * size, tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
  * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
  * the other answers stand.
- * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and packets of 100 or more; one that
+ * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
  * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
  * 1 GiB at most, and give it back.
  * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *packet,
+ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
                                                      unsigned char *state, double *root);
 
 /* All real roots of each polynomial in its interval, as algsurf_real_roots gives them, bit for bit.
- *   packet   without radii
- *   options  null: all defaults; the tolerance is not used, since roots are between neighbouring doubles
+ *   batch    without radii
+ *   options  null: all defaults; the tolerance is 0: roots are found to neighbouring doubles
  *   roots    room for `degree`, at least 1, for each polynomial: those of number i, in increasing order, from
  *            i degree on; what is behind them there may be overwritten
  *   count    how many, for each polynomial; -1: it is zero throughout, or there was no memory
@@ -70,7 +70,7 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *p
  * more; 100 KiB of stack.  A polynomial that doubles leave in doubt costs as much
  * as in algsurf_real_roots; so do all above degree 20. Source: as above; signs beside the roots by the
  * compensated Horner scheme (Graillat, Langlois, Louvet 2005). Since 1.0. */
-ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *packet,
+ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch,
                                                     const algsurf_batch_options *options,
                                                     algsurf_real_root *roots, int *count);
 

@@ -43,8 +43,8 @@ typedef enum algsurf_hit_state {
 
 /* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
 typedef struct algsurf_hit {
-    int state;             /* an algsurf_hit_state */
-    algsurf_status reason; /* ALGSURF_OK, or why it is undecided (a positive status) */
+    int state;        /* an algsurf_hit_state */
+    int reason;       /* an algsurf_status: ALGSURF_OK, or why it is undecided (a positive status) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, of a miss, and of an undecided place */
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
@@ -62,17 +62,17 @@ typedef struct algsurf_hit {
 
 /* How rays are intersected. */
 typedef struct algsurf_intersect_options {
-    size_t size;           /* sizeof(algsurf_intersect_options) */
-    algsurf_tier tier;     /* how much is to be known about an answer */
-    algsurf_method method; /* how brackets are refined */
-    int max_iterations;    /* of the refinement, 0: 1000; at the limit the best point so far counts */
-    double tolerance;      /* wanted error of t, absolute; 0: all a double can tell, with the final
-                              Newton step on P at the point itself */
-    const char *kernel;    /* the packet code to use for packets and pictures, by a name that
-                              algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
-    algsurf_doubt doubt;   /* what becomes of an undecided place */
-    size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
-                          answer is E_NO_MEMORY */
+    size_t size;        /* sizeof(algsurf_intersect_options) */
+    int tier;           /* an algsurf_tier: how much is to be known about an answer */
+    int method;         /* an algsurf_method: how brackets are refined */
+    int max_iterations; /* of the refinement, 0: 1000; at the limit the best point so far counts */
+    double tolerance;   /* wanted error of t, absolute; 0: all a double can tell, with the final
+                           Newton step on P at the point itself */
+    const char *kernel; /* the packet code to use for packets and pictures, by a name that
+                           algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
+    int doubt;          /* an algsurf_doubt: what becomes of an undecided place */
+    size_t max_memory;  /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
+                           answer is E_NO_MEMORY */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
@@ -117,11 +117,11 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 
 /* Is there any hit?  Cheaper than the first hit: nothing is refined, and an odd number of roots is
  * known from the ends alone: it may be a hit where the first hit is undecided.
- *   state  ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
+ *   state  an algsurf_hit_state: ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
  * Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                            algsurf_hit_state *state);
+                                            int *state);
 
 /* Rays side by side, as structure of arrays: ray i is origin[0..2][i] + t direction[0..2][i],
  * t_min[i] <= t <= t_max[i], with directions of any length. */

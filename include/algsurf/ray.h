@@ -25,9 +25,9 @@ typedef enum algsurf_extent_kind {
 
 /* The part of space in which a surface is looked at. */
 typedef struct algsurf_extent {
-    algsurf_extent_kind kind; /* of all of space centre and size play no part */
-    double centre[3];         /* finite */
-    double size[3];           /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
+    int kind;         /* an algsurf_extent_kind; of all of space centre and size play no part */
+    double centre[3]; /* finite */
+    double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
 } algsurf_extent;
 
 /* The part of a ray inside an extent: a ray with the same origin and direction, t_min and t_max

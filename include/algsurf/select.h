@@ -42,15 +42,15 @@ ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
  * also where the boxes are mirror images of each other.
  * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument is in doubt.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select(const algsurf_complex_root *roots, int count,
-                                          const algsurf_sector *sector, double lo, double hi,
-                                          algsurf_selected *selected, int *index);
+                                          const algsurf_sector *sector, double lo, double hi, int *selected,
+                                          int *index);
 
 /* The same for the roots of one polynomial with real coefficients, all of them, as
  * algsurf_complex_roots_of_real gives them (or algsurf_complex_roots without radii): there a box off the real
  * axis and its mirror image hold conjugates, which are equally large.  Errors, cost: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select_of_real(const algsurf_complex_root *roots, int count,
                                                   const algsurf_sector *sector, double lo, double hi,
-                                                  algsurf_selected *selected, int *index);
+                                                  int *selected, int *index);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* options.h - reading a caller's struct that starts with its own size.
  *
- * Such a struct may be older than the library (smaller: what it lacks is 0, the default) or newer
- * (larger: accepted if the part unknown here is all 0, hence asks for defaults).
+ * Such a struct may be newer than the library: larger, and accepted if the part unknown here is all 0, hence
+ * asks for defaults.  A smaller one is none of any release: this is the first.
  */
 #ifndef ALGSURF_OPTIONS_H
 #define ALGSURF_OPTIONS_H
@@ -9,18 +9,27 @@
 #include <string.h>
 
 /* Copies *given, a struct whose first member is its size, into the `known_size` bytes at `known`,
- * whose own size member then is known_size.  Returns 1; 0 when the size is smaller than its own
- * member or the unknown tail is not zero: then `known` is untouched. */
+ * whose own size member then is known_size.  Returns 1; 0 when the size is smaller or the unknown tail is not
+ * zero: then `known` is untouched. */
 static inline int algsurf_options_read(void *known, size_t known_size, const void *given) {
     size_t size;
     memcpy(&size, given, sizeof size);
-    if (size < sizeof size) return 0;
+    if (size < known_size) return 0;
     for (size_t i = known_size; i < size; i++)
         if (((const unsigned char *)given)[i] != 0) return 0;
-    memset(known, 0, known_size);
-    memcpy(known, given, size < known_size ? size : known_size);
+    memcpy(known, given, known_size);
     memcpy(known, &known_size, sizeof known_size);
     return 1;
+}
+
+/* Copies the `known_size` bytes at `known` into *given, whose size is at least that: the size stays, what is
+ * unknown here becomes 0. */
+static inline void algsurf_options_write(void *given, const void *known, size_t known_size) {
+    size_t size;
+    memcpy(&size, given, sizeof size);
+    memset(given, 0, size);
+    memcpy(given, known, known_size);
+    memcpy(given, &size, sizeof size);
 }
 
 #endif

@@ -13,6 +13,7 @@
 
 #include "impl.h"
 #include "../base/fpenv.h"
+#include "../base/options.h"
 
 struct algsurf_complex_solver {
     int max_degree;
@@ -287,14 +288,30 @@ algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf
     return algsurf_i_roots_solve(&memory->p, &in, start, memory->boxes, roots, count);
 }
 
-algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                        algsurf_complex_root *roots, int *count) {
+static ALGSURF_NOINLINE algsurf_status run_on_stack(const algsurf_i_input *in, algsurf_complex_root *roots,
+                                                    int *count) {
     algsurf_i_roots_memory memory;
-    algsurf_i_input in;
     lay_out(&memory.p, ALGSURF_MAX_DEGREE, memory.doubles, memory.ints);
-    algsurf_status status = read_input(c, r, degree, real_radii, &in);
-    if (status == ALGSURF_OK) status = run(&memory.p, &in, NULL, memory.boxes, roots, count);
+    return run(&memory.p, in, NULL, memory.boxes, roots, count);
+}
+
+static algsurf_status run_on_heap(const algsurf_i_input *in, int degree, algsurf_complex_root *roots,
+                                  int *count) {
+    algsurf_complex_solver *solver;
+    algsurf_status status = algsurf_complex_solver_create(degree, &solver);
+    if (status != ALGSURF_OK) return status;
+    status = run(&solver->p, in, NULL, solver->boxes, roots, count);
+    algsurf_complex_solver_free(solver);
     return status;
+}
+
+algsurf_status algsurf_i_roots_alone(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                     algsurf_complex_root *roots, int *count) {
+    algsurf_i_input in;
+    algsurf_status status = read_input(c, r, degree, real_radii, &in);
+    if (status != ALGSURF_OK) return status;
+    return degree <= ALGSURF_MAX_DEGREE ? run_on_stack(&in, roots, count)
+                                        : run_on_heap(&in, degree, roots, count);
 }
 
 algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver) {
@@ -331,7 +348,7 @@ algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const 
                                           const double *r, int degree, const algsurf_complex *start,
                                           algsurf_complex_root *roots, int *count,
                                           algsurf_complex_solver_stats *stats) {
-    if (!solver || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (!solver || !roots || !count || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
@@ -339,7 +356,9 @@ algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const 
     algsurf_status status = read_input(c, r, degree, 0, &in);
     if (status == ALGSURF_OK) status = run(&solver->p, &in, start, solver->boxes, roots, count);
     algsurf_fpenv_leave(&saved);
-    if (status >= ALGSURF_OK && stats)
-        *stats = (algsurf_complex_solver_stats){solver->p.iterations, solver->p.retries};
+    if (status >= ALGSURF_OK && stats) {
+        algsurf_complex_solver_stats known = {0, solver->p.iterations, solver->p.retries};
+        algsurf_options_write(stats, &known, sizeof known);
+    }
     return status;
 }

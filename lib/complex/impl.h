@@ -73,9 +73,10 @@ algsurf_status algsurf_i_roots_run(algsurf_i_roots_memory *memory, const algsurf
                                    int degree, int real_radii, const algsurf_complex *start,
                                    algsurf_complex_root *roots, int *count);
 
-/* algsurf_complex_roots in the standard environment, without lanes; multiple roots are parted. */
-algsurf_status algsurf_i_roots_on_stack(const algsurf_complex *c, const double *r, int degree, int real_radii,
-                                        algsurf_complex_root *roots, int *count);
+/* algsurf_complex_roots in the standard environment, without lanes: on the stack, from degree
+ * ALGSURF_MAX_DEGREE + 1 up on the heap; multiple roots are parted. */
+algsurf_status algsurf_i_roots_alone(const algsurf_complex *c, const double *r, int degree, int real_radii,
+                                     algsurf_complex_root *roots, int *count);
 
 /* Coefficients in units of 2^unit of the variable, divided by 2^exponent. */
 typedef struct algsurf_i_local {

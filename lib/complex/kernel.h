@@ -14,9 +14,9 @@ typedef struct algsurf_i_allroots_kernel {
     /* One polynomial, coefficient k at re[k stride] and im[k stride]; im null: real.  Whether it is solved.
      */
     int (*one)(const double *re, const double *im, int stride, int n, algsurf_complex_root *roots);
-    /* Number i has coefficients re[k][i] and im[k][i], im null: all are real; its roots are
-     * roots[i n + k].  found[i] becomes n, or -1 where roots are not solved. */
-    void (*many)(const double *const *re, const double *const *im, int n, size_t count,
+    /* `count` polynomials, im.at null: all are real; the roots of number i are roots[i n + k].  found[i]
+     * becomes n, or -1 where roots are not solved. */
+    void (*many)(const algsurf_table *re, const algsurf_table *im, int n, size_t count,
                  algsurf_complex_root *roots, int *found);
 } algsurf_i_allroots_kernel;
 

@@ -6,15 +6,21 @@
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
+#include "../poly/table.h"
 #include "impl.h"
 #include "kernel.h"
 
-static ALGSURF_NOINLINE algsurf_status run_real_on_stack(const double *c, const double *r, int degree,
-                                                         algsurf_complex_root *roots, int *count) {
-    algsurf_complex z[ALGSURF_MAX_DEGREE + 1];
-    for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};
-    return algsurf_i_roots_on_stack(z, r, degree, 1, roots, count);
-}
+/* Real coefficients, one by one as complex ones; large: of more than ALGSURF_MAX_DEGREE. */
+#define RUN_REAL(name, most)                                                                                 \
+    static ALGSURF_NOINLINE algsurf_status name(const double *c, const double *r, int degree,                \
+                                                algsurf_complex_root *roots, int *count) {                   \
+        algsurf_complex z[most + 1];                                                                         \
+        for (int i = 0; i <= degree; i++) z[i] = (algsurf_complex){c[i], 0};                                 \
+        return algsurf_i_roots_alone(z, r, degree, 1, roots, count);                                         \
+    }
+RUN_REAL(run_real, ALGSURF_MAX_DEGREE)
+RUN_REAL(run_large_real, ALGSURF_MAX_POLY_DEGREE)
+#undef RUN_REAL
 
 /* In lanes, if they can: exact coefficients k at re[k stride], im[k stride], im null if all are real. */
 static int run_in_lanes(const algsurf_i_allroots_kernel *kernel, const double *re, const double *im,
@@ -32,14 +38,15 @@ static ALGSURF_NOINLINE algsurf_status solve(const algsurf_i_allroots_kernel *ke
     int real = 1;
     for (int k = 0; k <= degree; k++) real = real && c[k].im == 0;
     if (!r && run_in_lanes(kernel, &c->re, real ? NULL : &c->im, 2, degree, roots, count)) return ALGSURF_OK;
-    return algsurf_i_roots_on_stack(c, r, degree, 0, roots, count);
+    return algsurf_i_roots_alone(c, r, degree, 0, roots, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status solve_real(const algsurf_i_allroots_kernel *kernel, const double *c,
                                                   const double *r, int degree, algsurf_complex_root *roots,
                                                   int *count) {
     if (!r && run_in_lanes(kernel, c, NULL, 1, degree, roots, count)) return ALGSURF_OK;
-    return run_real_on_stack(c, r, degree, roots, count);
+    return degree <= ALGSURF_MAX_DEGREE ? run_real(c, r, degree, roots, count)
+                                        : run_large_real(c, r, degree, roots, count);
 }
 
 static const algsurf_i_allroots_kernel *fastest(void) {
@@ -48,7 +55,7 @@ static const algsurf_i_allroots_kernel *fastest(void) {
 
 algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                      algsurf_complex_root *roots, int *count) {
-    if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = solve(fastest(), c, r, degree, roots, count);
@@ -58,7 +65,7 @@ algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, 
 
 algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                              algsurf_complex_root *roots, int *count) {
-    if (!c || degree < 0 || degree > ALGSURF_MAX_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
+    if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = solve_real(fastest(), c, r, degree, roots, count);
@@ -68,35 +75,25 @@ algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, i
 
 /* ---- many polynomials ---- */
 
-static algsurf_status check_packet(const algsurf_complex_batch *p) {
-    if (p->degree < 1 || p->degree > ALGSURF_MAX_DEGREE) return ALGSURF_E_ARGUMENT;
-    if (p->count > 0 && !p->re) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; p->count > 0 && k <= p->degree; k++)
-        if (!p->re[k] || (p->im && !p->im[k]) || (p->r && !p->r[k])) return ALGSURF_E_ARGUMENT;
-    return ALGSURF_OK;
-}
-
 /* Polynomial i by itself. */
 static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_kernel *kernel,
                                                     const algsurf_complex_batch *p, size_t i,
                                                     algsurf_complex_root *roots, int *count) {
-    algsurf_complex c[ALGSURF_MAX_DEGREE + 1];
-    double re[ALGSURF_MAX_DEGREE + 1], r[ALGSURF_MAX_DEGREE + 1];
-    for (int k = 0; k <= p->degree; k++) {
-        re[k] = p->re[k][i];
-        c[k] = (algsurf_complex){re[k], p->im ? p->im[k][i] : 0};
-        if (p->r) r[k] = p->r[k][i];
-    }
-    return p->im ? solve(kernel, c, p->r ? r : NULL, p->degree, roots, count)
-                 : solve_real(kernel, re, p->r ? r : NULL, p->degree, roots, count);
+    algsurf_complex c[ALGSURF_MAX_POLY_DEGREE + 1];
+    double re[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->r.at ? r : NULL;
+    algsurf_i_table_row(&p->re, p->degree, i, re);
+    if (radii) algsurf_i_table_row(&p->r, p->degree, i, r);
+    if (!p->im.at) return solve_real(kernel, re, radii, p->degree, roots, count);
+    for (int k = 0; k <= p->degree; k++) c[k] = (algsurf_complex){re[k], algsurf_i_table_entry(&p->im, k, i)};
+    return solve(kernel, c, radii, p->degree, roots, count);
 }
 
-static ALGSURF_NOINLINE algsurf_status solve_packet(const algsurf_i_allroots_kernel *kernel,
-                                                    const algsurf_complex_batch *p,
-                                                    algsurf_complex_root *roots, int *count) {
+static ALGSURF_NOINLINE algsurf_status solve_batch(const algsurf_i_allroots_kernel *kernel,
+                                                   const algsurf_complex_batch *p,
+                                                   algsurf_complex_root *roots, int *count) {
     algsurf_status first = ALGSURF_OK;
-    int in_lanes = !p->r && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
-    if (in_lanes) kernel->many(p->re, p->im, p->degree, p->count, roots, count);
+    int in_lanes = !p->r.at && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
+    if (in_lanes) kernel->many(&p->re, &p->im, p->degree, p->count, roots, count);
     for (size_t i = 0; i < p->count; i++) {
         if (in_lanes && count[i] >= 0) continue;
         algsurf_status status = solve_member(kernel, p, i, roots + i * (size_t)p->degree, count + i);
@@ -106,19 +103,21 @@ static ALGSURF_NOINLINE algsurf_status solve_packet(const algsurf_i_allroots_ker
     return first;
 }
 
-algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *packet,
+algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                            const algsurf_batch_options *options, algsurf_complex_root *roots,
                                            int *count) {
     algsurf_complex_batch p;
     algsurf_batch_options o = {.size = sizeof o};
-    if (!packet || !algsurf_options_read(&p, sizeof p, packet)) return ALGSURF_E_ARGUMENT;
+    if (!batch || !algsurf_options_read(&p, sizeof p, batch)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&o, sizeof o, options)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
-    if (!kernel || check_packet(&p) != ALGSURF_OK) return ALGSURF_E_ARGUMENT;
-    if (p.count > 0 && (!roots || !count)) return ALGSURF_E_ARGUMENT;
+    if (!kernel || p.degree < 1 || p.degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
+    if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = solve_packet(algsurf_i_allroots_kernel_for(kernel), &p, roots, count);
+    algsurf_status status = o.tolerance == 0
+                                ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
+                                : ALGSURF_E_ARGUMENT;
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -1,6 +1,7 @@
 /* packet_template.h - all complex roots: the entry points of a kernel. */
 #ifndef ALGSURF_COMPLEX_PACKET_TEMPLATE_H
 #define ALGSURF_COMPLEX_PACKET_TEMPLATE_H
+#include "../poly/table_template.h"
 #include "kernel.h"
 #include "quadratic_template.h"
 
@@ -58,7 +59,7 @@ static int solve_one(const double *re, const double *im, int stride, int n, algs
     return im ? solve_one_complex(re, im, stride, n, roots) : solve_one_real(re, stride, n, roots);
 }
 
-static void solve_many(const double *const *re, const double *const *im, int n, size_t count,
+static void solve_many(const algsurf_table *re, const algsurf_table *im, int n, size_t count,
                        algsurf_complex_root *roots, int *found) {
     for (size_t at = 0; at < count; at += LANES) {
         int many = count - at < LANES ? (int)(count - at) : LANES;
@@ -66,9 +67,9 @@ static void solve_many(const double *const *re, const double *const *im, int n, 
         polynomials p;
         mask real = ~no_lane();
         for (int k = 0; k <= n; k++) {
-            p.re[k] = load_some(re[k] + at, many);
-            p.im[k] = im ? load_some(im[k] + at, many) : all_lanes(0);
-            if (im) real &= is_zero(p.im[k]);
+            p.re[k] = load_table(re, k, at, many);
+            p.im[k] = im->at ? load_table(im, k, at, many) : all_lanes(0);
+            if (im->at) real &= is_zero(p.im[k]);
         }
         algsurf_complex_root *to = roots + at * (size_t)n;
         unsigned solved = !(wanted & ~bits(real)) ? solve_real(&p, n, wanted, to)

@@ -85,8 +85,7 @@ static int mirrored(const algsurf_cinterval *a, const algsurf_cinterval *b) {
 
 /* `real`: the roots are those of a real polynomial. */
 static algsurf_status choose(const algsurf_complex_root *roots, int count, int real,
-                             const algsurf_sector *sector, double lo, double hi, algsurf_selected *selected,
-                             int *index) {
+                             const algsurf_sector *sector, double lo, double hi, int *selected, int *index) {
     candidate best = {-1, 0, {0, 0}};
     if (!valid(sector) || count < 0 || (count > 0 && !roots) || !selected || !index)
         return ALGSURF_E_ARGUMENT;
@@ -115,12 +114,13 @@ static algsurf_status choose(const algsurf_complex_root *roots, int count, int r
 }
 
 static algsurf_status choose_any(const algsurf_complex_root *roots, int count, const algsurf_sector *sector,
-                                 double lo, double hi, algsurf_selected *selected, int *index) {
+                                 double lo, double hi, int *selected, int *index) {
     return choose(roots, count, 0, sector, lo, hi, selected, index);
 }
 
-static algsurf_status choose_of_real(const algsurf_complex_root *roots, int count, const algsurf_sector *sector,
-                                  double lo, double hi, algsurf_selected *selected, int *index) {
+static algsurf_status choose_of_real(const algsurf_complex_root *roots, int count,
+                                     const algsurf_sector *sector, double lo, double hi, int *selected,
+                                     int *index) {
     return choose(roots, count, 1, sector, lo, hi, selected, index);
 }
 
@@ -129,9 +129,9 @@ ALGSURF_I_PUBLIC(algsurf_status, sector_holds, sector_holds,
                  (sector, root, holds))
 ALGSURF_I_PUBLIC(algsurf_status, select, choose_any,
                  (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
-                  double hi, algsurf_selected *selected, int *index),
+                  double hi, int *selected, int *index),
                  (roots, count, sector, lo, hi, selected, index))
 ALGSURF_I_PUBLIC(algsurf_status, select_of_real, choose_of_real,
                  (const algsurf_complex_root *roots, int count, const algsurf_sector *sector, double lo,
-                  double hi, algsurf_selected *selected, int *index),
+                  double hi, int *selected, int *index),
                  (roots, count, sector, lo, hi, selected, index))

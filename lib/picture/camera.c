@@ -54,8 +54,8 @@ static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const
     return status;
 }
 
-algsurf_status algsurf_camera_pinhole(algsurf_camera *camera, const double eye[3], const double look_at[3],
-                                      const double up[3], double fov) {
+algsurf_status algsurf_camera_pinhole(const double eye[3], const double look_at[3], const double up[3],
+                                      double fov, algsurf_camera *camera) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = make_camera(camera, eye, look_at, up, fov, 0);
@@ -63,8 +63,8 @@ algsurf_status algsurf_camera_pinhole(algsurf_camera *camera, const double eye[3
     return status;
 }
 
-algsurf_status algsurf_camera_orthographic(algsurf_camera *camera, const double eye[3],
-                                           const double look_at[3], const double up[3], double height) {
+algsurf_status algsurf_camera_orthographic(const double eye[3], const double look_at[3], const double up[3],
+                                           double height, algsurf_camera *camera) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = make_camera(camera, eye, look_at, up, height, 1);

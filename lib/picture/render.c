@@ -82,8 +82,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
 /* The caller's struct may be shorter or longer than ours; what is unknown here becomes 0. */
 static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *total, double seconds,
                         int threads, const char *kernel) {
-    size_t size = stats->size;
-    algsurf_render_stats ours = {.size = size,
+    algsurf_render_stats ours = {.size = sizeof ours,
                                  .rays = total->rays,
                                  .hits = total->hits,
                                  .undecided = total->undecided,
@@ -98,8 +97,7 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
                                  .point_s = total->point_s,
                                  .shadow_s = total->shadow_s,
                                  .kernel = kernel};
-    memset(stats, 0, size);
-    memcpy(stats, &ours, size < sizeof ours ? size : sizeof ours);
+    algsurf_options_write(stats, &ours, sizeof ours);
 }
 
 /* All the memory of a picture, in five blocks. */
@@ -245,7 +243,7 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
     algsurf_i_tally total = {0};
     int threads = 0;
 
-    if (!scene || !pixels || (stats && stats->size < sizeof stats->size)) return ALGSURF_E_ARGUMENT;
+    if (!scene || !pixels || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
     if (status != ALGSURF_OK) return status;
     if (stride < 3 * (size_t)o.width) return ALGSURF_E_ARGUMENT;

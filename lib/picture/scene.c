@@ -12,6 +12,7 @@
 #include "../base/vec.h"
 
 static const algsurf_material default_material = {
+    .size = sizeof(algsurf_material),
     .outside = {1.0, 0.72, 0.42},
     .inside = {0.45, 0.65, 0.95},
     .ambient = 0.2,
@@ -36,7 +37,7 @@ algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scen
     if (!made) return ALGSURF_E_NO_MEMORY;
     made->surface = surface;
     made->extent.kind = ALGSURF_EXTENT_ALL;
-    (void)algsurf_camera_pinhole(&made->camera, eye, look_at, up, 30);
+    (void)algsurf_camera_pinhole(eye, look_at, up, 30, &made->camera);
     made->material = default_material;
     made->light_count = -1;
     for (int i = 0; i < 3; i++) made->background[i] = 1;
@@ -75,9 +76,10 @@ algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_ma
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_material_check(material);
+    algsurf_material known;
+    algsurf_status status = algsurf_i_material_read(material, &known);
     algsurf_fpenv_leave(&saved);
-    if (status == ALGSURF_OK) scene->material = *material;
+    if (status == ALGSURF_OK) scene->material = known;
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include "shade_impl.h"
 
 #include "../base/fpenv.h"
+#include "../base/options.h"
 #include "../base/vec.h"
 
 #define PREVIEW_FAR 0.3 /* brightness at the far end of the extent; 1 at the near one */
@@ -16,8 +17,8 @@ algsurf_status algsurf_i_colour_check(const double colour[3]) {
     return colour[0] >= 0 && colour[1] >= 0 && colour[2] >= 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-algsurf_status algsurf_i_material_check(const algsurf_material *material) {
-    if (!material) return ALGSURF_E_ARGUMENT;
+algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material) {
+    if (!given || !algsurf_options_read(material, sizeof *material, given)) return ALGSURF_E_ARGUMENT;
     const double weights[3] = {material->ambient, material->diffuse, material->specular};
     algsurf_status status = algsurf_i_colour_check(material->outside);
     if (status == ALGSURF_OK) status = algsurf_i_colour_check(material->inside);
@@ -119,11 +120,12 @@ static algsurf_status check_lights(const algsurf_light *lights, int count, const
     return ALGSURF_OK;
 }
 
-static algsurf_status check_view(const algsurf_material *material, const double normal[3],
-                                 const double direction[3], const double colour[3]) {
+static algsurf_status check_view(const algsurf_material *given, const double normal[3],
+                                 const double direction[3], const double colour[3],
+                                 algsurf_material *material) {
     if (!normal || !direction || !colour) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(normal) || !algsurf_is_finite3(direction)) return ALGSURF_E_NOT_FINITE;
-    return algsurf_i_material_check(material);
+    return algsurf_i_material_read(given, material);
 }
 
 static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_material *material,
@@ -133,10 +135,11 @@ static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_material *mat
                                                      double colour[3]) {
     if (!point) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
-    algsurf_status status = check_view(material, normal, direction, colour);
+    algsurf_material known;
+    algsurf_status status = check_view(material, normal, direction, colour, &known);
     if (status == ALGSURF_OK) status = check_lights(lights, count, visible);
     if (status == ALGSURF_OK)
-        algsurf_i_shade(material, lights, count, visible, point, normal, direction, colour);
+        algsurf_i_shade(&known, lights, count, visible, point, normal, direction, colour);
     return status;
 }
 
@@ -154,8 +157,9 @@ static ALGSURF_NOINLINE algsurf_status checked_preview(const algsurf_material *m
                                                        const double normal[3], const double direction[3],
                                                        double depth, double colour[3]) {
     if (!(depth >= 0 && depth <= 1)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_view(material, normal, direction, colour);
-    if (status == ALGSURF_OK) algsurf_i_shade_preview(material, normal, direction, depth, colour);
+    algsurf_material known;
+    algsurf_status status = check_view(material, normal, direction, colour, &known);
+    if (status == ALGSURF_OK) algsurf_i_shade_preview(&known, normal, direction, depth, colour);
     return status;
 }
 

@@ -7,7 +7,7 @@
 
 /* Each: OK, E_ARGUMENT (null, out of range) or E_NOT_FINITE. */
 algsurf_status algsurf_i_colour_check(const double colour[3]);
-algsurf_status algsurf_i_material_check(const algsurf_material *material);
+algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material);
 algsurf_status algsurf_i_light_check(const algsurf_light *light);
 
 /* The normal turned towards the viewer: facing = +-normal with facing.direction <= 0, or -direction for

@@ -182,12 +182,12 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
 
 /* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is
  * one that holds them, and the root has to be in one that they hold to be certain. */
-static algsurf_selected choose(const complex_query *q, const algsurf_complex_root *s, int count, int *index) {
+static int choose(const complex_query *q, const algsurf_complex_root *s, int count, int *index) {
     const algsurf_interval t = {q->ray.t_min, q->ray.t_max};
     const int e = q->frame.exponent;
     algsurf_interval outer = algsurf_i_interval_scale(t, e);
     algsurf_interval inner = {algsurf_i_scale_up(t.lo, e), algsurf_i_scale_down(t.hi, e)};
-    algsurf_selected selected = ALGSURF_SELECTED_NONE;
+    int selected = ALGSURF_SELECTED_NONE;
     (void)(q->real ? algsurf_select_of_real : algsurf_select)(s, count, &q->space->sector, outer.lo, outer.hi,
                                                               &selected, index);
     if (selected != ALGSURF_SELECTED_ONE) return selected;
@@ -215,7 +215,7 @@ static void solve(complex_query *q, const algsurf_complex *start, algsurf_comple
     *iterations = memory.p.iterations;
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
     give_roots(q, s, count, roots);
-    algsurf_selected selected = choose(q, s, count, &index);
+    int selected = choose(q, s, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
     hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;

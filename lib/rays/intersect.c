@@ -309,7 +309,7 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
 
 algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                  algsurf_hit_state *state) {
+                                  int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
     algsurf_status status = decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ANY, found, &count);

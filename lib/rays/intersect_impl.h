@@ -30,7 +30,7 @@ algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const a
                                          const algsurf_intersect_options *options, algsurf_hit *hit);
 algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                  algsurf_hit_state *state);
+                                  int *state);
 
 /* algsurf_intersect_complex, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,

@@ -299,7 +299,7 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
     for (size_t i = 0; i < q.rays.count; i++) {
         if (!left_alone(&q, state, i)) continue;
         algsurf_ray ray = ray_of(&q.rays, i);
-        algsurf_hit_state one = ALGSURF_UNDECIDED;
+        int one = ALGSURF_UNDECIDED;
         algsurf_status decided = algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
         if (decided != ALGSURF_OK) status = decided;
         state[i] = (unsigned char)one;
@@ -319,8 +319,7 @@ algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const alg
 
 static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface,
                                                   const algsurf_extent *extent, const algsurf_ray *ray,
-                                                  const algsurf_intersect_options *options,
-                                                  algsurf_hit_state *state) {
+                                                  const algsurf_intersect_options *options, int *state) {
     query q;
     unsigned char found;
     const algsurf_ray_packet rays = packet_of(ray);
@@ -334,7 +333,7 @@ static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface
 
 algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                 const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                algsurf_hit_state *state) {
+                                int *state) {
     if (!ray || !state) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);

@@ -15,6 +15,7 @@
  * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
 #ifndef ALGSURF_CENTRED_TEMPLATE_H
 #define ALGSURF_CENTRED_TEMPLATE_H
+#include "../poly/table_template.h"
 #include "../simd/lanes.h"
 #include "kernel.h"
 
@@ -63,16 +64,22 @@ INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *
     p->sound &= moderate(power, LARGEST) & (~extreme | moderate(*size, 8));
 }
 
+INLINE void load_interval(const algsurf_i_polys_job *job, size_t at, int count, lanes *lo, lanes *hi) {
+    ptrdiff_t first = (ptrdiff_t)at * job->interval;
+    *lo = load_steps(job->lo + first, job->interval, count);
+    *hi = load_steps(job->hi + first, job->interval, count);
+}
+
 /* Polynomials at .. at+count-1. */
 INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
     lanes *d = p->d, power = all_lanes(1);
-    p->lo = load_some(job->lo + at, count);
-    p->hi = load_some(job->hi + at, count);
-    for (int k = 0; k <= n; k++) d[k] = load_some(job->c[k] + at, count);
+    load_interval(job, at, count, &p->lo, &p->hi);
+    for (int k = 0; k <= n; k++) d[k] = load_table(&job->c, k, at, count);
     lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
     lanes most = larger(absolute(p->lo), absolute(p->hi)), size = magnitude(d, n, most);
     p->radius = all_lanes(0);
-    for (int k = n; job->r && k >= 0; k--) p->radius = p->radius * most + load_some(job->r[k] + at, count);
+    for (int k = n; job->r.at && k >= 0; k--)
+        p->radius = p->radius * most + load_table(&job->r, k, at, count);
     mask extreme = ~(moderate(most, LARGE_END) & moderate(size, LARGE_SIZE));
     p->sound = ~no_lane();
     if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);

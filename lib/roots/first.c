@@ -14,6 +14,7 @@
 #include "decide.h"
 #include "kernel.h"
 #include "../base/options.h"
+#include "../poly/table.h"
 
 typedef struct query {
     algsurf_real_batch polys;
@@ -21,29 +22,32 @@ typedef struct query {
     const algsurf_i_roots_kernel *kernel;
 } query;
 
+static double begin_of(const algsurf_real_batch *p, size_t i) {
+    return p->lo[(ptrdiff_t)i * p->interval_step];
+}
+static double end_of(const algsurf_real_batch *p, size_t i) { return p->hi[(ptrdiff_t)i * p->interval_step]; }
+
 static algsurf_status check_one(const algsurf_real_batch *p, size_t i) {
-    if (!isfinite(p->lo[i]) || !isfinite(p->hi[i])) return ALGSURF_E_NOT_FINITE;
-    if (!(p->lo[i] < p->hi[i])) return ALGSURF_E_ARGUMENT;
+    if (!isfinite(begin_of(p, i)) || !isfinite(end_of(p, i))) return ALGSURF_E_NOT_FINITE;
+    if (!(begin_of(p, i) < end_of(p, i))) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= p->degree; k++) {
-        if (!isfinite(p->c[k][i]) || (p->r && !isfinite(p->r[k][i]))) return ALGSURF_E_NOT_FINITE;
-        if (p->r && p->r[k][i] < 0) return ALGSURF_E_ARGUMENT;
+        double r = p->radii.at ? algsurf_i_table_entry(&p->radii, k, i) : 0;
+        if (!isfinite(algsurf_i_table_entry(&p->coefficients, k, i)) || !isfinite(r))
+            return ALGSURF_E_NOT_FINITE;
+        if (r < 0) return ALGSURF_E_ARGUMENT;
     }
     return ALGSURF_OK;
 }
 
 static algsurf_status check_shape(const algsurf_real_batch *p) {
     if (p->degree < 0 || p->degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
-    if (p->count == 0) return ALGSURF_OK;
-    if (!p->c || !p->lo || !p->hi) return ALGSURF_E_ARGUMENT;
-    for (int k = 0; k <= p->degree; k++)
-        if (!p->c[k] || (p->r && !p->r[k])) return ALGSURF_E_ARGUMENT;
-    return ALGSURF_OK;
+    return p->count > 0 && !(p->coefficients.at && p->lo && p->hi) ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
 }
 
-static algsurf_status prepare(query *q, const algsurf_real_batch *packet,
+static algsurf_status prepare(query *q, const algsurf_real_batch *batch,
                               const algsurf_batch_options *options) {
     q->options = (algsurf_batch_options){.size = sizeof q->options};
-    if (!packet || !algsurf_options_read(&q->polys, sizeof q->polys, packet)) return ALGSURF_E_ARGUMENT;
+    if (!batch || !algsurf_options_read(&q->polys, sizeof q->polys, batch)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&q->options, sizeof q->options, options)) return ALGSURF_E_ARGUMENT;
     if (!(q->options.tolerance >= 0 && q->options.tolerance < 1)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
@@ -78,24 +82,22 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
 static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
-    algsurf_i_coefficients p = {c, polys->r ? r : NULL, polys->degree};
+    double lo = begin_of(polys, i), hi = end_of(polys, i);
+    algsurf_i_coefficients p = {c, polys->radii.at ? r : NULL, polys->degree};
     algsurf_real_root first;
     algsurf_status status = ALGSURF_OK;
     int found = 0, zero = 1;
-    for (int k = 0; k <= p.degree; k++) {
-        c[k] = polys->c[k][i];
-        r[k] = polys->r ? polys->r[k][i] : 0;
-        zero = zero && c[k] == 0;
-    }
+    algsurf_i_table_row(&polys->coefficients, p.degree, i, c);
+    for (int k = 0; k <= p.degree; k++) zero = zero && c[k] == 0;
     state[i] = ALGSURF_FIRST_ROOT_UNDECIDED;
     if (p.r) {
-        status = solve_set(&p, polys->lo[i], polys->hi[i], state + i, &where);
+        algsurf_i_table_row(&polys->radii, p.degree, i, r);
+        status = solve_set(&p, lo, hi, state + i, &where);
     } else if (zero) {
-        where = polys->lo[i];
+        where = lo;
     } else {
-        if (!algsurf_i_find_in_doubles(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, &found))
-            status =
-                algsurf_i_decide_roots(c, p.degree, polys->lo[i], polys->hi[i], 1, &first, 1, &found, NULL);
+        if (!algsurf_i_find_in_doubles(c, p.degree, lo, hi, 1, &first, &found))
+            status = algsurf_i_decide_roots(c, p.degree, lo, hi, 1, &first, 1, &found, NULL);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
         if (found) where = first.value;
     }
@@ -103,11 +105,16 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     return status;
 }
 
-/* A job without answers for a packet of some polynomials, if all are good. */
+/* A job without answers for a batch, if all are good. */
 static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
     const algsurf_real_batch *p = &q->polys;
-    *job = (algsurf_i_polys_job){p->c, p->r, p->lo, p->hi, p->degree, q->options.tolerance,
-                                 NULL, NULL, NULL,  NULL};
+    *job = (algsurf_i_polys_job){.c = p->coefficients,
+                                 .r = p->radii,
+                                 .lo = p->lo,
+                                 .hi = p->hi,
+                                 .interval = p->interval_step,
+                                 .degree = p->degree,
+                                 .tolerance = q->options.tolerance};
     algsurf_status status = ALGSURF_OK;
     if (!q->kernel->good(job, p->count))
         for (size_t i = 0; i < p->count && status == ALGSURF_OK; i++) status = check_one(p, i);
@@ -116,12 +123,12 @@ static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
 
 static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
 
-static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *packet,
+static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batch,
                                                   const algsurf_batch_options *options, unsigned char *state,
                                                   double *root) {
     query q;
     algsurf_i_polys_job job;
-    algsurf_status status = prepare(&q, packet, options);
+    algsurf_status status = prepare(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
     if (!state) return ALGSURF_E_ARGUMENT;
@@ -147,24 +154,23 @@ static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
     int room = p->degree > 0 ? p->degree : 1;
-    for (int k = 0; k <= p->degree; k++) c[k] = p->c[k][i];
+    algsurf_i_table_row(&p->coefficients, p->degree, i, c);
     count[i] = -1;
-    algsurf_status status =
-        algsurf_real_roots(c, p->degree, p->lo[i], p->hi[i], roots + i * (size_t)room, room, count + i);
+    algsurf_status status = algsurf_real_roots(c, p->degree, begin_of(p, i), end_of(p, i),
+                                               roots + i * (size_t)room, room, count + i);
     return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
-static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *packet,
+static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *batch,
                                                 const algsurf_batch_options *options,
                                                 algsurf_real_root *roots, int *count) {
     query q;
     algsurf_i_polys_job job;
-    algsurf_status status = prepare(&q, packet, options);
+    algsurf_status status = prepare(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
-    if (!roots || !count || p->r) return ALGSURF_E_ARGUMENT;
+    if (!roots || !count || p->radii.at || q.options.tolerance != 0) return ALGSURF_E_ARGUMENT;
     if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
-    job.tolerance = 0;
     job.roots = roots;
     job.found = count;
     if (has_kernel(p->degree)) q.kernel->solve_all(&job, p->count);
@@ -176,22 +182,21 @@ static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *packet
     return status;
 }
 
-algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *packet,
+algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                          const algsurf_batch_options *options, unsigned char *state,
                                          double *root) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find_first(packet, options, state, root);
+    algsurf_status status = find_first(batch, options, state, root);
     algsurf_fpenv_leave(&saved);
     return status;
 }
 
-algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *packet,
-                                        const algsurf_batch_options *options, algsurf_real_root *roots,
-                                        int *count) {
+algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch, const algsurf_batch_options *options,
+                                        algsurf_real_root *roots, int *count) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find_all(packet, options, roots, count);
+    algsurf_status status = find_all(batch, options, roots, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }

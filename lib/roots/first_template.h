@@ -6,6 +6,7 @@
  * control polygon crosses zero. */
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
+#include "../poly/table.h"
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "closed_template.h"
@@ -141,8 +142,8 @@ INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, m
     lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
     int index[LANES];
     to_index(id, index);
-    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, index);
-    radius = gather(block->radius, index);
+    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, 1, index);
+    radius = gather(block->radius, 1, index);
     centred_to_bernstein(&block->basis, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
 }
@@ -207,7 +208,7 @@ INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double m
                       double x) {
     double near = 0, far = 0, m = fabs(middle);
     for (int k = n; k >= 0; k--) {
-        double c = fabs(job->c[k][at]);
+        double c = fabs(algsurf_i_table_entry(&job->c, k, at));
         near = near * (m + half * fabs(x)) + c;
         far = far * (m + half) + c;
     }
@@ -236,7 +237,7 @@ INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *bloc
         words side = (words)number & (words)all_lanes(-0.0);
         to_index(absolute(number), id);
         for (int l = b->count - first; l < LANES; l++) id[l] = id[0];
-        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather(block->d + k * ROW, id) ^ side);
+        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather(block->d + k * ROW, 1, id) ^ side);
         a[w].begin = load(b->begin + first);
         a[w].end = load(b->end + first);
         a[w].x = load(b->near + first);
@@ -244,7 +245,7 @@ INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *bloc
         a[w].moving = less(numbered(), all_lanes(b->count - first));
         a[w].slope = a[w].last;
         a[w].stuck = no_lane();
-        to->noise[w] = gather(block->radius, id) * (1.0 / (6 * n + 10));
+        to->noise[w] = gather(block->radius, 1, id) * (1.0 / (6 * n + 10));
     }
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();
@@ -288,14 +289,15 @@ INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_
             double x = a[w].x[l];
             if (flat >> l & 1) {
                 size_t to = at + (size_t)all.id[w][l];
-                double middle = 0.5 * job->lo[to] + 0.5 * job->hi[to],
-                       half = 0.5 * job->hi[to] - 0.5 * job->lo[to];
+                ptrdiff_t which = (ptrdiff_t)to * job->interval;
+                double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
+                       half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
                 double blur = all.noise[w][l] * part_at(job, to, n, middle, half, x);
                 doubts |= (unsigned)!(blur <= BLURRED * fabs(a[w].slope[l])) << l;
             }
             block->v[all.id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
         }
-        if (doubts && !job->r) enclose_doubts(job, block, at, i + w * LANES, all.id[w], a + w, doubts, n);
+        if (doubts && !job->r.at) enclose_doubts(job, block, at, i + w * LANES, all.id[w], a + w, doubts, n);
     }
 }
 
@@ -305,7 +307,8 @@ INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_
     mask hit = less(v, all_lanes(IN_DOUBT)), doubtful = at_most(v, all_lanes(IN_DOUBT)) & ~hit;
     store_states(job->state + at, hit, doubtful, room);
     if (!job->root) return any(doubtful);
-    lanes lo = load_some(job->lo + at, room), hi = load_some(job->hi + at, room);
+    lanes lo, hi;
+    load_interval(job, at, room, &lo, &hi);
     lanes t = 0.5 * lo + 0.5 * hi + v * (0.5 * hi - 0.5 * lo);
     t = choose(at_most(absolute(v - ENCLOSED), all_lanes(0)), load(block->t + i), t);
     store_some(job->root + at, choose(hit, smaller(larger(t, lo), hi), all_lanes(HUGE_VAL)), room);
@@ -364,23 +367,26 @@ static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
     return doubts;
 }
 
-/* Whether `count` numbers, or their multiples by 0, are all finite. */
-INLINE mask all_finite(mask good, const double *a, size_t count) {
+/* Entries of packet after packet, or their multiples by 0, are finite. */
+INLINE mask finite_entries(const algsurf_i_polys_job *job, size_t at, int count) {
     words zero = {0}; /* but for signs */
-    for (size_t at = 0; at < count; at += LANES)
-        zero |= (words)(0 * load_some(a + at, count - at < LANES ? (int)(count - at) : LANES));
-    return good & at_most(absolute((lanes)zero), all_lanes(0));
+    for (int k = 0; k <= job->degree; k++) {
+        zero |= (words)(0 * load_table(&job->c, k, at, count));
+        if (job->r.at) zero |= (words)(0 * load_table(&job->r, k, at, count));
+    }
+    return at_most(absolute((lanes)zero), all_lanes(0));
 }
 
 static int good_polys(const algsurf_i_polys_job *job, size_t count) {
-    mask good = all_finite(all_finite(~no_lane(), job->lo, count), job->hi, count);
-    for (int k = 0; k <= job->degree; k++) good = all_finite(good, job->c[k], count);
-    for (int k = 0; job->r && k <= job->degree; k++) good = all_finite(good, job->r[k], count);
+    mask good = ~no_lane();
     for (size_t at = 0; at < count; at += LANES) {
         int left = count - at < LANES ? (int)(count - at) : LANES;
-        good &= less(load_some(job->lo + at, left), load_some(job->hi + at, left));
-        for (int k = 0; job->r && k <= job->degree; k++)
-            good &= at_most(all_lanes(0), load_some(job->r[k] + at, left));
+        lanes lo, hi;
+        load_interval(job, at, left, &lo, &hi);
+        good &= less(lo, hi) & at_most(absolute(0 * lo + 0 * hi), all_lanes(0));
+        good &= finite_entries(job, at, left);
+        for (int k = 0; job->r.at && k <= job->degree; k++)
+            good &= at_most(all_lanes(0), load_table(&job->r, k, at, left));
     }
     return bits(good) == (1u << LANES) - 1;
 }

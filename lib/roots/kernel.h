@@ -6,6 +6,7 @@
 
 #include "../simd/kernel.h"
 #include "algsurf/isolate.h"
+#include "algsurf/poly.h"
 #include "coefficients.h"
 
 /* The bounds of centred_template.h hold up to this degree. */
@@ -13,8 +14,9 @@
 
 /* Polynomials of degree 1 to ALGSURF_MAX_POLYS_DEGREE, as in algsurf_real_batch, and their answers. */
 typedef struct algsurf_i_polys_job {
-    const double *const *c, *const *r;
+    algsurf_table c, r; /* r.at null: exact */
     const double *lo, *hi;
+    ptrdiff_t interval; /* step of lo and hi */
     int degree;
     double tolerance; /* relative to the interval */
     uint8_t *state;

@@ -169,6 +169,15 @@ INLINE lanes load_some(const double *p, int count) {
     return a;
 }
 
+/* The same, `step` doubles from one to the next. */
+INLINE lanes load_steps(const double *p, ptrdiff_t step, int count) {
+    if (step == 1) return load_some(p, count);
+    lanes a = all_lanes(p[0]);
+    for (int l = 1; l < LANES; l++)
+        if (l < count) a[l] = p[l * step];
+    return a;
+}
+
 INLINE lanes load_some_integers(const int *p, int count) {
     lanes a;
     for (int l = 0; l < LANES; l++) a[l] = p[l < count ? l : 0];

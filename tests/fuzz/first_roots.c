@@ -21,10 +21,18 @@ typedef struct answers {
     double root[MOST];
 } answers;
 
+static algsurf_real_batch batch_of(int degree, size_t first, size_t count) {
+    return (algsurf_real_batch){.size = sizeof(algsurf_real_batch),
+                                .count = count,
+                                .degree = degree,
+                                .coefficients = {c[0] + first, MOST, 1},
+                                .lo = lo + first,
+                                .hi = hi + first,
+                                .interval_step = 1};
+}
+
 static algsurf_status solve(int degree, size_t first, size_t count, const char *kernel, answers *to) {
-    const double *rows[TOP + 1];
-    for (int k = 0; k <= degree; k++) rows[k] = c[k] + first;
-    const algsurf_real_batch packet = {sizeof packet, count, degree, rows, NULL, lo + first, hi + first};
+    const algsurf_real_batch packet = batch_of(degree, first, count);
     const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
     return algsurf_first_roots_batch(&packet, &options, to->state, to->root);
 }
@@ -67,11 +75,9 @@ static void check_one(int degree, int i, int state, double root) {
 /* All roots, by every kernel, are those of single calls. */
 static void check_all_roots(int degree, int count) {
     static algsurf_real_root found[MOST * TOP], one[TOP];
-    const double *rows[TOP + 1];
     const char *kernel;
     int counts[MOST], room = degree > 0 ? degree : 1;
-    for (int k = 0; k <= degree; k++) rows[k] = c[k];
-    const algsurf_real_batch packet = {sizeof packet, (size_t)count, degree, rows, NULL, lo, hi};
+    const algsurf_real_batch packet = batch_of(degree, 0, (size_t)count);
     for (int j = 0; (kernel = algsurf_kernel_name(j)); j++) {
         const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
         fuzz_check(algsurf_real_roots_batch(&packet, &options, found, counts) == ALGSURF_OK);

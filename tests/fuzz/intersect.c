@@ -83,7 +83,7 @@ static algsurf_ray ray_of(const packet *p, int i) {
 
 /* The single calls about lane i's ray. */
 static void ask_single(const packet *p, int i, const algsurf_extent *extent, algsurf_tier tier,
-                       algsurf_hit *hit, algsurf_hit_state *occluded) {
+                       algsurf_hit *hit, int *occluded) {
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
     algsurf_ray ray = ray_of(p, i);
     fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &options, hit) == ALGSURF_OK);
@@ -93,7 +93,7 @@ static void ask_single(const packet *p, int i, const algsurf_extent *extent, alg
 static void check_lanes(const packet *p, const algsurf_extent *extent) {
     for (int i = 0; i < LANES; i++) {
         algsurf_hit hit;
-        algsurf_hit_state occluded;
+        int occluded;
         packet one = *p;
         ask_single(p, i, extent, ALGSURF_TIER_CERTIFIED, &hit, &occluded);
         one.state[i] = (unsigned char)hit.state, one.occluded[i] = (unsigned char)occluded;
@@ -166,7 +166,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (int k = 0; k < 3; k++) c.ray.origin[k] = fuzz_finite(&in);
     for (int k = 0; k < 3; k++) c.ray.direction[k] = fuzz_finite(&in);
     c.ray.t_min = fuzz_any(&in), c.ray.t_max = fuzz_any(&in);
-    extent.kind = (algsurf_extent_kind)fuzz_whole(&in, 0, 2);
+    extent.kind = fuzz_whole(&in, 0, 2);
     for (int k = 0; k < 3; k++) extent.centre[k] = fuzz_finite(&in);
     for (int k = 0; k < 3; k++) {
         double s = fabs(fuzz_finite(&in));

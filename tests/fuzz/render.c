@@ -45,8 +45,8 @@ static int read_camera(fuzz_numbers *in, algsurf_camera *camera) {
     int parallel = fuzz_whole(in, 0, 1);
     read_three(in, eye), read_three(in, look), read_three(in, up);
     angle = fabs(fuzz_finite(in));
-    return (parallel ? algsurf_camera_orthographic(camera, eye, look, up, angle)
-                     : algsurf_camera_pinhole(camera, eye, look, up, angle)) == ALGSURF_OK;
+    return (parallel ? algsurf_camera_orthographic(eye, look, up, angle, camera)
+                     : algsurf_camera_pinhole(eye, look, up, angle, camera)) == ALGSURF_OK;
 }
 
 /* OK, or a refusal that leaves the pixels as they were. */
@@ -116,7 +116,7 @@ static void check_picture(const view *v) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_numbers in = fuzz_numbers_of(data, size);
     view v;
-    v.extent.kind = (algsurf_extent_kind)fuzz_whole(&in, 0, 2);
+    v.extent.kind = fuzz_whole(&in, 0, 2);
     read_three(&in, v.extent.centre), read_three(&in, v.extent.size);
     int seen = read_camera(&in, &v.camera), quality = fuzz_whole(&in, 0, 2);
     v.samples = fuzz_whole(&in, 1, 2);

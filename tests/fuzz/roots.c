@@ -142,15 +142,16 @@ static void check_packet(const question *q, algsurf_status status, const algsurf
     enum { COPIES = 3 };
     static double re[TOP + 1][COPIES], im[TOP + 1][COPIES], r[TOP + 1][COPIES];
     static algsurf_complex_root found[COPIES * TOP];
-    const double *res[TOP + 1], *ims[TOP + 1], *rs[TOP + 1];
     const char *kernel;
     int counts[COPIES], real = q->flags & REAL_CALL && is_real(q);
-    for (int k = 0; k <= q->degree; k++) {
+    for (int k = 0; k <= q->degree; k++)
         for (int i = 0; i < COPIES; i++) re[k][i] = q->c[k].re, im[k][i] = q->c[k].im, r[k][i] = q->r[k];
-        res[k] = re[k], ims[k] = im[k], rs[k] = r[k];
-    }
-    const algsurf_complex_batch packet = {
-        sizeof packet, COPIES, q->degree, res, real ? NULL : ims, q->flags & RADII ? rs : NULL};
+    const algsurf_complex_batch packet = {.size = sizeof packet,
+                                          .count = COPIES,
+                                          .degree = q->degree,
+                                          .re = {re[0], COPIES, 1},
+                                          .im = {real ? NULL : im[0], COPIES, 1},
+                                          .r = {q->flags & RADII ? r[0] : NULL, COPIES, 1}};
     for (int j = 0; q->degree > 0 && (kernel = algsurf_kernel_name(j)); j++) {
         const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
         fuzz_check(algsurf_complex_roots_batch(&packet, &options, found, counts) == status);

@@ -49,8 +49,8 @@ static int judge_is_there(char *const *field, int rounded) {
 }
 
 /* All roots are there; judged: all real ones are in boxes. */
-static void check_all(algsurf_complex_solver *solver, int judged) {
-    int count = roots_all(solver, &p, rows, &why), sum = 0, inside = 0;
+static void check_all(int judged) {
+    int count = roots_all(&p, rows, &why), sum = 0, inside = 0;
     if (count < 0) return;
     for (int i = 0; i < count; i++) {
         const algsurf_cinterval box = rows[i].box;
@@ -92,11 +92,11 @@ static int is_short(int rounded) {
     return p.degree <= 64 && 64 * most * p.degree < 5 * MOST_BITS;
 }
 
-static void check_line(algsurf_complex_solver *solver, char *const *field, int fields, int rounded) {
+static void check_line(char *const *field, int fields, int rounded) {
     if (!roots_parse(field, fields, rounded, &p, &why)) return;
     fuzz_check(p.degree >= 0 && p.degree < fields);
     int judged = judge_is_there(field, rounded);
-    check_all(solver, judged);
+    check_all(judged);
     if (is_short(rounded)) {
         check_real(-INFINITY, INFINITY, judged);
         check_real(-1, 1, judged);
@@ -105,8 +105,6 @@ static void check_line(algsurf_complex_solver *solver, char *const *field, int f
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static algsurf_complex_solver *solver;
-    if (!solver) fuzz_check(algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &solver) == ALGSURF_OK);
     if (size == 0) return 0;
     FILE *file = fmemopen((void *)(uintptr_t)data, size, "rb");
     cli_line line = {.number = 0};
@@ -114,8 +112,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_check(file);
     while (cli_read_line(file, &line) == CLI_LINE_READ) {
         int fields = cli_split(&line, field, ROOTS_MAX_FIELDS);
-        for (int rounded = 0; fields > 0 && rounded < 2; rounded++)
-            check_line(solver, field, fields, rounded);
+        for (int rounded = 0; fields > 0 && rounded < 2; rounded++) check_line(field, fields, rounded);
     }
     free(line.text);
     free(p.limbs);

@@ -23,14 +23,14 @@ typedef struct algsurf_camera {
 /* A pinhole camera at eye that looks at a point; fov is the vertical field of view in degrees,
  * 0 < fov < 180; up need not be orthogonal to the view, only not parallel to it.
  * Errors: E_ARGUMENT (null, eye = look_at, up parallel or zero, fov outside), E_NOT_FINITE.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_camera_pinhole(algsurf_camera *camera, const double eye[3],
-                                                  const double look_at[3], const double up[3], double fov);
+ALGSURF_API algsurf_status algsurf_camera_pinhole(const double eye[3], const double look_at[3],
+                                                  const double up[3], double fov, algsurf_camera *camera);
 
 /* A parallel projection; height > 0 is the height of the picture in space.  Rays start on the plane
  * through the eye, and nothing behind it is seen.  Errors: as above.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_camera_orthographic(algsurf_camera *camera, const double eye[3],
-                                                       const double look_at[3], const double up[3],
-                                                       double height);
+ALGSURF_API algsurf_status algsurf_camera_orthographic(const double eye[3], const double look_at[3],
+                                                       const double up[3], double height,
+                                                       algsurf_camera *camera);
 
 /* The ray through the point (x,y) of a width x height picture: t_min = 0, t_max = +inf, direction of
  * unit length up to rounding, so that t is the distance from the eye (pinhole) or from the plane.

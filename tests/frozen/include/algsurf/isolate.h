@@ -89,7 +89,7 @@ typedef struct algsurf_bracket {
     int sign;         /* of p just before the root, -1 or +1, for a bracket; 0 otherwise */
     int multiplicity; /* of the root: verified.  Undecided, or exact with radii: the roots in it, counted
                          with multiplicity, are at most this, >= 1.  (A bracket with radii: 1) */
-    algsurf_status status; /* ALGSURF_OK, or why it is undecided */
+    int status;       /* an algsurf_status: ALGSURF_OK, or why it is undecided */
 } algsurf_bracket;
 
 /* The first (smallest) root in [lo,hi], lo <= hi, either may be infinite.

@@ -29,12 +29,12 @@ typedef enum algsurf_method {
 
 /* How a root is refined. */
 typedef struct algsurf_refine_options {
-    size_t size;           /* sizeof(algsurf_refine_options) */
-    algsurf_method method; /* 0: default */
-    int max_iterations;    /* 0: 1000 */
-    double tolerance; /* wanted half width of the bracket, >= 0, in the unit of the abscissa; for rounding,
-                         4 * 2^-53 * max(|root|, smallest normal double) is always added; by the default
-                         method for polynomials 2^-53 |root|, or the smallest double */
+    size_t size;        /* sizeof(algsurf_refine_options) */
+    int method;         /* an algsurf_method, 0: default */
+    int max_iterations; /* 0: 1000 */
+    double tolerance;   /* wanted half width of the bracket, >= 0, in the unit of the abscissa; for rounding,
+                           4 * 2^-53 * max(|root|, smallest normal double) is always added; by the default
+                           method for polynomials 2^-53 |root|, or the smallest double */
 } algsurf_refine_options;
 
 /* A refined root, and what it took. */

@@ -6,6 +6,8 @@
  */
 #ifndef ALGSURF_SHADE_H
 #define ALGSURF_SHADE_H
+#include <stddef.h>
+
 #include "algsurf/ray.h"
 
 #ifdef __cplusplus
@@ -14,6 +16,7 @@ extern "C" {
 
 /* How a surface reflects light. */
 typedef struct algsurf_material {
+    size_t size;                       /* sizeof(algsurf_material) */
     double outside[3];                 /* colour where P grows towards the viewer (P > 0 in front) */
     double inside[3];                  /* colour of the other side */
     double ambient, diffuse, specular; /* weights, >= 0 */
