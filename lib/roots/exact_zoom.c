@@ -10,11 +10,13 @@
  * adds at most 5u M: the difference rounds by 2u M, the product by 2u M, the sum by u M.  After n steps the
  * error is below (2.5 n + 1) 2^-52 M to first order; (3 n + 6) 2^-52 M takes in the rest.  Coefficients of
  * one sign, all larger than that, have no root between them. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <string.h>
 
 #include "algsurf/status.h"
 #include "exact_cell.h"
+#include "../base/elementary.h"
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */
 
@@ -60,7 +62,7 @@ static double cluster_radius(const double *b, int n, int v, double x, double lea
     lead *= binomial;
     binomial = 1;
     for (int i = 0; i < v; i++) {
-        radius = fmax(radius, pow(fabs(right[0]) * binomial / scale / lead, 1.0 / (v - i)));
+        radius = fmax(radius, algsurf_i_pow(fabs(right[0]) * binomial / scale / lead, 1.0 / (v - i)));
         for (int j = 0; j < n - i; j++) right[j] = right[j + 1] - right[j];
         binomial *= (double)(n - i) / (i + 1);
         scale *= 1 - x;
