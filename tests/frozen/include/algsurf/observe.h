@@ -1,0 +1,72 @@
+/* algsurf/observe.h - how roots are found: each interval that is looked at, each point, and who decides.
+ *
+ * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
+ * algsurf_intersect_options) go the same way with and without it, and give the same bits; without one,
+ * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
+ *
+ * Isolation looks at cells.  It begins with the whole interval, or with parts of it, and halves what has two
+ * variations of sign or more; both halves are cells.  After a call of algsurf_isolate_all each point of the
+ * interval lies in a cell without variations, in one with one variation, which holds one root, or on an end
+ * of these; a search for the first root ends at it.  There are no cells where something simpler decides: a
+ * bound on the roots, one term that exceeds all others, a zero coefficient p_0.  A cell may reach beyond the
+ * interval.  Where doubles leave something undecided there are further cells of the same places, at last
+ * those of the integers, which always decide; these begin again with p's squarefree part where p shares a
+ * factor with p'.  Of a polynomial t^m q(t^k) it is q that is looked at: signs and values are q's, and where
+ * k is even, cells stand for their mirror images, too.
+ */
+#ifndef ALGSURF_OBSERVE_H
+#define ALGSURF_OBSERVE_H
+#include <stddef.h>
+
+#include "algsurf/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Who looks, and who decides. */
+typedef enum algsurf_engine {
+    ALGSURF_ENGINE_NONE = 0,    /* nobody had to: no cells, no points */
+    ALGSURF_ENGINE_DOUBLES = 1, /* doubles with error bounds */
+    ALGSURF_ENGINE_INTEGERS = 2 /* integers: what doubles leave undecided */
+} algsurf_engine;
+
+/* A sign that error bounds, or radii of coefficients, leave open. */
+#define ALGSURF_SIGN_UNDECIDED 2
+
+/* An interval whose variations of sign were counted.  Made by the library, for the length of a callback; may
+ * grow at its end. */
+typedef struct algsurf_cell {
+    double lo, hi;  /* its ends, rounded where they are no doubles; those of neighbours are the same */
+    int variations; /* of sign of the Bernstein coefficients on [lo,hi]; of undecided signs those that give
+                       the most.  0: no root in (lo,hi); 1, signs at both ends known: exactly one.  Verified
+                     */
+    int engine;     /* an algsurf_engine */
+    int degree;     /* of the polynomial looked at */
+    const signed char *signs; /* of its degree + 1 Bernstein coefficients: -1, 0, 1, ALGSURF_SIGN_UNDECIDED;
+                                 null where variations were known without them: of a quadratic polynomial
+                                 (they are its roots), and of quarters of the line */
+} algsurf_cell;
+
+/* Who watches.  Callbacks run in the library's floating-point environment, round to nearest, all exceptions
+ * masked, and must leave that as it is; they must not change the observer.  One observer serves one call at
+ * a time. */
+typedef struct algsurf_observer {
+    size_t size; /* sizeof(algsurf_observer) */
+    void *data;  /* the caller's, passed through */
+    /* Null, or called for each cell, in the order of the search. */
+    void (*cell)(void *data, const algsurf_cell *cell);
+    /* Null, or called for each point at which a method of refinement evaluates, in its order, with the value
+     * that it gets: p's; of its squarefree part, up to a positive factor, where integers look at that.
+     * engine: an algsurf_engine. */
+    void (*point)(void *data, double t, double value, int engine);
+    /* Written: every call adds to the counts. */
+    size_t intervals;   /* cells */
+    size_t evaluations; /* points */
+    int engine;         /* the highest algsurf_engine of them: who decided */
+} algsurf_observer;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
