@@ -133,8 +133,8 @@ static void print_cell(void *data, const algsurf_cell *cell) {
 static void print_point(void *data, double t, double value, int engine) {
     walk *w = data;
     (void)engine;
-    if (w->points++ == 0) printf("\n[refinement]\n              t                   p\n");
-    printf("%18.13f  %18.13f\n", t, value);
+    if (w->points++ == 0) printf("\n[refinement]\n              t              p\n");
+    printf("%18.13f  %12.3e\n", t, value);
 }
 
 static algsurf_hit show_walk(const algsurf_surface *surface, const algsurf_ray *ray,

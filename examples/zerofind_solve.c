@@ -37,13 +37,13 @@ static void follow_points(zerofind *z) {
     for (zerofind_point *p = z->points; p < z->points + z->point_count; p++) {
         double bound;
         p->is_end = z->bracket && (p->t == z->bracket->t_lo || p->t == z->bracket->t_hi);
-        if (lo < p->t && p->t < hi && p->value != 0) {
-            int left = (p->value > 0) == (hit->side > 0);
-            lo = left ? p->t : lo;
+        if (lo < p->t && p->t < hi) {
+            int left = p->value != 0 && (p->value > 0) == (hit->side > 0), right = p->value != 0 && !left;
+            lo = right ? lo : p->t;
             hi = left ? hi : p->t;
         }
-        p->t_lo = p->value == 0 ? p->t : lo;
-        p->t_hi = p->value == 0 ? p->t : hi;
+        p->t_lo = lo;
+        p->t_hi = hi;
         if (hit->multiplicity > 1)
             (void)algsurf_poly_eval_compensated(z->chord.c, NULL, z->chord.degree, chord_s(&z->chord, p->t),
                                                 &p->value, &bound);

@@ -39,8 +39,7 @@ typedef enum algsurf_engine {
 typedef struct algsurf_cell {
     double lo, hi;  /* its ends, rounded where they are no doubles; those of neighbours are the same */
     int variations; /* of sign of the Bernstein coefficients on [lo,hi]; of undecided signs those that give
-                       the most.  0: no root in (lo,hi); 1, signs at both ends known: exactly one.  Verified
-                     */
+                       the most.  Verified: 0, no root in (lo,hi); 1, the signs at both ends known, one */
     int engine;     /* an algsurf_engine */
     int degree;     /* of the polynomial looked at */
     const signed char *signs; /* of its degree + 1 Bernstein coefficients: -1, 0, 1, ALGSURF_SIGN_UNDECIDED;
@@ -48,22 +47,25 @@ typedef struct algsurf_cell {
                                  (they are its roots), and of quarters of the line */
 } algsurf_cell;
 
+/* Told of each cell, in the order of the search; data is the caller's, passed through. */
+typedef void (*algsurf_cell_observer)(void *data, const algsurf_cell *cell);
+
+/* Told of each point t at which a method of refinement evaluates, in its order, with the value that it gets:
+ * p's; of its squarefree part, up to a positive factor, where integers look at that.  engine: an
+ * algsurf_engine. */
+typedef void (*algsurf_point_observer)(void *data, double t, double value, int engine);
+
 /* Who watches.  Callbacks run in the library's floating-point environment, round to nearest, all exceptions
  * masked, and must leave that as it is; they must not change the observer.  One observer serves one call at
  * a time. */
 typedef struct algsurf_observer {
-    size_t size; /* sizeof(algsurf_observer) */
-    void *data;  /* the caller's, passed through */
-    /* Null, or called for each cell, in the order of the search. */
-    void (*cell)(void *data, const algsurf_cell *cell);
-    /* Null, or called for each point at which a method of refinement evaluates, in its order, with the value
-     * that it gets: p's; of its squarefree part, up to a positive factor, where integers look at that.
-     * engine: an algsurf_engine. */
-    void (*point)(void *data, double t, double value, int engine);
-    /* Written: every call adds to the counts. */
-    size_t intervals;   /* cells */
-    size_t evaluations; /* points */
-    int engine;         /* the highest algsurf_engine of them: who decided */
+    size_t size;                  /* sizeof(algsurf_observer) */
+    void *data;                   /* the caller's, passed to both */
+    algsurf_cell_observer cell;   /* null: nobody is told of cells */
+    algsurf_point_observer point; /* null: nobody is told of points */
+    size_t intervals;             /* cells: every call adds its own */
+    size_t evaluations;           /* points: likewise */
+    int engine;                   /* the highest algsurf_engine of them, who decided; a call may raise it */
 } algsurf_observer;
 
 #ifdef __cplusplus
