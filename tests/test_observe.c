@@ -319,7 +319,7 @@ static void check_bracket(const algsurf_hit *hit) {
 /* All three calls, watched and not; returns who decided. */
 static int watch_ray(const scene *s, algsurf_intersect_options how) {
     algsurf_hit hit, plain, all[ALGSURF_MAX_DEGREE], plain_all[ALGSURF_MAX_DEGREE];
-    algsurf_hit_state hidden = ALGSURF_MISS, plain_hidden = ALGSURF_MISS;
+    int hidden = ALGSURF_MISS, plain_hidden = ALGSURF_MISS;
     const algsurf_surface *surface = s->surface;
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     int count = 0, plain_count = 0;

@@ -4,12 +4,12 @@
  * algsurf_intersect_options) go the same way with and without it, and give the same bits; without one,
  * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
- * Isolation looks at cells.  It begins with the whole interval, or with parts of it, and halves what has two
- * variations of sign or more; both halves are cells.  After a call of algsurf_isolate_all each point of the
- * interval lies in a cell without variations, in one with one variation, which holds one root, or on an end
- * of these; a search for the first root ends at it.  There are no cells where something simpler decides: a
- * bound on the roots, one term that exceeds all others, a zero coefficient p_0.  A cell may reach beyond the
- * interval.  Where doubles leave something undecided there are further cells of the same places, at last
+ * Isolation looks at cells.  It begins with the whole interval, or with parts of it, and cuts what has two
+ * variations of sign or more; both parts are cells.  After algsurf_isolate_all, without radii, each point of
+ * the interval lies in a cell without variations, in one with one variation, which holds one root, or on an
+ * end of these; a search for the first root ends sooner.  There are no cells where something simpler decides:
+ * a bound on the roots, one term that exceeds all others, a zero coefficient p_0.  A cell may reach beyond
+ * the interval.  Where doubles leave something undecided there are further cells of the same places, at last
  * those of the integers, which always decide; these begin again with p's squarefree part where p shares a
  * factor with p'.  Of a polynomial t^m q(t^k) it is q that is looked at: signs and values are q's, and where
  * k is even, cells stand for their mirror images, too.
