@@ -31,8 +31,13 @@ typedef enum algsurf_engine {
     ALGSURF_ENGINE_INTEGERS = 2 /* integers: what doubles leave undecided */
 } algsurf_engine;
 
-/* A sign that error bounds, or radii of coefficients, leave open. */
-#define ALGSURF_SIGN_UNDECIDED 2
+/* A sign as far as it is known. */
+typedef enum algsurf_sign {
+    ALGSURF_SIGN_NEGATIVE = -1, /* below 0 */
+    ALGSURF_SIGN_ZERO = 0,      /* exactly 0 */
+    ALGSURF_SIGN_POSITIVE = 1,  /* above 0 */
+    ALGSURF_SIGN_UNDECIDED = 2  /* error bounds, or radii of coefficients, leave it open */
+} algsurf_sign;
 
 /* An interval whose variations of sign were counted.  Made by the library, for the length of a callback; may
  * grow at its end. */
@@ -42,9 +47,9 @@ typedef struct algsurf_cell {
                        the most.  Verified: 0, no root in (lo,hi); 1, the signs at both ends known, one */
     int engine;     /* an algsurf_engine */
     int degree;     /* of the polynomial looked at */
-    const signed char *signs; /* of its degree + 1 Bernstein coefficients: -1, 0, 1, ALGSURF_SIGN_UNDECIDED;
-                                 null where variations were known without them: of a quadratic polynomial
-                                 (they are its roots), and of quarters of the line */
+    const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null where
+                                 variations were known without them: of a quadratic polynomial (they are its
+                                 roots), and of quarters of the line */
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */
