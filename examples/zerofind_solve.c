@@ -56,7 +56,7 @@ algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_exte
     algsurf_observer observer = {
         .size = sizeof observer, .data = result, .cell = take_cell, .point = take_point};
     const algsurf_intersect_options options = {
-        .size = sizeof options, .method = method, .tolerance = tolerance, .observer = &observer};
+        .size = sizeof options, .method = (int)method, .tolerance = tolerance, .observer = &observer};
     algsurf_hit first;
     memset(result, 0, sizeof *result);
     result->chord = *on;
