@@ -39,7 +39,7 @@ static double refine_here(const double *c, int degree, double lo, double hi, dou
 static double first_root(const double *c, int degree, other_refine *refine, double tolerance) {
     algsurf_bracket bracket;
     int found;
-    must(algsurf_isolate_first(c, NULL, degree, -1, 1, &bracket, &found), "isolation");
+    must(algsurf_isolate_first(c, NULL, degree, -1, 1, NULL, &bracket, &found), "isolation");
     if (!found) return NAN;
     if (bracket.lo == bracket.hi) return bracket.lo;
     return refine(c, degree, bracket.lo, bracket.hi, tolerance);

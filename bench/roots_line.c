@@ -37,7 +37,8 @@ typedef struct solver {
 static int isolate_here(const double *c, int degree) {
     algsurf_bracket b[MOST_DEGREE];
     int count;
-    return algsurf_isolate_all(c, NULL, degree, -INFINITY, INFINITY, b, MOST_DEGREE, &count) == ALGSURF_OK
+    return algsurf_isolate_all(c, NULL, degree, -INFINITY, INFINITY, NULL, b, MOST_DEGREE, &count) ==
+                   ALGSURF_OK
                ? count
                : -1;
 }

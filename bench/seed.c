@@ -119,7 +119,7 @@ static double pass(const seed_view *view, int m, double tolerance, int with_isol
         algsurf_bracket bracket;
         algsurf_refined_root root;
         int found;
-        if (with_isolation) (void)algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
+        if (with_isolation) (void)algsurf_isolate_first(ray->c, NULL, degree, -1, 1, NULL, &bracket, &found);
         rays += with_isolation || ray->bracketed;
         if (ray->bracketed)
             (void)seed_solve(&seed_methods[m], ray->c, degree, ray->lo, ray->hi, tolerance, 0, &root);
@@ -137,7 +137,8 @@ static double pass_isolation(const seed_view *view, int bare) {
         if (bare)
             (void)seed_bare_isolate(view->rays[i].c, view->entry->degree, &bracket.lo, &bracket.hi);
         else
-            (void)algsurf_isolate_first(view->rays[i].c, NULL, view->entry->degree, -1, 1, &bracket, &found);
+            (void)algsurf_isolate_first(view->rays[i].c, NULL, view->entry->degree, -1, 1, NULL, &bracket,
+                                        &found);
     }
     return (measure_cpu() - begun) / (double)rays;
 }

@@ -75,7 +75,7 @@ static void take_half(seed_ray *ray, int degree) {
 static void isolate(seed_view *view, seed_ray *ray) {
     algsurf_bracket bracket;
     int found, degree = view->entry->degree;
-    algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, &bracket, &found);
+    algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, NULL, &bracket, &found);
     if (status < 0) seed_must(status, view->entry->name);
     view->undecided += status > 0;
     ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED;

@@ -1,7 +1,8 @@
 /* one_pixel.c - one pixel's way through the library, with numbers.
  *
- * The surface is the tangle cube, the picture that of `render tangle`.  Every step is made by the public
- * function that does it alone, and at the end by the call that does all of them.  What is printed here is
+ * The surface is the tangle cube, the picture that of `render tangle`.  Polynomial and colour are made by the
+ * public functions that do it alone; the search for the root is what an observer sees of the call that does
+ * all of it.  What is printed here is
  * explained in guide/how-it-works.md.
  *
  *     cc -O2 -I../include one_pixel.c $(find ../lib -name "*.c") -lm -pthread -o one_pixel
@@ -99,79 +100,63 @@ static void show_polynomial(const algsurf_surface *surface, const algsurf_ray *r
     printf("p_0 about a point 10000 behind the eye: %.4e, radius %.1e\n", c[0], r[0]);
 }
 
-/* ---- isolation ---- */
+/* ---- isolation and refinement: what algsurf_intersect_first does ---- */
 
-static int signs_of(const double *b, const double *r, char *text) {
-    int variations = 0, last = 0;
-    for (int j = 0; j <= DEGREE; j++) {
-        int sign = (b[j] > r[j]) - (b[j] < -r[j]);
-        text[2 * j] = "-?+"[sign + 1];
-        text[2 * j + 1] = j < DEGREE ? ' ' : '\0';
-        variations += sign * last < 0;
-        if (sign) last = sign;
-    }
-    return variations;
-}
+/* Told as the call goes; the surface and the chord are for the numbers beside it. */
+typedef struct walk {
+    const algsurf_surface *surface;
+    const algsurf_ray *chord;
+    int cells, points;
+} walk;
 
-/* Variations of sign of the Bernstein coefficients between two fractions of the chord. */
-static int look_at(const algsurf_surface *surface, const algsurf_ray *chord, double from, double to) {
-    double b[DEGREE + 1], r[DEGREE + 1], length = chord->t_max - chord->t_min;
-    char signs[2 * DEGREE + 2];
-    algsurf_ray part = *chord;
-    part.t_min = chord->t_min + from * length;
-    part.t_max = to == 1 ? chord->t_max : chord->t_min + to * length;
-    check(algsurf_expand_bernstein(surface, &part, b, r));
-    int variations = signs_of(b, r, signs);
-    printf("%-6g %-6g", from, to);
+/* An interval, as fractions of the chord, and its Bernstein coefficients, computed once more. */
+static void print_cell(void *data, const algsurf_cell *cell) {
+    walk *w = data;
+    double b[DEGREE + 1], length = w->chord->t_max - w->chord->t_min;
+    algsurf_ray part = *w->chord;
+    part.t_min = cell->lo;
+    part.t_max = cell->hi;
+    check(algsurf_expand_bernstein(w->surface, &part, b, NULL));
+    if (w->cells++ == 0)
+        printf("\n[isolation]\nfrom     to          b_0      b_1      b_2      b_3      b_4   signs       "
+               "variations\n");
+    printf("%-8.5f %-7.5f", (cell->lo - w->chord->t_min) / length, (cell->hi - w->chord->t_min) / length);
     for (int j = 0; j <= DEGREE; j++) printf("%9.3f", b[j]);
-    printf("   %s   %d, %s\n", signs, variations,
-           variations == 0   ? "no root"
-           : variations == 1 ? "one root"
-                             : "halve");
-    return variations;
+    printf("   ");
+    for (int j = 0; j <= DEGREE; j++) printf("%c ", "-0+?"[cell->signs[j] + 1]);
+    printf("  %d%s\n", cell->variations,
+           cell->variations == 0   ? ", no root"
+           : cell->variations == 1 ? ", one root"
+                                   : "");
 }
 
-/* The first part with one root: left parts first, behind one without roots a part four times as long. */
-static void show_isolation(const algsurf_surface *surface, const algsurf_ray *chord, double bracket[2]) {
-    double from = 0, to = 1;
-    printf("\n[isolation]\nfrom   to        b_0      b_1      b_2      b_3      b_4   signs   variations\n");
-    for (int variations; (variations = look_at(surface, chord, from, to)) != 1;) {
-        double length = to - from;
-        if (variations > 1) {
-            to = from + length / 2;
-        } else {
-            from = to;
-            to = fmin(from + 4 * length, 1);
-        }
-    }
-    bracket[0] = 2 * from - 1;
-    bracket[1] = 2 * to - 1;
+static void print_point(void *data, double t, double value, int engine) {
+    walk *w = data;
+    (void)engine;
+    if (w->points++ == 0) printf("\n[refinement]\n              t              p\n");
+    printf("%18.13f  %12.3e\n", t, value);
 }
 
-/* ---- refinement ---- */
-
-static void print_iterate(double s, double value, void *data) {
-    const centred *p = data;
-    printf("%14.10f  %16.10f  %18.10f\n", s, p->middle + p->half * s, value);
-}
-
-static void show_refinement(centred *p, const double bracket[2]) {
-    algsurf_refined_root root;
-    printf("\n[refinement]\n     s               t                 p\n");
-    check(algsurf_refine_poly_observed(p->c, DEGREE, bracket[0], bracket[1], NULL, print_iterate, p, &root));
-    printf("%d evaluations, t = %.12f\n", root.evaluations, p->middle + p->half * root.root);
+static algsurf_hit show_walk(const algsurf_surface *surface, const algsurf_ray *ray,
+                             const algsurf_ray *chord) {
+    walk w = {.surface = surface, .chord = chord};
+    algsurf_observer observer = {
+        .size = sizeof observer, .data = &w, .cell = print_cell, .point = print_point};
+    const algsurf_intersect_options watched = {.size = sizeof watched, .observer = &observer};
+    algsurf_hit hit;
+    check(algsurf_intersect_first(surface, &BALL, ray, &watched, &hit));
+    printf("intervals %d, evaluations %d, decided by %s\n", (int)observer.intervals,
+           (int)observer.evaluations, observer.engine == ALGSURF_ENGINE_DOUBLES ? "doubles" : "integers");
+    return hit;
 }
 
 /* ---- hit, colour ---- */
 
-static algsurf_hit show_hit(const algsurf_surface *surface, const algsurf_ray *ray) {
-    algsurf_hit hit;
-    check(algsurf_intersect_first(surface, &BALL, ray, NULL, &hit));
-    printf("\n[hit]\nstate      %s\n", hit.state == ALGSURF_HIT ? "hit" : "other");
-    printf("t          %.12f in t + [%.1e, %.1e]\n", hit.t, hit.t_lo - hit.t, hit.t_hi - hit.t);
-    print_vector("position", hit.position);
-    print_vector("normal", hit.normal);
-    return hit;
+static void show_hit(const algsurf_hit *hit) {
+    printf("\n[hit]\nstate      %s\n", hit->state == ALGSURF_HIT ? "hit" : "other");
+    printf("t          %.12f in t + [%.1e, %.1e]\n", hit->t, hit->t_lo - hit->t, hit->t_hi - hit->t);
+    print_vector("position", hit->position);
+    print_vector("normal", hit->normal);
 }
 
 static void show_colour(const algsurf_surface *surface, const algsurf_camera *camera, const algsurf_ray *ray,
@@ -331,13 +316,11 @@ int main(int argc, char **argv) {
     algsurf_camera camera = make_camera();
     algsurf_ray ray = ray_through(&camera, PIXEL_X, PIXEL_Y), chord = chord_of(&ray);
     centred p = expand_centred(surface, &chord);
-    double bracket[2];
 
     show_ray(&ray, &chord);
     show_polynomial(surface, &ray, &p);
-    show_isolation(surface, &chord, bracket);
-    show_refinement(&p, bracket);
-    algsurf_hit hit = show_hit(surface, &ray);
+    algsurf_hit hit = show_walk(surface, &ray, &chord);
+    show_hit(&hit);
     show_colour(surface, &camera, &ray, &hit);
     show_doubt(surface);
     show_row(surface, &camera);

@@ -17,7 +17,7 @@ int main(int argc, char **argv) {
 
     algsurf_bracket bracket[DEGREE];
     int count;
-    algsurf_status status = algsurf_isolate_all(c, NULL, DEGREE, 0, 4, bracket, DEGREE, &count);
+    algsurf_status status = algsurf_isolate_all(c, NULL, DEGREE, 0, 4, NULL, bracket, DEGREE, &count);
     if (status != ALGSURF_OK) {
         printf("not every root could be isolated: %s\n", algsurf_status_text(status));
         return 1;

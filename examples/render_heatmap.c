@@ -4,44 +4,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "chord.h"
 #include "render_legend.h"
 
 enum { NO_CHORD = -1, LEFT_OPEN = -2 }; /* in place of a cost */
 
 /* The bounded tier leaves a ray uncertain exactly where the certified tier would go to integers. */
-static int doubles_decide(const algsurf_surface *surface, const algsurf_extent *extent,
-                          const algsurf_ray *ray) {
-    const algsurf_intersect_options how = {.size = sizeof how, .tier = ALGSURF_TIER_BOUNDED};
-    algsurf_hit hit;
-    return algsurf_intersect_first(surface, extent, ray, &how, &hit) == ALGSURF_OK &&
-           hit.state != ALGSURF_UNDECIDED;
-}
-
-/* Evaluations until the root in a bracket is refined, as a single ray does it. */
-static int evaluations(const chord *on, const algsurf_bracket *bracket,
-                       const algsurf_intersect_options *how) {
-    algsurf_refine_options options = {.size = sizeof options,
-                                      .method = how->method,
-                                      .max_iterations = how->max_iterations,
-                                      .tolerance = 0.5 * how->tolerance / on->half};
-    algsurf_refined_root root = {.evaluations = 2}; /* the ends, if that is all */
-    (void)algsurf_refine_poly(on->c, on->degree, bracket->lo, bracket->hi, &options, &root);
-    return root.evaluations;
-}
-
 static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                   const algsurf_intersect_options *how) {
-    chord on;
-    algsurf_bracket bracket;
-    int meets = 0, found = 0, intervals = 0;
-    algsurf_status status = chord_make(surface, extent, ray, &on, &meets);
-    if (!meets) return NO_CHORD;
-    if (status != ALGSURF_OK || !doubles_decide(surface, extent, ray)) return LEFT_OPEN;
-    status = algsurf_isolate_first_counted(on.c, on.r, on.degree, -1, 1, &bracket, &found, &intervals);
-    if (status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED)
-        return intervals + evaluations(&on, &bracket, how);
-    return intervals;
+                   const algsurf_intersect_options *asked) {
+    algsurf_observer observer = {.size = sizeof observer};
+    algsurf_intersect_options how = *asked;
+    algsurf_hit hit;
+    how.tier = ALGSURF_TIER_BOUNDED;
+    how.doubt = ALGSURF_DOUBT_REPORT;
+    how.observer = &observer;
+    if (algsurf_intersect_first(surface, extent, ray, &how, &hit) != ALGSURF_OK ||
+        hit.state == ALGSURF_UNDECIDED)
+        return LEFT_OPEN;
+    return observer.intervals > 0 ? (int)(observer.intervals + observer.evaluations) : NO_CHORD;
 }
 
 /* Costs of all pixels, row by row. */

@@ -1,8 +1,8 @@
 /* render_heatmap.h - a picture of what each pixel's ray costs, and which rays doubles leave open.
  *
- * Cost is counted by the root finders called alone for the ray through the middle of the pixel: intervals
- * looked at to isolate the first root (algsurf_isolate_first_counted), and evaluations to refine it.  A
- * picture is drawn by packets, which take the same way for several rays at once and do not count.
+ * Cost is what an observer of algsurf_intersect_first counts for the ray through the middle of the pixel:
+ * intervals looked at to isolate the first root, and evaluations to refine it.  A picture is drawn by
+ * packets, which take the same way for several rays at once and do not count.
  */
 #ifndef RENDER_HEATMAP_H
 #define RENDER_HEATMAP_H

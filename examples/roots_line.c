@@ -174,7 +174,7 @@ static int real_to_tolerance(const roots_polynomial *p, const roots_interval *wh
     int count;
     real_parts(p, c);
     algsurf_status status =
-        algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, b, ROOTS_MAX_FIELDS, &count);
+        algsurf_isolate_all(c, NULL, p->degree, where->lo, where->hi, NULL, b, ROOTS_MAX_FIELDS, &count);
     for (int i = 0; status >= 0 && i < count; i++) {
         rows[i] = row_of(b[i].lo, b[i].lo, b[i].lo, b[i].multiplicity);
         if (b[i].kind == ALGSURF_BRACKET_EXACT) continue;

@@ -95,9 +95,10 @@ static const cli_option options_table[] = {
      FIELD(tolerance)},
     {"--output", "FILE", "the plot, an SVG document; - is standard output", cli_set_text, FIELD(output)},
     {"--trace", NULL,
-     "prints the iterates as a table on standard output: number, what it is\n"
-     "(end, iterate, root, other, uncertain), t, P*(t), and the bracket known\n"
-     "then; makes --output optional",
+     "prints the search as a table on standard output: number, what it is\n"
+     "(cell, end, iterate, root, other, uncertain), t, P*(t), the bracket known\n"
+     "then, the signs of a cell's Bernstein coefficients, and who looked:\n"
+     "doubles or integers; makes --output optional",
      cli_set_flag, FIELD(trace)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
@@ -106,8 +107,9 @@ static const cli_program program = {
     .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
                 "                (NAME | --equation TEXT | --terms FILE)",
     .about = "Plots the polynomial P*(t) = P(o + t d) of a surface P = 0 along one ray, as far as it\n"
-             "is inside the extent: the roots, the bracket that isolates the first one, and every\n"
-             "iterate on the way to it.  NAME is one of those that render --list shows; pixels,\n"
+             "is inside the extent: the roots, the cell that isolates the first one, and every\n"
+             "iterate on the way to it, as the library finds them.  NAME is one of those that render --list "
+             "shows; pixels,\n"
              "camera and extent are as for render.",
     .options = options_table,
     .positional = offsetof(zerofind_options, surface.name),
@@ -161,28 +163,34 @@ static algsurf_ray choose_ray(const zerofind_options *options, const view *shown
 
 /* ---- the table ---- */
 
-static void print_row(const char *kind, double t, double value, double lo, double hi) {
-    printf("%s\t%.17g\t%.17g\t%.17g\t%.17g\n", kind, t, value, lo, hi);
+static const char *engine_name(int engine) {
+    return engine == ALGSURF_ENGINE_INTEGERS ? "integers" : "doubles";
+}
+
+static void print_row(const char *kind, double t, double value, double lo, double hi, const char *engine) {
+    printf("%s\t%.17g\t%.17g\t%.17g\t%.17g\t-\t%s\n", kind, t, value, lo, hi, engine);
+}
+
+static void print_hit(const algsurf_hit *hit, const char *kind, const algsurf_surface *surface) {
+    double value = 0;
+    (void)algsurf_surface_value(surface, hit->position, &value, NULL);
+    printf("-\t");
+    print_row(hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
 }
 
 static void print_trace(const zerofind *z, const algsurf_surface *surface) {
-    printf("#k\tpoint\tt\tP\tt_lo\tt_hi\n");
+    printf("#k\tpoint\tt\tP\tt_lo\tt_hi\tsigns\tengine\n");
+    for (int k = 0; k < z->cell_count; k++) {
+        const zerofind_cell *c = &z->cells[k];
+        printf("%d\tcell\t-\t-\t%.17g\t%.17g\t%s\t%s\n", k, c->t_lo, c->t_hi, c->signs,
+               engine_name(c->engine));
+    }
     for (int k = 0; k < z->point_count; k++) {
         const zerofind_point *p = &z->points[k];
         printf("%d\t", k);
-        print_row(k < 2 ? "end" : "iterate", chord_t(&z->chord, p->s), p->value, chord_t(&z->chord, p->s_lo),
-                  chord_t(&z->chord, p->s_hi));
+        print_row(p->is_end ? "end" : "iterate", p->t, p->value, p->t_lo, p->t_hi, engine_name(p->engine));
     }
-    for (int i = 0; i < z->count; i++) {
-        const algsurf_hit *hit = &z->hits[i];
-        double value = 0;
-        (void)algsurf_surface_value(surface, hit->position, &value, NULL);
-        printf("-\t");
-        print_row(hit->state != ALGSURF_HIT ? "uncertain"
-                  : i == 0                  ? "root"
-                                            : "other",
-                  hit->t, value, hit->t_lo, hit->t_hi);
-    }
+    for (int i = 0; i < z->count; i++) print_hit(z->hits + i, i == 0 ? "root" : "other", surface);
     cli_finish_output();
 }
 

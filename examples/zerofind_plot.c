@@ -163,9 +163,9 @@ static void add_hits(chart *c, const zerofind *z) {
         }
     }
     if (first_is_hit) {
-        c->root_t = t_in(c, on, z->point_count > 0 ? z->root : chord_s(on, z->hits[0].t));
-        c->bracket[0] = t_in(c, on, z->bracketed ? z->bracket.lo : chord_s(on, z->hits[0].t_lo));
-        c->bracket[1] = t_in(c, on, z->bracketed ? z->bracket.hi : chord_s(on, z->hits[0].t_hi));
+        c->root_t = z->hits[0].t - c->anchor;
+        c->bracket[0] = t_in(c, on, chord_s(on, z->bracket ? z->bracket->t_lo : z->hits[0].t_lo));
+        c->bracket[1] = t_in(c, on, chord_s(on, z->bracket ? z->bracket->t_hi : z->hits[0].t_hi));
     }
     c->series[OTHERS] = series("other roots", PLOT_POINTS, c->other_t, zeros, others);
     c->series[ROOT] = series("first root", PLOT_POINTS, &c->root_t, zeros, (size_t)first_is_hit);
@@ -175,7 +175,7 @@ static void add_hits(chart *c, const zerofind *z) {
 
 static void add_iterates(chart *c, const zerofind *z) {
     for (int k = 0; k < z->point_count; k++) {
-        c->point_t[k] = t_in(c, &z->chord, z->points[k].s);
+        c->point_t[k] = z->points[k].t - c->anchor;
         c->point_p[k] = z->points[k].value;
     }
     c->series[ITERATES] =
@@ -211,8 +211,8 @@ static plot make_convergence(convergence *v, const zerofind *z) {
     for (size_t i = 0; i < count; i++) {
         const zerofind_point *p = &z->points[i];
         v->k[i] = (double)i;
-        v->distance[i] = fabs(p->s - z->root) * z->chord.half;
-        v->width[i] = (p->s_hi - p->s_lo) * z->chord.half;
+        v->distance[i] = fabs(p->t - z->hits[0].t);
+        v->width[i] = p->t_hi - p->t_lo;
     }
     v->series[ITERATES] =
         series("|t \xe2\x88\x92 first root|", count > FEW ? PLOT_LINE : PLOT_BOTH, v->k, v->distance, count);
@@ -238,21 +238,22 @@ static const char *method_name(algsurf_method method) {
     case ALGSURF_METHOD_REGULA_FALSI:
         return "regula falsi";
     default:
-        return "Newton's method, guarded by the bracket";
+        return "the library's own steps";
     }
 }
 
 static void describe_root(const zerofind *z, int digits, char *text, size_t size) {
-    const chord *on = &z->chord;
     const algsurf_hit *first = z->hits;
     if (first->multiplicity == 0)
         snprintf(text, size, "The ray lies in the surface.");
-    else if (z->point_count > 0)
-        snprintf(text, size, "First root: t = %.15g, isolated in %.*g to %.*g: verified.", first->t, digits,
-                 chord_t(on, z->bracket.lo), digits, chord_t(on, z->bracket.hi));
+    else if (z->bracket)
+        snprintf(text, size,
+                 "First root: t = %.15g, multiplicity %d, isolated in %.*g to %.*g by %s: verified.",
+                 first->t, first->multiplicity, digits, z->bracket->t_lo, digits, z->bracket->t_hi,
+                 z->bracket->engine == ALGSURF_ENGINE_INTEGERS ? "integers" : "doubles");
     else
-        snprintf(text, size, "First root: t = %.15g, multiplicity %d: verified. Doubles do not bracket it.",
-                 first->t, first->multiplicity);
+        snprintf(text, size, "First root: t = %.15g, multiplicity %d: verified.", first->t,
+                 first->multiplicity);
 }
 
 static void describe(const zerofind *z, const zerofind_words *words, char *text, size_t size) {
@@ -294,11 +295,11 @@ static int close_up(const zerofind *z, const zerofind_words *words, chart *c) {
     if (z->count == 0 || (is_hit && first->multiplicity == 0)) return 0;
     c->s_lo = chord_s(&z->chord, first->t_lo);
     c->s_hi = chord_s(&z->chord, first->t_hi);
-    if (is_hit && z->point_count > 0) {
-        c->s_lo = z->bracket.lo;
-        c->s_hi = z->bracket.hi;
-        snprintf(c->title, sizeof c->title, "The bracket: %s, %d evaluations%s", method_name(words->method),
-                 z->point_count, z->converged ? "" : ", not converged");
+    if (is_hit && z->bracket && z->point_count > 0) {
+        c->s_lo = chord_s(&z->chord, z->bracket->t_lo);
+        c->s_hi = chord_s(&z->chord, z->bracket->t_hi);
+        snprintf(c->title, sizeof c->title, "The bracket: %s, %d evaluations", method_name(words->method),
+                 z->point_count);
         return 1;
     }
     if (is_hit && !(-1 < c->s_lo && c->s_hi < 1)) return 0;

@@ -1,52 +1,70 @@
 /* zerofind_solve.c - see zerofind_solve.h.
  *
- * The roots are those of algsurf_intersect_all, each with its multiplicity.  A bracket of the first one, for
- * algsurf_refine_poly_observed to refine, comes from the chord's polynomial, whose coefficients are doubles
- * with radii: where the roots are closer than those tell, there is none.
+ * The roots are those of algsurf_intersect_all, each with its multiplicity.  Cells and points are what an
+ * observer of algsurf_intersect_first is told.
  */
 #include "zerofind_solve.h"
 
 #include <string.h>
 
-static void observe(double s, double value, void *data) {
+static void take_cell(void *data, const algsurf_cell *cell) {
     zerofind *z = data;
-    if (z->point_count >= ZEROFIND_MOST_POINTS) return;
-    zerofind_point p = {s, value, s, s};
-    const zerofind_point *ends = z->points, *before = z->points + z->point_count - 1;
-    if (z->point_count > 0 && value != 0) {
-        int left = z->point_count > 1 && (value > 0) == (ends[0].value > 0);
-        p.s_lo = left ? s : before->s_lo;
-        p.s_hi = left ? before->s_hi : s;
-    }
-    z->points[z->point_count++] = p;
+    if (z->cell_count >= ZEROFIND_MOST_CELLS) return;
+    zerofind_cell *c = z->cells + z->cell_count++;
+    *c = (zerofind_cell){cell->lo, cell->hi, cell->variations, cell->engine, ""};
+    for (int j = 0; cell->signs && j <= cell->degree; j++) c->signs[j] = "-0+?"[cell->signs[j] + 1];
 }
 
-static void refine_first(zerofind *z, algsurf_method method, double tolerance) {
-    const chord *on = &z->chord;
-    algsurf_bracket *b = &z->bracket;
-    algsurf_refine_options options = {.size = sizeof options, .method = method};
-    algsurf_refined_root root;
-    int found = 0;
-    algsurf_status status = algsurf_isolate_first(on->c, on->r, on->degree, -1, 1, b, &found);
-    double s = chord_s(on, z->hits[0].t);
-    z->bracketed =
-        status == ALGSURF_OK && found && b->kind == ALGSURF_BRACKET_ISOLATED && b->lo <= s && s <= b->hi;
-    if (!z->bracketed || algsurf_refine_poly(on->c, on->degree, b->lo, b->hi, NULL, &root) < ALGSURF_OK)
-        return;
-    z->root = root.root;
-    options.tolerance = 0.5 * tolerance / on->half; /* half: the root is an end of its bracket */
-    status = algsurf_refine_poly_observed(on->c, on->degree, b->lo, b->hi, &options, observe, z, &root);
-    z->converged = status == ALGSURF_OK;
+static void take_point(void *data, double t, double value, int engine) {
+    zerofind *z = data;
+    if (z->point_count >= ZEROFIND_MOST_POINTS) return;
+    z->points[z->point_count++] = (zerofind_point){.t = t, .value = value, .engine = engine};
+}
+
+/* The last cell with one root that holds the first hit. */
+static const zerofind_cell *find_bracket(const zerofind *z) {
+    double t = z->hits[0].t;
+    for (const zerofind_cell *c = z->cells + z->cell_count; c-- > z->cells;)
+        if (c->variations == 1 && c->t_lo <= t && t <= c->t_hi) return c;
+    return NULL;
+}
+
+/* The brackets that signs leave, point by point.  Of a multiple root's polynomial the integers evaluate the
+ * squarefree part: the chord's own values are shown instead. */
+static void follow_points(zerofind *z) {
+    const algsurf_hit *hit = z->hits;
+    double lo = z->bracket ? z->bracket->t_lo : hit->t_lo, hi = z->bracket ? z->bracket->t_hi : hit->t_hi;
+    for (zerofind_point *p = z->points; p < z->points + z->point_count; p++) {
+        double bound;
+        p->is_end = z->bracket && (p->t == z->bracket->t_lo || p->t == z->bracket->t_hi);
+        if (lo < p->t && p->t < hi) {
+            int left = p->value != 0 && (p->value > 0) == (hit->side > 0), right = p->value != 0 && !left;
+            lo = right ? lo : p->t;
+            hi = left ? hi : p->t;
+        }
+        p->t_lo = lo;
+        p->t_hi = hi;
+        if (hit->multiplicity > 1)
+            (void)algsurf_poly_eval_compensated(z->chord.c, NULL, z->chord.degree, chord_s(&z->chord, p->t),
+                                                &p->value, &bound);
+    }
 }
 
 algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_extent *extent,
                               const algsurf_ray *ray, const chord *on, algsurf_method method,
                               double tolerance, zerofind *result) {
+    algsurf_observer observer = {
+        .size = sizeof observer, .data = result, .cell = take_cell, .point = take_point};
+    const algsurf_intersect_options options = {
+        .size = sizeof options, .method = (int)method, .tolerance = tolerance, .observer = &observer};
+    algsurf_hit first;
     memset(result, 0, sizeof *result);
     result->chord = *on;
     algsurf_status status = algsurf_intersect_all(surface, extent, ray, NULL, result->hits,
                                                   ALGSURF_MAX_DEGREE + 1, &result->count);
-    if (status == ALGSURF_OK && result->count > 0 && result->hits[0].state == ALGSURF_HIT)
-        refine_first(result, method, tolerance);
-    return status;
+    if (status == ALGSURF_OK) status = algsurf_intersect_first(surface, extent, ray, &options, &first);
+    if (status != ALGSURF_OK || result->count == 0 || result->hits[0].state != ALGSURF_HIT) return status;
+    result->bracket = find_bracket(result);
+    follow_points(result);
+    return ALGSURF_OK;
 }

@@ -65,7 +65,7 @@ static inline const char *isolate_form(const double *c, const double *r, int n, 
         decided += isolate_decided(b);
     }
     if (a->status != reason) return "status is not the first reason";
-    algsurf_status status = algsurf_isolate_first(c, r, n, lo, hi, &a->first, &found);
+    algsurf_status status = algsurf_isolate_first(c, r, n, lo, hi, NULL, &a->first, &found);
     if (found != (a->count > 0)) return "first and all disagree";
     if (found && status != a->first.status) return "status of the first";
     if (found && memcmp(&a->first, a->b, sizeof a->first) != 0) return "first is not the first of all";
@@ -308,7 +308,7 @@ static inline void isolate_judge(const double *c, int n, double lo, double hi, i
     static isolate_chains chains;
     memset(a, 0, sizeof *a);
     a->count = -1;
-    a->status = algsurf_isolate_all(c, NULL, n, lo, hi, a->b, ALGSURF_MAX_POLY_DEGREE + 1, &a->count);
+    a->status = algsurf_isolate_all(c, NULL, n, lo, hi, NULL, a->b, ALGSURF_MAX_POLY_DEGREE + 1, &a->count);
     if (a->status != ALGSURF_OK || a->count < 0) isolate_fail("refused", c, NULL, n, lo, hi, a);
     const char *wrong = isolate_form(c, NULL, n, lo, hi, a);
     mpz_t *p = isolate_integers(n + 1);

@@ -75,7 +75,7 @@ static void check_states(int degree, int count, int radii, const answers *a, int
         int found = 0;
         for (int k = 0; k <= degree; k++) one[k] = c[k][i], radius[k] = r[k][i];
         algsurf_status status =
-            algsurf_isolate_first(one, radii ? radius : NULL, degree, lo[i], hi[i], &b, &found);
+            algsurf_isolate_first(one, radii ? radius : NULL, degree, lo[i], hi[i], NULL, &b, &found);
         int expected = status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED : found;
         if (a->state[i] != expected && !(radii && expected == ALGSURF_FIRST_ROOT_UNDECIDED))
             complain("another state", degree, i, a, expected);
@@ -430,7 +430,7 @@ static void check_wide(int n, double sign, double from, double to) {
     int found = 0;
     assert_int_equal(algsurf_first_roots_batch(&p, NULL, &state, &root), ALGSURF_OK);
     assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
-    assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, &b, &found), ALGSURF_OK);
+    assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, NULL, &b, &found), ALGSURF_OK);
     /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
     double room = 0x1p-52 * fabs(root) + (n <= 20 ? 1e-12 * (to - from) : 0);
     double left = fmax(root - room, b.lo), right = fmin(root + room, b.hi);

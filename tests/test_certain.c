@@ -56,7 +56,7 @@ static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
 static int check_on(const double *c, int n, double lo, double hi) {
     static algsurf_bracket b[MOST];
     int count;
-    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, MOST, &count), ALGSURF_OK);
+    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, MOST, &count), ALGSURF_OK);
     for (int i = 0; i < count; i++)
         if (b[i].kind == ALGSURF_BRACKET_ISOLATED) check_bracket(c, n, b + i);
     return count;

@@ -49,7 +49,7 @@ static int judge(const known *k, const exact_zpoly *q, int unit, int refine, int
     algsurf_zpoly p = known_in_unit(k->p, unit), f = known_in_unit(q, unit);
     int i = 0, shared = 0, found;
     algsurf_memory_begin(&m, stack, (size_t)(round % 700), (size_t)1 << 28);
-    assert_true(algsurf_exact_begin(&walk, &m, &p, unit, -HUGE_VAL, HUGE_VAL, refine));
+    assert_true(algsurf_exact_begin(&walk, &m, &p, unit, -HUGE_VAL, HUGE_VAL, refine, NULL));
     for (; (found = algsurf_exact_next(&walk, &r)) == ALGSURF_EXACT_ROOT; i++) {
         int sign = 5, truth = true_sign(q, k->root[i]);
         algsurf_memory_mark before = algsurf_memory_here(&m);

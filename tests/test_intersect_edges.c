@@ -285,7 +285,7 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
     assert_int_equal(algsurf_i_exact_roots(surface, NULL, &ray, NULL, ALGSURF_WANT_ALL,
-                                           ALGSURF_DEFAULT_MEMORY, found, 8, &n),
+                                           ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
                      ALGSURF_OK);
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {

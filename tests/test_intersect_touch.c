@@ -154,7 +154,8 @@ static void test_backwards(void **state) {
         int count = 0;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
         assert_int_equal(algsurf_i_exact_roots(e.c.surface, &e.extent, &e.c.ray, NULL, ALGSURF_WANT_ALL,
-                                               ALGSURF_DEFAULT_MEMORY, root, ALGSURF_MAX_DEGREE, &count),
+                                               ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE,
+                                               &count),
                          ALGSURF_OK);
         int first = ends[i][0] <= 3 ? 0 : 1, last = ends[i][1] >= 5;
         assert_int_equal(count, last - first + 1);

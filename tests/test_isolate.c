@@ -257,8 +257,8 @@ static void expect(algsurf_status wanted, const double *c, const double *r, int 
     algsurf_bracket b[2], untouched;
     int k = 77;
     memset(b, 0x5a, sizeof b), memset(&untouched, 0x5a, sizeof untouched);
-    assert_int_equal(algsurf_isolate_all(c, r, n, lo, hi, b, 2, &k), wanted);
-    assert_int_equal(algsurf_isolate_first(c, r, n, lo, hi, b, &k), wanted);
+    assert_int_equal(algsurf_isolate_all(c, r, n, lo, hi, NULL, b, 2, &k), wanted);
+    assert_int_equal(algsurf_isolate_first(c, r, n, lo, hi, NULL, b, &k), wanted);
     assert_int_equal(algsurf_count_roots(c, r, n, lo, hi, &k), wanted);
     assert_int_equal(k, 77);
     assert_memory_equal(b, &untouched, sizeof untouched);
@@ -284,11 +284,11 @@ static void test_bad_input(void **state) {
     expect(ALGSURF_E_ZERO, zero, zero, 2, 0, 1);
     algsurf_bracket b[2];
     int k = 77;
-    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, NULL, 2, &k), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, b, 2, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, b, -1, &k), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, NULL, &k), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, b, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, NULL, NULL, 2, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, NULL, b, 2, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 2, 0, 1, NULL, b, -1, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, NULL, NULL, &k), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_isolate_first(c, NULL, 2, 0, 1, NULL, b, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_count_roots(c, NULL, 2, 0, 1, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(k, 77);
 }
@@ -300,14 +300,14 @@ static void test_capacity(void **state) {
     int k = 77;
     memset(b, 0x5a, sizeof b), memcpy(untouched, b, sizeof b);
     for (int room = 0; room < 3; room++)
-        assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, b, room, &k), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, room, &k), ALGSURF_E_ARGUMENT);
     assert_int_equal(k, 77);
     assert_memory_equal(b, untouched, sizeof b);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, b, 3, &k), ALGSURF_OK);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k), ALGSURF_OK);
     assert_int_equal(k, 3);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 5, 6, b, 0, &k), ALGSURF_OK);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 5, 6, NULL, b, 0, &k), ALGSURF_OK);
     assert_int_equal(k, 0);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, b, 1, &k), ALGSURF_OK);
+    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, NULL, b, 1, &k), ALGSURF_OK);
     assert_int_equal(k, 1);
 }
 
@@ -328,7 +328,7 @@ static void test_quadratics(void **state) {
         if (lo > hi) lo = -lo, hi = -hi;
         if (!(lo < hi)) continue;
         algsurf_bracket b[2];
-        assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, b, 2, &k), ALGSURF_OK);
+        assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, 2, &k), ALGSURF_OK);
         exact_sturm s = exact_sturm_of_doubles(c, n);
         int all = exact_count_roots(&s, lo, hi), held = 0;
         for (int j = 0; j < k; j++) held += exact_count_roots(&s, b[j].lo, b[j].hi);
@@ -341,6 +341,14 @@ static void test_quadratics(void **state) {
     assert_true(two > 2000 && none > 2000);
 }
 
+/* The first root, and how many intervals are looked at. */
+static size_t intervals(const double *c, int n, double lo, double hi, algsurf_bracket *b, int *found) {
+    algsurf_observer observer = {.size = sizeof observer};
+    const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
+    assert_int_equal(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found), ALGSURF_OK);
+    return observer.intervals;
+}
+
 /* Intervals that Descartes' rule looks at.  Catches: a walk that is not counted, or counted twice; a
  * multiple root that is halved to the last bit before the greatest common divisor is asked. */
 static void test_counted(void **state) {
@@ -348,30 +356,23 @@ static void test_counted(void **state) {
     /* (t^2 + 0.1)(t + 3)(t - 4), ... */
     const double none[] = {-1.2, -0.1, -11.9, -1, 1}, two[] = {1.995, -4.285, 1.35, 1};
     const double one[] = {-0.9, 1}, dyadic[] = {-0.25, 0, 1};
-    const double twice[] = {0.140625, -0.75, 1}; /* (t - 3/8)^2 */
-    algsurf_bracket b, plain;
-    int found, as_plain, n = 77;
-    assert_int_equal(algsurf_isolate_first_counted(none, NULL, 4, -1, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 0 && n == 3); /* the whole, two halves */
-    assert_int_equal(algsurf_isolate_first_counted(one, NULL, 1, 0, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 1 && n == 1); /* signs at the ends are a look at the whole */
-    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 3, 0.5, 1, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 1 && n == 3); /* the same, and the left half's root is the first */
-    assert_int_equal(algsurf_isolate_first_counted(dyadic, NULL, 2, 0.5, 0.5, &b, &found, &n), ALGSURF_OK);
-    assert_true(found == 1 && b.kind == ALGSURF_BRACKET_EXACT);
-    assert_int_equal(algsurf_isolate_first_counted(twice, NULL, 2, 0, 1, &b, &found, &n),
-                     algsurf_isolate_first(twice, NULL, 2, 0, 1, &plain, &as_plain));
-    assert_int_equal(found, as_plain);
-    assert_memory_equal(&b, &plain, sizeof b);
-    assert_in_range(n, 20, 100);                  /* the divisor is asked for when halving comes to no end */
+    const double twice[] = {0.140625, -0.75, 1};  /* (t - 3/8)^2 */
     const double irrational[] = {4, 0, -4, 0, 1}; /* (t^2 - 2)^2 */
-    (void)algsurf_isolate_first_counted(irrational, NULL, 4, 0, 4, &b, &found, &n);
+    algsurf_bracket b;
+    int found;
+    assert_int_equal(intervals(none, 4, -1, 1, &b, &found), 3); /* the whole, two halves */
+    assert_int_equal(found, 0);
+    assert_int_equal(intervals(one, 1, 0, 1, &b, &found), 1); /* signs at the ends are a look at the whole */
+    assert_int_equal(found, 1);
+    assert_int_equal(intervals(two, 3, 0.5, 1, &b, &found), 3); /* the same, the left half's root is first */
+    assert_int_equal(found, 1);
+    (void)intervals(dyadic, 2, 0.5, 0.5, &b, &found);
+    assert_true(found == 1 && b.kind == ALGSURF_BRACKET_EXACT);
+    /* the divisor is asked for when halving comes to no end */
+    assert_in_range(intervals(twice, 2, 0, 1, &b, &found), 20, 100);
+    assert_int_equal(found, 1);
+    assert_in_range(intervals(irrational, 4, 0, 4, &b, &found), 16, 100);
     assert_true(found == 1 && b.kind == ALGSURF_BRACKET_ISOLATED && b.multiplicity == 2);
-    assert_in_range(n, 16, 100);
-    n = 77;
-    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 0, 1, &b, &found, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_isolate_first_counted(two, NULL, 2, 1, 0, &b, &found, &n), ALGSURF_E_ARGUMENT);
-    assert_int_equal(n, 77);
 }
 
 int main(void) {

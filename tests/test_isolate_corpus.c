@@ -168,8 +168,9 @@ static void test_bounded_work(void **state) {
     isolate_judge(c, 64, 0.25, INFINITY, &answer);
     memset(&answer, 0, sizeof answer);
     for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = exact_random_unit(&seed);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, answer.b, 513, &answer.count),
-                     ALGSURF_OK);
+    assert_int_equal(
+        algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count),
+        ALGSURF_OK);
     for (int i = 0; i < answer.count; i++)
         if (isfinite(answer.b[i].lo))
             assert_int_equal(exact_poly_sign(c, 512, answer.b[i].lo), answer.b[i].sign);

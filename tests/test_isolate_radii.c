@@ -49,7 +49,7 @@ static exact_sturm member(uint64_t *seed, const double *c, const double *r, int 
 static void judge_box(uint64_t *seed, const double *c, const double *r, int n, double lo, double hi) {
     memset(&answer, 0, sizeof answer);
     answer.status =
-        algsurf_isolate_all(c, r, n, lo, hi, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+        algsurf_isolate_all(c, r, n, lo, hi, NULL, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
     const char *wrong = answer.status < 0 ? "refused" : isolate_form(c, r, n, lo, hi, &answer);
     for (int i = 0; !wrong && i < answer.count; i++) {
         const algsurf_bracket *b = answer.b + i;
@@ -106,7 +106,8 @@ static void test_box_decides_where_it_can(void **state) {
     assert_true(answer.status > 0);
     assert_true(answer.b[0].lo == -1 && answer.b[answer.count - 1].hi == 1);
     const double lead[3] = {-1, 1, 0}, unsure[3] = {0, 0, 0x1p-30}; /* a root that may be at infinity */
-    assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, answer.b, 3, &answer.count) > 0);
+    assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, NULL, answer.b, 3, &answer.count) >
+                0);
     judge_box(&seed, lead, unsure, 2, -100, 100);
     assert_int_equal(answer.status, ALGSURF_OK);
 }
@@ -118,7 +119,7 @@ static void test_far_radii(void **state) {
     const double c[2] = {1, 0x1p-10}, lead[2] = {0, 0x1p-9}, constant[2] = {0x1p-9, 0};
     algsurf_bracket first;
     int found = -1;
-    assert_true(algsurf_isolate_first(c, lead, 1, 2, INFINITY, &first, &found) > 0 && found);
+    assert_true(algsurf_isolate_first(c, lead, 1, 2, INFINITY, NULL, &first, &found) > 0 && found);
     assert_true(first.lo <= 1024); /* 1 - 2^-10 x */
     judge_box(&seed, c, lead, 1, 2, 900);
     assert_int_equal(answer.count, 0);
@@ -259,10 +260,11 @@ static void test_counted(void **state) {
     (void)state;
     const double c[] = {-1, 1, 0.5}, r[] = {0, 0, 0.5};
     algsurf_bracket first;
-    int found = 0, intervals = 0;
-    assert_int_equal(algsurf_isolate_first_counted(c, r, 2, -0.5, INFINITY, &first, &found, &intervals),
-                     ALGSURF_OK);
-    assert_true(found == 1 && intervals > 0);
+    int found = 0;
+    algsurf_observer observer = {.size = sizeof observer};
+    const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
+    assert_int_equal(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found), ALGSURF_OK);
+    assert_true(found == 1 && observer.intervals > 0 && observer.engine == ALGSURF_ENGINE_INTEGERS);
 }
 
 /* A set with the zero polynomial among its members: the whole interval, undecided; with a constant that only
@@ -298,8 +300,8 @@ typedef struct outcome {
 
 static void run(const double *c, const double *r, int n, double lo, double hi, outcome *o) {
     memset(o, 0, sizeof *o);
-    o->status[0] = algsurf_isolate_all(c, r, n, lo, hi, o->b, 21, &o->count);
-    o->status[1] = algsurf_isolate_first(c, r, n, lo, hi, &o->first, &o->found);
+    o->status[0] = algsurf_isolate_all(c, r, n, lo, hi, NULL, o->b, 21, &o->count);
+    o->status[1] = algsurf_isolate_first(c, r, n, lo, hi, NULL, &o->first, &o->found);
     o->status[2] = algsurf_count_roots(c, r, n, lo, hi, &o->roots);
 }
 

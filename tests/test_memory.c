@@ -413,6 +413,33 @@ static void test_refine(void **state) {
     assert_true(refuse_each(refine) > 0);
 }
 
+/* Two roots so close that the ends of cells have 1500 bits: who watches needs memory to be told. */
+static algsurf_status isolate(const algsurf_isolate_options *options) {
+    static const double c[21] = {[0] = -2, [1] = 0x1p115 * 2800, [2] = -0x1p230 * 980000, [20] = 1};
+    algsurf_bracket b = {.lo = 7};
+    int found = 77;
+    algsurf_status status = algsurf_isolate_first(c, NULL, 20, 0, 1, options, &b, &found);
+    if (status == ALGSURF_OK)
+        assert_true(found == 1 && b.lo > 0 && b.hi < 0x1p-40);
+    else
+        assert_true(found == 77 && b.lo == 7);
+    return status;
+}
+
+static algsurf_status isolate_alone(void) { return isolate(NULL); }
+
+static algsurf_status isolate_watched(void) {
+    algsurf_observer observer = {.size = sizeof observer};
+    const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
+    return isolate(&watched);
+}
+
+static void test_isolate(void **state) {
+    (void)state;
+    int alone = refuse_each(isolate_alone);
+    assert_true(alone > 0 && refuse_each(isolate_watched) > alone);
+}
+
 static void test_scene_and_render(void **state) {
     (void)state;
     algsurf_surface *s = make_surface();
@@ -480,9 +507,10 @@ static void test_threads(void **state) {
 int main(void) {
     atomic_store(&until_failure, -1);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface),       cmocka_unit_test(test_root_solver),
-        cmocka_unit_test(test_refine),        cmocka_unit_test(test_scene_and_render),
-        cmocka_unit_test(test_threads),       cmocka_unit_test(test_complex_space),
-        cmocka_unit_test(test_doubtful_rays), cmocka_unit_test(test_certified_picture)};
+        cmocka_unit_test(test_surface),          cmocka_unit_test(test_root_solver),
+        cmocka_unit_test(test_refine),           cmocka_unit_test(test_isolate),
+        cmocka_unit_test(test_scene_and_render), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_doubtful_rays),
+        cmocka_unit_test(test_certified_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@
 static void check(const double *c, int n, double lo, double hi, int *single) {
     const algsurf_i_coefficients p = {c, NULL, n};
     algsurf_i_part part[ALGSURF_I_PARTS];
-    int count = algsurf_i_parts_of(&p, lo, hi, part), inside = 0;
+    int count = algsurf_i_parts_of(&p, lo, hi, part, NULL), inside = 0;
     exact_sturm s = exact_sturm_of_doubles(c, n);
     for (int i = 0; i < count; i++) {
         int roots = exact_count_roots(&s, part[i].lo, part[i].hi);

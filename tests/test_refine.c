@@ -537,15 +537,19 @@ static void test_bad_input(void **state) {
 
 /* ---- the observer ---- */
 
+static double power_less_half(double x, void *data) { return pow(x, *(const double *)data) - 0.5; }
+
 typedef struct {
-    int calls, other_rounding;
+    int calls, other_rounding, engine;
     double x[RECORDED], value[RECORDED];
 } record;
 
-static void watch(double x, double value, void *data) {
+static void watch(void *data, double x, double value, int engine) {
     record *r = data;
     volatile double one = 1, tiny = 0x1p-60;
     assert_true(r->calls < RECORDED);
+    assert_true(engine == ALGSURF_ENGINE_DOUBLES || engine == ALGSURF_ENGINE_INTEGERS);
+    r->engine = engine > r->engine ? engine : r->engine;
     r->other_rounding |= one + tiny != 1 || one - tiny != 1;
     r->x[r->calls] = x;
     r->value[r->calls++] = value;
@@ -584,7 +588,7 @@ static void check_record(const record *seen, const double *c, int n, double lo, 
 }
 
 /* Catches: an observer that is not told an end or a point, is told another polynomial's value (that of the
- * balanced one), changes the result, or runs in the caller's rounding. */
+ * balanced one), counts otherwise, changes the result, or runs in the caller's rounding. */
 static void test_observer(void **state) {
     (void)state;
     static record seen;
@@ -600,26 +604,54 @@ static void test_observer(void **state) {
             algsurf_refine_options o = options_of(methods[m], 1e-9, 0);
             algsurf_refined_root plain, r;
             memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
-            seen.calls = 0;
+            algsurf_observer observer = {.size = sizeof observer, .data = &seen, .point = watch};
+            seen.calls = seen.engine = 0;
             algsurf_status status = algsurf_refine_poly(c, 5, lo, hi, &o, &plain);
+            o.observer = &observer;
             fesetround(round % 2 ? FE_UPWARD : FE_TONEAREST);
-            algsurf_status observed = algsurf_refine_poly_observed(c, 5, lo, hi, &o, watch, &seen, &r);
+            algsurf_status observed = algsurf_refine_poly(c, 5, lo, hi, &o, &r);
             fesetround(FE_TONEAREST);
             assert_int_equal(observed, status);
             assert_memory_equal(&r, &plain, sizeof r);
             check_record(&seen, c, 5, lo, hi, methods[m], &r);
+            assert_true(observer.evaluations == (size_t)seen.calls && observer.engine == seen.engine);
+            assert_true(observer.intervals == 0);
         }
     }
     assert_true(polynomials > 50);
     assert_int_equal(seen.other_rounding, 0);
-    const double c[2] = {-0.5, 1};
-    algsurf_refined_root r;
+}
+
+/* Of a function, too, in the caller's environment; integers are named; what is refused has seen nothing, and
+ * a bracket that is none both ends. */
+static void test_observer_of_others(void **state) {
+    (void)state;
+    static record seen;
+    const double c[2] = {-0.5, 1}, thrice[4] = {-1, 3, -3, 1};
+    algsurf_observer observer = {.size = sizeof observer, .data = &seen, .point = watch};
+    algsurf_refine_options o = {.size = sizeof o, .observer = &observer};
+    algsurf_refined_root r, plain;
+    double power = 3;
+    memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
     seen.calls = 0;
-    assert_int_equal(algsurf_refine_poly_observed(c, 1, 0, 1, NULL, NULL, &seen, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly_observed(NULL, 1, 0, 1, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly_observed(c, 1, 1, 0, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, NULL, &plain), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_OK);
+    assert_memory_equal(&r, &plain, sizeof r);
+    assert_true(seen.calls == r.evaluations && seen.x[0] == 0 && seen.x[1] == 1);
+    for (int i = 0; i < seen.calls; i++) assert_true(seen.value[i] == power_less_half(seen.x[i], &power));
+    assert_true(observer.evaluations == (size_t)seen.calls && observer.engine == ALGSURF_ENGINE_DOUBLES);
+    seen.calls = 0;
+    assert_int_equal(algsurf_refine_poly(thrice, 3, 0.5, 1 + 0x1p-52, &o, &r), ALGSURF_OK);
+    assert_true(seen.calls == r.evaluations && observer.engine == ALGSURF_ENGINE_INTEGERS);
+    seen.calls = 0;
+    assert_int_equal(algsurf_refine_poly(NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, 1, 1, 0, &o, &r), ALGSURF_E_ARGUMENT);
+    observer.size = 7;
+    assert_int_equal(algsurf_refine_poly(c, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    observer.size = sizeof observer;
     assert_int_equal(seen.calls, 0);
-    assert_int_equal(algsurf_refine_poly_observed(c, 1, 1, 2, NULL, watch, &seen, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, 1, 1, 2, &o, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(seen.calls, 2);
 }
 
@@ -639,6 +671,7 @@ int main(void) {
         cmocka_unit_test(test_options),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_observer),
+        cmocka_unit_test(test_observer_of_others),
     };
     return cmocka_run_group_tests_name("refine", tests, NULL, NULL);
 }

@@ -23,7 +23,7 @@ static void lost_root_with_radii(void **state) {
     const double p[] = {-1, 1, 0}, r[] = {0, 0, 0x1p-30};
     algsurf_bracket b[3];
     int n = 0;
-    assert_true(algsurf_isolate_all(p, r, 2, -INFINITY, INFINITY, b, 3, &n) > 0);
+    assert_true(algsurf_isolate_all(p, r, 2, -INFINITY, INFINITY, NULL, b, 3, &n) > 0);
     assert_true(b[n - 1].hi ==
                 INFINITY); /* x - 1 + 2^-30 x^2 / 2 has a root at -2^31; -2^-30 x^2 / 2 one at +2^31 */
 }

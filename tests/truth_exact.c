@@ -45,7 +45,7 @@ static void judge(const poly_case *p) {
     algsurf_memory_begin(&m, block, 512, (size_t)1 << 30);
     algsurf_memory_mark begin = algsurf_memory_here(&m);
     if (!algsurf_exact_from_doubles(&m, c, p->degree, 0, &q) ||
-        !algsurf_exact_begin(&walk, &m, &q, 0, -HUGE_VAL, HUGE_VAL, 1)) {
+        !algsurf_exact_begin(&walk, &m, &q, 0, -HUGE_VAL, HUGE_VAL, 1, NULL)) {
         wrong(p, "no memory", 0);
         return;
     }

@@ -66,7 +66,8 @@ static void judge(const poly_case *p, double lo, double hi) {
     int count = 0;
     for (int k = 0; k <= p->degree; k++) c[k] = p->c[k].re;
     for (int i = 0; i < REPEAT; i++)
-        if (algsurf_isolate_all(c, NULL, p->degree, lo, hi, b, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK)
+        if (algsurf_isolate_all(c, NULL, p->degree, lo, hi, NULL, b, ALGSURF_MAX_DEGREE, &count) !=
+            ALGSURF_OK)
             abort();
     double between = seconds();
     for (int i = 0; i < REPEAT; i++)

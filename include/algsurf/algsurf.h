@@ -19,6 +19,7 @@
 #include "algsurf/status.h"
 #include "algsurf/interval.h"
 #include "algsurf/poly.h"
+#include "algsurf/observe.h"
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
 #include "algsurf/allroots.h"

@@ -1,6 +1,7 @@
 /* algsurf/intersect.h - where a ray meets a surface: first hit, all hits, occluded or not. */
 #ifndef ALGSURF_INTERSECT_H
 #define ALGSURF_INTERSECT_H
+#include "algsurf/observe.h"
 #include "algsurf/ray.h"
 #include "algsurf/refine.h"
 #include "algsurf/select.h"
@@ -73,6 +74,9 @@ typedef struct algsurf_intersect_options {
     int doubt;          /* an algsurf_doubt: what becomes of an undecided place */
     size_t max_memory;  /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                            answer is E_NO_MEMORY */
+    algsurf_observer *observer; /* null: nobody watches; else it is told the cells and points of the one ray,
+                                   as t along it.  Packets and pictures, where rays go side by side and by
+                                   several threads, refuse it: E_ARGUMENT */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */

@@ -25,6 +25,7 @@
 #define ALGSURF_ISOLATE_H
 #include <stdint.h>
 
+#include "algsurf/observe.h"
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
@@ -92,29 +93,31 @@ typedef struct algsurf_bracket {
     int status;       /* an algsurf_status: ALGSURF_OK, or why it is undecided */
 } algsurf_bracket;
 
+/* How roots are isolated. */
+typedef struct algsurf_isolate_options {
+    size_t size;                /* sizeof(algsurf_isolate_options) */
+    algsurf_observer *observer; /* null: nobody watches */
+} algsurf_isolate_options;
+
 /* The first (smallest) root in [lo,hi], lo <= hi, either may be infinite.
  *   c, r     degree+1 coefficients, power basis, lowest first; radii or null
+ *   options  null: all defaults
  *   bracket  where the root is, when *found is 1.  No root lies in [lo, bracket->lo): verified.
  *   found    0: no root in [lo,hi], verified; 1: see bracket
  * Returns OK, or bracket->status (positive) when the bracket is undecided, which takes radii.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative radius),
- * E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY; nothing is
- * written then.
+ * Errors: E_ARGUMENT (null, bad options, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative
+ * radius), E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY;
+ * nothing is written then.
  * Cost: below a microsecond to degree 10 where doubles decide (degree at most 64, roots not of very
  * different sizes, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
  * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  100 KiB of
  * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
-                                                 double hi, algsurf_bracket *bracket, int *found);
-
-/* algsurf_isolate_first, and what it cost: `intervals` receives the number of intervals whose variations of
- * sign were counted, in doubles and in integers together.
- * Errors: as above, and E_ARGUMENT for a null pointer to it.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, int degree,
-                                                         double lo, double hi, algsurf_bracket *bracket,
-                                                         int *found, int *intervals);
+                                                 double hi, const algsurf_isolate_options *options,
+                                                 algsurf_bracket *bracket, int *found);
 
 /* All roots in [lo,hi], in increasing order, each once; the first is what algsurf_isolate_first says.
+ *   options              null: all defaults
  *   brackets, capacity   room for the answer; capacity >= degree, at least 1, always suffices
  *   count                how many were written
  * Returns OK: every entry is a root, and there are no others: verified.  A positive status, which takes
@@ -122,8 +125,8 @@ ALGSURF_API algsurf_status algsurf_isolate_first_counted(const double *c, const 
  * share ends at most.  Where there are more than `degree` places, some become one that is undecided.
  * Errors: as above; E_ARGUMENT when capacity is too small.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
-                                               double hi, algsurf_bracket *brackets, int capacity,
-                                               int *count);
+                                               double hi, const algsurf_isolate_options *options,
+                                               algsurf_bracket *brackets, int capacity, int *count);
 
 /* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii; otherwise undecided
  * places count as none.  Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of

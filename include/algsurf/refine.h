@@ -13,6 +13,7 @@
 #define ALGSURF_REFINE_H
 #include <stddef.h>
 
+#include "algsurf/observe.h"
 #include "algsurf/status.h"
 
 #ifdef __cplusplus
@@ -35,6 +36,8 @@ typedef struct algsurf_refine_options {
     double tolerance;   /* wanted half width of the bracket, >= 0, in the unit of the abscissa; for rounding,
                            4 * 2^-53 * max(|root|, smallest normal double) is always added; by the default
                            method for polynomials 2^-53 |root|, or the smallest double */
+    algsurf_observer *observer; /* null: nobody watches; else it is told each evaluation in its order: lo, hi,
+                                   then the points that the method chooses */
 } algsurf_refine_options;
 
 /* A refined root, and what it took. */
@@ -57,8 +60,9 @@ typedef double (*algsurf_function)(double x, void *data);
  * Guarantee: approximate; for exact signs of f the final bracket encloses a root.
  * Returns OK; NOT_CONVERGED (result filled) at the iteration limit.  Errors: E_ARGUMENT (null, lo > hi,
  * same signs, bad options), E_NOT_FINITE (an end, or f returned NaN).
- * The function is called in the caller's floating-point environment and may use all of libm.
- * So is the arithmetic on the bracket: the guarantee does not depend on it, the last digits may.
+ * The function is called in the caller's floating-point environment and may use all of libm, and so is an
+ * observer here.  So is the arithmetic on the bracket: the guarantee does not depend on it, the last digits
+ * may.
  * Infinite values count by their sign.
  * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
@@ -81,20 +85,6 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                                const algsurf_refine_options *options,
                                                algsurf_refined_root *result);
-
-/* Called with a point and the polynomial's value there, as the method computed it; data is the caller's. */
-typedef void (*algsurf_refine_observer)(double x, double value, void *data);
-
-/* algsurf_refine_poly, watched: the same result, bit for bit, and `observe` called once for each evaluation,
- * in their order: lo, hi, then the points the method chooses.  (With algsurf_refine_function it is the
- * function that sees them.)  The observer runs in the library's floating-point environment, round to nearest,
- * and must leave that as it is.
- * Errors: as above, and E_ARGUMENT for a null observer; with equal signs it has seen both ends.
- * Since 1.0. */
-ALGSURF_API algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
-                                                        const algsurf_refine_options *options,
-                                                        algsurf_refine_observer observe, void *data,
-                                                        algsurf_refined_root *result);
 
 #ifdef __cplusplus
 }

@@ -204,6 +204,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
     double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
     lanes z = all_lanes(0);
     packet k;
+    k.watch = NULL;
     k.open = s->open[i];
     k.doubtful = s->chords[i].doubtful;
     k.hit = no_lane();

@@ -128,6 +128,7 @@ algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_i
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
+    if (status == ALGSURF_OK && o.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     scene->intersect = o;
     return ALGSURF_OK;

@@ -26,7 +26,8 @@ typedef struct query {
     const algsurf_i_exact_eye *eye;
     algsurf_ray chord;
     algsurf_i_edges edges;
-    int unit;
+    int unit, scale; /* p(u) = 2^scale P */
+    algsurf_observer *observer;
     algsurf_memory memory;
     algsurf_i_ray_root *roots;
     int count, capacity;
@@ -70,9 +71,10 @@ static int surely_inside(const query *q, const algsurf_exact_root *root) {
 static algsurf_status walk_chord(query *q, const algsurf_zpoly *p, algsurf_i_want want) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
+    const algsurf_i_watch watch = {.observer = q->observer, .exponent = -q->scale};
     int found, inside;
     if (!algsurf_exact_begin(&walk, &q->memory, p, q->unit, q->chord.t_min, q->chord.t_max,
-                             want != ALGSURF_WANT_ANY))
+                             want != ALGSURF_WANT_ANY, q->observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     while ((found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT) {
         inside = 1;
@@ -109,7 +111,8 @@ static int first_entry(query *q, const algsurf_zpoly *face, int which, algsurf_e
     algsurf_exact_root root;
     int found, inside = 0;
     if (face[which].degree < 1) return 1;
-    if (!algsurf_exact_begin(&walk, &q->memory, face + which, q->unit, q->chord.t_min, q->chord.t_max, 1))
+    if (!algsurf_exact_begin(&walk, &q->memory, face + which, q->unit, q->chord.t_min, q->chord.t_max, 1,
+                             NULL))
         return 0;
     while (!inside && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
         if (!is_inside(q, &walk, &root, which, &inside)) return 0;
@@ -146,19 +149,24 @@ static algsurf_status decide(query *q, algsurf_i_want want) {
     q->unit = isfinite(q->chord.t_min) && isfinite(q->chord.t_max)
                   ? algsurf_exact_piece_of(q->chord.t_min, q->chord.t_max).unit
                   : unit_without_ends(q->surface, q->ray);
-    int made = q->eye ? algsurf_i_exact_eye_form(&q->memory, q->eye, d, q->unit, &p, NULL)
-                      : algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, NULL);
+    int made = q->eye ? algsurf_i_exact_eye_form(&q->memory, q->eye, d, q->unit, &p, &q->scale)
+                      : algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale);
     if (!made) return ALGSURF_E_NO_MEMORY;
     return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_extent *extent,
                                      const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                     algsurf_i_want want, size_t limit, algsurf_i_ray_root *roots,
-                                     int capacity, int *count) {
+                                     algsurf_i_want want, size_t limit, algsurf_observer *observer,
+                                     algsurf_i_ray_root *roots, int capacity, int *count) {
     algsurf_limb block[STACK_WORDS];
-    query q = {
-        .surface = surface, .extent = extent, .ray = ray, .eye = eye, .roots = roots, .capacity = capacity};
+    query q = {.surface = surface,
+               .extent = extent,
+               .ray = ray,
+               .eye = eye,
+               .observer = observer,
+               .roots = roots,
+               .capacity = capacity};
     algsurf_memory_begin(&q.memory, block, STACK_WORDS, limit);
     algsurf_memory_mark begin = algsurf_memory_here(&q.memory);
     algsurf_status status = decide(&q, want);

@@ -10,10 +10,11 @@
  * surface has one root, of multiplicity 0, at the first t that counts.
  *   eye    P about the ray's origin, or null: rays from one point share it
  *   limit  bytes that may be allocated
+ *   observer  null, or who is told
  * Returns OK or E_NO_MEMORY.  Stack: 20 KiB, of which 16 serve as memory before anything is allocated. */
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_extent *extent,
                                      const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                     algsurf_i_want want, size_t limit, algsurf_i_ray_root *roots,
-                                     int capacity, int *count);
+                                     algsurf_i_want want, size_t limit, algsurf_observer *observer,
+                                     algsurf_i_ray_root *roots, int capacity, int *count);
 
 #endif

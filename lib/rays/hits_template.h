@@ -25,10 +25,13 @@ INLINE lanes noise_of_step(const algsurf_surface *s, const lanes x[3], lanes slo
 /* P's gradient at the points t + low, and a Newton step along the rays on P itself.  Points that are more
  * than `far` from their root, and more than rounding explains, go there first. */
 INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which, lanes *far, lanes t,
-                       lanes *low, lanes x[PAIR][3], lanes gradient[3]) {
+                       lanes *low, lanes x[PAIR][3], lanes gradient[3], const algsurf_i_watch *watch) {
     for (int round = 0;; round++) {
         for (int i = 0; i < 3; i++) x[0][i] = along(r->origin[i], *low * r->direction[i], t, r->direction[i]);
         jets p = surface_jets(s, x, 1);
+        if (watch && bits(which) & 1)
+            algsurf_i_tell_point(watch, (t[0] + (*low)[0]) * r->t_unit[0], p.v[0][0], 0,
+                                 ALGSURF_ENGINE_DOUBLES);
         gradient[0] = p.x[0], gradient[1] = p.y[0], gradient[2] = p.z[0];
         lanes slope = dot(gradient, r->direction), step = -p.v[0] / slope;
         mask again = which & ~at_most(absolute(step), *far);
@@ -79,7 +82,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
     lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
-    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient);
+    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient, watch_of(k));
     lanes pad = 0x1p-50 * (absolute(middle) + half);
     hit->t_lo =
         choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));

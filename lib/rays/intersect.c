@@ -18,6 +18,7 @@
 #include "own_ball.h"
 #include "ranges.h"
 #include "ray_impl.h"
+#include "../roots/watch.h"
 #include "../base/vec.h"
 
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
@@ -30,6 +31,7 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
         return ALGSURF_E_ARGUMENT;
     if (options->max_iterations < 0 || !(options->tolerance >= 0) || isinf(options->tolerance))
         return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
         if (!kernel) return ALGSURF_E_ARGUMENT;
@@ -172,8 +174,9 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
                                     .t_min = &ray->t_min,
                                     .t_max = &ray->t_max,
                                     .bounded = o->tier != ALGSURF_TIER_FAST,
+                                    .observer = o->observer,
                                     .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
-    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance};
+    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance, NULL};
     if (!algsurf_i_rays_fit(surface, extent)) return -1;
     return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
 }
@@ -189,8 +192,8 @@ static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    algsurf_status status =
-        algsurf_i_exact_roots(surface, extent, ray, eye, want, memory_limit(options), roots, most, count);
+    algsurf_status status = algsurf_i_exact_roots(surface, extent, ray, eye, want, memory_limit(options),
+                                                  options->observer, roots, most, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
     return status;
 }
@@ -201,7 +204,8 @@ static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *sur
                                                       const algsurf_intersect_options *options,
                                                       algsurf_hit *hits, int *count) {
     algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
-    algsurf_status status = algsurf_i_exact_ranges(surface, extent, ray, memory_limit(options), range, count);
+    algsurf_status status =
+        algsurf_i_exact_ranges(surface, extent, ray, memory_limit(options), options->observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
         double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};

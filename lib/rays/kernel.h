@@ -20,6 +20,7 @@ typedef struct algsurf_i_rays_job {
     const unsigned char *active; /* null: all */
     int any;                     /* 1: whether there is a root, not where: only states are written */
     int bounded;                 /* 0: signs as computed, and t_lo = t_hi = t (the fast tier) */
+    algsurf_observer *observer;  /* of a single ray, or null */
     /* Not null: there is one ray, and its Bernstein coefficients come from here (of a surface with nodes, for
      * the chord middle + v half). */
     void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);

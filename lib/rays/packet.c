@@ -116,6 +116,7 @@ static void solve_together(const query *q, int any, int alone, const algsurf_i_r
         .active = rays->active,
         .any = any,
         .bounded = q->options.tier != ALGSURF_TIER_FAST,
+        .observer = q->options.observer,
         .of_one = alone ? code->of_one : NULL,
     };
     if (alone)
@@ -189,6 +190,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
     algsurf_hit_packet known;
     if (!to || !algsurf_options_read(&known, sizeof known, to)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = prepare(&q, surface, extent, rays, options);
+    if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     if (!known.state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
     const algsurf_i_rays_hits hits = {
@@ -294,6 +296,7 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
                                            const algsurf_intersect_options *options, unsigned char *state) {
     query q;
     algsurf_status status = prepare(&q, surface, extent, rays, options);
+    if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
     if (!state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
     solve_together(&q, 1, 0, &(algsurf_i_rays_hits){.state = state});

@@ -87,6 +87,7 @@ INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int ow
     int bounded = own || job->bounded;
     cell *c = &k->at;
     begin(k, n, own);
+    if (watch_of(k)) tell_cell(k->watch, 0, 1, c->w, c->e, n, own, c->side[0] != 0);
     bound_errors(k, n, own, bounded);
     lanes near = e[0], far = radius_of(e, n, own);
     if (bounded) {
@@ -116,6 +117,7 @@ APART void decide_from_powers(const algsurf_i_rays_job *job, const chord_line *l
 /* Lanes that nodes and one radius for all coefficients left undecided. */
 APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, packet *k, mask which, int n) {
     packet again;
+    again.watch = k->watch;
     again.open = which;
     again.doubtful = no_lane();
     again.start = k->start;
@@ -160,6 +162,17 @@ INLINE void store_hits(const algsurf_i_rays_job *job, const packet *k, const lan
     }
 }
 
+/* Of a single ray, the first lane's: t along its chord; null where nobody looks. */
+INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const ray_lanes *r,
+                                          algsurf_i_watch *watch) {
+    if (LANES != 2 || !job->observer) return NULL;
+    *watch = (algsurf_i_watch){.observer = job->observer,
+                               .lo = r->near[0] * r->t_unit[0],
+                               .hi = r->far[0] * r->t_unit[0],
+                               .exponent = -job->surface->scale};
+    return watch;
+}
+
 INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
                          int block) {
     if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : ALGSURF_MAX_DEGREE)) __builtin_unreachable();
@@ -168,6 +181,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
     double reach = job->bounded || !block ? job->surface->most_reach : job->surface->clear_reach;
     for (size_t at = 0; at < count; at += LANES) {
         packet k;
+        algsurf_i_watch watch;
         lanes_hit hit = {.t = all_lanes(0)};
         int left = count - at < LANES ? (int)(count - at) : LANES;
         ray_lanes r = load_rays(job, at, left, scale);
@@ -175,6 +189,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         if (!which) continue;
         clip_rays(job, &r, scale);
         lanes middle = 0.5 * r.near + 0.5 * r.far, half = 0.5 * r.far - 0.5 * r.near;
+        k.watch = watch_chord(job, &r, &watch);
         k.open = r.open;
         k.doubtful = r.doubtful;
         k.hit = no_lane();

@@ -59,13 +59,15 @@ static int make_forms(algsurf_memory *m, const algsurf_surface *s, const algsurf
 
 static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const algsurf_term *spread,
                               const algsurf_ray *ray, const algsurf_ray *chord, const algsurf_i_edges *edges,
-                              algsurf_i_ray_range *ranges, int *count) {
+                              algsurf_observer *observer, algsurf_i_ray_range *ranges, int *count) {
+    const algsurf_i_watch watch = {.observer = observer};
     double lo = fmax(chord->t_min, -DBL_MAX), hi = fmin(chord->t_max, DBL_MAX);
     int unit = algsurf_exact_piece_of(lo, hi).unit, found = 0;
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
     if (!make_forms(m, s, spread, ray, unit, &p, &radius) ||
-        !algsurf_exact_radii_isolate(m, &p, &radius, unit, lo, hi, range, ALGSURF_MAX_DEGREE, &found, NULL))
+        !algsurf_exact_radii_isolate(m, &p, &radius, unit, lo, hi, range, ALGSURF_MAX_DEGREE, &found,
+                                     observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {
         int inside = !edges->extent || (range[i].lo >= edges->inner_lo && range[i].hi <= edges->inner_hi);
@@ -80,7 +82,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
 }
 
 algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algsurf_extent *extent,
-                                      const algsurf_ray *ray, size_t limit,
+                                      const algsurf_ray *ray, size_t limit, algsurf_observer *observer,
                                       algsurf_i_ray_range ranges[ALGSURF_MAX_DEGREE], int *count) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
@@ -92,7 +94,7 @@ algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algs
     if (!spread) return ALGSURF_E_NO_MEMORY;
     algsurf_memory_begin(&memory, block, STACK_WORDS, limit);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    algsurf_status status = isolate(&memory, surface, spread, ray, &chord, &edges, ranges, count);
+    algsurf_status status = isolate(&memory, surface, spread, ray, &chord, &edges, observer, ranges, count);
     algsurf_memory_release(&memory, begin);
     free(spread);
     return status;

@@ -15,6 +15,7 @@ typedef struct single_ray {
     chord_line line;
     lanes middle, half;
     packet k;
+    algsurf_i_watch watch; /* where k says so */
     int from_powers;
 } single_ray;
 
@@ -27,6 +28,14 @@ static double bracket_value(double x, void *data) {
     for (int i = 1; i <= n; i++)
         for (int j = 0; j <= n - i; j++) b[j] = (1 - x) * b[j] + x * b[j + 1];
     return b[0];
+}
+
+/* A point of that, to whoever watches. */
+static void tell_bracket_point(void *data, double x, double value, int engine) {
+    const single_ray *s = data;
+    double p = s->k.at.p[0], q = s->k.at.q[0];
+    algsurf_i_tell_point(&s->watch, algsurf_i_watched_place(&s->watch, p + (q - p) * x),
+                         s->k.at.side[0] ? -value : value, 0, engine);
 }
 
 /* Its coefficients of x^k: differences of those that there are, times binomials. */
@@ -47,6 +56,8 @@ static double refine_single(const single_ray *s) {
     double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
     algsurf_refine_options how = *s->how;
     algsurf_refined_root root = {.root = 0.5};
+    algsurf_observer told = {.size = sizeof told, .data = (void *)s, .point = tell_bracket_point};
+    how.observer = s->k.watch ? &told : NULL;
     how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);
     if (how.method != ALGSURF_METHOD_DEFAULT ||
@@ -133,6 +144,7 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     clip_rays(job, &s.ray, scale);
     s.middle = 0.5 * s.ray.near + 0.5 * s.ray.far;
     s.half = 0.5 * s.ray.far - 0.5 * s.ray.near;
+    s.k.watch = watch_chord(job, &s.ray, &s.watch);
     s.k.open = s.ray.open;
     s.k.doubtful = s.ray.doubtful;
     s.k.hit = no_lane();

@@ -53,6 +53,7 @@ static double value_at_infinity(const algsurf_i_polynomial *p, double t) {
 /* Scaled; what underflows keeps its sign. */
 static ALGSURF_NOINLINE double exact_value(algsurf_i_polynomial *p, double t) {
     algsurf_i_value v;
+    p->engine = ALGSURF_ENGINE_INTEGERS;
     if (isinf(t)) return value_at_infinity(p, t);
     if (!algsurf_i_exact_value(&p->given, t, &v)) {
         p->no_memory = 1;

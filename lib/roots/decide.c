@@ -17,14 +17,15 @@ static algsurf_real_root root_of(const algsurf_exact_root *root) {
 }
 
 static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
-                           int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
+                           int refine, int most, algsurf_real_root *roots, int *count,
+                           const algsurf_i_watch *watch) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
     int found = ALGSURF_EXACT_END;
-    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine)) return ALGSURF_E_NO_MEMORY;
+    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine, watch)) return ALGSURF_E_NO_MEMORY;
     while (*count < most && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
         roots[(*count)++] = root_of(&root);
-    if (cells) *cells += walk.cells.counted;
+
     return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
@@ -46,9 +47,18 @@ int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int deg
     return 1;
 }
 
+/* p(u) = 2^k c(2^unit u), as algsurf_exact_from_doubles makes it: k. */
+static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
+    int e, n = p->degree;
+    double lead = algsurf_z_to_double(algsurf_zpoly_at(p, n), p->width, &e);
+    return ilogb(lead) + e - ilogb(c[n]) - n * unit;
+}
+
 /* The first `most` roots of a polynomial from doubles c or, if that is null, from integers z. */
 static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
-                             int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
+                             int refine, int most, algsurf_real_root *roots, int *count,
+                             const algsurf_i_watch *watch) {
+    algsurf_i_watch scaled;
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
@@ -58,17 +68,24 @@ static algsurf_status decide(const double *c, const algsurf_integer *z, int degr
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p)
-          : algsurf_i_from_integers(&memory, z, degree, &p))
+          : algsurf_i_from_integers(&memory, z, degree, &p)) {
+        if (watch && p.degree > 0) {
+            scaled = *watch;
+            scaled.exponent -= scale_of(&p, c, unit);
+            watch = &scaled;
+        }
         status =
-            p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, cells);
+            p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, watch);
+    }
     algsurf_memory_release(&memory, begin);
     return status;
 }
 
 algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
-                                      algsurf_real_root *roots, int capacity, int *count, int *cells) {
+                                      algsurf_real_root *roots, int capacity, int *count,
+                                      const algsurf_i_watch *watch) {
     return decide(c, NULL, degree, lo, hi, refine ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS, capacity,
-                  roots, count, cells);
+                  roots, count, watch);
 }
 
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
@@ -110,7 +127,8 @@ static algsurf_bracket bracket_of(const algsurf_i_coefficients *p, const algsurf
 }
 
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
-                                       algsurf_bracket *brackets, int capacity, int *count, int *cells) {
+                                       algsurf_bracket *brackets, int capacity, int *count,
+                                       const algsurf_i_watch *watch) {
     algsurf_exact_range found[ALGSURF_MAX_POLY_DEGREE];
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
@@ -122,7 +140,7 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     int done =
         in_integers(&memory, p, unit, &centre, &radius) &&
-        algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, cells);
+        algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, watch);
     algsurf_memory_release(&memory, begin);
     for (int i = 0; i < *count; i++) brackets[i] = bracket_of(p, found + i);
     return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;

@@ -5,16 +5,18 @@
 
 #include "algsurf/isolate.h"
 #include "coefficients.h"
+#include "watch.h"
 
 /* What deciding one polynomial may allocate, in bytes. */
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
 /* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing
  * order, the first `capacity` of them; the degree always suffices.  refine 0: simple roots come without a
- * value, as brackets that hold no other root, p not being 0 at the ends. cells: null, or receives how many
- * intervals had their variations counted, added. Returns OK or E_NO_MEMORY. Stack: 20 KiB. */
+ * value, as brackets that hold no other root, p not being 0 at the ends.  watch: null, or who is told.
+ * Returns OK or E_NO_MEMORY. Stack: 20 KiB. */
 algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
-                                      algsurf_real_root *roots, int capacity, int *count, int *cells);
+                                      algsurf_real_root *roots, int capacity, int *count,
+                                      const algsurf_i_watch *watch);
 
 /* The same for integer coefficients. */
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
@@ -40,9 +42,10 @@ int algsurf_i_integers_in_doubles(const algsurf_integer *c, int degree, double l
                                   algsurf_real_root *roots, int *count);
 
 /* The roots in [lo,hi] of all polynomials within the radii, as brackets and undecided places, at most
- * `capacity` >= 1, in order (the last one covers what there is no room for).  cells as above.  OK or
+ * `capacity` >= 1, in order (the last one covers what there is no room for).  watch as above.  OK or
  * E_NO_MEMORY. */
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
-                                       algsurf_bracket *brackets, int capacity, int *count, int *cells);
+                                       algsurf_bracket *brackets, int capacity, int *count,
+                                       const algsurf_i_watch *watch);
 
 #endif

@@ -30,6 +30,9 @@
 #define ALGSURF_DESCARTES_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "algsurf/status.h"
+#include "watch.h"
+
+#define APART static __attribute__((noinline, unused))
 
 #define MOST_TURNS 120
 #define NARROWEST 0x1p-36 /* cells */
@@ -153,11 +156,29 @@ INLINE void cut_cell(cell *c, const lanes *b, const lanes *e, int n, int own, la
     c->q = choose(which, to, c->q);
 }
 
+/* A cell of the first lane is shown to whoever watches; side: are signs turned? */
+APART void tell_cell(const algsurf_i_watch *watch, double p, double q, const lanes *w, const lanes *e, int n,
+                     int own, int side) {
+    signed char known[ALGSURF_MAX_DEGREE + 1];
+    for (int j = 0; j <= n; j++) {
+        double b = w[j][0], r = radius_of(e, j, own)[0];
+        int sign = b == 0 && r == 0 ? 0 : b >= r ? 1 : b < -r ? -1 : ALGSURF_SIGN_UNDECIDED;
+        known[j] = (signed char)(side && sign * sign == 1 ? -sign : sign);
+    }
+    const algsurf_cell told = {.lo = algsurf_i_watched_place(watch, p),
+                               .hi = algsurf_i_watched_place(watch, q),
+                               .variations = algsurf_i_most_variations(known, n),
+                               .engine = ALGSURF_ENGINE_DOUBLES,
+                               .degree = n,
+                               .signs = known};
+    algsurf_i_tell_cell(watch, &told);
+}
+
 /* Where `which`: splits the cell and keeps the part before, or, where that has no root or ends at `start`
  * already, the part behind; nothing is to be found right of `stop`, nor left of start, which is known to
- * blur. Returns the lanes where the sign at the split is not known. */
+ * blur. Returns the lanes where the sign at the split is not known.  watch: of the first lane, or null. */
 INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes start, lanes blur, lanes stop,
-                   int turn, signs *s) {
+                   int turn, signs *s, const algsurf_i_watch *watch) {
     lanes left[ALGSURF_MAX_DEGREE + 1], left_e[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1],
         right_e[ALGSURF_MAX_DEGREE + 1], at = split_point(c, n, turn), before = at - c->p, behind = c->q - at;
     for (int j = 0; j <= n; j++) right[j] = c->w[j];
@@ -170,9 +191,12 @@ INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes s
         left_e[0] = right_e[0];
     mask crosses = negative((words)left[n]), unsure = ~less(radius_of(left_e, n, own), absolute(left[n]));
     signs l = count_signs(left, left_e, n, own);
+    int told = watch && bits(which) & 1;
+    if (told) tell_cell(watch, c->p[0], at[0], left, left_e, n, own, c->side[0] != 0);
     mask go_right = which & (l.none | at_most(at, start)), go_left = which & ~go_right;
     if (any(go_right & crosses)) c->side ^= take_sign(right, n, go_right); /* a root before start */
     signs r = count_signs(right, right_e, n, own);
+    if (told) tell_cell(watch, at[0], c->q[0], right, right_e, n, own, c->side[0] != 0);
     mask counts = at_most(start + blur, c->p); /* a root left of the split does */
     mask last = (crosses & counts) | (~crosses & r.none & at_most(c->limit, c->q)) | at_most(stop, at);
     c->limit = choose(last & go_left, at, c->limit);

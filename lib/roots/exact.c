@@ -17,10 +17,10 @@ static void begin_pieces(algsurf_exact_walk *walk) {
 }
 
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
-                        double lo, double hi, int refine) {
+                        double lo, double hi, int refine, const algsurf_i_watch *watch) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
-    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1);
+    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1, watch);
     walk->bottom = walk->top = algsurf_memory_here(m);
     begin_pieces(walk);
     return done;
@@ -163,7 +163,7 @@ static int search_cells(algsurf_exact_walk *walk, algsurf_exact_root *root) {
             int done;
             if (!algsurf_exact_zoom(walk->memory, cell, v, &done)) return -1;
             same = done ? ZOOM_AFTER - 1 : 0;
-            walk->cells.counted += done;
+            if (done && walk->cells.watch && !algsurf_exact_tell_cell(&walk->cells, cell)) return -1;
             if (done) continue;
         }
         if (!algsurf_exact_cells_halve(&walk->cells)) return -1;

@@ -221,9 +221,10 @@ void algsurf_exact_cell_doubles(const algsurf_exact_cell *cell, double *b) {
 
 /* ---- cells of a piece ---- */
 
-int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room) {
+int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
+                              const algsurf_i_watch *watch) {
     size_t words = (size_t)room * ((sizeof *cells->waiting + 7) / 8);
-    *cells = (algsurf_exact_cells){.memory = m, .room = room};
+    *cells = (algsurf_exact_cells){.memory = m, .room = room, .watch = watch};
     cells->waiting = (algsurf_exact_cell *)(void *)algsurf_memory_take(m, words);
     return cells->waiting != NULL;
 }
@@ -280,9 +281,10 @@ int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f,
     cell->position[0] = 0;
     cell->bits = algsurf_zpoly_bits(&all);
     cell->variations = algsurf_exact_variations(cell);
-    cells->counted++;
     cells->active = 1;
-    return 1;
+    cells->piece = *piece;
+    cells->unit = unit;
+    return !cells->watch || algsurf_exact_tell_cell(cells, cell);
 }
 
 void algsurf_exact_cells_next(algsurf_exact_cells *cells) {
@@ -294,9 +296,11 @@ void algsurf_exact_cells_next(algsurf_exact_cells *cells) {
 int algsurf_exact_cells_halve(algsurf_exact_cells *cells) {
     algsurf_exact_cell left;
     if (!halve(cells->memory, &cells->cell, &left)) return 0;
+    if (cells->watch &&
+        (!algsurf_exact_tell_cell(cells, &left) || !algsurf_exact_tell_cell(cells, &cells->cell)))
+        return 0;
     int at_right = cells->cell.variations > 0 || algsurf_exact_begins_with_root(&cells->cell);
     int at_left = left.variations > 0;
-    cells->counted += 2;
     if (at_left && at_right) {
         cells->waiting[cells->count++] = cells->cell;
         cells->cell = left;

@@ -5,6 +5,7 @@
 #ifndef ALGSURF_EXACT_CELL_H
 #define ALGSURF_EXACT_CELL_H
 #include "../poly/integral.h"
+#include "watch.h"
 
 /* A part of the line: u' in [at, at + 2^length), t = 2^unit u'; 0 <= length <= 5. */
 typedef struct algsurf_exact_piece {
@@ -32,11 +33,14 @@ typedef struct algsurf_exact_cells {
     algsurf_exact_cell cell, *waiting;
     int active; /* there is a cell in work */
     int count, room;
-    int counted; /* cells whose variations were counted */
+    const algsurf_i_watch *watch; /* null: nobody looks */
+    algsurf_exact_piece piece;    /* that the cells are of */
+    int unit;                     /* of the polynomial: t = 2^unit u */
 } algsurf_exact_cells;
 
 /* No cells, and room for `room` that wait. */
-int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room);
+int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
+                              const algsurf_i_watch *watch);
 
 /* The whole of a piece becomes the cell: f[0], or f[0] and f[1], polynomials in u = 2^-unit t. */
 int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int polynomials, int unit,
@@ -68,6 +72,9 @@ int algsurf_exact_variations(const algsurf_exact_cell *cell);
 int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
                             const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
                             int *width, int *r);
+
+/* exact_watch.c: shows a cell to whoever watches; returns 0 when there is no memory. */
+int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell);
 
 /* A step to a cluster of v >= 2 roots of one polynomial: if all roots of the cell are proved to be in a much
  * narrower part of it, the cell becomes that part and *done 1, else *done is 0.  Neither end may be a root.

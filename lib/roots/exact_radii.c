@@ -216,7 +216,8 @@ static int make_envelope(algsurf_memory *m, const algsurf_zpoly *p, const algsur
     return 1;
 }
 
-static int isolate(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius) {
+static int isolate(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius,
+                   const algsurf_i_watch *watch) {
     algsurf_memory *m = s->cells.memory;
     int vanishes = 0; /* p = 0 is one of the set */
     for (int i = 0; i < 4; i++) {
@@ -224,7 +225,7 @@ static int isolate(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius) 
         if (!make_envelope(m, p, radius, i / 2, i % 2, envelope)) return 0;
         vanishes = vanishes || algsurf_zpoly_trailing(envelope) == ALGSURF_Z_NO_BIT;
     }
-    if (!vanishes) return algsurf_exact_cells_begin(&s->cells, m, MOST_WAITING) && walk(s);
+    if (!vanishes) return algsurf_exact_cells_begin(&s->cells, m, MOST_WAITING, watch) && walk(s);
     append(s, s->lo, s->hi, 0);
     return 1;
 }
@@ -254,9 +255,8 @@ static int decide_range(set *s, const algsurf_zpoly *slope, const algsurf_zpoly 
     algsurf_memory_mark mark = algsurf_memory_here(s->cells.memory);
     set slopes = {.unit = s->unit, .lo = lo, .hi = hi, .found = &any, .capacity = 1};
     slopes.cells.memory = s->cells.memory;
-    int done = isolate(&slopes, slope, radius);
+    int done = isolate(&slopes, slope, radius, NULL);
     algsurf_memory_release(s->cells.memory, mark);
-    s->cells.counted += slopes.cells.counted;
     if (!done || slopes.count > 0) return done;
     *range = (algsurf_exact_range){lo, hi, at_lo};
     return shrink(s, lo, hi, at_lo, &range->lo, &range->hi);
@@ -272,13 +272,12 @@ static int decide_ranges(set *s, const algsurf_zpoly *p, const algsurf_zpoly *ra
 
 int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
                                 int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
-                                int *count, int *counted) {
+                                int *count, const algsurf_i_watch *watch) {
     algsurf_memory_mark mark = algsurf_memory_here(m);
     set s = {.unit = unit, .lo = lo, .hi = hi, .found = found, .capacity = capacity};
     s.cells.memory = m;
-    int done = isolate(&s, p, radius) && decide_ranges(&s, p, radius);
+    int done = isolate(&s, p, radius, watch) && decide_ranges(&s, p, radius);
     algsurf_memory_release(m, mark);
     *count = s.count;
-    if (counted) *counted += s.cells.counted;
     return done;
 }

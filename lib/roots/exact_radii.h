@@ -18,9 +18,9 @@ typedef struct algsurf_exact_range {
 /* The roots t = 2^unit u in [lo,hi], lo <= hi, infinite ends allowed, of the polynomials p + e, |e_k| <=
  * radius_k.  Radius has no negative coefficients; its degree may be above p's.  Outside of the ranges found,
  * which are in order and at most `capacity` >= 1, no polynomial of the set has a root in [lo,hi]; when there
- * is no room for more, ranges are joined to undecided ones.  counted: null, or receives how many cells were
- * counted, added.  Returns 0 when there is no memory; nothing of it is kept. */
+ * is no room for more, ranges are joined to undecided ones.  watch: null, or who is told.  Returns 0 when
+ * there is no memory; nothing of it is kept. */
 int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
                                 int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
-                                int *count, int *counted);
+                                int *count, const algsurf_i_watch *watch);
 #endif

@@ -46,7 +46,10 @@ typedef struct sample {
 
 static int sample_at(algsurf_exact_walk *walk, const algsurf_zpoly *f, double t, sample *s) {
     s->t = t;
-    return algsurf_exact_at_double(walk->memory, f, walk->unit, t, &s->sign, &s->value, &s->exponent);
+    if (!algsurf_exact_at_double(walk->memory, f, walk->unit, t, &s->sign, &s->value, &s->exponent)) return 0;
+    if (walk->cells.watch)
+        algsurf_i_tell_point(walk->cells.watch, t, s->value, s->exponent, ALGSURF_ENGINE_INTEGERS);
+    return 1;
 }
 
 /* Value a over value b. */

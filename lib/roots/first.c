@@ -63,7 +63,7 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
     int found = 0;
     algsurf_status status =
-        algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
+        algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, NULL, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
     if (status < 0 && status != ALGSURF_E_ZERO) return status;
     if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_BRACKET_UNDECIDED)) {
         *state = ALGSURF_FIRST_ROOT_UNDECIDED;

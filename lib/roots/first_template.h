@@ -154,7 +154,8 @@ INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_erro
                             int turn) {
     signs c;
     mask unsure = at_most(s->q - s->p, all_lanes(NARROWEST));
-    unsure |= divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c);
+    unsure |=
+        divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c, NULL);
     mask again = c.none & less(s->q, s->limit);
     if (bits(again) & which) {
         go_on(block, s, id, cut_error, again, n);

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../base/options.h"
 #include "coefficients.h"
 #include "decide.h"
 #include "kernel.h"
@@ -29,8 +30,8 @@ typedef struct task {
     int wanted;
     algsurf_bracket *b;
     int count, capacity;
-    int counted;  /* intervals whose variations were counted */
-    int halvings; /* of what a lane leaves undecided */
+    int halvings;                 /* of what a lane leaves undecided */
+    const algsurf_i_watch *watch; /* null: nobody looks */
 } task;
 
 /* Degrees 1 and 2, without radii; returns 0 where signs are not known. */
@@ -40,9 +41,12 @@ static int walk_quadratic(task *t, double lo, double hi) {
     if (t->p.degree < 1 || t->p.degree > 2 || t->p.r || !(lo < hi) ||
         !algsurf_i_quadratic_isolate(t->p.c, t->p.degree, lo, hi, two, &found))
         return 0;
+    if (t->watch) {
+        const algsurf_cell cell = {lo, hi, found, ALGSURF_ENGINE_DOUBLES, t->p.degree, NULL};
+        algsurf_i_tell_cell(t->watch, &cell);
+    }
     if (t->wanted == FIRST && found > 1) found = 1;
     for (int i = 0; i < found; i++) t->b[t->count++] = two[i];
-    t->counted++;
     return 1;
 }
 
@@ -54,7 +58,7 @@ static int walk_piece(task *t, double from, double to, int halvings) {
     if (lo >= hi || most == 0) return 1;
     if (!(fmax(fabs(lo), fabs(hi)) > 0x1p-900 && hi - lo < 0x1p1000)) return 0;
     if (walk_quadratic(t, lo, hi)) return 1;
-    int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, &t->counted);
+    int done = algsurf_i_roots_single_fastest()(&t->p, lo, hi, most, t->b + t->count, &found, t->watch);
     t->count += found;
     if (done || halvings == 0 || t->p.r) return done;
     double rest = found ? t->b[t->count - 1].hi : lo, middle = 0.5 * rest + 0.5 * hi;
@@ -125,7 +129,7 @@ static algsurf_status walk_integers(task *t, double lo, double hi) {
     algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
     int found = 0, most = (t->wanted == FIRST ? 1 : t->capacity) - t->count;
     algsurf_status status =
-        algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, &t->counted);
+        algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, t->watch);
     for (int i = 0; i < found; i++) {
         const algsurf_real_root *r = roots + i;
         int kind = r->lo == r->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
@@ -142,14 +146,13 @@ static algsurf_status walk_part(task *t, double lo, double hi) {
     part.halvings = ALGSURF_I_HALVINGS;
     int done = t->halvings < ALGSURF_I_HALVINGS && walk_lane(&part);
     t->count = part.count;
-    t->counted = part.counted;
     return done ? ALGSURF_OK : walk_integers(t, t->count > 0 ? fmax(lo, t->b[t->count - 1].hi) : lo, hi);
 }
 
 static algsurf_status walk_parts(task *t) {
     algsurf_i_part parts[ALGSURF_I_PARTS];
     algsurf_status status = ALGSURF_OK;
-    int count = algsurf_i_parts_of(&t->p, begin_of_rest(t), t->hi, parts);
+    int count = algsurf_i_parts_of(&t->p, begin_of_rest(t), t->hi, parts, t->watch);
     for (int i = 0; status == ALGSURF_OK && i < count && !(t->wanted == FIRST && t->count); i++) {
         const algsurf_i_part *k = parts + i;
         if (k->sign)
@@ -203,8 +206,13 @@ static int walk_power(task *t, const algsurf_i_power *w) {
     q.p.degree = q.capacity = w->degree;
     if (q.wanted == FIRST) q.wanted = ALL;
     algsurf_i_power_interval(w, t->lo, t->hi, &q.lo, &q.hi);
+    algsurf_i_watch watch;
+    if (t->watch) {
+        watch = *t->watch;
+        watch.power = w->step;
+        q.watch = &watch;
+    }
     if (w->degree > 0 && walk_itself(&q) != ALGSURF_OK) return 0;
-    t->counted = q.counted;
     t->count = q.count;
     if (t->wanted == NUMBER)
         t->count = (w->step % 2 ? 1 : 2) * q.count + (w->zeros > 0);
@@ -231,7 +239,7 @@ static algsurf_status walk(task *t) {
 
 int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, double *hi, int first_only,
                               int halvings, algsurf_bracket *brackets, int *count) {
-    task t = {*p, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, p->degree, 0, halvings};
+    task t = {*p, *lo, *hi, first_only ? FIRST : ALL, brackets, 0, p->degree, halvings, NULL};
     int done = walk_level_quadratic(&t);
     if (!done) (void)leave_sides(&t, 0);
     done = done || is_empty(&t) || walk_lane(&t);
@@ -243,7 +251,7 @@ int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, doubl
 static algsurf_status walk_envelopes(task *t) {
     int found = 0;
     algsurf_status status = algsurf_i_decide_ranges(&t->p, begin_of_rest(t), t->hi, t->b + t->count,
-                                                    t->capacity - t->count, &found, &t->counted);
+                                                    t->capacity - t->count, &found, t->watch);
     t->count += found;
     if (t->wanted == FIRST && t->count > 1) t->count = 1;
     return status;
@@ -292,18 +300,17 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     return walk_lane(t) ? ALGSURF_OK : walk_envelopes(t);
 }
 
-/* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status.
- * `intervals` may be null. */
+/* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status. */
 static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int wanted,
-                          algsurf_bracket *room, int *count, int *intervals) {
-    task t = {{c, r, degree}, lo, hi, wanted, room, 0, degree > 0 ? degree : 1, 0, 0};
+                          algsurf_observer *observer, algsurf_bracket *room, int *count) {
+    const algsurf_i_watch watch = {.observer = observer};
+    task t = {{c, r, degree}, lo, hi, wanted, room, 0, degree > 0 ? degree : 1, 0, observer ? &watch : NULL};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(&t);
     algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
     *count = t.count;
-    if (intervals) *intervals = t.counted;
     if (wanted == NUMBER) return ALGSURF_OK;
     for (int i = 0; i < t.count; i++)
         if (room[i].kind == ALGSURF_BRACKET_EXACT) room[i].sign = 0;
@@ -312,31 +319,35 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, int degree, double lo,
-                                             double hi, algsurf_bracket *bracket, int *found,
-                                             int *intervals) {
+static int read_options(const algsurf_isolate_options *given, algsurf_observer **observer) {
+    algsurf_isolate_options known = {.size = sizeof known};
+    if (given && !algsurf_options_read(&known, sizeof known, given)) return 0;
+    *observer = known.observer;
+    return algsurf_i_observer_is_good(known.observer);
+}
+
+algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
+                                     const algsurf_isolate_options *options, algsurf_bracket *bracket,
+                                     int *found) {
     algsurf_bracket first[ALGSURF_MAX_POLY_DEGREE];
+    algsurf_observer *observer;
     int count = 0;
-    if (!bracket || !found || !intervals) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, FIRST, first, &count, intervals);
+    if (!bracket || !found || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, FIRST, observer, first, &count);
     if (status < 0) return status;
     *found = count;
     if (count) *bracket = first[0];
     return status;
 }
 
-algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
-                                     algsurf_bracket *bracket, int *found) {
-    int intervals;
-    return algsurf_isolate_first_counted(c, r, degree, lo, hi, bracket, found, &intervals);
-}
-
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
-                                   algsurf_bracket *brackets, int capacity, int *count) {
+                                   const algsurf_isolate_options *options, algsurf_bracket *brackets,
+                                   int capacity, int *count) {
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_observer *observer;
     int n = 0;
-    if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, ALL, room, &n, NULL);
+    if (!brackets || !count || capacity < 0 || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = run(c, r, degree, lo, hi, ALL, observer, room, &n);
     if (status < 0) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(brackets, room, (size_t)n * sizeof *room);
@@ -350,7 +361,7 @@ algsurf_status algsurf_count_roots(const double *c, const double *r, int degree,
     int n = 0, roots = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
     int number = lo == -HUGE_VAL && hi == HUGE_VAL && !r;
-    algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, room, &n, NULL);
+    algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, NULL, room, &n);
     if (status < 0) return status;
     for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_BRACKET_UNDECIDED;
     *count = number ? n : roots;

@@ -8,6 +8,7 @@
 #include "algsurf/isolate.h"
 #include "algsurf/poly.h"
 #include "coefficients.h"
+#include "watch.h"
 
 /* The bounds of centred_template.h hold up to this degree. */
 #define ALGSURF_MAX_POLYS_DEGREE 20
@@ -37,10 +38,10 @@ typedef struct algsurf_i_roots_kernel {
 
 /* Brackets of the roots of p, of degree 1 to ALGSURF_MAX_DEGREE, in a finite interval lo < hi, in order, at
  * most `most`; each with its ends at doubles of certain sign, and no root before it but in those before.
- * Returns 1 when these are all, or as many as wanted; 0: what comes after them is undecided.  Adds the cells
- * counted to counted. */
+ * Returns 1 when these are all, or as many as wanted; 0: what comes after them is undecided.  watch: null, or
+ * of the caller's unit. */
 typedef int algsurf_i_roots_single(const algsurf_i_coefficients *p, double lo, double hi, int most,
-                                   algsurf_bracket *brackets, int *count, int *counted);
+                                   algsurf_bracket *brackets, int *count, const algsurf_i_watch *watch);
 algsurf_i_roots_single algsurf_i_roots_single_avx512, algsurf_i_roots_single_avx2,
     algsurf_i_roots_single_baseline;
 

@@ -23,7 +23,7 @@ typedef struct packet {
     mask hit, doubtful;              /* lanes solved: the others have no root */
     cell at;                         /* of a hit: the bracket */
     signs s;                         /* the cell's count */
-    int counted;                     /* cells whose variations were counted, of all lanes together */
+    const algsurf_i_watch *watch;    /* null; or, with two lanes, of the first one */
 } packet;
 
 INLINE void leave_undecided(packet *k, mask which) {
@@ -40,7 +40,6 @@ INLINE void begin(packet *k, int n, int own) {
     c->p = all_lanes(0);
     c->q = c->limit = all_lanes(1);
     k->s = count_signs(c->w, c->e, n, own);
-    k->counted = 1;
     k->hit = no_lane();
 }
 
@@ -58,20 +57,21 @@ INLINE void bound_errors(packet *k, int n, int own, int bounded) {
 INLINE lanes end_error(const packet *k, int n) { return 2 * n * k->blur * k->largest; }
 
 /* The cells [from,to] of `which` open lanes, and their count of signs. */
-INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to) {
+INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to, const algsurf_i_watch *watch) {
     cut_cell(&k->at, k->b, k->e, n, own, k->cut_error, which, from, to);
     leave_undecided(k, which & ~ends_known(k->at.w, k->at.e, n, own, all_lanes(0)));
     k->s = count_signs(k->at.w, k->at.e, n, own);
-    k->counted++;
+    if (watch && bits(which) & 1)
+        tell_cell(watch, k->at.p[0], k->at.q[0], k->at.w, k->at.e, n, own, k->at.side[0] != 0);
 }
 
 /* Brackets that are not surely inside [start, stop] are cut to it, the ends being known to blur only. */
-INLINE void cut_to_ends(packet *k, int n, int own, mask across) {
+INLINE void cut_to_ends(packet *k, int n, int own, mask across, const algsurf_i_watch *watch) {
     cell *c = &k->at;
     lanes from = larger(c->p, k->start), to = smaller(c->q, k->stop);
     mask beyond = across & ~less(from, to); /* wholly outside: as good as empty */
     across &= ~beyond;
-    enter(k, n, own, across, from, to);
+    enter(k, n, own, across, from, to, watch);
     leave_undecided(k, across & ~ends_known(c->w, c->e, n, own, end_error(k, n)));
     k->s.none |= beyond;
     k->s.one &= ~beyond;
@@ -114,7 +114,7 @@ INLINE void skirt_n(packet *k, int n, const cuts *c) {
 }
 
 /* The first bracket of each open lane, from its cell on; and the cuts of the last lane, if that is open. */
-INLINE void isolate_n(packet *k, int n, int own, cuts *last) {
+INLINE void isolate_n(packet *k, int n, int own, cuts *last, const algsurf_i_watch *watch) {
     cell *c = &k->at;
     int kept = last && bits(k->open) >> (LANES - 1) & 1, turn = 0;
     if (kept) last->count = 0;
@@ -127,16 +127,15 @@ INLINE void isolate_n(packet *k, int n, int own, cuts *last) {
         mask across = one & ~inside, again = k->open & k->s.none & less(c->q, smaller(c->limit, k->stop));
         k->open &= ~k->s.none | again;
         if (any(across)) {
-            cut_to_ends(k, n, own, across);
+            cut_to_ends(k, n, own, across, watch);
         } else if (any(again)) {
-            enter(k, n, own, again, c->q, c->limit);
+            enter(k, n, own, again, c->q, c->limit, watch);
         } else {
             mask stuck = at_most(c->q - c->p, all_lanes(NARROWEST));
             leave_undecided(k, turn < MOST_TURNS ? stuck : k->open);
             if (!any(k->open)) break;
-            leave_undecided(
-                k, divide(c, n, own, k->cut_error, k->open, k->start, k->blur, k->stop, turn++, &k->s));
-            k->counted += 2;
+            leave_undecided(k, divide(c, n, own, k->cut_error, k->open, k->start, k->blur, k->stop, turn++,
+                                      &k->s, watch));
         }
         if (kept && c->p[LANES - 1] > reached) add_cut(last, c->p[LANES - 1]);
     }
@@ -175,9 +174,8 @@ INLINE jet jet_at(const lanes *w, int n, lanes x) {
 INLINE void next(packet *k, int n, lanes from) {
     k->open = less(numbered(), all_lanes(1));
     k->hit = k->doubtful = no_lane();
-    k->counted = 0;
     k->at.limit = all_lanes(1);
-    enter(k, n, 1, k->open, from, k->at.limit);
+    enter(k, n, 1, k->open, from, k->at.limit, k->watch);
 }
 
 /* The lanes `found` have their bracket: as `part`. */
@@ -227,7 +225,7 @@ INLINE void follow_n(packet *k, int n, const guess *g) {
  * of Equations, 1964, 5.1) from where the root is expected, kept between lo and hi.  With the Newton step s
  * and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is about 2 s r^2: it ends when twice
  * that is below tolerance, and r so small that it tells that. */
-INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance) {
+INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const algsurf_i_watch *watch) {
     const cell *c = &k->at;
     lanes width = c->q - c->p, lo = all_lanes(0), hi = all_lanes(1);
     lanes x = c->w[0] / (c->w[0] - c->w[n]), expected = (g->near - c->p) / width;
@@ -235,6 +233,9 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance) {
     mask moving = k->hit;
     for (int round = 0; any(moving); round++) {
         jet at = jet_at(c->w, n, x);
+        if (watch && bits(moving) & 1)
+            algsurf_i_tell_point(watch, algsurf_i_watched_place(watch, c->p[0] + width[0] * x[0]),
+                                 c->side[0] ? -at.f[0] : at.f[0], 0, ALGSURF_ENGINE_DOUBLES);
         mask before = ~negative((words)at.f); /* the root is further right */
         lo = choose(before, x, lo);
         hi = choose(before, hi, x);
@@ -268,8 +269,6 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance) {
 #define INSTRUMENTED 0
 #endif
 
-#define APART static __attribute__((noinline, unused))
-
 /* The statement with N = n, a constant for common degrees. */
 #define FOR_DEGREE(n, statement)                                                                             \
     switch (INSTRUMENTED ? 0 : (n)) {                                                                        \
@@ -297,20 +296,53 @@ APART void follow(packet *k, int n, const guess *g){FOR_DEGREE(n, follow_n(k, N,
 
 APART void skirt(packet *k, int n, const cuts *c){FOR_DEGREE(n, skirt_n(k, N, c))}
 
+/* The same steps, for whoever watches. */
+APART void isolate_watched(packet *k, int n, int own) {
+    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    if (own)
+        isolate_n(k, n, 1, NULL, k->watch);
+    else
+        isolate_n(k, n, 0, NULL, k->watch);
+}
+
+APART void refine_watched(packet *k, int n, const guess *g, double tolerance, lanes *at) {
+    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    *at = refine_n(k, n, g, tolerance, k->watch);
+}
+
+/* Single rays and polynomials, which may be watched, go in packets of two. */
+INLINE const algsurf_i_watch *watch_of(const packet *k) { return LANES == 2 ? k->watch : NULL; }
+
 /* One radius. */
-APART void isolate(packet *k, int n, cuts *last){FOR_DEGREE(n, isolate_n(k, N, 0, last))}
+APART void isolate(packet *k, int n, cuts *last) {
+    if (watch_of(k))
+        isolate_watched(k, n, 0);
+    else
+        FOR_DEGREE(n, isolate_n(k, N, 0, last, NULL))
+}
 
 /* Radii of their own. */
 APART void isolate_known(packet *k, int n) {
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    isolate_n(k, n, 1, NULL);
+    if (watch_of(k))
+        isolate_watched(k, n, 1);
+    else
+        isolate_n(k, n, 1, NULL, NULL);
 }
 
 /* The same, compiled for common degrees: for single rays and polynomials, which are all that they do. */
-APART void isolate_known_often(packet *k, int n){FOR_DEGREE(n, isolate_n(k, N, 1, NULL))}
+APART void isolate_known_often(packet *k, int n) {
+    if (watch_of(k))
+        isolate_watched(k, n, 1);
+    else
+        FOR_DEGREE(n, isolate_n(k, N, 1, NULL, NULL))
+}
 
 APART void refine(packet *k, int n, const guess *g, double tolerance, lanes *at) {
-    FOR_DEGREE(n, *at = refine_n(k, N, g, tolerance))
+    if (watch_of(k))
+        refine_watched(k, n, g, tolerance, at);
+    else
+        FOR_DEGREE(n, *at = refine_n(k, N, g, tolerance, NULL))
 }
 
 #endif

@@ -58,13 +58,18 @@ static int count_quarters(const algsurf_i_coefficients *c, int unit, int *v, int
     return done;
 }
 
-int algsurf_i_parts_of(const algsurf_i_coefficients *p, double lo, double hi, algsurf_i_part *parts) {
+int algsurf_i_parts_of(const algsurf_i_coefficients *p, double lo, double hi, algsurf_i_part *parts,
+                       const algsurf_i_watch *watch) {
     int n = p->degree, v[4], sign[3], bound, count = 0;
     parts[0] = (algsurf_i_part){lo, hi, 0};
     if (n < ALGSURF_I_PARTS_DEGREE || p->c[0] == 0 || (bound = algsurf_i_root_bound(p)) > 1023) return 1;
     int mean = (ilogb(p->c[0]) - ilogb(p->c[n])) / n; /* of the roots' exponents */
     double s = ldexp(1, mean), far = ldexp(1, bound), ends[5] = {-far, -s, 0, s, far};
     if (!(s > 0x1p-900 && s < far) || !count_quarters(p, mean, v, sign) || !sign[0] || !sign[2]) return 1;
+    for (int i = 0; watch && i < 4; i++) {
+        const algsurf_cell cell = {ends[i], ends[i + 1], v[i], ALGSURF_ENGINE_INTEGERS, n, NULL};
+        algsurf_i_tell_cell(watch, &cell);
+    }
     for (int i = 0; i < 4; i++) {
         double from = fmax(ends[i], lo), to = fmin(ends[i + 1], hi);
         if (from > to || v[i] == 0) continue;

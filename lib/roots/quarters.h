@@ -2,6 +2,7 @@
 #ifndef ALGSURF_QUARTERS_H
 #define ALGSURF_QUARTERS_H
 #include "coefficients.h"
+#include "watch.h"
 
 /* A part of the line.  sign 0: [lo,hi] may have any number of roots.  Else (lo,hi) has exactly one, which is
  * simple, p has this sign before it, and no end is a root. */
@@ -23,6 +24,8 @@ static inline int algsurf_i_halvings_at_first(int degree) {
 }
 
 /* The parts of [lo,hi], lo <= hi, in order, that can have roots of p, which is without radii and has no
- * leading zero; returns their number.  Where the rule does not help that is one, the interval. */
-int algsurf_i_parts_of(const algsurf_i_coefficients *p, double lo, double hi, algsurf_i_part *parts);
+ * leading zero; returns their number.  Where the rule does not help that is one, the interval.  watch: null,
+ * or who is told of the quarters. */
+int algsurf_i_parts_of(const algsurf_i_coefficients *p, double lo, double hi, algsurf_i_part *parts,
+                       const algsurf_i_watch *watch);
 #endif

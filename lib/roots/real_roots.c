@@ -131,7 +131,7 @@ static algsurf_status find_itself(question q, algsurf_real_root *roots, int *cou
     int halvings = algsurf_i_halvings_at_first(q.degree), found = 0;
     if (find_in_doubles(&q, 0, halvings, roots, count)) return ALGSURF_OK;
     algsurf_i_part parts[ALGSURF_I_PARTS];
-    int n = algsurf_i_parts_of(&(algsurf_i_coefficients){q.c, NULL, q.degree}, q.lo, q.hi, parts);
+    int n = algsurf_i_parts_of(&(algsurf_i_coefficients){q.c, NULL, q.degree}, q.lo, q.hi, parts, NULL);
     *count = 0;
     for (int i = 0; i < n; i++, *count += found) {
         algsurf_status status =

@@ -70,9 +70,10 @@ static algsurf_status search_finish(const algsurf_i_search *s, algsurf_refined_r
 /* ---- what both entries share ---- */
 
 static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options *options,
-                              algsurf_method *method) {
+                              algsurf_method *method, algsurf_observer **observer) {
     algsurf_refine_options known = {.size = sizeof known};
     if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_observer_is_good(known.observer)) return ALGSURF_E_ARGUMENT;
     int number = (int)known.method;
     if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
     if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
@@ -81,6 +82,7 @@ static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options 
     s->tolerance = fmin(known.tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
     s->max_iterations = known.max_iterations ? known.max_iterations : 1000;
     *method = known.method;
+    *observer = known.observer;
     return ALGSURF_OK;
 }
 
@@ -99,6 +101,19 @@ static void run(algsurf_i_search *s, algsurf_method method) {
 
 /* ---- a function ---- */
 
+typedef struct watched_function {
+    algsurf_function f;
+    void *data;
+    algsurf_i_watch watch;
+} watched_function;
+
+static double told_function(double x, void *data) {
+    const watched_function *w = data;
+    double y = w->f(x, w->data);
+    algsurf_i_tell_point(&w->watch, x, y, 0, ALGSURF_ENGINE_DOUBLES);
+    return y;
+}
+
 /* No change of the floating-point environment here: f is the caller's, and the bracket, whose ends only
  * have to be points where f was evaluated, is right in any rounding mode. */
 algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
@@ -106,10 +121,16 @@ algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo
     if (!f || !result) return ALGSURF_E_ARGUMENT;
     algsurf_i_search s = {.f = f, .data = data};
     algsurf_method method;
-    algsurf_status status = prepare(&s, options, &method);
+    algsurf_observer *observer;
+    algsurf_status status = prepare(&s, options, &method, &observer);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (lo > hi) return ALGSURF_E_ARGUMENT;
+    watched_function watched = {f, data, {.observer = observer}};
+    if (observer) {
+        s.f = told_function;
+        s.data = &watched;
+    }
     int bracketed = search_start(&s, lo, hi);
     if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
     run(&s, method);
@@ -129,9 +150,10 @@ static double plain_value(double t, void *data) {
 
 /* The inner function, watched. */
 static double told(double t, void *data) {
-    const algsurf_i_polynomial *p = data;
+    algsurf_i_polynomial *p = data;
+    p->engine = ALGSURF_ENGINE_DOUBLES;
     double y = p->inner(t, data);
-    p->observe(t, algsurf_i_polynomial_unscaled(p, y), p->observer_data);
+    algsurf_i_tell_point(&p->watch, t, y, -p->exponent, p->engine);
     return y;
 }
 
@@ -147,10 +169,11 @@ static void balance(algsurf_i_polynomial *p, double *room) {
 
 /* Does a root lie between neighbouring doubles?  Signs tell nothing of two roots, nor of a double one. */
 static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
+    const algsurf_i_watch *watch = p->watch.observer ? &p->watch : NULL;
     algsurf_real_root root;
     int count;
     algsurf_status status =
-        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, 1, &root, 1, &count, NULL);
+        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, 1, &root, 1, &count, watch);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -201,40 +224,26 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, doubl
                                                    algsurf_refined_root *result) {
     algsurf_i_search s = {.data = &p};
     algsurf_method method;
-    algsurf_status status = prepare(&s, options, &method);
+    algsurf_status status = prepare(&s, options, &method, &p.watch.observer);
     if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
     for (int i = 0; status == ALGSURF_OK && i <= p.given.degree; i++)
         if (!isfinite(p.c[i])) status = ALGSURF_E_NOT_FINITE;
     if (status != ALGSURF_OK) return status;
     p.inner = method == ALGSURF_METHOD_DEFAULT ? algsurf_i_polynomial_certain : plain_value;
-    s.f = p.observe ? told : p.inner;
+    s.f = p.watch.observer ? told : p.inner;
     status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
                                               : refine_plain(&s, &p, lo, hi, method, result);
     if (status >= 0) result->value = algsurf_i_polynomial_unscaled(&p, result->value);
     return status;
 }
 
-static algsurf_status run_guarded(const double *c, int degree, double lo, double hi,
-                                  const algsurf_refine_options *options, algsurf_refine_observer observe,
-                                  void *data, algsurf_refined_root *result) {
+algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
+                                   const algsurf_refine_options *options, algsurf_refined_root *result) {
     if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_i_polynomial p = {.given = {c, NULL, degree}, .c = c, .observe = observe, .observer_data = data};
+    const algsurf_i_polynomial p = {.given = {c, NULL, degree}, .c = c};
     algsurf_status status = refine_poly(p, lo, hi, options, result);
     algsurf_fpenv_leave(&saved);
     return status;
-}
-
-algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
-                                   const algsurf_refine_options *options, algsurf_refined_root *result) {
-    return run_guarded(c, degree, lo, hi, options, NULL, NULL, result);
-}
-
-algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
-                                            const algsurf_refine_options *options,
-                                            algsurf_refine_observer observe, void *data,
-                                            algsurf_refined_root *result) {
-    if (!observe) return ALGSURF_E_ARGUMENT;
-    return run_guarded(c, degree, lo, hi, options, observe, data, result);
 }

@@ -10,6 +10,7 @@
 
 #include "algsurf/refine.h"
 #include "coefficients.h"
+#include "watch.h"
 
 typedef struct algsurf_i_search {
     algsurf_function f;
@@ -63,8 +64,8 @@ typedef struct algsurf_i_polynomial {
     double newton; /* Newton's step at the last point: from algsurf_i_polynomial_certain */
     int no_memory; /* a value could not be told, and is NaN */
     algsurf_function inner;
-    algsurf_refine_observer observe; /* null: nobody looks */
-    void *observer_data;
+    int engine;            /* that found the last value: set to the doubles' by who asks */
+    algsurf_i_watch watch; /* its observer null: nobody looks */
 } algsurf_i_polynomial;
 
 /* Scales p, with unit and exponent 0, for |t| <= farthest, into c and r if there is need. */

@@ -115,13 +115,20 @@ static int set_bracket(const single *s, const packet *k, double least, algsurf_b
 }
 
 int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, double hi, int most,
-                                   algsurf_bracket *b, int *count, int *counted) {
+                                   algsurf_bracket *b, int *count, const algsurf_i_watch *watch) {
     single s = {.p = p, .lo = lo, .hi = hi};
+    algsurf_i_watch here;
     packet k;
     int n = p->degree;
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
     *count = 0;
     set_single(&s);
+    k.watch = NULL;
+    if (watch) {
+        here = *watch;
+        here.lo = lo, here.hi = hi;
+        k.watch = &here;
+    }
     k.open = less(numbered(), all_lanes(1));
     k.doubtful = no_lane();
     k.start = all_lanes(-1);
@@ -132,11 +139,11 @@ int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, d
         k.e[j] = all_lanes(s.error);
     }
     begin(&k, n, 1);
+    if (watch) tell_cell(k.watch, 0, 1, k.at.w, k.at.e, n, 1, k.at.side[0] != 0);
     bound_errors(&k, n, 1, 1);
     leave_undecided(&k, ~ends_known(k.b, k.e, n, 1, all_lanes(0)));
     for (;;) {
         isolate_known_often(&k, n);
-        *counted += k.counted;
         if (any(k.doubtful)) return 0;
         if (!any(k.hit)) return 1;
         if (!set_bracket(&s, &k, *count ? b[*count - 1].hi : lo, b + *count)) return 0;

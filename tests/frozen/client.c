@@ -71,6 +71,7 @@ static void check_rays(const algsurf_surface *s) {
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
     o.tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT, o.max_memory = 1 << 20;
+    o.observer = NULL;
     {
         algsurf_hit hit, hits[2];
         int state = ALGSURF_MISS;
@@ -147,11 +148,20 @@ static void check_roots(void) {
     int count = 0, found = 0;
     CHECK(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count) == ALGSURF_OK && count == 2);
     CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].value.re), sqrt(2)));
-    CHECK(algsurf_isolate_first(c, NULL, 2, 0, 2, &bracket, &found) == ALGSURF_OK && found == 1);
+    BLANK(algsurf_isolate_options, isolate);
+    BLANK(algsurf_observer, observer);
+    observer.size = sizeof observer, observer.data = NULL, observer.cell = NULL, observer.point = NULL;
+    observer.intervals = observer.evaluations = 0, observer.engine = ALGSURF_ENGINE_NONE;
+    isolate.observer = at_edge(&observer, sizeof observer);
+    CHECK(algsurf_isolate_first(c, NULL, 2, 0, 2, at_edge(&isolate, sizeof isolate), &bracket, &found) ==
+              ALGSURF_OK &&
+          found == 1);
+    CHECK(isolate.observer->intervals == 1 && isolate.observer->engine == ALGSURF_ENGINE_DOUBLES);
     CHECK(bracket.lo <= sqrt(2) && sqrt(2) <= bracket.hi && bracket.sign == -1);
 
     BLANK(algsurf_refine_options, r);
     r.method = ALGSURF_METHOD_BISECTION, r.max_iterations = 100, r.tolerance = 1e-9;
+    r.observer = NULL;
     {
         algsurf_refined_root root;
         CHECK(algsurf_refine_poly(c, 2, 1, 2, at_edge(&r, sizeof r), &root) == ALGSURF_OK);

@@ -51,7 +51,7 @@ static void check_one(int degree, int i, int state, double root) {
         fuzz_check(state == ALGSURF_FIRST_ROOT_UNDECIDED);
         return;
     }
-    algsurf_status status = algsurf_isolate_first(one, NULL, degree, lo[i], hi[i], &b, &found);
+    algsurf_status status = algsurf_isolate_first(one, NULL, degree, lo[i], hi[i], NULL, &b, &found);
     int subnormal = b.lo >= -DBL_MIN && b.hi <= DBL_MIN; /* a packet may tell such a root from 0 */
     if (status == ALGSURF_OK || !subnormal)
         fuzz_check(state == (status != ALGSURF_OK ? ALGSURF_FIRST_ROOT_UNDECIDED : found));

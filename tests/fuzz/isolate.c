@@ -14,7 +14,7 @@ static isolate_answer answer;
 static void judge_members(const double *c, const double *r, int n, double lo, double hi) {
     answer.count = -1;
     answer.status =
-        algsurf_isolate_all(c, r, n, lo, hi, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+        algsurf_isolate_all(c, r, n, lo, hi, NULL, answer.b, ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
     fuzz_check(answer.status >= 0 && answer.count >= 0);
     const char *wrong = isolate_form(c, r, n, lo, hi, &answer);
     for (int side = -1; !wrong && side <= 1; side++) {
@@ -47,7 +47,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (isnan(lo) || isnan(hi) || may_vanish || fuzz_span(c, n + 1) * n > MOST_BITS) return 0;
     if (lo > hi) {
         int found = 77;
-        fuzz_check(algsurf_isolate_first(c, NULL, n, lo, hi, &answer.first, &found) == ALGSURF_E_ARGUMENT);
+        fuzz_check(algsurf_isolate_first(c, NULL, n, lo, hi, NULL, &answer.first, &found) ==
+                   ALGSURF_E_ARGUMENT);
         fuzz_check(found == 77);
         double t = lo;
         lo = hi, hi = t;
