@@ -140,17 +140,17 @@ static uint8_t *take_bytes(uint8_t **from, size_t count) {
     return taken;
 }
 
-/* Its counts are the first of the row's. */
 static void lay_out_shown(algsurf_i_shown *shown, size_t width, int normals, uint16_t *counts,
                           double **doubles, uint8_t **bytes) {
     shown->samples = counts;
-    shown->sum = take(doubles, 3 * width);
-    shown->nearest = take(doubles, width);
-    shown->normal = normals ? take(doubles, 3 * width) : NULL;
+    shown->sum = take(doubles, 3 * (width + APART));
+    shown->nearest = take(doubles, width + APART);
+    shown->normal = normals ? take(doubles, 3 * (width + APART)) : NULL;
     shown->state = take_bytes(bytes, width);
 }
 
 static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
+    width += APART;
     line->points.t = take(doubles, width);
     for (int k = 0; k < 3; k++) {
         line->points.position[k] = take(doubles, width);

@@ -96,12 +96,13 @@ static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : 
 
 /* Adds a pass's points to what the pixels show. */
 static void add_pass(const algsurf_i_line *line) {
-    const algsurf_i_points *points = &line->points;
-    for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i];
-        double colour[3] = {0, 0, 0}, *normal = line->shown.normal;
-        for (int k = 0; line->coloured && k < 3; k++) colour[k] = clamped(line->colour[3 * i + k]);
-        if (!algsurf_i_add_sample(&line->shown, x, colour, points->t[i], line->state[x]) || !normal) continue;
+    const algsurf_i_line l = *line; /* so that the compiler sees what stays the same */
+    const algsurf_i_points *points = &l.points;
+    for (int i = 0; i < l.count; i++) {
+        int x = l.pixel[i];
+        double colour[3] = {0, 0, 0}, *normal = l.shown.normal;
+        for (int k = 0; l.coloured && k < 3; k++) colour[k] = clamped(l.colour[3 * i + k]);
+        if (!algsurf_i_add_sample(&l.shown, x, colour, points->t[i], l.state[x]) || !normal) continue;
         for (int k = 0; k < 3; k++) normal[3 * x + k] = points->normal[k][i];
     }
 }
@@ -109,27 +110,37 @@ static void add_pass(const algsurf_i_line *line) {
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
 /* Averages over all samples; those without a point show the background.  Where there is none, alpha is the
- * share of the others, and the average is over them. */
+ * share of the others, and the average is over them.  With a known number of channels it is faster. */
+static inline void store_averages(const algsurf_i_shown *shown, int all, const double sky[3], int transparent,
+                                  int channels, int width, uint8_t *bytes) {
+    const uint16_t *counts = shown->samples;
+    const double *sums = shown->sum, share = 1.0 / all;
+    for (int x = 0; x < width; x++) {
+        int samples = counts[x];
+        const double *sum = sums + 3 * x;
+        uint8_t *pixel = bytes + channels * x;
+        if (samples == 0) continue;
+        double weight = transparent && channels == 4 ? 1.0 / samples : share;
+        for (int k = 0; k < 3; k++) pixel[k] = byte_of((sum[k] + (all - samples) * sky[k]) * weight);
+        if (channels == 4) pixel[3] = transparent ? byte_of(samples * share) : 255;
+    }
+}
+
 void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
                              int channels, uint8_t *bytes) {
-    int transparent = picture->scene->transparent, straight = transparent && channels == 4;
-    double share = 1.0 / all, sky[3];
-    size_t length = (size_t)channels * (size_t)picture->width, done = (size_t)channels;
-    if (channels == 4) bytes[3] = transparent ? 0 : 255;
+    int transparent = picture->scene->transparent, width = picture->width;
+    size_t length = (size_t)channels * (size_t)width, done = (size_t)channels;
+    double sky[3];
     for (int k = 0; k < 3; k++) {
         sky[k] = clamped(picture->scene->background[k]);
         bytes[k] = byte_of(sky[k]);
     }
+    if (channels == 4) bytes[3] = transparent ? 0 : 255;
     for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
-    for (int x = 0; x < picture->width; x++) {
-        int samples = shown->samples[x];
-        const double *sum = shown->sum + 3 * x;
-        uint8_t *pixel = bytes + channels * x;
-        if (samples == 0) continue;
-        double weight = straight ? 1.0 / samples : share;
-        for (int k = 0; k < 3; k++) pixel[k] = byte_of((sum[k] + (all - samples) * sky[k]) * weight);
-        if (straight) pixel[3] = byte_of(samples * share);
-    }
+    if (channels == 4)
+        store_averages(shown, all, sky, transparent, 4, width, bytes);
+    else
+        store_averages(shown, all, sky, transparent, 3, width, bytes);
 }
 
 /* The planes besides the pixels, from entry `first` on. */
@@ -140,8 +151,10 @@ static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown 
         planes->t[first + (size_t)x] = samples[x] > 0 ? shown->nearest[x] : INFINITY;
     for (int x = 0; planes->state && x < width; x++)
         planes->state[first + (size_t)x] = samples[x] > 0 ? shown->state[x] : ALGSURF_MISS;
-    for (int i = 0; planes->normals && i < 3 * width; i++)
-        planes->normals[3 * first + (size_t)i] = samples[i / 3] > 0 ? (float)shown->normal[i] : 0;
+    for (int x = 0; planes->normals && x < width; x++) {
+        float *normal = planes->normals + 3 * (first + (size_t)x);
+        for (int k = 0; k < 3; k++) normal[k] = samples[x] > 0 ? (float)shown->normal[3 * x + k] : 0;
+    }
 }
 
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
