@@ -69,13 +69,15 @@ algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row
 
 void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, int wanted, algsurf_i_worker *worker) {
     const algsurf_i_line *line = &worker->line;
-    const algsurf_i_shown *middle = &worker->middles.shown[row % 3];
+    const algsurf_i_shown *middle = &worker->middles.shown[row % 3], *shown = &line->shown;
     for (int x = 0; x < picture->width; x++) {
         if (line->wanted[x] != wanted || middle->samples[x] == 0) continue;
-        int nearest =
-            algsurf_i_add_sample(&line->shown, x, middle->sum + 3 * x, middle->nearest[x], middle->state[x]);
-        if (nearest && middle->normal)
-            memcpy(line->shown.normal + 3 * x, middle->normal + 3 * x, 3 * sizeof *middle->normal);
+        double t = middle->nearest[x];
+        int nearest = algsurf_i_is_nearest(shown, x, t);
+        if (nearest && shown->state) shown->state[x] = middle->state[x];
+        for (int k = 0; nearest && shown->normal && k < 3; k++)
+            shown->normal[3 * x + k] = middle->normal[3 * x + k];
+        algsurf_i_add_sample(shown, x, middle->sum + 3 * x, t);
     }
 }
 

@@ -23,10 +23,10 @@
 /* What the pixels of a row show, over the samples drawn so far. */
 typedef struct algsurf_i_shown {
     uint16_t *samples; /* of each pixel: how many of its samples show a point; 0: the others mean nothing */
-    double *sum;       /* 3 for each pixel: the clamped colours of those, 0 where none are asked for */
-    double *nearest;   /* their smallest t; */
-    double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for; */
-    uint8_t *state;    /* the algsurf_hit_state there */
+    double *sum;       /* 3 for each pixel: the clamped colours of those, if colours are asked for */
+    double *nearest;   /* their smallest t */
+    double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
+    uint8_t *state;    /* the algsurf_hit_state there, or null likewise */
 } algsurf_i_shown;
 
 /* The points of a row that are seen through one sample of its pixels, and what the pixels show. */
@@ -130,15 +130,17 @@ algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, a
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_worker *worker, algsurf_i_tally *tally);
 
-/* Adds a sample to pixel x; returns whether it is the nearest so far, hence its normal is the pixel's. */
-static inline int algsurf_i_add_sample(const algsurf_i_shown *shown, int x, const double colour[3], double t,
-                                       uint8_t state) {
-    int first = shown->samples[x]++ == 0, nearest = first || t < shown->nearest[x];
+/* Is t less than that of each sample of pixel x so far? */
+static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
+    return shown->samples[x] == 0 || t < shown->nearest[x];
+}
+
+/* Adds a sample to pixel x: its clamped colour and t. */
+static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, const double colour[3],
+                                        double t) {
+    int first = shown->samples[x]++ == 0;
     for (int k = 0; k < 3; k++) shown->sum[3 * x + k] = colour[k] + (first ? 0 : shown->sum[3 * x + k]);
-    if (!nearest) return 0;
-    shown->nearest[x] = t;
-    shown->state[x] = state;
-    return 1;
+    shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
 }
 
 /* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */

@@ -140,13 +140,13 @@ static uint8_t *take_bytes(uint8_t **from, size_t count) {
     return taken;
 }
 
-static void lay_out_shown(algsurf_i_shown *shown, size_t width, int normals, uint16_t *counts,
-                          double **doubles, uint8_t **bytes) {
+static void lay_out_shown(algsurf_i_shown *shown, size_t width, const algsurf_picture *planes,
+                          uint16_t *counts, double **doubles, uint8_t **bytes) {
     shown->samples = counts;
     shown->sum = take(doubles, 3 * (width + APART));
     shown->nearest = take(doubles, width + APART);
-    shown->normal = normals ? take(doubles, 3 * (width + APART)) : NULL;
-    shown->state = take_bytes(bytes, width);
+    shown->normal = planes->normals ? take(doubles, 3 * (width + APART)) : NULL;
+    shown->state = planes->state ? take_bytes(bytes, width) : NULL;
 }
 
 static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
@@ -162,10 +162,10 @@ static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, doub
     line->visible = take(doubles, lights * width);
 }
 
-static void lay_out_middles(algsurf_i_middles *middles, size_t width, int normals, uint16_t *counts,
-                            double **doubles, uint8_t **bytes) {
+static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algsurf_picture *planes,
+                            uint16_t *counts, double **doubles, uint8_t **bytes) {
     for (size_t slot = 0; slot < MIDDLES; slot++) {
-        lay_out_shown(&middles->shown[slot], width, normals, counts + slot * width, doubles, bytes);
+        lay_out_shown(&middles->shown[slot], width, planes, counts + slot * width, doubles, bytes);
         middles->bytes[slot] = take_bytes(bytes, 4 * width);
     }
     middles->wanted = take_bytes(bytes, width);
@@ -186,10 +186,10 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
     size_t middle = picture->selective ? 1 : 0, rows = 1 + middle * MIDDLES;
-    int normals = picture->planes.normals != NULL;
+    const algsurf_picture *planes = &picture->planes;
     size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
-    size_t doubles_each =
-        LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (normals ? 3 * rows : 0) + (roots > 0) + 2 * roots;
+    size_t doubles_each = LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
+                          (roots > 0) + 2 * roots;
     memory->workers = calloc(count, sizeof *memory->workers);
     memory->doubles =
         calloc(count * (width + APART) * doubles_each + frame + 3 * samples, sizeof *memory->doubles);
@@ -205,9 +205,9 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         lay_out_line(&worker->line, width, lights, &doubles);
-        lay_out_shown(&worker->line.shown, width, normals, counts, &doubles, &bytes);
+        lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)
-            lay_out_middles(&worker->middles, width, normals, counts + width, &doubles, &bytes);
+            lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
         if (roots == 0) continue;
         worker->line.imaginary = take(&doubles, width + APART);
         worker->trail.x = take(&doubles, roots * width);

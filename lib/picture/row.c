@@ -94,16 +94,26 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
 
 static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
 
+/* Before a pass's points are added: the normals and states of those that are nearest. */
+static void keep_nearest(const algsurf_i_line *line) {
+    const algsurf_i_points *points = &line->points;
+    double *normal = line->shown.normal;
+    uint8_t *state = line->shown.state;
+    if (!normal && !state) return;
+    for (int i = 0; i < line->count; i++) {
+        int x = line->pixel[i];
+        if (!algsurf_i_is_nearest(&line->shown, x, points->t[i])) continue;
+        if (state) state[x] = line->state[x];
+        for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
+    }
+}
+
 /* Adds a pass's points to what the pixels show. */
 static void add_pass(const algsurf_i_line *line) {
-    const algsurf_i_line l = *line; /* so that the compiler sees what stays the same */
-    const algsurf_i_points *points = &l.points;
-    for (int i = 0; i < l.count; i++) {
-        int x = l.pixel[i];
-        double colour[3] = {0, 0, 0}, *normal = l.shown.normal;
-        for (int k = 0; l.coloured && k < 3; k++) colour[k] = clamped(l.colour[3 * i + k]);
-        if (!algsurf_i_add_sample(&l.shown, x, colour, points->t[i], l.state[x]) || !normal) continue;
-        for (int k = 0; k < 3; k++) normal[3 * x + k] = points->normal[k][i];
+    for (int i = 0; i < line->count; i++) {
+        const double *colour = line->colour + 3 * i;
+        const double shown[3] = {clamped(colour[0]), clamped(colour[1]), clamped(colour[2])};
+        algsurf_i_add_sample(&line->shown, line->pixel[i], shown, line->points.t[i]);
     }
 }
 
@@ -165,7 +175,10 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK && line->coloured) status = shade_line(picture, line, tally);
-    if (status == ALGSURF_OK) add_pass(line);
+    if (status == ALGSURF_OK) {
+        keep_nearest(line);
+        add_pass(line);
+    }
     return status;
 }
 
