@@ -34,7 +34,7 @@ static void look_at_torus(void) {
     algsurf_surface *torus;
     algsurf_scene *scene;
     check(algsurf_surface_from_equation("(x^2 + y^2 + z^2 + 3)^2 = 16 (x^2 + y^2)", NULL, 0, &torus, NULL));
-    check(algsurf_camera_pinhole(&camera, eye, middle, up, 24));
+    check(algsurf_camera_pinhole(eye, middle, up, 24, &camera));
     check(algsurf_scene_create(torus, &scene));
     check(algsurf_scene_set_extent(scene, &ball));
     check(algsurf_scene_set_camera(scene, &camera));

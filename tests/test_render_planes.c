@@ -39,7 +39,7 @@ static algsurf_camera camera_in(const struct way *way) {
     const double eye[3] = {7, 4, 5};
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     if (way->parallel)
-        assert_int_equal(algsurf_camera_orthographic(&camera, eye, origin, z_up, 6.5), ALGSURF_OK);
+        assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6.5, &camera), ALGSURF_OK);
     return camera;
 }
 
@@ -174,7 +174,7 @@ static void first_of_equals(void **state) {
     algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
     algsurf_camera camera;
     (void)state;
-    assert_int_equal(algsurf_camera_orthographic(&camera, eye, at, up, H * 0.125), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &box), ALGSURF_OK);
     picture *p = drawn(scene, 1);
@@ -266,7 +266,7 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
 
 static void any_planes(void **state) {
     static const double dark[3] = {0, 0, 0};
-    const algsurf_material soot = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0, 1};
+    const algsurf_material soot = {.size = sizeof soot, .shininess = 1};
     algsurf_surface *surface = torus();
     (void)state;
     for (int look = 0; look < 3; look++)
