@@ -57,8 +57,8 @@ typedef double (*algsurf_function)(double x, void *data);
  * Guarantee: approximate; for exact signs of f the final bracket encloses a root.
  * Returns OK; NOT_CONVERGED (result filled) at the iteration limit.  Errors: E_ARGUMENT (null, lo > hi,
  * same signs, bad options), E_NOT_FINITE (an end, or f returned NaN).
- * The function is called in the caller's floating-point environment and may use all of libm.
- * So is the arithmetic on the bracket: the guarantee does not depend on it, the last digits may.
+ * The function is called in the caller's floating-point environment, which it may change, and may use all of
+ * libm; the arithmetic on the bracket is done in the library's.
  * Infinite values count by their sign.
  * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,

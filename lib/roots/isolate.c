@@ -20,7 +20,8 @@
 #include "quarters.h"
 #include "sturm.h"
 
-enum { ALL, FIRST, NUMBER }; /* NUMBER: on the whole line, without radii, and without brackets */
+/* NUMBER: without brackets, where these are not needed: on the whole line, without radii. */
+enum { ALL, FIRST, NUMBER };
 
 typedef struct task {
     algsurf_i_coefficients p;
@@ -282,6 +283,7 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     algsurf_status status = check(t->p.c, t->p.r, t->p.degree, t->lo, t->hi);
     if (status != ALGSURF_OK) return status;
     if (!has_radii(t)) t->p.r = NULL;
+    if (t->wanted == NUMBER && (t->p.r || t->lo != -HUGE_VAL || t->hi != HUGE_VAL)) t->wanted = ALL;
     while (t->p.c[t->p.degree] == 0 && (!t->p.r || t->p.r[t->p.degree] == 0)) t->p.degree--;
     if (may_vanish(&t->p)) {
         all_undecided(t);
@@ -289,6 +291,14 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     }
     if (!t->p.r) return walk(t);
     return walk_lane(t) ? ALGSURF_OK : walk_envelopes(t);
+}
+
+/* The roots that are certain. */
+static int number_of(const task *t) {
+    int number = 0;
+    if (t->wanted == NUMBER) return t->count;
+    for (int i = 0; i < t->count; i++) number += t->b[i].kind != ALGSURF_BRACKET_UNDECIDED;
+    return number;
 }
 
 /* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status.
@@ -301,9 +311,9 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     algsurf_status status = check_and_isolate(&t);
     algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
-    *count = t.count;
+    *count = wanted == NUMBER ? number_of(&t) : t.count;
     if (intervals) *intervals = t.counted;
-    if (wanted == NUMBER) return ALGSURF_OK;
+    if (t.wanted == NUMBER) return ALGSURF_OK;
     for (int i = 0; i < t.count; i++)
         if (room[i].kind == ALGSURF_BRACKET_EXACT) room[i].sign = 0;
     for (int i = 0; i < t.count; i++)
@@ -346,12 +356,6 @@ algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree,
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
     algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
-    int n = 0, roots = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    int number = lo == -HUGE_VAL && hi == HUGE_VAL && !r;
-    algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, room, &n, NULL);
-    if (status < 0) return status;
-    for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_BRACKET_UNDECIDED;
-    *count = number ? n : roots;
-    return status;
+    return run(c, r, degree, lo, hi, NUMBER, room, count, NULL);
 }

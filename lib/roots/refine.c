@@ -98,12 +98,25 @@ static void run(algsurf_i_search *s, algsurf_method method) {
 
 /* ---- a function ---- */
 
-/* No change of the floating-point environment here: f is the caller's, and the bracket, whose ends only
- * have to be points where f was evaluated, is right in any rounding mode. */
-algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
-                                       const algsurf_refine_options *options, algsurf_refined_root *result) {
-    if (!f || !result) return ALGSURF_E_ARGUMENT;
-    algsurf_i_search s = {.f = f, .data = data};
+/* The caller's function, and the environment that it is called in. */
+typedef struct visit {
+    algsurf_function f;
+    void *data;
+    algsurf_fpenv *host;
+} visit;
+
+static double call_in_host(double x, void *data) {
+    const visit *v = data;
+    algsurf_fpenv_leave(v->host);
+    double y = v->f(x, v->data);
+    algsurf_fpenv_enter(v->host); /* with the flags that f has raised */
+    return y;
+}
+
+static ALGSURF_NOINLINE algsurf_status refine_function(visit *v, double lo, double hi,
+                                                       const algsurf_refine_options *options,
+                                                       algsurf_refined_root *result) {
+    algsurf_i_search s = {.f = call_in_host, .data = v};
     algsurf_method method;
     algsurf_status status = prepare(&s, options, &method);
     if (status != ALGSURF_OK) return status;
@@ -113,6 +126,17 @@ algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo
     if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
     run(&s, method);
     return search_finish(&s, result);
+}
+
+algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
+                                       const algsurf_refine_options *options, algsurf_refined_root *result) {
+    if (!f || !result) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv host;
+    algsurf_fpenv_enter(&host);
+    visit v = {f, data, &host};
+    algsurf_status status = refine_function(&v, lo, hi, options, result);
+    algsurf_fpenv_leave(&host);
+    return status;
 }
 
 /* ---- a polynomial ---- */
