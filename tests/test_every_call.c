@@ -192,6 +192,10 @@ static void complex_coefficients(algsurf_complex *c) {
 static void call_algsurf_status_name(void) { IN_HOST((void)algsurf_status_name(ALGSURF_OK)); }
 static void call_algsurf_status_text(void) { IN_HOST((void)algsurf_status_text(ALGSURF_OK)); }
 static void call_algsurf_version(void) { IN_HOST((void)algsurf_version()); }
+static void call_algsurf_self_test(void) {
+    algsurf_status s;
+    STATUS_IN_HOST(algsurf_self_test());
+}
 static void call_algsurf_kernel_name(void) { IN_HOST((void)algsurf_kernel_name(0)); }
 
 /* ---- surface.h ---- */
@@ -1236,6 +1240,7 @@ static const struct {
     CALL(algsurf_sector_holds),
     CALL(algsurf_select),
     CALL(algsurf_select_of_real),
+    CALL(algsurf_self_test),
     CALL(algsurf_shade),
     CALL(algsurf_shade_preview),
     CALL(algsurf_status_name),
