@@ -149,7 +149,7 @@ typedef struct algsurf_render_stats {
  * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some
  * 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 100 more, in complex space
  * 32 more for each degree, allocated once. Source: P in camera axes once a frame and by rows; Descartes' rule
- * on Bernstein coefficients for neighbouring pixels side by side.  Since 1.0. */
+ * on Bernstein coefficients for neighbouring pixels side by side.  59 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           uint8_t *pixels, size_t stride, double *hits,
                                           algsurf_render_stats *stats);

@@ -11,19 +11,33 @@
 
 enum { STACK_WORDS = 2048 };
 
-static algsurf_real_root root_of(const algsurf_exact_root *root) {
-    return (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
+/* Where roots go, as what is asked for: one of both is null. */
+typedef struct answer {
+    algsurf_real_root *roots;
+    algsurf_bracket *brackets;
+    int capacity, count, cells;
+} answer;
+
+static void give(answer *a, const algsurf_exact_root *root) {
+    int i = a->count++, kind = root->lo == root->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
+    if (a->roots)
+        a->roots[i] = (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
+    else
+        a->brackets[i] =
+            (algsurf_bracket){root->lo, root->hi, kind, root->sign_before, root->multiplicity, ALGSURF_OK};
 }
 
 static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
-                           int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
+                           answer *a) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
     int found = ALGSURF_EXACT_END;
-    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine)) return ALGSURF_E_NO_MEMORY;
-    while (*count < most && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
-        roots[(*count)++] = root_of(&root);
-    if (cells) *cells += walk.cells.counted;
+    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi,
+                             a->roots ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS))
+        return ALGSURF_E_NO_MEMORY;
+    while (a->count < a->capacity && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
+        give(a, &root);
+    a->cells = walk.cells.counted;
     return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
@@ -45,34 +59,46 @@ int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int deg
     return 1;
 }
 
-/* The first `most` roots of a polynomial from doubles c or, if that is null, from integers z. */
+/* The first roots of a polynomial from doubles c or, if that is null, from integers z. */
 static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
-                             int refine, int most, algsurf_real_root *roots, int *count, int *cells) {
+                             answer *a) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
     int unit = c ? unit_of(lo, hi) : 0;
-    *count = 0;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p)
           : algsurf_i_from_integers(&memory, z, degree, &p))
-        status =
-            p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, cells);
+        status = p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, a);
     algsurf_memory_release(&memory, begin);
     return status;
 }
 
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
-                                      algsurf_real_root *roots, int capacity, int *count, int *cells) {
-    return decide(c, NULL, degree, lo, hi, refine ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS, capacity,
-                  roots, count, cells);
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi,
+                                      algsurf_real_root *roots, int capacity, int *count) {
+    answer a = {.roots = roots, .capacity = capacity};
+    algsurf_status status = decide(c, NULL, degree, lo, hi, &a);
+    *count = a.count;
+    return status;
+}
+
+algsurf_status algsurf_i_decide_brackets(const double *c, int degree, double lo, double hi,
+                                         algsurf_bracket *brackets, int capacity, int *count, int *cells) {
+    answer a = {.brackets = brackets, .capacity = capacity};
+    algsurf_status status = decide(c, NULL, degree, lo, hi, &a);
+    *count = a.count;
+    *cells += a.cells;
+    return status;
 }
 
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count) {
-    return decide(NULL, c, degree, lo, hi, ALGSURF_EXACT_REFINED, capacity, roots, count, NULL);
+    answer a = {.roots = roots, .capacity = capacity};
+    algsurf_status status = decide(NULL, c, degree, lo, hi, &a);
+    *count = a.count;
+    return status;
 }
 
 /* ---- radii ---- */
@@ -110,7 +136,6 @@ static algsurf_bracket bracket_of(const algsurf_i_coefficients *p, const algsurf
 
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
                                        algsurf_bracket *brackets, int capacity, int *count, int *cells) {
-    algsurf_exact_range found[ALGSURF_MAX_POLY_DEGREE];
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly centre, radius;
@@ -119,10 +144,12 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     if (p->degree < 1 || lo == HUGE_VAL || hi == -HUGE_VAL) return ALGSURF_OK;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    size_t words = (size_t)capacity * (sizeof(algsurf_exact_range) / sizeof(algsurf_limb));
+    algsurf_exact_range *found = (algsurf_exact_range *)(void *)algsurf_memory_take(&memory, words);
     int done =
-        in_integers(&memory, p, unit, &centre, &radius) &&
+        found && in_integers(&memory, p, unit, &centre, &radius) &&
         algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, cells);
-    algsurf_memory_release(&memory, begin);
     for (int i = 0; i < *count; i++) brackets[i] = bracket_of(p, found + i);
+    algsurf_memory_release(&memory, begin);
     return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }

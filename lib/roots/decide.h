@@ -10,11 +10,15 @@
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
 /* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing
- * order, the first `capacity` of them; the degree always suffices.  refine 0: simple roots come without a
- * value, as brackets that hold no other root, p not being 0 at the ends. cells: null, or receives how many
- * intervals had their variations counted, added. Returns OK or E_NO_MEMORY. Stack: 20 KiB. */
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
-                                      algsurf_real_root *roots, int capacity, int *count, int *cells);
+ * order, the first `capacity` of them; the degree always suffices.  Returns OK or E_NO_MEMORY.  Stack: 20
+ * KiB, and what the walk takes. */
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi,
+                                      algsurf_real_root *roots, int capacity, int *count);
+
+/* The same as brackets: those of simple roots hold no other root, p not being 0 at the ends.  cells: how many
+ * intervals had their variations counted is added. */
+algsurf_status algsurf_i_decide_brackets(const double *c, int degree, double lo, double hi,
+                                         algsurf_bracket *brackets, int capacity, int *count, int *cells);
 
 /* The same for integer coefficients. */
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,

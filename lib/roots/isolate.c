@@ -9,6 +9,7 @@
 #include "algsurf/isolate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/fpenv.h"
@@ -122,15 +123,10 @@ static int walk_lane(task *t) {
 static double begin_of_rest(const task *t) { return t->count > 0 ? t->b[t->count - 1].hi : t->lo; }
 
 static algsurf_status walk_integers(task *t, double lo, double hi) {
-    algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
     int found = 0, most = (t->wanted == FIRST ? 1 : t->capacity) - t->count;
     algsurf_status status =
-        algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, &t->counted);
-    for (int i = 0; i < found; i++) {
-        const algsurf_real_root *r = roots + i;
-        int kind = r->lo == r->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
-        t->b[t->count++] = (algsurf_bracket){r->lo, r->hi, kind, r->sign, r->multiplicity, ALGSURF_OK};
-    }
+        algsurf_i_decide_brackets(t->p.c, t->p.degree, lo, hi, t->b + t->count, most, &found, &t->counted);
+    t->count += found;
     return status;
 }
 
@@ -321,16 +317,32 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     return ALGSURF_OK;
 }
 
+/* Brackets on the stack, or, beyond the degrees that doubles decide, allocated. */
+typedef struct room {
+    algsurf_bracket few[ALGSURF_MAX_DEGREE + 1], *b;
+} room;
+
+static int make_room(room *r, int degree) {
+    int many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
+    r->b = many ? malloc((size_t)degree * sizeof *r->b) : r->few;
+    return r->b != NULL;
+}
+
+static void free_room(room *r) {
+    if (r->b != r->few) free(r->b);
+}
+
 algsurf_status algsurf_isolate_first_counted(const double *c, const double *r, int degree, double lo,
                                              double hi, algsurf_bracket *bracket, int *found,
                                              int *intervals) {
-    algsurf_bracket first[ALGSURF_MAX_POLY_DEGREE];
+    room all;
     int count = 0;
     if (!bracket || !found || !intervals) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, FIRST, first, &count, intervals);
-    if (status < 0) return status;
-    *found = count;
-    if (count) *bracket = first[0];
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, FIRST, all.b, &count, intervals);
+    if (status >= 0) *found = count;
+    if (status >= 0 && count) *bracket = all.b[0];
+    free_room(&all);
     return status;
 }
 
@@ -342,20 +354,26 @@ algsurf_status algsurf_isolate_first(const double *c, const double *r, int degre
 
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
                                    algsurf_bracket *brackets, int capacity, int *count) {
-    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    room all;
     int n = 0;
     if (!brackets || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, ALL, room, &n, NULL);
-    if (status < 0) return status;
-    if (n > capacity) return ALGSURF_E_ARGUMENT;
-    memcpy(brackets, room, (size_t)n * sizeof *room);
-    *count = n;
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, ALL, all.b, &n, NULL);
+    if (status >= 0 && n > capacity) status = ALGSURF_E_ARGUMENT;
+    if (status >= 0) {
+        memcpy(brackets, all.b, (size_t)n * sizeof *brackets);
+        *count = n;
+    }
+    free_room(&all);
     return status;
 }
 
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
-    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    room all;
     if (!count) return ALGSURF_E_ARGUMENT;
-    return run(c, r, degree, lo, hi, NUMBER, room, count, NULL);
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, NUMBER, all.b, count, NULL);
+    free_room(&all);
+    return status;
 }

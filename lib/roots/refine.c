@@ -172,8 +172,7 @@ static void balance(algsurf_i_polynomial *p, double *room) {
 static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
     algsurf_real_root root;
     int count;
-    algsurf_status status =
-        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, 1, &root, 1, &count, NULL);
+    algsurf_status status = algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, &root, 1, &count);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 

@@ -77,7 +77,7 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * default, where integers decide: 1 GiB at most).
  * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
- * roots need.  Since 1.0. */
+ * roots need.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                                const algsurf_refine_options *options,
                                                algsurf_refined_root *result);
@@ -89,8 +89,8 @@ typedef void (*algsurf_refine_observer)(double x, double value, void *data);
  * in their order: lo, hi, then the points the method chooses.  (With algsurf_refine_function it is the
  * function that sees them.)  The observer runs in the library's floating-point environment, round to nearest,
  * and must leave that as it is.
- * Errors: as above, and E_ARGUMENT for a null observer; with equal signs it has seen both ends.
- * Since 1.0. */
+ * Errors: as above, and E_ARGUMENT for a null observer; with equal signs it has seen both ends.  42 KiB of
+ * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly_observed(const double *c, int degree, double lo, double hi,
                                                         const algsurf_refine_options *options,
                                                         algsurf_refine_observer observe, void *data,
