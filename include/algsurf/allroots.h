@@ -41,18 +41,18 @@ typedef struct algsurf_complex_root {
  * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
  * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
- * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE). Cost: O(degree^2) times some 10 iterations; about
- * 60 KiB of stack.  With exact coefficients, degrees to 24 take 0.1 to 3 microseconds (2 to 16) where roots
- * are simple and apart, 1 to 20 otherwise. Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each
- * degree.  A real polynomial without radii that has a cluster may need more than 16 KiB of the stack for its
- * integers, and then up to 1 GiB.  All is freed. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973
- * (iteration), Smith 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for
- * complex arguments).  Since 1.0. */
+ * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE). Cost: O(degree^2) times some 10 iterations; about.
+ * With exact coefficients, degrees to 24 take 0.1 to 3 microseconds (2 to 16) where roots are simple and
+ * apart, 1 to 20 otherwise. Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  A real
+ * polynomial without radii that has a cluster may need more than 16 KiB of the stack for its integers, and
+ * then up to 1 GiB.  All is freed. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration),
+ * Smith 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex
+ * arguments).  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
 
 /* The same for real coefficients; radii then stand for real coefficients too, so that roots can be proved
- * real.  Since 1.0. */
+ * real.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                                          algsurf_complex_root *roots, int *count);
 
@@ -77,8 +77,8 @@ typedef struct algsurf_complex_batch {
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.
- * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
- * Since 1.0.
+ * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.  44
+ * KiB of stack.  Since 1.0.
  */
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
@@ -103,8 +103,8 @@ typedef struct algsurf_zero_options {
  *   steps   how many were made; may be null
  * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
  * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT,
- * E_NOT_FINITE.  Cost: O(degree) a step; 40 KiB of stack.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
- * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  Since 1.0. */
+ * E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
+ * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  44 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
                                                  const algsurf_zero_options *options, algsurf_complex *z,
                                                  algsurf_complex *q, int *steps);
@@ -119,8 +119,8 @@ ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int d
  *   inflations  how many were made; may be null
  * Returns OK, or NOT_VERIFIED (nothing is written but inflations); multiple roots never verify, roots closer
  * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_NOT_FINITE.  Cost: O(degree) each
- * inflation; 75 KiB of stack.  Source: as above, 2.2; the residual is computed in doubled precision (the
- * original uses an exact dot product).  Since 1.0. */
+ * inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
+ * original uses an exact dot product).  80 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
                                                       algsurf_complex z, const algsurf_complex *q,
                                                       const algsurf_zero_options *options,
@@ -146,7 +146,7 @@ typedef struct algsurf_cpoly_zero {
  *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
  *            0: at least one failed, or two slid onto the same root
  * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
- * Cost: O(degree^2) times the steps; 110 KiB of stack.  Source: as above, AllCPolyZeros.  Since 1.0. */
+ * Cost: O(degree^2) times the steps.  Source: as above, AllCPolyZeros.  110 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
                                                const algsurf_complex *start,
                                                const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
@@ -171,7 +171,7 @@ ALGSURF_API algsurf_status algsurf_complex_solver_create(int max_degree, algsurf
 ALGSURF_API void algsurf_complex_solver_free(algsurf_complex_solver *solver);
 /* As algsurf_complex_roots; `start` null, or `degree` start values for the iteration, all different (good
  * ones save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.
- * Errors: as algsurf_complex_roots; E_DEGREE (above the solver's).  Since 1.0. */
+ * Errors: as algsurf_complex_roots; E_DEGREE (above the solver's).  28 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver,
                                                       const algsurf_complex *c, const double *r, int degree,
                                                       const algsurf_complex *start,

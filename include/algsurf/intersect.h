@@ -99,8 +99,8 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction),
  * E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
- * degrees 2 to 10, and more where numbers are of very different sizes.  40 KiB of stack; integers allocate
- * only beyond degree 10 or so.  Since 1.0. */
+ * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
+ * only beyond degree 10 or so.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, const algsurf_ray *ray,
                                                    const algsurf_intersect_options *options,
@@ -113,7 +113,7 @@ ALGSURF_API algsurf_status algsurf_intersect_first(const algsurf_surface *surfac
  * of algsurf_intersect_first; its t, t_lo and t_hi may differ where one of the calls went to integers.
  * Errors: as above; E_ARGUMENT when the capacity is too small (nothing written).  Cost: 0.3 to 3 microseconds
  * for the first of them, for degrees 2 to 10, and about as much for each of the others, unless integers
- * decide.  Since 1.0. */
+ * decide.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsurf_extent *extent,
                                                  const algsurf_ray *ray,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
@@ -122,7 +122,7 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
 /* Is there any hit?  Cheaper than the first hit: nothing is refined, and an odd number of roots is
  * known from the ends alone: it may be a hit where the first hit is undecided.
  *   state  an algsurf_hit_state: ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
- * Errors: as above.  Since 1.0. */
+ * Errors: as above.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                             const algsurf_ray *ray, const algsurf_intersect_options *options,
                                             int *state);
@@ -160,7 +160,7 @@ typedef struct algsurf_hit_packet {
  * side by side.  The cost of a single call is added for a ray that doubles leave undecided, one without end,
  * and one that is several thousand times as long as the surface is large.
  * Source: values at Chebyshev's nodes, turned to the Bernstein basis; Descartes' rule; Newton's method; all
- * for several rays at once.  Since 1.0. */
+ * for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,
                                                     const algsurf_extent *extent,
                                                     const algsurf_ray_packet *rays,
@@ -169,7 +169,7 @@ ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surfa
 
 /* Is there any hit on each ray of a packet?  What algsurf_occluded says of each.
  *   state  receives an algsurf_hit_state for each active ray
- * Errors, guarantee: as above.  Cost: two thirds of the above.  Since 1.0. */
+ * Errors, guarantee: as above.  Cost: two thirds of the above.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surface,
                                                    const algsurf_extent *extent,
                                                    const algsurf_ray_packet *rays,
@@ -198,7 +198,7 @@ typedef struct algsurf_complex_space {
  *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
  *          is missing is NaN
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
- * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  Since 1.0. */
+ * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,
                                                      const algsurf_extent *extent, const algsurf_ray *ray,
                                                      const algsurf_complex_space *space,

@@ -49,9 +49,9 @@ typedef struct algsurf_real_root {
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small:
  * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY. Cost: for
  * degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to 20, in
- * integers of some hundred bits; 100 KiB of stack, more is allocated, 1 GiB at most.  Source: Descartes' rule
- * of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by greatest common divisors (Yun
- * 1976).  Since 1.0. */
+ * integers of some hundred bits; these are allocated where they are larger, 1 GiB at most.  Source:
+ * Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by greatest
+ * common divisors (Yun 1976).  72 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
 
@@ -68,7 +68,7 @@ typedef struct algsurf_integer {
 /* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
  * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
  * ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20, 15 for degree
- * 8 and 1000 bits.  Since 1.0. */
+ * 8 and 1000 bits.  82 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
@@ -110,8 +110,8 @@ typedef struct algsurf_isolate_options {
  * nothing is written then.
  * Cost: below a microsecond to degree 10 where doubles decide (degree at most 64, roots not of very
  * different sizes, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
- * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  100 KiB of
- * stack.  Since 1.0. */
+ * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  40 KiB of stack.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, const algsurf_isolate_options *options,
                                                  algsurf_bracket *bracket, int *found);
@@ -123,14 +123,15 @@ ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *
  * Returns OK: every entry is a root, and there are no others: verified.  A positive status, which takes
  * radii: at least one entry is undecided (the first one's reason); no root lies outside the entries, which
  * share ends at most.  Where there are more than `degree` places, some become one that is undecided.
- * Errors: as above; E_ARGUMENT when capacity is too small.  Since 1.0. */
+ * Errors: as above; E_ARGUMENT when capacity is too small.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_isolate_options *options,
                                                algsurf_bracket *brackets, int capacity, int *count);
 
 /* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii; otherwise undecided
  * places count as none.  Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of
- * it where signs of coefficients, a discriminant or a short Sturm chain tell.  Since 1.0. */
+ * it where signs of coefficients, a discriminant or a short Sturm chain tell.  40 KiB of stack.  Since 1.0.
+ */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
 

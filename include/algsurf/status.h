@@ -15,7 +15,9 @@
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
  *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
  *                   saved and restored;
- *   side effects    none: nothing prints, exits, aborts or reads an environment variable.
+ *   side effects    none: nothing prints, exits, aborts or reads an environment variable;
+ *   stack           a call takes 8 KiB at most, where its comment tells no other number (x86-64, optimised by
+ *                   gcc).  What a renderer calls works on a thread of 64 KiB, everything on one of 128 KiB.
  */
 #ifndef ALGSURF_STATUS_H
 #define ALGSURF_STATUS_H
@@ -50,6 +52,7 @@ extern "C" {
     X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                                  \
     X(ALGSURF_E_RANGE, -7, "a value leaves the range of double")                                             \
     X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
+    X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
     X(ALGSURF_OK, 0, "done")                                                                                 \
     X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
     X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \
@@ -76,6 +79,19 @@ ALGSURF_API const char *algsurf_status_name(algsurf_status status);
 /* The version of the library that runs (the macros give the one compiled against), as
  * "major.minor.patch", static.  Since 1.0. */
 ALGSURF_API const char *algsurf_version(void);
+
+/* Does the library, as it was built and on the processor it runs on, compute as its proofs need?  Every bound
+ * counts roundings, and a compiler may have been told to change them: to fuse a product and a sum, to keep
+ * more digits, to flush small numbers to zero, to reorder sums.  For packagers, and for programs that start;
+ * the library never calls it.
+ *
+ * Two things are tried: operations on operands chosen to tell, as compiled for each kernel that runs here
+ * (algsurf_kernel_name); and a few polynomials, rays and pixels by each kernel, which must have equal bits.
+ *
+ * Guarantee: E_BUILD means that something failed; OK, that nothing of what was tried did: it is a test, and
+ * no proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 100 microseconds for each kernel; allocates 100 KB at most.
+ * 100 KiB of stack.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_self_test(void);
 
 #ifdef __cplusplus
 }

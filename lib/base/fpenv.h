@@ -7,6 +7,10 @@
  * which also leaves the caller's exception flags as they were.  About 5 ns when nothing needs to
  * change.  The work itself belongs in a function of its own, so that the compiler cannot move
  * arithmetic across the switch.
+ *
+ * Checks are work: comparing a NaN raises a flag, isfinite() of a signalling one or of a subnormal number
+ * too, and either may trap.  Before entering and after leaving, a public function looks at pointers and
+ * integers, and copies doubles, no more; tests/test_every_call.c holds each of them to that.
  */
 #ifndef ALGSURF_FPENV_H
 #define ALGSURF_FPENV_H

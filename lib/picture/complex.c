@@ -46,10 +46,9 @@ algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture,
 
 /* The roots of a row whose samples are in the pixels' middles, from those of the row above. */
 static void follow(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
-    algsurf_i_row_form form;
     algsurf_i_row_job job;
     int begin, end;
-    int seen = algsurf_i_begin_row(picture, row + 0.5, 0.5, &form, &job, &begin, &end);
+    int seen = algsurf_i_begin_row(picture, row + 0.5, 0.5, &worker->form, &job, &begin, &end);
     if (seen) {
         const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, &job, worker);
         (void)picture->code->solve_complex(&complex, begin, end);

@@ -96,6 +96,7 @@ typedef struct algsurf_i_middles {
 /* What one thread draws with, and where it is. */
 typedef struct algsurf_i_worker {
     algsurf_i_line line;
+    algsurf_i_row_form form; /* of the row in the making */
     algsurf_i_trail trail;
     algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */

@@ -189,13 +189,12 @@ static void find_points(const algsurf_i_picture *picture, const algsurf_i_row_jo
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
                                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
-    algsurf_i_row_form form;
     algsurf_i_row_job job;
     int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
     tally->rays += (uint64_t)line->wanted_count;
     if (complex) algsurf_i_complex_begin_row(picture, row, worker);
-    int expanded = algsurf_i_begin_row(picture, row + sy, sx, &form, &job, &begin, &end);
+    int expanded = algsurf_i_begin_row(picture, row + sy, sx, &worker->form, &job, &begin, &end);
     double solving = algsurf_i_render_clock();
     tally->expand_s += solving - begun;
     if (expanded) {

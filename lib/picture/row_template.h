@@ -11,9 +11,10 @@
  * but touch the extent are doubtful. */
 #ifndef ALGSURF_ROW_TEMPLATE_H
 #define ALGSURF_ROW_TEMPLATE_H
+#include "kernel.h"
+#define MOST_DEGREE ALGSURF_MAX_VIEW_DEGREE
 #include "../roots/packet_template.h"
 #include "../simd/lanes.h"
-#include "kernel.h"
 
 #define ON_EDGE 0x1p-26  /* of the squared sine, or of the distance to a face: narrower is doubtful */
 #define PARALLEL 0x1p-20 /* a direction along a face */

@@ -84,13 +84,20 @@ algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_ma
     return status;
 }
 
+static ALGSURF_NOINLINE algsurf_status check_lights(const algsurf_light *lights, int count) {
+    algsurf_status status = ALGSURF_OK;
+    for (int l = 0; status == ALGSURF_OK && l < count; l++) status = algsurf_i_light_check(&lights[l]);
+    return status;
+}
+
 algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
     if (!scene || count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights))
         return ALGSURF_E_ARGUMENT;
-    for (int l = 0; l < count; l++) {
-        algsurf_status status = algsurf_i_light_check(&lights[l]);
-        if (status != ALGSURF_OK) return status;
-    }
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = check_lights(lights, count);
+    algsurf_fpenv_leave(&saved);
+    if (status != ALGSURF_OK) return status;
     for (int l = 0; l < count; l++) scene->lights[l] = lights[l];
     scene->light_count = count;
     return ALGSURF_OK;
@@ -98,7 +105,10 @@ algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_ligh
 
 algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
     if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
     algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
+    algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
     for (int i = 0; i < 3; i++) scene->background[i] = colour ? colour[i] : 0;
     scene->transparent = !colour;
@@ -119,8 +129,15 @@ algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n) {
     return ALGSURF_OK;
 }
 
+static ALGSURF_NOINLINE int is_share(double x) { return x >= 0 && x <= 1; }
+
 algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold) {
-    if (!scene || !(threshold >= 0 && threshold <= 1)) return ALGSURF_E_ARGUMENT;
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    int allowed = is_share(threshold);
+    algsurf_fpenv_leave(&saved);
+    if (!allowed) return ALGSURF_E_ARGUMENT;
     scene->antialias_threshold = threshold;
     return ALGSURF_OK;
 }
@@ -128,8 +145,11 @@ algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, doubl
 algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_intersect_options *options) {
     algsurf_intersect_options o;
     if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
     if (status == ALGSURF_OK && o.observer) status = ALGSURF_E_ARGUMENT;
+    algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
     scene->intersect = o;
     return ALGSURF_OK;

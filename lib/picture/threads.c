@@ -12,6 +12,7 @@
 #include "impl.h"
 
 #include <pthread.h>
+#include <stdlib.h>
 #include <time.h>
 
 #include "../base/fpenv.h"
@@ -166,13 +167,18 @@ algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_r
     crew team = {.picture = picture, .options = options};
     atomic_init(&team.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
     atomic_init(&team.rows_done, 0);
-    helper helpers[ALGSURF_MAX_THREADS];
-    if (!init_sync(&team)) return ALGSURF_E_THREAD;
+    helper *helpers = calloc((size_t)threads, sizeof *helpers);
+    if (!helpers) return ALGSURF_E_NO_MEMORY;
+    if (!init_sync(&team)) {
+        free(helpers);
+        return ALGSURF_E_THREAD;
+    }
     int started = start_helpers(&team, helpers, threads - 1, workers + 1);
     while (draw_next(&team, workers)) report(&team);
     if (started > 0)
         while (wait_for_helpers(&team) > 0) report(&team);
     for (int i = 0; i < started; i++) (void)pthread_join(helpers[i].thread, NULL);
+    free(helpers);
     if (started > 0) report(&team);
     (void)pthread_mutex_destroy(&team.lock);
     (void)pthread_cond_destroy(&team.left);

@@ -26,6 +26,10 @@ typedef struct algsurf_i_rays_job {
     void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
 } algsurf_i_rays_job;
 
+/* Packets of eight have surfaces up to this degree: with all degrees they would need 90 KiB of stack, more
+ * than the threads of a renderer may have, and than the fastest cache. */
+#define ALGSURF_MAX_WIDE_DEGREE 24
+
 /* What is found of each ray, as in algsurf_hit; any array may be null, but state. */
 typedef struct algsurf_i_rays_hits {
     uint8_t *state;

@@ -96,6 +96,11 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     return ALGSURF_OK;
 }
 
+static const algsurf_i_rays_kernel *packet_code(const query *q) {
+    int narrow = q->kernel->index == ALGSURF_AVX512 && q->surface->degree > ALGSURF_MAX_WIDE_DEGREE;
+    return algsurf_i_rays_kernel_for(narrow ? algsurf_i_kernel_at(1) : q->kernel);
+}
+
 /* The states of active rays; of certain hits everything.  A ray that is alone is solved by the baseline's
  * code: the bits are the same, and idle lanes cost less. */
 static void solve_together(const query *q, int any, int alone, const algsurf_i_rays_hits *hits) {
@@ -105,7 +110,7 @@ static void solve_together(const query *q, int any, int alone, const algsurf_i_r
             if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_DOUBTFUL;
         return;
     }
-    const algsurf_i_rays_kernel *code = algsurf_i_rays_kernel_for(q->kernel);
+    const algsurf_i_rays_kernel *code = packet_code(q);
     const algsurf_i_rays_job job = {
         .surface = q->surface,
         .extent = q->extent,

@@ -109,7 +109,7 @@ INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int ow
 
 /* By powers, with a radius for each coefficient. */
 APART void decide_from_powers(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
-    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     coefficients_from_powers(job->surface, line, n, k->b, k->e);
     solve_chords(job, k, n, 1);
 }
@@ -175,7 +175,7 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
 
 INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
                          int block) {
-    if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : ALGSURF_MAX_DEGREE)) __builtin_unreachable();
+    if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : MOST_DEGREE)) __builtin_unreachable();
     const guess nowhere = {.known = no_lane()};
     double scale = ldexp(1, -job->surface->unit);
     double reach = job->bounded || !block ? job->surface->most_reach : job->surface->clear_reach;

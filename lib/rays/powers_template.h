@@ -14,6 +14,7 @@
  * in M's 2^-63.  The bound (6 n + 20) u takes in the higher orders and the rounding of E. */
 #ifndef ALGSURF_POWERS_TEMPLATE_H
 #define ALGSURF_POWERS_TEMPLATE_H
+#include "../roots/descartes_template.h"
 #include "../simd/lanes.h"
 #include "../surface/impl.h"
 #include "chord_template.h"
@@ -25,7 +26,7 @@ typedef struct coordinate {
 
 typedef struct line_poly {
     int degree; /* -1: zero */
-    lanes c[ALGSURF_MAX_DEGREE + 3];
+    lanes c[MOST_DEGREE + 3];
 } line_poly;
 
 INLINE coordinate coordinate_of(lanes middle, lanes half, int stride) {

@@ -8,7 +8,8 @@
 #define ALGSURF_ALL_TEMPLATE_H
 #include "first_template.h"
 
-#define BATCH 64 /* of polynomials; n/2 cells of each may wait where LANES of them are split */
+/* Of polynomials; n/2 cells of each may wait where LANES of them are split. */
+#define BATCH_OF(n) ((n) <= 10 ? POLYS_OF(n) / 2 : 16)
 
 /* The root of a lane among those of its polynomial, in increasing order. */
 INLINE void add_root(algsurf_real_root *roots, int count, const enclosure *e, int l) {
@@ -68,7 +69,7 @@ INLINE void split_last(poly_block *block, int n, int turn) {
     right.p = load(all->p + i);
     right.q = left.limit = right.limit = load(all->q + i);
     right.e[0] = left.e[0] = load(all->error + i) + cut_error;
-    for (int j = 0; j <= n; j++) right.w[j] = load(all->w + j * ROW + i);
+    for (int j = 0; j <= n; j++) right.w[j] = load(all->w + j * ROW_OF(CELLS_OF(n)) + i);
     all->count = i;
     lanes at = split_point(&right, n, turn);
     mask unsure = at_most(right.q - right.p, all_lanes(NARROWEST));
@@ -90,8 +91,8 @@ INLINE void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_
         classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
     for (int i = 0; i < count; i++) job->found[at + (size_t)i] = 0;
     for (int turn = 0; block->open.count > 0; turn++) {
-        if (block->hits.count > POLYS - 2 * LANES) enclose_all(job, block, at, n);
-        if (block->open.count > POLYS - LANES || turn > MOST_TURNS * BATCH) break;
+        if (block->hits.count > POLYS_OF(n) - 2 * LANES) enclose_all(job, block, at, n);
+        if (block->open.count > CELLS_OF(n) - LANES || turn > MOST_TURNS * BATCH_OF(n)) break;
         split_last(block, n, turn);
     }
     for (int i = 0; i < block->open.count; i++) block->v[(int)fabs(block->open.id[i])] = IN_DOUBT;
@@ -105,8 +106,9 @@ INLINE void solve_all_n(const algsurf_i_polys_job *job, size_t count, int n) {
     poly_block block;
     set_basis(&block.basis, n);
     for (int i = 0; i < ROW; i++) block.open.id[i] = block.hits.id[i] = 0;
-    for (size_t at = 0; at < count; at += BATCH)
-        solve_batch(job, &block, at, count - at < BATCH ? (int)(count - at) : BATCH, n);
+    const size_t batch = (size_t)BATCH_OF(n);
+    for (size_t at = 0; at < count; at += batch)
+        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), n);
 }
 
 static void solve_all(const algsurf_i_polys_job *job, size_t count) {

@@ -12,20 +12,30 @@
 
 enum { STACK_WORDS = 2048 };
 
-static algsurf_real_root root_of(const algsurf_exact_root *root) {
-    return (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
+/* Where roots go, as what is asked for: one of both is null. */
+typedef struct answer {
+    algsurf_real_root *roots;
+    algsurf_bracket *brackets;
+    int capacity, count;
+} answer;
+
+static void give(answer *a, const algsurf_exact_root *root) {
+    int i = a->count++, kind = root->lo == root->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
+    if (a->roots)
+        a->roots[i] = (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
+    else
+        a->brackets[i] =
+            (algsurf_bracket){root->lo, root->hi, kind, root->sign_before, root->multiplicity, ALGSURF_OK};
 }
 
 static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
-                           int refine, int most, algsurf_real_root *roots, int *count,
-                           const algsurf_i_watch *watch) {
+                           answer *a, const algsurf_i_watch *watch) {
     algsurf_exact_walk walk;
     algsurf_exact_root root;
-    int found = ALGSURF_EXACT_END;
+    int found = ALGSURF_EXACT_END, refine = a->roots ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
     if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine, watch)) return ALGSURF_E_NO_MEMORY;
-    while (*count < most && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
-        roots[(*count)++] = root_of(&root);
-
+    while (a->count < a->capacity && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
+        give(a, &root);
     return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
 }
 
@@ -54,16 +64,14 @@ static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
     return ilogb(lead) + e - ilogb(c[n]) - n * unit;
 }
 
-/* The first `most` roots of a polynomial from doubles c or, if that is null, from integers z. */
+/* The first roots of a polynomial from doubles c or, if that is null, from integers z. */
 static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
-                             int refine, int most, algsurf_real_root *roots, int *count,
-                             const algsurf_i_watch *watch) {
+                             answer *a, const algsurf_i_watch *watch) {
     algsurf_i_watch scaled;
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
     int unit = c ? unit_of(lo, hi) : 0;
-    *count = 0;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
@@ -74,23 +82,36 @@ static algsurf_status decide(const double *c, const algsurf_integer *z, int degr
             scaled.exponent -= scale_of(&p, c, unit);
             watch = &scaled;
         }
-        status =
-            p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, refine, most, roots, count, watch);
+        status = p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, a, watch);
     }
     algsurf_memory_release(&memory, begin);
     return status;
 }
 
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi,
                                       algsurf_real_root *roots, int capacity, int *count,
                                       const algsurf_i_watch *watch) {
-    return decide(c, NULL, degree, lo, hi, refine ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS, capacity,
-                  roots, count, watch);
+    answer a = {.roots = roots, .capacity = capacity};
+    algsurf_status status = decide(c, NULL, degree, lo, hi, &a, watch);
+    *count = a.count;
+    return status;
+}
+
+algsurf_status algsurf_i_decide_brackets(const double *c, int degree, double lo, double hi,
+                                         algsurf_bracket *brackets, int capacity, int *count,
+                                         const algsurf_i_watch *watch) {
+    answer a = {.brackets = brackets, .capacity = capacity};
+    algsurf_status status = decide(c, NULL, degree, lo, hi, &a, watch);
+    *count = a.count;
+    return status;
 }
 
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                          algsurf_real_root *roots, int capacity, int *count) {
-    return decide(NULL, c, degree, lo, hi, ALGSURF_EXACT_REFINED, capacity, roots, count, NULL);
+    answer a = {.roots = roots, .capacity = capacity};
+    algsurf_status status = decide(NULL, c, degree, lo, hi, &a, NULL);
+    *count = a.count;
+    return status;
 }
 
 /* ---- radii ---- */
@@ -129,7 +150,6 @@ static algsurf_bracket bracket_of(const algsurf_i_coefficients *p, const algsurf
 algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double lo, double hi,
                                        algsurf_bracket *brackets, int capacity, int *count,
                                        const algsurf_i_watch *watch) {
-    algsurf_exact_range found[ALGSURF_MAX_POLY_DEGREE];
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly centre, radius;
@@ -138,10 +158,12 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     if (p->degree < 1 || lo == HUGE_VAL || hi == -HUGE_VAL) return ALGSURF_OK;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    size_t words = (size_t)capacity * (sizeof(algsurf_exact_range) / sizeof(algsurf_limb));
+    algsurf_exact_range *found = (algsurf_exact_range *)(void *)algsurf_memory_take(&memory, words);
     int done =
-        in_integers(&memory, p, unit, &centre, &radius) &&
+        found && in_integers(&memory, p, unit, &centre, &radius) &&
         algsurf_exact_radii_isolate(&memory, &centre, &radius, unit, lo, hi, found, capacity, count, watch);
-    algsurf_memory_release(&memory, begin);
     for (int i = 0; i < *count; i++) brackets[i] = bracket_of(p, found + i);
+    algsurf_memory_release(&memory, begin);
     return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }

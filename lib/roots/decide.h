@@ -11,12 +11,16 @@
 #define ALGSURF_I_DECIDE_MEMORY ((size_t)1 << 30)
 
 /* The roots in [lo,hi], lo <= hi, of c[0] + ... + c[degree] t^degree, not the zero polynomial, in increasing
- * order, the first `capacity` of them; the degree always suffices.  refine 0: simple roots come without a
- * value, as brackets that hold no other root, p not being 0 at the ends.  watch: null, or who is told.
- * Returns OK or E_NO_MEMORY. Stack: 20 KiB. */
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi, int refine,
+ * order, the first `capacity` of them; the degree always suffices.  watch: null, or who is told.  Returns OK
+ * or E_NO_MEMORY.  Stack: 20 KiB, and what the walk takes. */
+algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi,
                                       algsurf_real_root *roots, int capacity, int *count,
                                       const algsurf_i_watch *watch);
+
+/* The same as brackets: those of simple roots hold no other root, p not being 0 at the ends. */
+algsurf_status algsurf_i_decide_brackets(const double *c, int degree, double lo, double hi,
+                                         algsurf_bracket *brackets, int capacity, int *count,
+                                         const algsurf_i_watch *watch);
 
 /* The same for integer coefficients. */
 algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,

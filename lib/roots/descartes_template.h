@@ -25,7 +25,9 @@
  * Count.  A coefficient within its radius may have either sign.  The first one, made positive, exceeds its
  * radius.  No root if none of the others can be negative; one root if the last is negative and no coefficient
  * that may be positive follows one that may be negative: then every choice of the open signs has the same
- * number of variations. */
+ * number of variations.
+ *
+ * The includer may define MOST_DEGREE: cells are as large as that, and they live on the stack. */
 #ifndef ALGSURF_DESCARTES_TEMPLATE_H
 #define ALGSURF_DESCARTES_TEMPLATE_H
 #include "../simd/lanes.h"
@@ -34,13 +36,17 @@
 
 #define APART static __attribute__((noinline, unused))
 
+#ifndef MOST_DEGREE
+#define MOST_DEGREE ALGSURF_MAX_DEGREE
+#endif
+
 #define MOST_TURNS 120
 #define NARROWEST 0x1p-36 /* cells */
 
 typedef struct cell {
     lanes p, q;
     lanes limit; /* right of it there is nothing to be found */
-    lanes w[ALGSURF_MAX_DEGREE + 1], e[ALGSURF_MAX_DEGREE + 1];
+    lanes w[MOST_DEGREE + 1], e[MOST_DEGREE + 1];
     words side; /* the sign bit that was taken from all of w, so that w[0] is positive */
 } cell;
 
@@ -133,7 +139,7 @@ INLINE words take_sign(lanes *w, int n, mask which) {
 INLINE void cut_cell(cell *c, const lanes *b, const lanes *e, int n, int own, lanes cut_error, mask which,
                      lanes from, lanes to) {
     cell part;
-    lanes left[ALGSURF_MAX_DEGREE + 1];
+    lanes left[MOST_DEGREE + 1];
     for (int j = 0; j <= n; j++) part.w[j] = b[j];
     for (int j = 0; j <= (own ? n : 0); j++) part.e[j] = e[j];
     if (any(which & less(all_lanes(0), from))) {
@@ -179,8 +185,8 @@ APART void tell_cell(const algsurf_i_watch *watch, double p, double q, const lan
  * blur. Returns the lanes where the sign at the split is not known.  watch: of the first lane, or null. */
 INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes start, lanes blur, lanes stop,
                    int turn, signs *s, const algsurf_i_watch *watch) {
-    lanes left[ALGSURF_MAX_DEGREE + 1], left_e[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1],
-        right_e[ALGSURF_MAX_DEGREE + 1], at = split_point(c, n, turn), before = at - c->p, behind = c->q - at;
+    lanes left[MOST_DEGREE + 1], left_e[MOST_DEGREE + 1], right[MOST_DEGREE + 1], right_e[MOST_DEGREE + 1],
+        at = split_point(c, n, turn), before = at - c->p, behind = c->q - at;
     for (int j = 0; j <= n; j++) right[j] = c->w[j];
     for (int j = 0; j <= (own ? n : 0); j++) right_e[j] = c->e[j];
     widen(right, right_e, n, own, cut_error);

@@ -60,10 +60,9 @@ static algsurf_status prepare(query *q, const algsurf_real_batch *batch,
 /* The set of polynomials within the radii: its first place with roots. */
 static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, double hi, unsigned char *state,
                                 double *where) {
-    algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_bracket b[2];
     int found = 0;
-    algsurf_status status =
-        algsurf_isolate_all(p->c, p->r, p->degree, lo, hi, NULL, b, ALGSURF_MAX_POLY_DEGREE + 1, &found);
+    algsurf_status status = algsurf_isolate_first(p->c, p->r, p->degree, lo, hi, NULL, b, &found);
     if (status < 0 && status != ALGSURF_E_ZERO) return status;
     if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_BRACKET_UNDECIDED)) {
         *state = ALGSURF_FIRST_ROOT_UNDECIDED;
@@ -98,7 +97,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
         where = lo;
     } else {
         if (!algsurf_i_find_in_doubles(c, p.degree, lo, hi, 1, &first, &found))
-            status = algsurf_i_decide_roots(c, p.degree, lo, hi, 1, &first, 1, &found, NULL);
+            status = algsurf_i_decide_roots(c, p.degree, lo, hi, &first, 1, &found, NULL);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
         if (found) where = first.value;
     }

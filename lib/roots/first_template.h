@@ -7,15 +7,15 @@
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
 #include "../poly/table.h"
+#include "kernel.h"
+#define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "closed_template.h"
 #include "enclose_template.h"
 #include "halley_template.h"
-#include "kernel.h"
 #include "packet_template.h"
 
-#define POLYS 128 /* solved together */
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
@@ -42,14 +42,21 @@ INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
     }
 }
 
-/* Rows of numbers, with room for what store_chosen writes behind them. */
-#define ROW (POLYS + 8)
+/* So many polynomials of degree n are solved together, and so many of their cells may wait: more share
+ * packets better, fewer need less stack.  Rows of numbers, one for each, have room for what store_chosen
+ * writes behind them; there are n + 1 rows in d and in w. */
+#define POLYS_OF(n) ((n) <= 6 ? 128 : (n) <= 10 ? 96 : 48)
+#define CELLS_OF(n) ((n) <= 10 ? POLYS_OF(n) : 72)
+#define ROW_OF(many) ((many) + 8)
+#define ROW ROW_OF(POLYS_OF(1)) /* the longest */
+#define MOST_IN_D ((ALGSURF_MAX_POLYS_DEGREE + 1) * ROW_OF(POLYS_OF(ALGSURF_MAX_POLYS_DEGREE)))
+#define MOST_IN_W ((ALGSURF_MAX_POLYS_DEGREE + 1) * ROW_OF(CELLS_OF(ALGSURF_MAX_POLYS_DEGREE)))
 
 /* Cells of descartes_template.h to be split, with one radius; cut_error is what a cut adds to it. */
 typedef struct cells {
     int count;
     double id[ROW], p[ROW], q[ROW], limit[ROW], error[ROW], cut_error[ROW];
-    double w[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW];
+    double w[MOST_IN_W];
 } cells;
 
 /* Parts [begin,end] of [-1,1] with one root. */
@@ -65,7 +72,7 @@ typedef struct brackets {
 /* Polynomials, number `id` in column id of the rows, and what was found. */
 typedef struct poly_block {
     bernstein_basis basis;
-    double d[(ALGSURF_MAX_POLYS_DEGREE + 1) * ROW], radius[ROW];
+    double d[MOST_IN_D], radius[ROW];
     double v[ROW]; /* the root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED, and then it is t */
     double t[ROW];
     cells open;
@@ -82,7 +89,7 @@ INLINE void add_cells(cells *to, const cell *s, lanes id, lanes cut_error, unsig
     store_chosen(to->limit + i, s->limit, chosen);
     store_chosen(to->error + i, s->e[0], chosen);
     store_chosen(to->cut_error + i, cut_error, chosen);
-    for (int j = 0; j <= n; j++) store_chosen(to->w + j * ROW + i, s->w[j], chosen);
+    for (int j = 0; j <= n; j++) store_chosen(to->w + j * ROW_OF(CELLS_OF(n)) + i, s->w[j], chosen);
     to->count += __builtin_popcount(chosen);
 }
 
@@ -122,7 +129,7 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     centred_to_bernstein(&block->basis, p.d, s.w, n);
     s.side = take_sign(s.w, n, ~no_lane());
     for (int k = 0; k <= n; k++) {
-        store(block->d + k * ROW + i, (lanes)((words)p.d[k] ^ s.side));
+        store(block->d + k * ROW_OF(POLYS_OF(n)) + i, (lanes)((words)p.d[k] ^ s.side));
         largest = larger(largest, absolute(s.w[k]));
     }
     store(block->radius + i, p.radius);
@@ -142,7 +149,7 @@ INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, m
     lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
     int index[LANES];
     to_index(id, index);
-    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW, 1, index);
+    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW_OF(POLYS_OF(n)), 1, index);
     radius = gather(block->radius, 1, index);
     centred_to_bernstein(&block->basis, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
@@ -177,7 +184,7 @@ INLINE void take_cells(const cells *all, int i, cell *s, lanes *id, lanes *cut_e
     s->limit = load(all->limit + i);
     s->e[0] = load(all->error + i);
     s->side = (words)all_lanes(0);
-    for (int j = 0; j <= n; j++) s->w[j] = load(all->w + j * ROW + i);
+    for (int j = 0; j <= n; j++) s->w[j] = load(all->w + j * ROW_OF(CELLS_OF(n)) + i);
 }
 
 /* Splits each cell once. */
@@ -238,7 +245,8 @@ INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *bloc
         words side = (words)number & (words)all_lanes(-0.0);
         to_index(absolute(number), id);
         for (int l = b->count - first; l < LANES; l++) id[l] = id[0];
-        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather(block->d + k * ROW, 1, id) ^ side);
+        for (int k = 0; k <= n; k++)
+            d[w][k] = (lanes)((words)gather(block->d + k * ROW_OF(POLYS_OF(n)), 1, id) ^ side);
         a[w].begin = load(b->begin + first);
         a[w].end = load(b->end + first);
         a[w].x = load(b->near + first);
@@ -357,8 +365,9 @@ INLINE int solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
     set_basis(&block.basis, n);
     for (int i = 0; i < ROW; i++)
         block.open.id[i] = block.hits.id[i] = 0; /* lanes behind the last name one too */
-    for (size_t at = 0; at < count; at += POLYS)
-        doubts |= solve_block(job, &block, at, count - at < POLYS ? (int)(count - at) : POLYS, n);
+    const size_t together = (size_t)POLYS_OF(n);
+    for (size_t at = 0; at < count; at += together)
+        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
     return doubts;
 }
 

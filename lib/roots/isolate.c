@@ -10,6 +10,7 @@
 #include "algsurf/isolate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/fpenv.h"
@@ -22,7 +23,8 @@
 #include "quarters.h"
 #include "sturm.h"
 
-enum { ALL, FIRST, NUMBER }; /* NUMBER: on the whole line, without radii, and without brackets */
+/* NUMBER: without brackets, where these are not needed: on the whole line, without radii. */
+enum { ALL, FIRST, NUMBER };
 
 typedef struct task {
     algsurf_i_coefficients p;
@@ -126,15 +128,10 @@ static int walk_lane(task *t) {
 static double begin_of_rest(const task *t) { return t->count > 0 ? t->b[t->count - 1].hi : t->lo; }
 
 static algsurf_status walk_integers(task *t, double lo, double hi) {
-    algsurf_real_root roots[ALGSURF_MAX_POLY_DEGREE];
     int found = 0, most = (t->wanted == FIRST ? 1 : t->capacity) - t->count;
     algsurf_status status =
-        algsurf_i_decide_roots(t->p.c, t->p.degree, lo, hi, 0, roots, most, &found, t->watch);
-    for (int i = 0; i < found; i++) {
-        const algsurf_real_root *r = roots + i;
-        int kind = r->lo == r->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
-        t->b[t->count++] = (algsurf_bracket){r->lo, r->hi, kind, r->sign, r->multiplicity, ALGSURF_OK};
-    }
+        algsurf_i_decide_brackets(t->p.c, t->p.degree, lo, hi, t->b + t->count, most, &found, t->watch);
+    t->count += found;
     return status;
 }
 
@@ -291,6 +288,7 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     algsurf_status status = check(t->p.c, t->p.r, t->p.degree, t->lo, t->hi);
     if (status != ALGSURF_OK) return status;
     if (!has_radii(t)) t->p.r = NULL;
+    if (t->wanted == NUMBER && (t->p.r || t->lo != -HUGE_VAL || t->hi != HUGE_VAL)) t->wanted = ALL;
     while (t->p.c[t->p.degree] == 0 && (!t->p.r || t->p.r[t->p.degree] == 0)) t->p.degree--;
     if (may_vanish(&t->p)) {
         all_undecided(t);
@@ -298,6 +296,14 @@ static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     }
     if (!t->p.r) return walk(t);
     return walk_lane(t) ? ALGSURF_OK : walk_envelopes(t);
+}
+
+/* The roots that are certain. */
+static int number_of(const task *t) {
+    int number = 0;
+    if (t->wanted == NUMBER) return t->count;
+    for (int i = 0; i < t->count; i++) number += t->b[i].kind != ALGSURF_BRACKET_UNDECIDED;
+    return number;
 }
 
 /* Runs the search into `room` for degree brackets, at least 1; the first undecided reason is the status. */
@@ -310,8 +316,8 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
     algsurf_status status = check_and_isolate(&t);
     algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
-    *count = t.count;
-    if (wanted == NUMBER) return ALGSURF_OK;
+    *count = wanted == NUMBER ? number_of(&t) : t.count;
+    if (t.wanted == NUMBER) return ALGSURF_OK;
     for (int i = 0; i < t.count; i++)
         if (room[i].kind == ALGSURF_BRACKET_EXACT) room[i].sign = 0;
     for (int i = 0; i < t.count; i++)
@@ -326,44 +332,60 @@ static int read_options(const algsurf_isolate_options *given, algsurf_observer *
     return algsurf_i_observer_is_good(known.observer);
 }
 
+/* Brackets on the stack, or, beyond the degrees that doubles decide, allocated. */
+typedef struct room {
+    algsurf_bracket few[ALGSURF_MAX_DEGREE + 1], *b;
+} room;
+
+static int make_room(room *r, int degree) {
+    int many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
+    r->b = many ? malloc((size_t)degree * sizeof *r->b) : r->few;
+    return r->b != NULL;
+}
+
+static void free_room(room *r) {
+    if (r->b != r->few) free(r->b);
+}
+
 algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
                                      const algsurf_isolate_options *options, algsurf_bracket *bracket,
                                      int *found) {
-    algsurf_bracket first[ALGSURF_MAX_POLY_DEGREE];
+    room all;
     algsurf_observer *observer;
     int count = 0;
     if (!bracket || !found || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, FIRST, observer, first, &count);
-    if (status < 0) return status;
-    *found = count;
-    if (count) *bracket = first[0];
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, FIRST, observer, all.b, &count);
+    if (status >= 0) *found = count;
+    if (status >= 0 && count) *bracket = all.b[0];
+    free_room(&all);
     return status;
 }
 
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_isolate_options *options, algsurf_bracket *brackets,
                                    int capacity, int *count) {
-    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
+    room all;
     algsurf_observer *observer;
     int n = 0;
     if (!brackets || !count || capacity < 0 || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = run(c, r, degree, lo, hi, ALL, observer, room, &n);
-    if (status < 0) return status;
-    if (n > capacity) return ALGSURF_E_ARGUMENT;
-    memcpy(brackets, room, (size_t)n * sizeof *room);
-    *count = n;
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, ALL, observer, all.b, &n);
+    if (status >= 0 && n > capacity) status = ALGSURF_E_ARGUMENT;
+    if (status >= 0) {
+        memcpy(brackets, all.b, (size_t)n * sizeof *brackets);
+        *count = n;
+    }
+    free_room(&all);
     return status;
 }
 
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
-    algsurf_bracket room[ALGSURF_MAX_POLY_DEGREE + 1];
-    int n = 0, roots = 0;
+    room all;
     if (!count) return ALGSURF_E_ARGUMENT;
-    int number = lo == -HUGE_VAL && hi == HUGE_VAL && !r;
-    algsurf_status status = run(c, r, degree, lo, hi, number ? NUMBER : ALL, NULL, room, &n);
-    if (status < 0) return status;
-    for (int i = 0; !number && i < n; i++) roots += room[i].kind != ALGSURF_BRACKET_UNDECIDED;
-    *count = number ? n : roots;
+    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(c, r, degree, lo, hi, NUMBER, NULL, all.b, count);
+    free_room(&all);
     return status;
 }

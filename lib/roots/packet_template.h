@@ -13,17 +13,17 @@
 
 /* What is known of LANES polynomials, and what was found. */
 typedef struct packet {
-    lanes b[ALGSURF_MAX_DEGREE + 1]; /* over [0,1] */
-    lanes e[ALGSURF_MAX_DEGREE + 1]; /* radii: one for all, or each its own */
-    lanes start, stop;               /* part of [0,1] searched, multiples of 2^-40 */
-    lanes blur;                      /* bound on the error of start and stop */
-    lanes largest;                   /* max|b| */
-    lanes cut_error;                 /* 8 n u max|b| */
-    mask open;                       /* lanes still to be solved */
-    mask hit, doubtful;              /* lanes solved: the others have no root */
-    cell at;                         /* of a hit: the bracket */
-    signs s;                         /* the cell's count */
-    const algsurf_i_watch *watch;    /* null; or, with two lanes, of the first one */
+    lanes b[MOST_DEGREE + 1];     /* over [0,1] */
+    lanes e[MOST_DEGREE + 1];     /* radii: one for all, or each its own */
+    lanes start, stop;            /* part of [0,1] searched, multiples of 2^-40 */
+    lanes blur;                   /* bound on the error of start and stop */
+    lanes largest;                /* max|b| */
+    lanes cut_error;              /* 8 n u max|b| */
+    mask open;                    /* lanes still to be solved */
+    mask hit, doubtful;           /* lanes solved: the others have no root */
+    cell at;                      /* of a hit: the bracket */
+    signs s;                      /* the cell's count */
+    const algsurf_i_watch *watch; /* null; or, with two lanes, of the first one */
 } packet;
 
 INLINE void leave_undecided(packet *k, mask which) {
@@ -98,7 +98,7 @@ INLINE void add_cut(cuts *c, double at) {
 
 /* Open lanes that have no root, as the same cuts show, are closed. */
 INLINE void skirt_n(packet *k, int n, const cuts *c) {
-    lanes left[ALGSURF_MAX_DEGREE + 1], right[ALGSURF_MAX_DEGREE + 1], error = k->e[0];
+    lanes left[MOST_DEGREE + 1], right[MOST_DEGREE + 1], error = k->e[0];
     mask empty = k->open;
     double from = 0;
     for (int j = 0; j <= n; j++) right[j] = k->b[j];
@@ -155,7 +155,7 @@ typedef struct jet {
 
 /* By de Casteljau's scheme: the value's error is at most 2 n u max|w|. */
 INLINE jet jet_at(const lanes *w, int n, lanes x) {
-    lanes b[ALGSURF_MAX_DEGREE + 1], rest = 1 - x;
+    lanes b[MOST_DEGREE + 1], rest = 1 - x;
     for (int j = 0; j <= n; j++) b[j] = w[j];
     UNROLLED
     for (int i = 1; i <= n - 2; i++) {
@@ -192,7 +192,7 @@ INLINE void close(packet *k, int n, mask found, const cell *part) {
 /* Open lanes whose first root is where it is expected: one variation up to a little beyond it, and none
  * before `start`; or none up to a little before it, and one from there.  They are closed as hits. */
 INLINE void follow_n(packet *k, int n, const guess *g) {
-    lanes right[ALGSURF_MAX_DEGREE + 1], error = k->e[0] + k->cut_error;
+    lanes right[MOST_DEGREE + 1], error = k->e[0] + k->cut_error;
     lanes zero = all_lanes(0), end = floor40(g->near + g->reach);
     cell part = {.p = zero, .side = (words)zero};
     mask tried = k->open & g->known & less(end, k->stop - k->blur) & less(k->start + k->blur, end);
@@ -323,7 +323,7 @@ APART void isolate(packet *k, int n, cuts *last) {
 
 /* Radii of their own. */
 APART void isolate_known(packet *k, int n) {
-    if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     if (watch_of(k))
         isolate_watched(k, n, 1);
     else

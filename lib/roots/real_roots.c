@@ -102,7 +102,7 @@ int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi,
 static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
     const algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_status status =
-        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, 1, roots, q->degree, count, NULL);
+        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, q->degree, count, NULL);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
         roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
     return status;

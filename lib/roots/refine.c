@@ -101,40 +101,47 @@ static void run(algsurf_i_search *s, algsurf_method method) {
 
 /* ---- a function ---- */
 
-typedef struct watched_function {
+/* The caller's function, the environment that it is called in, and who watches. */
+typedef struct visit {
     algsurf_function f;
     void *data;
+    algsurf_fpenv *host;
     algsurf_i_watch watch;
-} watched_function;
+} visit;
 
-static double told_function(double x, void *data) {
-    const watched_function *w = data;
-    double y = w->f(x, w->data);
-    algsurf_i_tell_point(&w->watch, x, y, 0, ALGSURF_ENGINE_DOUBLES);
+static double call_in_host(double x, void *data) {
+    const visit *v = data;
+    algsurf_fpenv_leave(v->host);
+    double y = v->f(x, v->data);
+    algsurf_fpenv_enter(v->host); /* with the flags that f has raised */
+    if (v->watch.observer) algsurf_i_tell_point(&v->watch, x, y, 0, ALGSURF_ENGINE_DOUBLES);
     return y;
 }
 
-/* No change of the floating-point environment here: f is the caller's, and the bracket, whose ends only
- * have to be points where f was evaluated, is right in any rounding mode. */
-algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
-                                       const algsurf_refine_options *options, algsurf_refined_root *result) {
-    if (!f || !result) return ALGSURF_E_ARGUMENT;
-    algsurf_i_search s = {.f = f, .data = data};
+static ALGSURF_NOINLINE algsurf_status refine_function(visit *v, double lo, double hi,
+                                                       const algsurf_refine_options *options,
+                                                       algsurf_refined_root *result) {
+    algsurf_i_search s = {.f = call_in_host, .data = v};
     algsurf_method method;
-    algsurf_observer *observer;
-    algsurf_status status = prepare(&s, options, &method, &observer);
+    algsurf_status status = prepare(&s, options, &method, &v->watch.observer);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (lo > hi) return ALGSURF_E_ARGUMENT;
-    watched_function watched = {f, data, {.observer = observer}};
-    if (observer) {
-        s.f = told_function;
-        s.data = &watched;
-    }
     int bracketed = search_start(&s, lo, hi);
     if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
     run(&s, method);
     return search_finish(&s, result);
+}
+
+algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
+                                       const algsurf_refine_options *options, algsurf_refined_root *result) {
+    if (!f || !result) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv host;
+    algsurf_fpenv_enter(&host);
+    visit v = {.f = f, .data = data, .host = &host};
+    algsurf_status status = refine_function(&v, lo, hi, options, result);
+    algsurf_fpenv_leave(&host);
+    return status;
 }
 
 /* ---- a polynomial ---- */
@@ -173,7 +180,7 @@ static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo
     algsurf_real_root root;
     int count;
     algsurf_status status =
-        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, 1, &root, 1, &count, watch);
+        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, &root, 1, &count, watch);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 

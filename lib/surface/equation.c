@@ -43,14 +43,6 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, algsurf_surface **surface) {
-    algsurf_i_tripoly value;
-    if (!algsurf_i_parse_equation(p, &value)) return p->status;
-    algsurf_status status = to_surface(&value, p->at, surface, &p->error);
-    algsurf_i_tripoly_free(&value);
-    return status;
-}
-
 static int compare_names(const void *left, const void *right) {
     const algsurf_constant *const *a = left, *const *b = right;
     return strcmp((*a)->name, (*b)->name);
@@ -85,18 +77,33 @@ static algsurf_status sort_constants(const algsurf_constant *constants, size_t c
     return ALGSURF_OK;
 }
 
+static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
+    algsurf_i_tripoly value;
+    if (!algsurf_i_parse_equation(p, &value)) return p->status;
+    algsurf_status status = to_surface(&value, p->at, surface, &p->error);
+    algsurf_i_tripoly_free(&value);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
+                                            size_t count, algsurf_surface **surface) {
+    algsurf_status status = sort_constants(constants, count, &p->constants);
+    if (status != ALGSURF_OK) return status;
+    p->constant_count = count;
+    status = parse(p, surface);
+    free(p->constants);
+    return status;
+}
+
 algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                              size_t count, algsurf_surface **surface,
                                              algsurf_parse_error *error) {
     if (!text || !surface || (count > 0 && !constants)) return ALGSURF_E_ARGUMENT;
-    algsurf_i_parser p = {.text = text, .constant_count = count};
-    algsurf_status status = sort_constants(constants, count, &p.constants);
-    if (status != ALGSURF_OK) return status;
+    algsurf_i_parser p = {.text = text};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = make(&p, surface);
+    algsurf_status status = make(&p, constants, count, surface);
     algsurf_fpenv_leave(&saved);
-    free(p.constants);
     if (error && p.error.message) *error = p.error;
     return status;
 }

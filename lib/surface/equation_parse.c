@@ -21,7 +21,7 @@
 #include "equation_number.h"
 #include "equation_parse.h"
 
-enum { DEPTH_LIMIT = 200, EXPONENT_LIMIT = 64 };
+enum { DEPTH_LIMIT = 100, EXPONENT_LIMIT = 64 };
 
 typedef algsurf_i_parser parser;
 
@@ -69,7 +69,7 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out);
 static int parse_signed(parser *p, algsurf_i_tripoly *out);
 
 static int enter(parser *p, size_t offset) {
-    return ++p->depth <= DEPTH_LIMIT || refuse(p, offset, "nested deeper than 200");
+    return ++p->depth <= DEPTH_LIMIT || refuse(p, offset, "nested deeper than 100");
 }
 
 static int make_value(parser *p, algsurf_dd v, double err, int exponent, int key, algsurf_i_tripoly *out) {

@@ -218,37 +218,36 @@ static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double 
     for (int by = -1; by < 3; by++) of[by + 1] = wide_sum(s, point, by);
 }
 
-static algsurf_status check_point(const algsurf_surface *surface, const double *point) {
-    if (!surface || !point) return ALGSURF_E_ARGUMENT;
-    int finite = isfinite(point[0]) && isfinite(point[1]) && isfinite(point[2]);
-    return finite ? ALGSURF_OK : ALGSURF_E_NOT_FINITE;
+static int is_finite_point(const double *point) {
+    return isfinite(point[0]) && isfinite(point[1]) && isfinite(point[2]);
 }
 
-algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3], double *value,
-                                     double *bound) {
-    if (!value) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_point(surface, point);
-    if (status != ALGSURF_OK) return status;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
+static ALGSURF_NOINLINE algsurf_status give_value(const algsurf_surface *surface, const double *point,
+                                                  double *value, double *bound) {
+    if (!is_finite_point(point)) return ALGSURF_E_NOT_FINITE;
     bounded p = value_at(surface, point);
-    algsurf_fpenv_leave(&saved);
     if (!is_finite(p)) return ALGSURF_E_RANGE;
     *value = p.value;
     if (bound) *bound = p.bound;
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3], double *value,
-                                        double gradient[3], double *value_bound, double gradient_bound[3]) {
-    if (!value || !gradient) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_point(surface, point);
-    if (status != ALGSURF_OK) return status;
-    bounded of[4];
+algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3], double *value,
+                                     double *bound) {
+    if (!surface || !point || !value) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    gradient_at(surface, point, of);
+    algsurf_status status = give_value(surface, point, value, bound);
     algsurf_fpenv_leave(&saved);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_status give_gradient(const algsurf_surface *surface, const double *point,
+                                                     double *value, double *gradient, double *value_bound,
+                                                     double *gradient_bound) {
+    bounded of[4];
+    if (!is_finite_point(point)) return ALGSURF_E_NOT_FINITE;
+    gradient_at(surface, point, of);
     for (int i = 0; i < 4; i++) {
         if (!is_finite(of[i])) return ALGSURF_E_RANGE;
     }
@@ -259,4 +258,14 @@ algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const do
         if (gradient_bound) gradient_bound[axis] = of[axis + 1].bound;
     }
     return ALGSURF_OK;
+}
+
+algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3], double *value,
+                                        double gradient[3], double *value_bound, double gradient_bound[3]) {
+    if (!surface || !point || !value || !gradient) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = give_gradient(surface, point, value, gradient, value_bound, gradient_bound);
+    algsurf_fpenv_leave(&saved);
+    return status;
 }

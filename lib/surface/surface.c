@@ -239,22 +239,26 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_surface_make(const algsurf_term *terms
 algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t count,
                                           algsurf_surface **surface) {
     if (!terms || count == 0 || !surface) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_terms(terms, count);
-    if (status != ALGSURF_OK) return status;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    status = algsurf_i_surface_make(terms, count, 0, 0, surface);
+    algsurf_status status = check_terms(terms, count);
+    if (status == ALGSURF_OK) status = algsurf_i_surface_make(terms, count, 0, 0, surface);
     algsurf_fpenv_leave(&saved);
     return status;
 }
 
+static ALGSURF_NOINLINE algsurf_status make_approximate(const algsurf_surface *surface, double error,
+                                                        algsurf_surface **approximate) {
+    if (!(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
+    return algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
+}
+
 algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
                                           algsurf_surface **approximate) {
-    if (!surface || !approximate || !(error >= 0 && error < 1)) return ALGSURF_E_ARGUMENT;
+    if (!surface || !approximate) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status =
-        algsurf_i_surface_make(surface->terms, surface->term_count, error, surface->rounding, approximate);
+    algsurf_status status = make_approximate(surface, error, approximate);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -27,7 +27,7 @@ ALGSURF_API algsurf_status algsurf_expand_power(const algsurf_surface *surface, 
  *   b, r  n+1 coefficients and their radii, or r null.  Encloses, as above: r covers the expansion, the
  *         change of basis and the rounding of the chord's midpoint and length.
  * Errors: as above; E_ARGUMENT for a chord that is empty or infinite.  Cost: as above, and O(n^2) for the
- * change of basis.  Source: as above, and as algsurf_poly_to_bernstein.  Since 1.0. */
+ * change of basis.  Source: as above, and as algsurf_poly_to_bernstein.  12 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_expand_bernstein(const algsurf_surface *surface, const algsurf_ray *ray,
                                                     double *b, double *r);
 

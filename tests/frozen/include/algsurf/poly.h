@@ -40,7 +40,8 @@ ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const 
  *           Encloses: every member of the input set has its coefficients in b[j] +- br[j].
  * Errors: E_ARGUMENT (also lo >= hi), E_NOT_FINITE (also infinite lo, hi), E_RANGE (overflow).
  * Cost: O(degree^2).  Source: blossoming (Ramshaw 1989), as a Horner scheme in normalised
- * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.  Since 1.0. */
+ * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.
+ * 10 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
                                                      double hi, double *b, double *br);
 

@@ -60,9 +60,8 @@ typedef double (*algsurf_function)(double x, void *data);
  * Guarantee: approximate; for exact signs of f the final bracket encloses a root.
  * Returns OK; NOT_CONVERGED (result filled) at the iteration limit.  Errors: E_ARGUMENT (null, lo > hi,
  * same signs, bad options), E_NOT_FINITE (an end, or f returned NaN).
- * The function is called in the caller's floating-point environment and may use all of libm, and so is an
- * observer here.  So is the arithmetic on the bracket: the guarantee does not depend on it, the last digits
- * may.
+ * The function is called in the caller's floating-point environment, which it may change, and may use all of
+ * libm; the arithmetic on the bracket is done in the library's, and so are calls of an observer.
  * Infinite values count by their sign.
  * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
@@ -81,7 +80,7 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
  * default, where integers decide: 1 GiB at most).
  * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
- * roots need.  Since 1.0. */
+ * roots need.  42 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
                                                const algsurf_refine_options *options,
                                                algsurf_refined_root *result);

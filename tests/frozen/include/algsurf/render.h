@@ -168,14 +168,15 @@ typedef struct algsurf_picture {
  * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
- * Errors: E_ARGUMENT (a bad option, stride, format or size; null), E_NOT_FINITE (the picture or a light
- * leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided for
- * want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD (no locks to
- * be had). Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn
- * by packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; the other planes take
- * less than a nanosecond each; samples that packets leave in doubt, and all of other scenes, cost an
- * intersection each.  A shadow ray a light sample.  Memory: some 200 bytes for each thread and pixel of a
- * row, with a threshold of antialiasing 100 more, in complex space 32 more for each degree, allocated once.
+ * Errors: E_ARGUMENT (a bad option, stride, format or size; null), E_NOT_FINITE (the picture or a light leaves
+ * the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided for want of it,
+ * everything else is drawn, they count as undecided, and stats is written), E_THREAD (no locks to be had).
+ * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
+ * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; the other planes take less
+ * than a nanosecond each; samples that packets leave in doubt, and all of other scenes, cost an intersection
+ * each.  A shadow ray a light sample.
+ * Memory: some 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 100 more, in
+ * complex space 32 more for each degree, allocated once.  59 KiB of stack.
  * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,

@@ -1,0 +1,5 @@
+/* operations_baseline.c - the operations of packets of two, for every processor. */
+#include "operations.h"
+
+#include "baseline.h"
+#include "operations_template.h"

@@ -1,0 +1,869 @@
+/* test_stack.c - how much stack each public function needs: at most what its comment says.
+ *
+ * A call runs on a thread whose stack is painted before; how deep the paint is gone afterwards, less what a
+ * thread that does nothing leaves, is what the call took.  Inputs are those that go deepest: the largest
+ * degrees, integers, radii, clusters, nested text; and each kernel that runs here, where the caller may
+ * choose.  What is measured is compared with the table at the end, and check_symbols compares that with the
+ * headers: a number of KiB in the function's comment, or USUAL where the comment has none.  Calls that a
+ * renderer makes are to work on a thread of 64 KiB, all others on one of 128 KiB.
+ *
+ * Every call is made once before, so that the dynamic linker's own stack does not count.  Numbers are
+ * compared where they were measured: x86-64, gcc, optimised.  Sanitizers, debugging builds and emulators take
+ * more, and other compilers have other frames: there the calls are made, and what they took is printed. */
+#define _DEFAULT_SOURCE
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "algsurf/algsurf.h"
+
+enum { USUAL = 8, RENDERER = 64, OTHERS = 128, MOST = ALGSURF_MAX_POLY_DEGREE };
+
+/* ---- painted stacks ---- */
+
+#define STACK ((size_t)1 << 20)
+#define PAINT 0xa5
+
+typedef struct job {
+    void (*run)(void);
+} job;
+
+static void *work(void *data) {
+    const job *j = data;
+    if (j->run) j->run();
+    return NULL;
+}
+
+/* The bytes of stack that a thread with this job has written to. */
+static size_t depth_of(void (*run)(void)) {
+    job j = {run};
+    pthread_attr_t attributes;
+    pthread_t thread;
+    unsigned char *stack = mmap(NULL, STACK, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_true(stack != MAP_FAILED);
+    memset(stack, PAINT, STACK);
+    assert_int_equal(pthread_attr_init(&attributes), 0);
+    assert_int_equal(pthread_attr_setstack(&attributes, stack, STACK), 0);
+    assert_int_equal(pthread_create(&thread, &attributes, work, &j), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    (void)pthread_attr_destroy(&attributes);
+    size_t clean = 0;
+    while (clean < STACK && stack[clean] == PAINT) clean++;
+    assert_int_equal(munmap(stack, STACK), 0);
+    assert_true(clean > 0);
+    return STACK - clean;
+}
+
+/* ---- inputs ---- */
+
+/* Polynomials with p->name, the coefficients c and radii r. */
+typedef struct poly {
+    int degree;
+    double c[MOST + 1], r[MOST + 1];
+} poly;
+
+enum { LITTLEWOOD, LITTLEWOOD_64, SQUARE, SQUARE_64, BINOMIAL, CLUSTER, CHEBYSHEV, SMALL, POLYS };
+static poly polys[POLYS];
+
+static void make_polys(void) {
+    uint64_t seed = 1;
+    for (int which = LITTLEWOOD; which <= SQUARE_64; which++) {
+        poly *p = polys + which;
+        int n = which == LITTLEWOOD || which == SQUARE ? MOST : 64;
+        double q[MOST + 1];
+        for (int k = 0; k <= n; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            q[k] = seed >> 63 ? 1 : -1;
+        }
+        p->degree = n;
+        for (int k = 0; k <= n; k++) p->c[k] = which >= SQUARE ? 0 : q[k];
+        for (int i = 0; which >= SQUARE && i <= n / 2; i++)
+            for (int k = 0; k <= n / 2; k++) p->c[i + k] += q[i] * q[k];
+    }
+    polys[BINOMIAL].degree = MOST, polys[BINOMIAL].c[0] = 4, polys[BINOMIAL].c[MOST / 2] = -4;
+    polys[BINOMIAL].c[MOST] = 1;
+    polys[CLUSTER].degree = 60; /* Mignotte: two roots close to 1/1000 */
+    polys[CLUSTER].c[60] = 1, polys[CLUSTER].c[2] = -2e6, polys[CLUSTER].c[1] = 4e3, polys[CLUSTER].c[0] = -2;
+    double t[2][33] = {{1}, {0, 1}}; /* T_30: 30 real roots */
+    for (int n = 2; n <= 30; n++) {
+        for (int k = 30; k >= 0; k--) {
+            double next = (k > 0 ? 2 * t[1][k - 1] : 0) - t[0][k];
+            t[0][k] = next;
+        }
+        for (int k = 0; k <= 30; k++) {
+            double x = t[0][k];
+            t[0][k] = t[1][k], t[1][k] = x;
+        }
+    }
+    polys[CHEBYSHEV].degree = 30;
+    memcpy(polys[CHEBYSHEV].c, t[1], 31 * sizeof(double));
+    polys[SMALL].degree = 6;
+    for (int k = 0; k <= 6; k++) polys[SMALL].c[k] = (k * 5 % 7) - 2.9;
+    for (int which = 0; which < POLYS; which++)
+        for (int k = 0; k <= polys[which].degree; k++) polys[which].r[k] = 0x1p-40 * fabs(polys[which].c[k]);
+}
+
+/* Surfaces: of high degree, in rows, dense with nodes, touched by every ray, known to an error. */
+enum { SURFACES = 7 };
+static algsurf_surface *surfaces[SURFACES];
+
+static void make_surfaces(void) {
+    static const char *const equations[SURFACES - 1] = {
+        "x^64 + y^64 + z^64 + x^3 y z - x + 0.1 y - 1",
+        "x^24 + y^24 + z^24 + x y z - 0.7",
+        "(x + 2y - z)^12 + (x^2 - y z + 0.3)^6 + (z - 0.1)^9 - 0.5",
+        "(x^2 + y^2 + z^2 - 1)^2",
+        "(x^8 + y^8 + z^8 - 1)^2 (x^2 + y^2 + z^2 - 0.5)^3",
+        "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8",
+    };
+    for (int i = 0; i < SURFACES - 1; i++)
+        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, surfaces + i, NULL),
+                         ALGSURF_OK);
+    assert_int_equal(algsurf_surface_with_error(surfaces[3], 1e-9, surfaces + SURFACES - 1), ALGSURF_OK);
+}
+
+static void free_surfaces(void) {
+    for (int i = 0; i < SURFACES; i++) algsurf_surface_free(surfaces[i]);
+}
+
+static const algsurf_extent extents[3] = {{ALGSURF_EXTENT_ALL, {0, 0, 0}, {0, 0, 0}},
+                                          {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}},
+                                          {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}}};
+
+/* Generic ones, one that touches spheres, one from far away, one in a plane of symmetry. */
+enum { RAYS = 6 };
+static const algsurf_ray rays[RAYS] = {
+    {{-4, 0.3, 0.2}, {1, 0.02, -0.03}, 0, HUGE_VAL},
+    {{-4, 1, 0}, {1, 0, 0}, 0, HUGE_VAL},
+    {{-4e5, 0.25, 0.125}, {1e-3, 0, 0}, 0, HUGE_VAL},
+    {{0, 0, -4}, {0, 0, 1}, -HUGE_VAL, HUGE_VAL},
+    {{-4, 0.1, 0.7}, {1, 0, 0}, 0, 4},
+    {{3, 3, 3}, {-1, -1, -1}, 0, HUGE_VAL},
+};
+
+/* Each combination of surface, extent and options, for a call with a ray. */
+static void for_rays(void (*call)(const algsurf_surface *, const algsurf_extent *, const algsurf_ray *,
+                                  const algsurf_intersect_options *)) {
+    for (int s = 0; s < SURFACES; s++)
+        for (int e = 0; e < 3; e++)
+            for (int way = 0; way < 4; way++)
+                for (int i = 0; i < RAYS; i++) {
+                    algsurf_intersect_options o = {.size = sizeof o};
+                    if (way == 1) o.tier = ALGSURF_TIER_FAST;
+                    if (way == 2) o.method = ALGSURF_METHOD_BRENT;
+                    if (way == 3) o.doubt = ALGSURF_DOUBT_MISS;
+                    call(surfaces[s], extents + e, rays + i, &o);
+                }
+}
+
+/* ---- the calls ---- */
+
+static void one_first(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                      const algsurf_intersect_options *o) {
+    algsurf_hit hit;
+    (void)algsurf_intersect_first(s, e, r, o, &hit);
+}
+static void run_algsurf_intersect_first(void) { for_rays(one_first); }
+
+static void one_all(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                    const algsurf_intersect_options *o) {
+    static algsurf_hit hits[ALGSURF_MAX_DEGREE];
+    int count;
+    (void)algsurf_intersect_all(s, e, r, o, hits, ALGSURF_MAX_DEGREE, &count);
+}
+static void run_algsurf_intersect_all(void) { for_rays(one_all); }
+
+static void one_occluded(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                         const algsurf_intersect_options *o) {
+    int state;
+    (void)algsurf_occluded(s, e, r, o, &state);
+}
+static void run_algsurf_occluded(void) { for_rays(one_occluded); }
+
+static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                        const algsurf_intersect_options *o) {
+    algsurf_complex_space space = {sizeof space, {0, o->tier ? 0.3 : 1e-10}, {o->method ? 0.5 : 0}};
+    algsurf_hit hit;
+    (void)algsurf_intersect_complex(s, e, r, &space, NULL, NULL, &hit, NULL);
+}
+static void run_algsurf_intersect_complex(void) { for_rays(one_complex); }
+
+/* Packets of nine times the same kind of ray, by each kernel. */
+static void packets(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                    const algsurf_intersect_options *how, int occluded) {
+    static double origin[3][9], direction[3][9], t_min[9], t_max[9], t[3][9], x[6][9];
+    static unsigned char state[9];
+    algsurf_ray_packet packet = {.size = sizeof packet, .count = 9, .t_min = t_min, .t_max = t_max};
+    algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t[0], .t_lo = t[1], .t_hi = t[2]};
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 9; i++) origin[k][i] = r->origin[k] + 0x1p-6 * i * (k == 1);
+        for (int i = 0; i < 9; i++) direction[k][i] = r->direction[k];
+        packet.origin[k] = origin[k], packet.direction[k] = direction[k];
+        hits.position[k] = x[k], hits.normal[k] = x[3 + k];
+    }
+    for (int i = 0; i < 9; i++) t_min[i] = r->t_min, t_max[i] = r->t_max;
+    for (int k = 0; algsurf_kernel_name(k); k++) {
+        algsurf_intersect_options o = *how;
+        o.kernel = algsurf_kernel_name(k);
+        if (occluded)
+            (void)algsurf_occluded_packet(s, e, &packet, &o, state);
+        else
+            (void)algsurf_intersect_packet(s, e, &packet, &o, &hits);
+    }
+}
+
+static void one_packet(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                       const algsurf_intersect_options *o) {
+    packets(s, e, r, o, 0);
+}
+static void run_algsurf_intersect_packet(void) { for_rays(one_packet); }
+
+static void one_occluded_packet(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
+                                const algsurf_intersect_options *o) {
+    packets(s, e, r, o, 1);
+}
+static void run_algsurf_occluded_packet(void) { for_rays(one_occluded_packet); }
+
+/* A call with each polynomial, interval, and with radii or without. */
+static void for_polys(void (*call)(const double *c, const double *r, int n, double lo, double hi)) {
+    for (int which = 0; which < POLYS; which++)
+        for (int radii = 0; radii < 2; radii++) {
+            const poly *p = polys + which;
+            if (radii && p->degree > 64 && which != LITTLEWOOD) continue;
+            call(p->c, radii ? p->r : NULL, p->degree, -HUGE_VAL, HUGE_VAL);
+            call(p->c, radii ? p->r : NULL, p->degree, -1.25, 0.75);
+        }
+}
+
+static algsurf_bracket brackets[MOST];
+static algsurf_real_root real_roots[9 * MOST];
+static algsurf_complex_root complex_roots[9 * MOST];
+static int found;
+
+/* Watching takes stack, too. */
+static void ignore_cell(void *data, const algsurf_cell *cell) { (void)data, (void)cell; }
+static void ignore_point(void *data, double t, double value, int engine) {
+    (void)data, (void)t, (void)value, (void)engine;
+}
+static algsurf_observer watcher = {.size = sizeof watcher, .cell = ignore_cell, .point = ignore_point};
+static const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &watcher};
+
+static void first_bracket(const double *c, const double *r, int n, double lo, double hi) {
+    (void)algsurf_isolate_first(c, r, n, lo, hi, NULL, brackets, &found);
+    (void)algsurf_isolate_first(c, r, n, lo, hi, &watched, brackets, &found);
+}
+static void all_brackets(const double *c, const double *r, int n, double lo, double hi) {
+    (void)algsurf_isolate_all(c, r, n, lo, hi, NULL, brackets, MOST, &found);
+    (void)algsurf_isolate_all(c, r, n, lo, hi, &watched, brackets, MOST, &found);
+}
+static void number_of_roots(const double *c, const double *r, int n, double lo, double hi) {
+    (void)algsurf_count_roots(c, r, n, lo, hi, &found);
+}
+static void roots_of(const double *c, const double *r, int n, double lo, double hi) {
+    if (!r) (void)algsurf_real_roots(c, n, lo, hi, real_roots, MOST, &found);
+}
+static void run_algsurf_isolate_first(void) { for_polys(first_bracket); }
+static void run_algsurf_isolate_all(void) { for_polys(all_brackets); }
+static void run_algsurf_count_roots(void) { for_polys(number_of_roots); }
+static void run_algsurf_real_roots(void) { for_polys(roots_of); }
+
+static void run_algsurf_real_roots_integers(void) {
+    static const uint64_t limbs[3][2] = {{7, 5}, {3, 1u << 9}, {1, 1}};
+    algsurf_integer c[MOST + 1];
+    for (int n = 2; n <= MOST; n *= 4) {
+        for (int k = 0; k <= n; k++) c[k] = (algsurf_integer){limbs[k % 3], k * k % 5 - 2 > 0 ? 2 : -2};
+        (void)algsurf_real_roots_integers(c, n, -HUGE_VAL, HUGE_VAL, real_roots, MOST, &found);
+    }
+}
+
+/* Brackets of roots, by all methods. */
+enum { SOME = 2 };
+static algsurf_bracket known[POLYS][SOME];
+static int known_count[POLYS];
+
+static void find_brackets(void) {
+    for (int which = 0; which < POLYS; which++) {
+        const poly *p = polys + which;
+        (void)algsurf_isolate_all(p->c, NULL, p->degree, -2, 2, NULL, brackets, MOST, &known_count[which]);
+        if (known_count[which] > SOME) known_count[which] = SOME;
+        memcpy(known[which], brackets, sizeof known[which]);
+    }
+}
+
+static void run_algsurf_refine_poly(void) {
+    for (int which = 0; which < POLYS; which++)
+        for (int i = 0; i < 8 * known_count[which]; i++) {
+            const poly *p = polys + which;
+            const algsurf_bracket *b = known[which] + i / 8;
+            algsurf_refine_options o = {.size = sizeof o, .method = i % 4, .max_iterations = 40};
+            algsurf_refined_root root;
+            o.observer = i / 4 % 2 ? &watcher : NULL;
+            (void)algsurf_refine_poly(p->c, p->degree, b->lo, b->hi, &o, &root);
+        }
+}
+
+static double cubic(double x, void *data) {
+    (void)data;
+    return x * x * x - 2;
+}
+static void run_algsurf_refine_function(void) {
+    for (int method = 0; method < 4; method++) {
+        algsurf_refine_options o = {.size = sizeof o, .max_iterations = 60};
+        algsurf_refined_root root;
+        o.method = (algsurf_method)method;
+        (void)algsurf_refine_function(cubic, NULL, 0, 2, &o, &root);
+    }
+}
+
+/* Nine copies of a polynomial, a little apart, by each kernel. */
+static void batches(int roots) {
+    static double c[MOST + 1][9], r[MOST + 1][9], lo[9], hi[9], root[9];
+    static unsigned char state[9];
+    static int count[9];
+    for (int which = 0; which < 3 * POLYS; which++) {
+        const poly *p = polys + which % POLYS;
+        for (int k = 0; k <= p->degree; k++) {
+            for (int i = 0; i < 9; i++) c[k][i] = p->c[k], r[k][i] = p->r[k];
+        }
+        for (int i = 0; i < 9; i++) c[0][i] += 0x1p-8 * i, lo[i] = -1.25, hi[i] = 0.75;
+        if (which / POLYS == 1 && p->degree > 64) continue;
+        size_t many = p->degree > 64 ? 1 : 9; /* of high degree, each is solved alone */
+        algsurf_real_batch batch = {.size = sizeof batch,
+                                    .count = many,
+                                    .degree = p->degree,
+                                    .coefficients = {c[0], 9, 1},
+                                    .lo = lo,
+                                    .hi = hi,
+                                    .interval_step = 1};
+        if (which / POLYS == 1) batch.radii = (algsurf_table){r[0], 9, 1};
+        if (which / POLYS == 2 && p->degree >= 6) batch.degree = 6;
+        int kernels = batch.degree > 20 ? 1 : 3;
+        for (int k = 0; k < kernels && algsurf_kernel_name(k); k++) {
+            algsurf_batch_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(k)};
+            if (roots)
+                (void)algsurf_real_roots_batch(&batch, &o, real_roots, count);
+            else
+                (void)algsurf_first_roots_batch(&batch, &o, state, root);
+        }
+    }
+}
+static void run_algsurf_first_roots_batch(void) { batches(0); }
+static void run_algsurf_real_roots_batch(void) { batches(1); }
+
+static void run_algsurf_poly_eval(void) {
+    double value, bound;
+    (void)algsurf_poly_eval(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
+}
+static void run_algsurf_poly_eval_compensated(void) {
+    double value, bound;
+    (void)algsurf_poly_eval_compensated(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
+    (void)algsurf_poly_eval_compensated(polys[0].c, NULL, MOST, 0x1p900, &value, &bound);
+}
+static void run_algsurf_poly_to_bernstein(void) {
+    static double b[2][MOST + 1];
+    (void)algsurf_poly_to_bernstein(polys[0].c, polys[0].r, MOST, -0.5, 0.7, b[0], b[1]);
+}
+
+/* ---- complex roots ---- */
+
+static algsurf_complex complexes[MOST + 1];
+
+/* Some of them complex, some real. */
+static const algsurf_complex *complex_of(const poly *p, int imaginary) {
+    for (int k = 0; k <= p->degree; k++)
+        complexes[k] = (algsurf_complex){p->c[k], imaginary ? 0.125 * (k % 3) : 0};
+    return complexes;
+}
+
+static void complex_calls(int real) {
+    for (int which = 0; which < POLYS; which++)
+        for (int way = 0; way < 4; way++) {
+            const poly *p = polys + which;
+            const double *r = way / 2 ? p->r : NULL;
+            if (real)
+                (void)algsurf_complex_roots_of_real(p->c, r, p->degree, complex_roots, &found);
+            else
+                (void)algsurf_complex_roots(complex_of(p, way % 2), r, p->degree, complex_roots, &found);
+        }
+}
+static void run_algsurf_complex_roots(void) { complex_calls(0); }
+static void run_algsurf_complex_roots_of_real(void) { complex_calls(1); }
+
+static void run_algsurf_complex_roots_batch(void) {
+    static double c[ALGSURF_MAX_DEGREE + 1][9], im[ALGSURF_MAX_DEGREE + 1][9];
+    static int count[9];
+    static const int degrees[] = {2, 6, 10, 24, 64};
+    for (int d = 0; d < 5; d++)
+        for (int way = 0; way < 2; way++)
+            for (int kernel = 0; algsurf_kernel_name(kernel); kernel++) {
+                algsurf_batch_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(kernel)};
+                algsurf_complex_batch batch = {
+                    .size = sizeof batch, .count = 9, .degree = degrees[d], .re = {c[0], 9, 1}};
+                if (way) batch.im = (algsurf_table){im[0], 9, 1};
+                for (int k = 0; k <= degrees[d]; k++) {
+                    for (int i = 0; i < 9; i++) c[k][i] = (k * 5 + i) % 7 - 2.9, im[k][i] = 0.1 * (k % 3);
+                }
+                (void)algsurf_complex_roots_batch(&batch, &o, complex_roots, count);
+            }
+}
+
+static algsurf_complex_solver *solver;
+
+static void run_algsurf_complex_solver_create(void) {
+    algsurf_complex_solver *made = NULL;
+    (void)algsurf_complex_solver_create(MOST, &made);
+    algsurf_complex_solver_free(made);
+}
+static void run_algsurf_complex_solver_free(void) { algsurf_complex_solver_free(NULL); }
+static void run_algsurf_complex_solver_run(void) {
+    for (int which = 0; which < POLYS; which++)
+        for (int imaginary = 0; imaginary < 2; imaginary++) {
+            const poly *p = polys + which;
+            (void)algsurf_complex_solver_run(solver, complex_of(p, imaginary), NULL, p->degree, NULL,
+                                             complex_roots, &found, NULL);
+        }
+}
+
+static algsurf_complex quotient[MOST];
+static algsurf_complex approximation = {0, 1};
+
+static void run_algsurf_approximation(void) {
+    algsurf_zero_options o = {.size = sizeof o};
+    (void)algsurf_approximation(complex_of(polys, 1), MOST, (algsurf_complex){0, 1}, &o, &approximation,
+                                quotient, NULL);
+}
+static void run_algsurf_interval_iteration(void) {
+    static algsurf_cinterval Z, Q[MOST];
+    (void)algsurf_interval_iteration(complex_of(polys, 1), polys[0].r, MOST, approximation, quotient, NULL,
+                                     &Z, Q, NULL, NULL);
+}
+static void run_algsurf_cpoly_zeros(void) {
+    static algsurf_cpoly_zero zeros[MOST];
+    algsurf_zero_options o = {.size = sizeof o, .max_steps = 2, .max_inflations = 1};
+    (void)algsurf_cpoly_zeros(complex_of(polys, 1), polys[0].r, MOST, NULL, &o, zeros, &found);
+}
+
+static const algsurf_sector sector = {0.1, 0.5};
+static const algsurf_complex_root seen[2] = {{{{1, 2}, {0.1, 0.9}}, {1.5, 0.5}, 1, 0},
+                                             {{{1, 2}, {-0.9, -0.1}}, {1.5, -0.5}, 1, 0}};
+
+static void run_algsurf_sector_holds(void) { (void)algsurf_sector_holds(&sector, seen, &found); }
+static void run_algsurf_select(void) {
+    int selected;
+    (void)algsurf_select(seen, 2, &sector, 0, 10, &selected, &found);
+}
+static void run_algsurf_select_of_real(void) {
+    int selected;
+    (void)algsurf_select_of_real(seen, 2, &sector, 0, 10, &selected, &found);
+}
+
+/* ---- surfaces, cameras, light ---- */
+
+/* As deep as allowed: parentheses, signs, powers, roots. */
+static void run_algsurf_surface_from_equation(void) {
+    static const char *const opening[] = {"(", "1+x*(", "2^(", "sqrt(", "x^1^1^(1*"};
+    static const char *const inside[] = {"(x+y+z+1)^20", "x", "1", "2", "1"};
+    static const int levels[] = {98, 62, 98, 98, 32};
+    for (int i = 0; i < 5; i++) {
+        char text[2000] = "x + ";
+        algsurf_surface *surface = NULL;
+        for (int level = 0; level < levels[i]; level++) strcat(text, opening[i]);
+        strcat(text, inside[i]);
+        for (int level = 0; level < levels[i]; level++) strcat(text, ")");
+        (void)algsurf_surface_from_equation(text, NULL, 0, &surface, NULL);
+        algsurf_surface_free(surface);
+    }
+}
+
+static algsurf_term terms[47905]; /* all of degree 64 */
+static size_t term_count;
+
+static void make_terms(void) {
+    for (int k = 0; k <= 64; k++)
+        for (int j = 0; j + k <= 64; j++)
+            for (int i = 0; i + j + k <= 64; i++)
+                terms[term_count++] = (algsurf_term){i, j, k, 1 + 0.01 * ((i + 2 * j + 3 * k) % 17)};
+}
+
+static void run_algsurf_surface_from_terms(void) {
+    algsurf_surface *surface = NULL;
+    (void)algsurf_surface_from_terms(terms, term_count, &surface);
+    algsurf_surface_free(surface);
+    (void)algsurf_surface_from_terms(terms, 40, &surface);
+    algsurf_surface_free(surface);
+}
+static void run_algsurf_surface_with_error(void) {
+    for (int i = 0; i < SURFACES; i++) {
+        algsurf_surface *surface = NULL;
+        (void)algsurf_surface_with_error(surfaces[i], 1e-10, &surface);
+        algsurf_surface_free(surface);
+    }
+}
+static void run_algsurf_surface_free(void) { algsurf_surface_free(NULL); }
+static void run_algsurf_surface_degree(void) { (void)algsurf_surface_degree(surfaces[0]); }
+static void run_algsurf_surface_rounding(void) { (void)algsurf_surface_rounding(surfaces[0]); }
+static void run_algsurf_surface_term_count(void) { (void)algsurf_surface_term_count(surfaces[0]); }
+static void run_algsurf_surface_terms(void) {
+    static algsurf_term copy[47905];
+    (void)algsurf_surface_terms(surfaces[0], copy);
+}
+
+static const double near[3] = {0.1, 0.2, 0.3}, far[3] = {1e200, 1e-200, 3};
+
+static void run_algsurf_surface_value(void) {
+    double value, bound;
+    for (int i = 0; i < SURFACES; i++) {
+        (void)algsurf_surface_value(surfaces[i], near, &value, &bound);
+        (void)algsurf_surface_value(surfaces[i], far, &value, &bound);
+    }
+}
+static void run_algsurf_surface_gradient(void) {
+    double value, gradient[3];
+    for (int i = 0; i < SURFACES; i++) {
+        (void)algsurf_surface_gradient(surfaces[i], near, &value, gradient, NULL, NULL);
+        (void)algsurf_surface_gradient(surfaces[i], far, &value, gradient, NULL, NULL);
+    }
+}
+
+static double b[2][ALGSURF_MAX_DEGREE + 1];
+static void run_algsurf_expand_power(void) {
+    for (int i = 0; i < SURFACES * RAYS; i++)
+        (void)algsurf_expand_power(surfaces[i / RAYS], rays + i % RAYS, b[0], b[1]);
+}
+static void run_algsurf_expand_bernstein(void) {
+    for (int i = 0; i < SURFACES * RAYS; i++) {
+        algsurf_ray ray = rays[i % RAYS];
+        ray.t_min = 0, ray.t_max = 3;
+        (void)algsurf_expand_bernstein(surfaces[i / RAYS], &ray, b[0], b[1]);
+    }
+}
+static void run_algsurf_extent_clip(void) {
+    for (int i = 0; i < 3 * RAYS; i++) {
+        algsurf_ray chord;
+        (void)algsurf_extent_clip(extents + i / RAYS, rays + i % RAYS, &chord, &found);
+    }
+}
+
+static const double eye[3] = {4, 3, 2.5}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+static const double tilted[3] = {0.6, 0, 0.8}, down[3] = {0, 0, -1};
+static const algsurf_material material = {sizeof material, {1, 0.7, 0.4}, {0.4, 0.7, 1}, 0.2, 0.7, 0.2,
+                                          3000.5};
+static const algsurf_light light = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 3, 3};
+
+static void run_algsurf_camera_pinhole(void) {
+    algsurf_camera camera;
+    (void)algsurf_camera_pinhole(eye, origin, up, 30, &camera);
+}
+static void run_algsurf_camera_orthographic(void) {
+    algsurf_camera camera;
+    (void)algsurf_camera_orthographic(eye, origin, up, 3, &camera);
+}
+static algsurf_camera camera;
+static void run_algsurf_camera_ray(void) {
+    algsurf_ray ray;
+    (void)algsurf_camera_ray(&camera, 40, 30, 7.5, 3.5, &ray);
+}
+static void run_algsurf_light_sample(void) {
+    double position[3];
+    (void)algsurf_light_sample(&light, 1, 2, position);
+}
+static void run_algsurf_shade(void) {
+    double colour[3];
+    (void)algsurf_shade(&material, &light, 1, NULL, near, tilted, down, colour);
+}
+static void run_algsurf_shade_preview(void) {
+    double colour[3];
+    (void)algsurf_shade_preview(&material, tilted, down, 0.3, colour);
+}
+
+/* ---- scenes ---- */
+
+static algsurf_scene *scene;
+
+static void run_algsurf_scene_create(void) {
+    algsurf_scene *made = NULL;
+    (void)algsurf_scene_create(surfaces[0], &made);
+    algsurf_scene_free(made);
+}
+static void run_algsurf_scene_free(void) { algsurf_scene_free(NULL); }
+static void run_algsurf_scene_set_antialias(void) { (void)algsurf_scene_set_antialias(scene, 2); }
+static void run_algsurf_scene_set_antialias_threshold(void) {
+    (void)algsurf_scene_set_antialias_threshold(scene, 0.1);
+}
+static void run_algsurf_scene_set_background(void) { (void)algsurf_scene_set_background(scene, eye); }
+static void run_algsurf_scene_set_camera(void) { (void)algsurf_scene_set_camera(scene, &camera); }
+static void run_algsurf_scene_set_coherence(void) {
+    (void)algsurf_scene_set_coherence(scene, ALGSURF_COHERENCE_NONE);
+}
+static void run_algsurf_scene_set_complex_space(void) {
+    algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
+    (void)algsurf_scene_set_complex_space(scene, &space);
+}
+static void run_algsurf_scene_set_extent(void) { (void)algsurf_scene_set_extent(scene, extents + 2); }
+static void run_algsurf_scene_set_intersect(void) { (void)algsurf_scene_set_intersect(scene, NULL); }
+static void run_algsurf_scene_set_lights(void) { (void)algsurf_scene_set_lights(scene, &light, 1); }
+static void run_algsurf_scene_set_material(void) { (void)algsurf_scene_set_material(scene, &material); }
+static void run_algsurf_scene_set_quality(void) {
+    (void)algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL);
+}
+
+enum { WIDTH = 17, HEIGHT = 2 };
+
+static void draw(algsurf_scene *of) {
+    static uint8_t pixels[WIDTH * HEIGHT * 4];
+    static double t[WIDTH * HEIGHT];
+    static float normals[WIDTH * HEIGHT * 3];
+    static unsigned char state[WIDTH * HEIGHT];
+    const algsurf_picture picture = {.size = sizeof picture,
+                                     .pixels = pixels,
+                                     .format = ALGSURF_RGBA8,
+                                     .t = t,
+                                     .normals = normals,
+                                     .state = state};
+    algsurf_render_options size = {.size = sizeof size, .width = WIDTH, .height = HEIGHT, .threads = 2};
+    for (int k = 0; algsurf_kernel_name(k); k++) {
+        algsurf_intersect_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(k)};
+        (void)algsurf_scene_set_intersect(of, &o);
+        (void)algsurf_render(of, &size, &picture, NULL);
+    }
+}
+
+/* All surfaces, in all extents, with one sample and chosen ones, shadows, complex space. */
+static void run_algsurf_render(void) {
+    const algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
+    for (int i = 0; i < 3 * SURFACES; i++) {
+        algsurf_scene *of = NULL;
+        if (algsurf_scene_create(surfaces[i / 3], &of) != ALGSURF_OK) return;
+        (void)algsurf_scene_set_extent(of, extents + i % 3);
+        (void)algsurf_scene_set_lights(of, &light, 1);
+        (void)algsurf_scene_set_quality(of, ALGSURF_QUALITY_FULL);
+        draw(of);
+        (void)algsurf_scene_set_antialias(of, 2);
+        (void)algsurf_scene_set_antialias_threshold(of, 0.1);
+        (void)algsurf_scene_set_complex_space(of, &space);
+        draw(of);
+        algsurf_scene_free(of);
+    }
+}
+
+/* ---- intervals ---- */
+
+static const algsurf_interval I = {0.1, 0.7};
+static const algsurf_cinterval C = {{0.1, 0.7}, {-0.3, 0.2}};
+static algsurf_interval row[MOST + 1], real_result;
+static algsurf_cinterval complex_row[MOST + 1], complex_result;
+
+#define RUN(name, call)                                                                                      \
+    static void run_##name(void) { (void)call; }
+RUN(algsurf_interval_make, algsurf_interval_make(0, 1, &real_result))
+RUN(algsurf_interval_point, algsurf_interval_point(0.1))
+RUN(algsurf_interval_neg, algsurf_interval_neg(I))
+RUN(algsurf_interval_add, algsurf_interval_add(I, I))
+RUN(algsurf_interval_sub, algsurf_interval_sub(I, I))
+RUN(algsurf_interval_mul, algsurf_interval_mul(I, I))
+RUN(algsurf_interval_div, algsurf_interval_div(I, I, &real_result))
+RUN(algsurf_interval_sqr, algsurf_interval_sqr(I))
+RUN(algsurf_interval_pow, algsurf_interval_pow(I, -77, &real_result))
+RUN(algsurf_interval_sqrt, algsurf_interval_sqrt(I, &real_result))
+RUN(algsurf_interval_abs, algsurf_interval_abs(I))
+RUN(algsurf_interval_hull, algsurf_interval_hull(I, I))
+RUN(algsurf_interval_intersect, algsurf_interval_intersect(I, I, &real_result))
+RUN(algsurf_interval_width, algsurf_interval_width(I))
+RUN(algsurf_interval_mid, algsurf_interval_mid(I))
+RUN(algsurf_interval_contains, algsurf_interval_contains(I, 0.3))
+RUN(algsurf_interval_inside, algsurf_interval_inside(I, I))
+RUN(algsurf_interval_interior, algsurf_interval_interior(I, I))
+RUN(algsurf_interval_poly, algsurf_interval_poly(row, MOST, I, &real_result))
+RUN(algsurf_interval_poly_centred, algsurf_interval_poly_centred(row, MOST, I, &real_result))
+RUN(algsurf_cinterval_point, algsurf_cinterval_point((algsurf_complex){1, 2}))
+RUN(algsurf_cinterval_neg, algsurf_cinterval_neg(C))
+RUN(algsurf_cinterval_conj, algsurf_cinterval_conj(C))
+RUN(algsurf_cinterval_add, algsurf_cinterval_add(C, C))
+RUN(algsurf_cinterval_sub, algsurf_cinterval_sub(C, C))
+RUN(algsurf_cinterval_mul, algsurf_cinterval_mul(C, C))
+RUN(algsurf_cinterval_div, algsurf_cinterval_div(C, C, &complex_result))
+RUN(algsurf_cinterval_sqr, algsurf_cinterval_sqr(C))
+RUN(algsurf_cinterval_pow, algsurf_cinterval_pow(C, -77, &complex_result))
+RUN(algsurf_cinterval_abs, algsurf_cinterval_abs(C))
+RUN(algsurf_cinterval_arg, algsurf_cinterval_arg(C, &real_result))
+RUN(algsurf_cinterval_hull, algsurf_cinterval_hull(C, C))
+RUN(algsurf_cinterval_intersect, algsurf_cinterval_intersect(C, C, &complex_result))
+RUN(algsurf_cinterval_width, algsurf_cinterval_width(C))
+RUN(algsurf_cinterval_mid, algsurf_cinterval_mid(C))
+RUN(algsurf_cinterval_contains, algsurf_cinterval_contains(C, (algsurf_complex){0, 0}))
+RUN(algsurf_cinterval_inside, algsurf_cinterval_inside(C, C))
+RUN(algsurf_cinterval_interior, algsurf_cinterval_interior(C, C))
+RUN(algsurf_cinterval_poly, algsurf_cinterval_poly(complex_row, MOST, C, &complex_result))
+RUN(algsurf_cinterval_poly_centred, algsurf_cinterval_poly_centred(complex_row, MOST, C, &complex_result))
+RUN(algsurf_kernel_name, algsurf_kernel_name(0))
+RUN(algsurf_status_name, algsurf_status_name(ALGSURF_OK))
+RUN(algsurf_status_text, algsurf_status_text(ALGSURF_OK))
+RUN(algsurf_version, algsurf_version())
+RUN(algsurf_self_test, algsurf_self_test())
+
+/* ---- the table: what the headers say, in KiB, and for whom ---- */
+
+#define STACK_OF(name, stated, limit)                                                                        \
+    { #name, run_##name, stated, limit }
+static const struct {
+    const char *name;
+    void (*run)(void);
+    int stated, limit;
+} calls[] = {
+    STACK_OF(algsurf_approximation, 44, OTHERS),
+    STACK_OF(algsurf_camera_orthographic, USUAL, RENDERER),
+    STACK_OF(algsurf_camera_pinhole, USUAL, RENDERER),
+    STACK_OF(algsurf_camera_ray, USUAL, RENDERER),
+    STACK_OF(algsurf_cinterval_abs, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_add, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_arg, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_conj, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_contains, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_div, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_hull, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_inside, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_interior, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_intersect, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_mid, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_mul, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_neg, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_point, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_poly, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_poly_centred, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_pow, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_sqr, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_sub, USUAL, OTHERS),
+    STACK_OF(algsurf_cinterval_width, USUAL, OTHERS),
+    STACK_OF(algsurf_complex_roots, 40, OTHERS),
+    STACK_OF(algsurf_complex_roots_batch, 44, OTHERS),
+    STACK_OF(algsurf_complex_roots_of_real, 40, OTHERS),
+    STACK_OF(algsurf_complex_solver_create, USUAL, OTHERS),
+    STACK_OF(algsurf_complex_solver_free, USUAL, OTHERS),
+    STACK_OF(algsurf_complex_solver_run, 28, OTHERS),
+    STACK_OF(algsurf_count_roots, 40, OTHERS),
+    STACK_OF(algsurf_cpoly_zeros, 110, OTHERS),
+    STACK_OF(algsurf_expand_bernstein, 12, RENDERER),
+    STACK_OF(algsurf_expand_power, USUAL, RENDERER),
+    STACK_OF(algsurf_extent_clip, USUAL, RENDERER),
+    STACK_OF(algsurf_first_roots_batch, 59, RENDERER),
+    STACK_OF(algsurf_intersect_all, 42, RENDERER),
+    STACK_OF(algsurf_intersect_complex, 34, RENDERER),
+    STACK_OF(algsurf_intersect_first, 42, RENDERER),
+    STACK_OF(algsurf_intersect_packet, 50, RENDERER),
+    STACK_OF(algsurf_interval_abs, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_add, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_contains, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_div, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_hull, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_inside, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_interior, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_intersect, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_iteration, 80, OTHERS),
+    STACK_OF(algsurf_interval_make, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_mid, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_mul, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_neg, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_point, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_poly, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_poly_centred, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_pow, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_sqr, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_sqrt, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_sub, USUAL, OTHERS),
+    STACK_OF(algsurf_interval_width, USUAL, OTHERS),
+    STACK_OF(algsurf_isolate_all, 40, OTHERS),
+    STACK_OF(algsurf_isolate_first, 40, RENDERER),
+    STACK_OF(algsurf_kernel_name, USUAL, OTHERS),
+    STACK_OF(algsurf_light_sample, USUAL, RENDERER),
+    STACK_OF(algsurf_occluded, 42, RENDERER),
+    STACK_OF(algsurf_occluded_packet, 50, RENDERER),
+    STACK_OF(algsurf_poly_eval, USUAL, OTHERS),
+    STACK_OF(algsurf_poly_eval_compensated, USUAL, OTHERS),
+    STACK_OF(algsurf_poly_to_bernstein, 10, OTHERS),
+    STACK_OF(algsurf_real_roots, 72, OTHERS),
+    STACK_OF(algsurf_real_roots_batch, 90, OTHERS),
+    STACK_OF(algsurf_real_roots_integers, 82, OTHERS),
+    STACK_OF(algsurf_refine_function, USUAL, RENDERER),
+    STACK_OF(algsurf_refine_poly, 42, RENDERER),
+    STACK_OF(algsurf_render, 59, RENDERER),
+    STACK_OF(algsurf_scene_create, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_free, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_antialias, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_background, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_camera, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_coherence, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_intersect, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_lights, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_material, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_quality, USUAL, OTHERS),
+    STACK_OF(algsurf_sector_holds, USUAL, RENDERER),
+    STACK_OF(algsurf_select, USUAL, RENDERER),
+    STACK_OF(algsurf_select_of_real, USUAL, RENDERER),
+    STACK_OF(algsurf_self_test, 100, OTHERS),
+    STACK_OF(algsurf_shade, USUAL, RENDERER),
+    STACK_OF(algsurf_shade_preview, USUAL, RENDERER),
+    STACK_OF(algsurf_status_name, USUAL, OTHERS),
+    STACK_OF(algsurf_status_text, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_degree, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_free, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_from_equation, 96, OTHERS),
+    STACK_OF(algsurf_surface_from_terms, 38, OTHERS),
+    STACK_OF(algsurf_surface_gradient, USUAL, RENDERER),
+    STACK_OF(algsurf_surface_rounding, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_term_count, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_terms, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_value, USUAL, RENDERER),
+    STACK_OF(algsurf_surface_with_error, 38, OTHERS),
+    STACK_OF(algsurf_version, USUAL, OTHERS),
+};
+
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define COMPARED 1
+#else
+#define COMPARED 0
+#endif
+
+static void as_stated(void **state) {
+    size_t own = depth_of(NULL);
+    int failures = 0;
+    (void)state;
+    print_message("a thread's own: %zu bytes\n", own);
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
+        calls[i].run();
+        size_t all = depth_of(calls[i].run), taken = all > own ? all - own : 0;
+        int stated = calls[i].stated, fits = (size_t)stated * 1024 + own <= (size_t)calls[i].limit * 1024;
+        if (taken <= (size_t)stated * 1024 && fits) continue;
+        print_message("%s: %zu bytes; stated: %d KiB, of %d\n", calls[i].name, taken, stated, calls[i].limit);
+        failures++;
+    }
+    if (COMPARED) assert_int_equal(failures, 0);
+}
+
+int main(void) {
+    make_polys();
+    find_brackets();
+    make_surfaces();
+    make_terms();
+    if (algsurf_complex_solver_create(MOST, &solver) != ALGSURF_OK) return 1;
+    if (algsurf_scene_create(surfaces[0], &scene) != ALGSURF_OK) return 1;
+    if (algsurf_camera_pinhole(eye, origin, up, 30, &camera) != ALGSURF_OK) return 1;
+    for (int k = 0; k <= MOST; k++) row[k] = I, complex_row[k] = C;
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_stated)};
+    int failed = cmocka_run_group_tests_name("stack", tests, NULL, NULL);
+    algsurf_scene_free(scene);
+    algsurf_complex_solver_free(solver);
+    free_surfaces();
+    return failed;
+}
