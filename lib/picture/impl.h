@@ -2,6 +2,7 @@
  *
  *     render.c           checks the arguments, owns the memory, reports
  *     threads.c          hands rows to threads, calls progress, cancels
+ *     processors.c       how many threads the system can run at once
  *     row.c              one row: samples -> hits -> colours -> bytes
  *     antialias.c        which of its pixels get all samples, and what the others show
  *     view.c             camera and extent in the units of packets
@@ -186,6 +187,9 @@ void algsurf_i_place_samples(algsurf_i_picture *picture);
  * point's colour whatever the share.  The rays shot are added to the tally. */
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
                                         algsurf_i_tally *tally);
+
+/* How many processors there are; less than 1 if the system fails to tell. */
+long algsurf_i_processors(void);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
  * for each.  threads_used receives how many could be had. */

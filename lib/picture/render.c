@@ -1,10 +1,8 @@
 /* render.c - a picture: arguments, memory, totals. */
-#define _POSIX_C_SOURCE 200809L /* sysconf */
 #include "impl.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "camera_impl.h"
 #include "../base/fpenv.h"
@@ -24,7 +22,7 @@ static algsurf_status read_options(const algsurf_render_options *given, algsurf_
 
 /* How many threads to draw with: never more than rows. */
 static int thread_count(const algsurf_render_options *options) {
-    long threads = options->threads > 0 ? options->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    long threads = options->threads > 0 ? options->threads : algsurf_i_processors();
     int rows = options->row_end - options->row_begin;
     if (threads > ALGSURF_MAX_THREADS) threads = ALGSURF_MAX_THREADS;
     if (threads > rows) threads = rows;

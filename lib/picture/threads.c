@@ -3,9 +3,11 @@
  * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row has use for
  * its neighbours, in batches, which begin at multiples of their length (complex.c).  The calling thread works
  * like the others and is the only one that calls progress: after each of its rows, and ten times a second
- * while it waits for the others' last ones.  Who draws a row changes nothing in it.
+ * while it waits for the others' last ones.  That wait is by the clock of the day, the only one that a
+ * condition variable has on every system; if somebody sets this clock back meanwhile, progress is called
+ * late, but a helper that leaves ends the wait.  Who draws a row changes nothing in it.
  */
-#define _POSIX_C_SOURCE 200809L /* pthread_condattr_setclock */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "impl.h"
 
 #include <pthread.h>
@@ -117,7 +119,7 @@ static void report(crew *team) {
 /* Waits until a helper leaves, or for WAIT_NS; returns how many are still at work. */
 static int wait_for_helpers(crew *team) {
     struct timespec until = {0, 0};
-    (void)clock_gettime(CLOCK_MONOTONIC, &until);
+    (void)clock_gettime(CLOCK_REALTIME, &until);
     until.tv_nsec += WAIT_NS;
     if (until.tv_nsec >= 1000000000L) {
         until.tv_nsec -= 1000000000L;
@@ -131,12 +133,7 @@ static int wait_for_helpers(crew *team) {
 }
 
 static int init_sync(crew *team) {
-    pthread_condattr_t monotonic;
-    if (pthread_condattr_init(&monotonic) != 0) return 0;
-    int ready = pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC) == 0 &&
-                pthread_cond_init(&team->left, &monotonic) == 0;
-    (void)pthread_condattr_destroy(&monotonic);
-    if (!ready) return 0;
+    if (pthread_cond_init(&team->left, NULL) != 0) return 0;
     if (pthread_mutex_init(&team->lock, NULL) == 0) return 1;
     (void)pthread_cond_destroy(&team->left);
     return 0;
