@@ -12,17 +12,36 @@ enum {
     ENVIRONMENTS = 8
 }; /* 4 rounding modes, gradual underflow or (x86, ARM) flush to zero; 0: the usual one */
 
+/* The control word of the x87 unit, where C computes nothing but where results pass through. */
+static inline unsigned environment_x87(void) {
+    unsigned short word = 0x37f;
+#if defined(__i386__)
+    __asm__ volatile("fnstcw %0" : "=m"(word));
+#endif
+    return word;
+}
+
 static const int environment_modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
-/* Subnormal results and operands become zero, or not.  On other processors nothing happens. */
+/* Subnormal results and operands become zero, or not; on i386 the x87 unit rounds to 24 bits with it.  On
+ * other processors nothing happens. */
 static inline void environment_flush(int flush) {
 #if defined(__SSE2__)
     _mm_setcsr((_mm_getcsr() & ~0x8040u) | (flush ? 0x8040u : 0u));
+#if defined(__i386__)
+    unsigned short word = (unsigned short)((environment_x87() & ~0x300u) | (flush ? 0u : 0x300u));
+    __asm__ volatile("fldcw %0" ::"m"(word));
+#endif
 #elif defined(__aarch64__)
     unsigned long long fpcr;
     __asm__ volatile("mrs %0, fpcr" : "=r"(fpcr));
     fpcr = (fpcr & ~(1ull << 24)) | ((unsigned long long)flush << 24);
     __asm__ volatile("msr fpcr, %0" ::"r"(fpcr));
+#elif defined(__arm__) && defined(__ARM_FP)
+    unsigned fpscr;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(fpscr));
+    fpscr = (fpscr & ~(1u << 24)) | ((unsigned)flush << 24);
+    __asm__ volatile("vmsr fpscr, %0" ::"r"(fpscr));
 #else
     (void)flush;
 #endif
@@ -31,11 +50,16 @@ static inline void environment_flush(int flush) {
 /* Does it flush as it should? */
 static inline int environment_flushes(int flush) {
 #if defined(__SSE2__)
-    return (_mm_getcsr() & 0x8040u) == (flush ? 0x8040u : 0u);
+    unsigned narrow = flush && sizeof(void *) == 4 ? 0u : 0x300u;
+    return (_mm_getcsr() & 0x8040u) == (flush ? 0x8040u : 0u) && (environment_x87() & 0x300u) == narrow;
 #elif defined(__aarch64__)
     unsigned long long fpcr;
     __asm__ volatile("mrs %0, fpcr" : "=r"(fpcr));
     return (int)(fpcr >> 24 & 1) == flush;
+#elif defined(__arm__) && defined(__ARM_FP)
+    unsigned fpscr;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(fpscr));
+    return (int)(fpscr >> 24 & 1) == flush;
 #else
     (void)flush;
     return 1;

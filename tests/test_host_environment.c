@@ -30,12 +30,17 @@ typedef struct host {
 
 static host host_now(void) {
 #if defined(__SSE2__)
-    return (host){_mm_getcsr() & ~0x3fu, _mm_getcsr() & 0x3fu};
+    return (host){(_mm_getcsr() & ~0x3full) | (unsigned long long)environment_x87() << 32,
+                  (_mm_getcsr() & 0x3fu) | (unsigned)fetestexcept(FE_ALL_EXCEPT)};
 #elif defined(__aarch64__)
     host h;
     __asm__ volatile("mrs %0, fpcr" : "=r"(h.control));
     __asm__ volatile("mrs %0, fpsr" : "=r"(h.flags));
     return h;
+#elif defined(__arm__) && defined(__ARM_FP)
+    unsigned fpscr;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(fpscr));
+    return (host){fpscr & 0x07ff9f00u, fpscr & 0x9fu};
 #else
     return (host){(unsigned long long)fegetround(), (unsigned long long)fetestexcept(FE_ALL_EXCEPT)};
 #endif
@@ -50,6 +55,10 @@ static host host_enter(int h) {
         _mm_setcsr(_mm_getcsr() | 0x3fu);
     } else if (h == 2 * ENVIRONMENTS) {
         _mm_setcsr(_mm_getcsr() & ~0x680u); /* invalid operation, division by zero, overflow */
+#if defined(__i386__)
+        unsigned short word = (unsigned short)(environment_x87() & ~0xdu); /* the same */
+        __asm__ volatile("fldcw %0" ::"m"(word));
+#endif
 #endif
     }
     return host_now();

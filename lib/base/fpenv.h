@@ -10,29 +10,44 @@
  */
 #ifndef ALGSURF_FPENV_H
 #define ALGSURF_FPENV_H
-#include <float.h>
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||               \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "libalgsurf proves its results: -ffast-math and what belongs to it break the proofs"
-#endif
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "libalgsurf needs doubles evaluated as doubles (on i386: -msse2 -mfpmath=sse)"
-#endif
 
 #if defined(__SSE2__) || defined(__x86_64__)
 #include <xmmintrin.h>
-typedef unsigned algsurf_fpenv;
 #define ALGSURF_MXCSR_STANDARD 0x1f80u /* all exceptions masked, nearest, FTZ and DAZ off */
 #define ALGSURF_MXCSR_CONTROL 0xffc0u  /* everything but the six sticky flags */
+typedef struct {
+    unsigned mxcsr;
+#if defined(__i386__)
+    unsigned x87[7];
+#endif
+} algsurf_fpenv;
+#if defined(__i386__)
+/* Functions return doubles through the x87 unit, and libm computes there: all exceptions masked, nearest,
+ * 64 bits.  Its stack has to be empty meanwhile, which the clobbers ask for. */
+#define ALGSURF_X87_STANDARD 0x37f
+#define ALGSURF_X87_STACK "st", "st(1)", "st(2)", "st(3)", "st(4)", "st(5)", "st(6)", "st(7)"
+static inline void algsurf_fpenv_enter_x87(algsurf_fpenv *saved) {
+    const unsigned short standard = ALGSURF_X87_STANDARD;
+    __asm__ volatile("fnstenv %0" : "=m"(saved->x87)::ALGSURF_X87_STACK);
+    __asm__ volatile("fldcw %0" ::"m"(standard));
+}
+static inline void algsurf_fpenv_leave_x87(const algsurf_fpenv *saved) {
+    __asm__ volatile("fldenv %0" ::"m"(saved->x87) : ALGSURF_X87_STACK);
+}
+#else
+static inline void algsurf_fpenv_enter_x87(algsurf_fpenv *saved) { (void)saved; }
+static inline void algsurf_fpenv_leave_x87(const algsurf_fpenv *saved) { (void)saved; }
+#endif
 static inline void algsurf_fpenv_enter(algsurf_fpenv *saved) {
-    *saved = _mm_getcsr();
-    if ((*saved & ALGSURF_MXCSR_CONTROL) != ALGSURF_MXCSR_STANDARD) _mm_setcsr(ALGSURF_MXCSR_STANDARD);
+    saved->mxcsr = _mm_getcsr();
+    if ((saved->mxcsr & ALGSURF_MXCSR_CONTROL) != ALGSURF_MXCSR_STANDARD) _mm_setcsr(ALGSURF_MXCSR_STANDARD);
+    algsurf_fpenv_enter_x87(saved);
     __asm__ volatile("" ::: "memory");
 }
 static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) {
     __asm__ volatile("" ::: "memory");
-    _mm_setcsr(*saved);
+    algsurf_fpenv_leave_x87(saved);
+    _mm_setcsr(saved->mxcsr);
 }
 #elif defined(__aarch64__)
 typedef struct {
@@ -47,7 +62,18 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) {
     __asm__ volatile("msr fpsr, %0" ::"r"(saved->fpsr) : "memory");
     if (saved->fpcr != 0) __asm__ volatile("msr fpcr, %0" ::"r"(saved->fpcr) : "memory");
 }
+#elif defined(__arm__) && defined(__ARM_FP)
+typedef unsigned algsurf_fpenv;
+#define ALGSURF_FPSCR_CONTROL 0x07ff9f00u /* default NaN, flush-to-zero, rounding, vectors, traps */
+static inline void algsurf_fpenv_enter(algsurf_fpenv *saved) {
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(*saved)::"memory");
+    if (*saved & ALGSURF_FPSCR_CONTROL) __asm__ volatile("vmsr fpscr, %0" ::"r"(0u) : "memory");
+}
+static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) {
+    __asm__ volatile("vmsr fpscr, %0" ::"r"(*saved) : "memory");
+}
 #else
+/* Machines that flush no double to zero (riscv64, ppc64le, s390x), or have no modes at all (WebAssembly). */
 #include <fenv.h>
 typedef fenv_t algsurf_fpenv;
 static inline void algsurf_fpenv_enter(algsurf_fpenv *saved) {

@@ -3,6 +3,7 @@
  * Two's complement needs no cases for signs: a limb beyond the last one is 0 or 2^64 - 1, the sign extended.
  * Division is Knuth's algorithm D (The Art of Computer Programming 2, 4.3.1) with
  * the trial quotients of Moller and Granlund (wide.h) in place of a division each. */
+#include "arithmetic.h"
 #include "integer.h"
 
 #include <float.h>

@@ -1,4 +1,5 @@
 /* memory.c - blocks of words, each at least twice the one before, until the limit is near. */
+#include "arithmetic.h"
 #include "memory.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 /* status.c - texts for status codes, and the version. */
+#include "arithmetic.h"
 #include "algsurf/status.h"
 
 const char *algsurf_status_text(algsurf_status status) {

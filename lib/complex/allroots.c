@@ -5,6 +5,7 @@
  * polynomial that look real are put on the axis, and of the others one of each pair is tightened and
  * mirrored: it is the proof that decides whether that was right.  Clusters of an exact real polynomial are
  * then asked for multiple roots (multiple.c). */
+#include "../base/arithmetic.h"
 #include "algsurf/allroots.h"
 
 #include <float.h>

@@ -5,6 +5,7 @@
  * however ill-conditioned the root, as long as the iteration converges at all.  The unit follows z, so that
  * no power of z overflows.
  */
+#include "../base/arithmetic.h"
 #include <float.h>
 
 #include "seed.h"

@@ -7,6 +7,7 @@
  * root the iteration misses its stopping test and yet is close.  Polishing may slide onto a root already
  * found: whether the boxes are all the roots is decided at the end, by whether they are disjoint.
  */
+#include "../base/arithmetic.h"
 #include "seed.h"
 #include "../base/fpenv.h"
 

@@ -13,6 +13,7 @@
  * Radii, and what scaling by powers of two loses among subnormals, widen d and the leading coefficient: every
  * polynomial of the set has its own d and J in the intervals, and the proof goes through for each.
  */
+#include "../base/arithmetic.h"
 #include "seed.h"
 #include "../base/fpenv.h"
 #include "../poly/interval_impl.h"

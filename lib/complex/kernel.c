@@ -1,4 +1,5 @@
 /* kernel.c - the table of kernels for complex roots. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 const algsurf_i_allroots_kernel *algsurf_i_allroots_kernel_for(const algsurf_i_kernel *kernel) {

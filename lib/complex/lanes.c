@@ -2,6 +2,7 @@
  *
  * Exact polynomials of small degrees go to the lanes first (boxes_template.h); what those leave open, and all
  * others, to allroots.c. */
+#include "../base/arithmetic.h"
 #include "algsurf/allroots.h"
 
 #include "../base/fpenv.h"

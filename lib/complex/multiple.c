@@ -14,6 +14,7 @@
  *
  * The answer with the cluster is as true as this one: it stays where memory does not suffice, or a factor has
  * no boxes within the range of double, or its roots are no easier to tell apart. */
+#include "../base/arithmetic.h"
 #include <float.h>
 #include <limits.h>
 #include <math.h>

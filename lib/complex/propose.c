@@ -8,6 +8,7 @@
  * Iteration: z <- z - N / (1 - N sum_j 1/(z - z_j)), N = p(z)/p'(z): Newton's method on p divided by the
  * other approximations; of third order at simple roots (Aberth 1973).
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "impl.h"

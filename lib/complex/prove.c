@@ -9,6 +9,7 @@
  * always), the product of n-1 of them to 20 n u, all else to a few u: the factor (1 + 32 (n + 2) u) covers
  * it.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "impl.h"

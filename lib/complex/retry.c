@@ -8,6 +8,7 @@
  * double-doubles is off by 7 u^2, a sum by 3 u^2, so each part of s z by 10 u^2 |s| |z|, the number by
  * 15 u^2 |s| |z| (sqrt 2, higher orders); adding c costs 2 u^2 of each part.  Earlier errors are multiplied
  * by z along.  Where partial sums cancel this is far below the bound by sum |c_k| |z|^k. */
+#include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
 

@@ -10,6 +10,7 @@
  * come to overlap.  Roots whose boxes now mirror each other by chance then have conjugates in the same two
  * boxes: a third and a fourth candidate with the same magnitudes, which compete.)  A box that meets the axis
  * is nobody's mirror image but its own. */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "edges.h"

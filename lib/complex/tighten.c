@@ -14,6 +14,7 @@
  * is at most S ((1+h)^n - 1 - n h) <= S (n h)^2 (for n h <= 1), h = |d| / |z|. Hence |p(z+d)| <= |p + p' d| +
  * E + 6 n^2 u S h + S (n h)^2 + sum radius_k |z + d|^k.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "impl.h"

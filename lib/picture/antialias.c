@@ -10,6 +10,7 @@
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

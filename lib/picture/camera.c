@@ -4,6 +4,7 @@
  * right = forward x up is computed with error-free products, so that it is orthogonal to both even when
  * they are nearly parallel, and the frame's up is right x forward.
  */
+#include "../base/arithmetic.h"
 #include "camera_impl.h"
 
 #include "../base/eft.h"

@@ -10,6 +10,7 @@
  * on. Where a pixel has several samples, a row's first pass begins anew, and each other one starts from the
  * pass before.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "camera_impl.h"

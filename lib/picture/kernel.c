@@ -1,4 +1,5 @@
 /* kernel.c - the table of kernels for rows. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 const algsurf_i_picture_kernel *algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel) {

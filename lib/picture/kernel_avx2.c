@@ -1,4 +1,5 @@
 /* kernel_avx2.c - rows of pictures in packets of four, for AVX2. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx2.h"

@@ -1,4 +1,5 @@
 /* kernel_avx512.c - rows of pictures in packets of eight, for AVX-512. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx512.h"

@@ -1,5 +1,6 @@
 /* packets.c - the hits of a row at once; what that leaves in doubt, and pictures without a frame, as packets
  * of rays. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <string.h>
 

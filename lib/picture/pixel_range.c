@@ -32,6 +32,7 @@
  * - Where h^2 > 1 + MARGIN, or the eye's depth is above 1 + MARGIN, no ray of the row meets the ball.
  * - NaN and infinity prove nothing.
  * MARGIN is eight times what is needed, and widens a range of 1000 pixels by 1/30 of one. */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 #include <math.h>

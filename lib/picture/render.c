@@ -1,4 +1,5 @@
 /* render.c - a picture: arguments, memory, totals. */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 #include <stdlib.h>

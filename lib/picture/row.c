@@ -6,6 +6,7 @@
  * picture the passes are for the wanted pixels, and the others show their middles (antialias.c).
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 #include <string.h>

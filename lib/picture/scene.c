@@ -1,4 +1,5 @@
 /* scene.c - a scene: its defaults, its setters, its lights. */
+#include "../base/arithmetic.h"
 #include "scene_impl.h"
 
 #include <stdlib.h>

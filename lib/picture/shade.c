@@ -3,6 +3,7 @@
  * Blinn, Models of light reflection for computer synthesized pictures, 1977: the highlight is a power
  * of N.H, H half-way between the light and the viewer, in place of Phong's reflected ray.
  */
+#include "../base/arithmetic.h"
 #include "shade_impl.h"
 
 #include "../base/fpenv.h"

@@ -4,6 +4,7 @@
  * in place of a random one: the same picture every time).  It starts a little above the
  * tangent plane, on the viewer's side, so that the point does not shadow itself.
  */
+#include "../base/arithmetic.h"
 #include "impl.h"
 #include "shade_impl.h"
 #include "../base/vec.h"

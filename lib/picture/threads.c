@@ -8,6 +8,7 @@
  * late, but a helper that leaves ends the wait.  Who draws a row changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 #include <pthread.h>

@@ -19,6 +19,7 @@
  *   the eye in the view's unit.
  * noise_of rounds these up.  All else is what is left when the eye is put together again from its rounded
  * coordinates, measured. */
+#include "../base/arithmetic.h"
 #include <stdlib.h>
 
 #include "../rays/expand_impl.h"

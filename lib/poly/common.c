@@ -10,6 +10,7 @@
  * is n less the bound above, then u is p / gcd: v / u is a fraction equal to p' / p, of which the reduced
  * form has the least denominator.  No integer of the gcd's size is ever made.
  */
+#include "../base/arithmetic.h"
 #include <string.h>
 
 #include "common.h"

@@ -1,4 +1,5 @@
 /* hull.c - the upper hull of points given from left to right: Andrew's monotone chain, 1979. */
+#include "../base/arithmetic.h"
 #include "hull.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
  * Widths come first.  Two's complement is arithmetic modulo 2^(64 w): intermediate results may overflow, as
  * long as the final ones fit, so each function of the files integral*.c bounds its results, and chooses w
  * from that. */
+#include "../base/arithmetic.h"
 #include "integral_impl.h"
 
 #include <stddef.h>

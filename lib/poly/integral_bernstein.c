@@ -3,6 +3,7 @@
  * p(m + 2^q s) = sum a_k s^k has b_j = sum_k C(j,k)/C(n,k) a_k.  So: Taylor's shift by m, the powers of two,
  * the factors L/C(n,k) with L = lcm C(n,k) = lcm(1..n+1)/(n+1) (84 bits at n = 64, where n! has 296), and
  * then sums in place of C(j,k).  The shift is done in the fewer limbs that its own results need. */
+#include "../base/arithmetic.h"
 #include "integral_impl.h"
 
 #include <stddef.h>

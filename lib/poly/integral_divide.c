@@ -2,6 +2,7 @@
  *
  * Gauss: when b is primitive and divides a over the rationals, the quotient has integer coefficients.  So a
  * division in integers that ends with remainder 0 proves divisibility, and one that does not disproves it. */
+#include "../base/arithmetic.h"
 #include "integral_impl.h"
 
 #include <stddef.h>

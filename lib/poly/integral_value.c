@@ -4,6 +4,7 @@
  * place from a root: 0.1 us at degree 6, and hardly more for longer coefficients.  Else exactly:
  * 2^(r n) p(x) = sum c_k N^k 2^(r (n-k)) by Horner, a = a N + c_k 2^(r (n-k)).  Such an a begins as short as
  * c_n and gains r bits a step. */
+#include "../base/arithmetic.h"
 #include "integral_impl.h"
 
 #include <limits.h>

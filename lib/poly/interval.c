@@ -2,6 +2,7 @@
  *
  * What they compute stands in interval_impl.h; here are the checks, powers, and the environment.
  */
+#include "../base/arithmetic.h"
 #include "interval_impl.h"
 #include "interval_public.h"
 

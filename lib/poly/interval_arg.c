@@ -19,6 +19,7 @@
  * all, or 2^-98 |angle| there.  The rest of the circle is above pi/4: 2^-96 |angle| covers both.
  * So the ends are mostly the two doubles around the angle, else 2 units in the last place apart.
  */
+#include "../base/arithmetic.h"
 #include "interval_impl.h"
 
 /* i pi/2 */

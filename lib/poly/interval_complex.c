@@ -11,6 +11,7 @@
  * Squares of components leave the range of double long before their quotients do: where a magnitude is
  * outside 2^+-300, it is brought near 1 by a power of two, rounded outward.
  */
+#include "../base/arithmetic.h"
 #include "interval_impl.h"
 #include "interval_public.h"
 

@@ -7,6 +7,7 @@
  * polynomials, good for complex ones too, where the mean value theorem is not.  q(x) is a slope, about half
  * as wide as the enclosure of p'(x) it replaces.
  */
+#include "../base/arithmetic.h"
 #include "interval_impl.h"
 #include "interval_public.h"
 

@@ -3,6 +3,7 @@
  * The operands are brought near 1 by powers of two, which is exact; there the exact result is known as an
  * unevaluated sum, and scale_sum brings it back with one rounding whose error is again compared exactly.
  */
+#include "../base/arithmetic.h"
 #include "interval_round.h"
 
 /* (m.hi + m.lo) 2^k rounded up, 1/4 <= |m.hi| <= 2, |m.lo| <= ulp(m.hi) / 2.  With r the nearest double:

@@ -13,6 +13,7 @@
  * Lehmer's form of the algorithm (Knuth, 4.5.2, algorithm L): quotients come from the leading 62 bits as long
  * as they are certain, and some 30 bits of them change the long numbers at once.
  */
+#include "../base/arithmetic.h"
 #include "lift.h"
 
 #include <string.h>

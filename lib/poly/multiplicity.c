@@ -7,6 +7,7 @@
  * is their share of the degree divided by their number, and v = m u' proves it at once: p = q^m needs no gcd
  * but the first, all of whose numbers are as short as q.
  */
+#include "../base/arithmetic.h"
 #include "common.h"
 
 /* The roots of u have multiplicities of at least `least` in p, `share` together, and v = sum m_r u / (x - r).

@@ -10,6 +10,7 @@
  * good.  What underflow may take is added as a constant in each step, derived where it stands, and so is
  * multiplied by whatever the following steps multiply.  Overflow turns a bound into +inf.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "algsurf/poly.h"

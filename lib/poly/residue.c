@@ -4,6 +4,7 @@
  * first, with c below 2^13 in the table: R = 2^64 = 4 c and R^2 = 16 c^2 modulo p need no division.  62 bits
  * leave room for three products before a reduction: 3 p^2 < p R.
  */
+#include "../base/arithmetic.h"
 #include "residue.h"
 
 #include <stddef.h>

@@ -11,6 +11,7 @@
  * p' = dp/dt, the root moves by dt = -t (g.dV)/p', its magnitude by -|t| w.dV, w = Re(g/p'), and the
  * point shown by dX = |t| (dV - (w.dV) V).  So the normal is w + (1 - w.V)/(V.V) V; for a real root
  * w.V = 1, and it is the gradient's direction. */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "../complex/impl.h"

@@ -5,6 +5,7 @@
  * (surface/exact_form.c, faces.c), with the unit that suits the chord; the roots come from the exact walk
  * (roots/exact.c); and a root next to the extent's surface is inside if no face is negative there, which is
  * decided exactly, too. */
+#include "../base/arithmetic.h"
 #include "exact.h"
 
 #include <float.h>

@@ -1,4 +1,5 @@
 /* expand.c - the public forms of the expansion along a ray. */
+#include "../base/arithmetic.h"
 #include "algsurf/expand.h"
 
 #include <math.h>

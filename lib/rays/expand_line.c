@@ -7,6 +7,7 @@
  * gamma = (4 n + 8) ALGSURF_U, which leaves room for higher orders and the rounding of M_k itself;
  * coefficients with an error of their own add it to gamma.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "expand_impl.h"

@@ -2,6 +2,7 @@
  *
  * All doubles that are added are brought to their lowest common bit 2^-shift; then everything is integers:
  * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 or h -+ l_i. */
+#include "../base/arithmetic.h"
 #include "faces.h"
 
 /* Doubles that are added up: bits from the lowest of all to the highest, 0 if there are none but zeros. */

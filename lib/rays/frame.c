@@ -1,4 +1,5 @@
 /* frame.c - where the ray's parameter has its origin, and what its unit is. */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "expand_impl.h"

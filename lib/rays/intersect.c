@@ -2,6 +2,7 @@
  *
  * The first hit, and occlusion, are here for the rays that the packet code leaves alone (packet.c).
  */
+#include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
 #include <float.h>

@@ -1,4 +1,5 @@
 /* kernel.c - the table of kernels for rays. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 const algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel) {

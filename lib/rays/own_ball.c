@@ -1,5 +1,6 @@
 /* own_ball.c - P = a (|X - C|^2 - R^2)?  Compared coefficient by coefficient, in integers:
  * a (x^2 + y^2 + z^2) - 2 a C.X + a (|C|^2 - R^2). */
+#include "../base/arithmetic.h"
 #include "own_ball.h"
 
 #include <float.h>

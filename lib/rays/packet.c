@@ -5,6 +5,7 @@
  * others it writes ALGSURF_LANE_DOUBTFUL as state.  Those rays go on to intersect.c, and so do all rays of
  * calls that the packet code is not made for.  A single ray is a packet of one: no answer depends on what
  * else is in a packet, so a ray has the same bits alone as in company. */
+#include "../base/arithmetic.h"
 #include <math.h>
 
 #include "../base/fpenv.h"

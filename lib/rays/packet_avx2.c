@@ -1,4 +1,5 @@
 /* packet_avx2.c - rays in packets of four, for AVX2. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx2.h"

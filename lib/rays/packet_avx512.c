@@ -1,4 +1,5 @@
 /* packet_avx512.c - rays in packets of eight, for AVX-512. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx512.h"

@@ -1,4 +1,5 @@
 /* packet_baseline.c - rays in packets of two, for every processor. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/baseline.h"

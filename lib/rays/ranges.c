@@ -4,6 +4,7 @@
  * u^k of the form of the terms error |a|, along |X| + u |D|: all of its summands are the magnitudes of those
  * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  What lies
  * within the rounding of the chord's ends is undecided: it may be inside the extent or not. */
+#include "../base/arithmetic.h"
 #include "ranges.h"
 
 #include <float.h>

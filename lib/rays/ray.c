@@ -15,6 +15,7 @@
  * Scaling.  d and the lengths are brought to about 1 by powers of two of their own; lengths are halved
  * first, so that origin - centre cannot overflow.
  */
+#include "../base/arithmetic.h"
 #include "ray_impl.h"
 
 #include <float.h>

@@ -1,4 +1,5 @@
 /* single_avx512.c - single rays, for AVX-512. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #define PACKETS_OF_TWO

@@ -1,4 +1,5 @@
 /* single_baseline.c - single rays, for every processor. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/baseline.h"

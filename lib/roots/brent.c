@@ -5,6 +5,7 @@
  * The swaps of a, b, c are in algsurf_i_search_step.  Differences from the book: the half width is
  * computed without overflow, and an end with an infinite value is never interpolated.
  */
+#include "../base/arithmetic.h"
 #include "refine_impl.h"
 
 /* The step P/Q from b by interpolation through a, b, c.  Accepted only if it stays within three quarters

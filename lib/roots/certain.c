@@ -9,6 +9,7 @@
  * underflow loses in products and coefficients: 2^-1074 each, times at most 2^513, together below 2^-550.
  * (2 n + 4) u S covers the higher orders, and the rounding of S.
  */
+#include "../base/arithmetic.h"
 #include <stdlib.h>
 
 #include "../base/fpenv.h"

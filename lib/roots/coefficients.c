@@ -1,5 +1,6 @@
 /* coefficients.c - sizes and signs of a caller's polynomial: compensated values where their bounds tell, else
  * integers. */
+#include "../base/arithmetic.h"
 #include "coefficients.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact.c and exact_radii.c
  * over them. */
+#include "../base/arithmetic.h"
 #include "decide.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
  * The same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are
  * leading zeros, and it is reported before the open cell is looked at, where zeros do not count.
  * At most n cells wait, since variations of disjoint cells add up to at most n. */
+#include "../base/arithmetic.h"
 #include "exact.h"
 
 #include <math.h>

@@ -12,6 +12,7 @@
  * the one before it.  That gains one variation and costs at most one, later; and those at the beginning can
  * alternate up to the first known sign.  A coefficient that is 0 or positive counts as positive: leaving out
  * a 0 adds no variation. */
+#include "../base/arithmetic.h"
 #include "exact_cell.h"
 
 #include <math.h>

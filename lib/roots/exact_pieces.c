@@ -17,6 +17,7 @@
  * the same sign, no polynomial of the set has a root; where they have different ones, each point is a root of
  * some, and there is nothing to be found.  Both hold beyond the roots of the envelopes, and within them, too:
  * in `most` and `least - 1`, the outermost and the innermost pieces. */
+#include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
 

@@ -16,6 +16,7 @@
  * polynomials.  So a range that stays undecided is asked for roots of the derivatives, which are a set of
  * their own: without any, and with different signs at its ends, it has exactly one root of each polynomial.
  */
+#include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
 

@@ -5,6 +5,7 @@
  * that Newton's step in double and secants come within an ulp in some four evaluations; a step is made a
  * little longer than computed, over the root, to close the bracket; and where steps do not halve the bracket,
  * counted in doubles, it is bisected. */
+#include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>

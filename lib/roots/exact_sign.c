@@ -8,6 +8,7 @@
  * - else the place is halved, unless the root is q's, too: then it would be for ever.  So before the first
  *   halving the common factor of f and q is looked for.  Its roots are f's, hence it changes its sign over
  * the place, where f has no more than one root, if and only if that root is shared. */
+#include "../base/arithmetic.h"
 #include "exact.h"
 
 typedef struct judge {

@@ -10,6 +10,7 @@
  * adds at most 5u M: the difference rounds by 2u M, the product by 2u M, the sum by u M.  After n steps the
  * error is below (2.5 n + 1) 2^-52 M to first order; (3 n + 6) 2^-52 M takes in the rest.  Coefficients of
  * one sign, all larger than that, have no root between them. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <string.h>
 

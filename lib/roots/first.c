@@ -3,6 +3,7 @@
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
  * ALGSURF_LANE_DOUBTFUL as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
  * radius for each coefficient or in integers. */
+#include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
 #include <math.h>

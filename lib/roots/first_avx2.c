@@ -1,4 +1,5 @@
 /* first_avx2.c - first roots of polynomials in packets of four, for AVX2. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx2.h"

@@ -1,4 +1,5 @@
 /* first_avx512.c - first roots of polynomials in packets of eight, for AVX-512. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/avx512.h"

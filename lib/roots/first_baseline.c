@@ -1,4 +1,5 @@
 /* first_baseline.c - first roots of polynomials in packets of two, for every processor. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/baseline.h"

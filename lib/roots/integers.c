@@ -3,6 +3,7 @@
  * A bracket then holds one root of each polynomial within the radii, hence of that of the integers, and the
  * signs at its ends are the same for all.  Where the root is, the rounded polynomial tells nearly; from there
  * the integers' signs at doubles close it in. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

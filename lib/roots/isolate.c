@@ -6,6 +6,7 @@
  * (exact_radii.c): those brackets that the doubles were sure of are kept, so that the first root is the same
  * whether the others are looked for or not.  Before all that a polynomial t^m q(t^k) becomes q (power.c).
  */
+#include "../base/arithmetic.h"
 #include "algsurf/isolate.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
 /* kernel.c - the tables of kernels for roots. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel) {

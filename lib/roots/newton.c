@@ -15,6 +15,7 @@
  * smaller one, and within 2^8 such units for each double: at most min(61, 72 - j) halvings remain.  So H <= 3
  * + 72, and no more than 246 points.
  */
+#include "../base/arithmetic.h"
 #include <stdint.h>
 #include <string.h>
 

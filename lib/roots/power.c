@@ -7,6 +7,7 @@
  * between a and the double before it.  The same holds at b.  Two doubles next to each other with no other
  * between A^(1/k) and B^(1/k) need no sign at all; only a root of even multiplicity that has one in between
  * is left to others. */
+#include "../base/arithmetic.h"
 #include "power.h"
 
 #include <math.h>

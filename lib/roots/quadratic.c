@@ -7,6 +7,7 @@
  * first order, taken as 8 u S.  D rounds twice in each term and once in its sum: 3 u (c_1^2 + 4 |c_0 c_2|),
  * taken as 8 u; p' = 2 c_2 x + c_1 likewise.  What underflows changes sums by less than 2^-1070: where
  * magnitudes are within 2^+-900 that is in the slack. */
+#include "../base/arithmetic.h"
 #include "quadratic.h"
 
 #include <math.h>

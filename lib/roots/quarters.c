@@ -5,6 +5,7 @@
  * shift takes n^2/2 sums of numbers that are n bits longer than p's: a fraction of what Bernstein
  * coefficients and one halving do.  Roots of polynomials made at random are near the unit circle, few of them
  * real: often this is all. */
+#include "../base/arithmetic.h"
 #include "quarters.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* real_roots.c - all real roots of a polynomial, refined, with their multiplicities: the public calls.
  *
  * Doubles first, then integers, as in isolate.c; a polynomial t^m q(t^k) becomes q before. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
 /* refine.c - the bracket shared by all methods, and the two ways in: a function, a polynomial. */
+#include "../base/arithmetic.h"
 #include "algsurf/refine.h"
 
 #include "../base/fpenv.h"

@@ -1,4 +1,5 @@
 /* simple.c - bisection and plain false position, as in the textbooks: to be compared with. */
+#include "../base/arithmetic.h"
 #include "refine_impl.h"
 
 void algsurf_i_refine_bisection(algsurf_i_search *s) {

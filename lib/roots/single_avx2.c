@@ -1,4 +1,5 @@
 /* single_avx2.c - single polynomials, for AVX2. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #define PACKETS_OF_TWO

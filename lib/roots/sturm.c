@@ -5,6 +5,7 @@
  * c_k: it has degree d.  Every next one is minus the remainder of the two before it, times a power of the
  * divisor's leading coefficient.  At most d + 3 of them, and the number of variations of their signs falls by
  * one at each distinct root (Sturm 1835), also where roots are multiple. */
+#include "../base/arithmetic.h"
 #include "sturm.h"
 
 #include <math.h>

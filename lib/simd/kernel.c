@@ -1,4 +1,5 @@
 /* kernel.c - which kernel this machine can run. */
+#include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include <stddef.h>

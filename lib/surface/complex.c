@@ -1,5 +1,6 @@
 /* complex.c - the gradient at a complex point: Horner's scheme, differentiated, on complex numbers.
  */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 typedef algsurf_i_complex complex_t;

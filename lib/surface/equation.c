@@ -3,6 +3,7 @@
  * The constants are checked and sorted, the parser (equation_parse.h) computes the polynomial left
  * minus right in double-double, each coefficient is rounded once, and the surface is made of them.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

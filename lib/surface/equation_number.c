@@ -7,6 +7,7 @@
  * seen as ties.  Digits after the 800th only matter by being there: a double, or the midpoint of
  * two, has at most 767 significant digits.
  */
+#include "../base/arithmetic.h"
 #include "equation_number.h"
 
 #include <stdint.h>

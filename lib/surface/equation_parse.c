@@ -13,6 +13,7 @@
  * product of variables, xyz.  A number never stands right of an implicit multiplication: x 2 could
  * be a slip for x^2 as well as a product.
  */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -9,6 +9,7 @@
  * Products of polynomials are gathered in a box of all exponents up to the sums of the largest ones
  * in x, y and z: the place of a product is the sum of the places of its factors.
  */
+#include "../base/arithmetic.h"
 #include "equation_poly.h"
 
 #include <math.h>

@@ -19,6 +19,7 @@
  * Points the natural unit drives out of range, and values so small that eta would show, go through
  * the terms one by one, each a mantissa and an integer exponent, which cannot overflow.
  */
+#include "../base/arithmetic.h"
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>

@@ -10,6 +10,7 @@
  *
  * The loop over w limbs exists for each w of 1 .. 8 with that constant, which the compiler unrolls (7 to 9 %
  * of a form of degree 6 to 10), and once for the others. */
+#include "../base/arithmetic.h"
 #include "exact_axis.h"
 
 #if defined(__GNUC__)

@@ -12,6 +12,7 @@
  * n^4/12 products of limbs, against n^5/30 + n^4/6 for a ray of its own.  Measured: 0.6 / 0.55 / 0.45 of its
  * time at degree 6 / 10 / 16.  The shifts fill a sparse surface: 0.85 / 0.6 for Chmutov's of degree 10 / 20,
  * but 1.25 for Barth's sextic. */
+#include "../base/arithmetic.h"
 #include "exact_eye.h"
 
 #include <string.h>

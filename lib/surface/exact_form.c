@@ -13,6 +13,7 @@
  * Widths.  Every polynomial on the way is a sum of products of a term and some coordinates; with |f0| + |f1|
  * < 2^bits a product by a coordinate adds `bits` to the largest of the summands, and N summands add log2 N.
  */
+#include "../base/arithmetic.h"
 #include "exact_form.h"
 
 #include "impl.h"

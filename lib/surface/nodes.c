@@ -16,6 +16,7 @@
  *
  * A polynomial of degree n also is one of degree n+1.  The packet code is faster for the degrees it was
  * compiled for one by one, so that 5, 7 and 9 are treated as 6, 8 and 10. */
+#include "../base/arithmetic.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
  * interesting part of the surface is then a few units large, whatever units the caller has.
  * See impl.h for the layout.
  */
+#include "../base/arithmetic.h"
 #include "impl.h"
 
 #include <limits.h>

@@ -19,6 +19,7 @@
  * (x + d, y + d, z + d), by the mean value theorem.  So x and y are taken larger by d; with z = 1, 2^-20 of
  * it covers the rest for n d < 2^-22.
  */
+#include "../base/arithmetic.h"
 #include "view.h"
 
 #include <math.h>
