@@ -14,6 +14,7 @@
 #include "impl.h"
 #include "../simd/pair.h"
 #include "../poly/hull.h"
+#include "../base/elementary.h"
 
 #define LANES 4
 #define PAIRS (LANES / 2)
@@ -38,7 +39,7 @@ algsurf_i_local algsurf_i_in_unit_of(algsurf_i_roots *p, double x, double y) {
 
 static double log_size(const algsurf_i_roots *p, int k) {
     double size = p->size[k] > 0 ? p->size[k] : p->radius[k];
-    return size > 0 ? log2(size) + p->shift[k] : -HUGE_VAL;
+    return size > 0 ? algsurf_i_log2(size) + p->shift[k] : -HUGE_VAL;
 }
 
 void algsurf_i_roots_start(algsurf_i_roots *p) {
@@ -53,12 +54,13 @@ void algsurf_i_roots_start(algsurf_i_roots *p) {
         int from = corner[e - 1], m = corner[e] - from;
         double slope = (height[from] - height[corner[e]]) / m;
         if (!(fabs(slope) < limit)) p->narrow = 0;
-        double rho = exp2(fmin(fmax(slope, -1010), 1010));
+        double rho = algsurf_i_exp2(fmin(fmax(slope, -1010), 1010));
         p->reach = fmax(p->reach, rho);
         for (int j = 0; j < m; j++, i++) {
-            double angle = turn * ((double)j / m + golden * e + 0.11);
-            p->x[i] = rho * cos(angle);
-            p->y[i] = rho * sin(angle);
+            double point[2];
+            algsurf_i_circle(turn * ((double)j / m + golden * e + 0.11), point);
+            p->x[i] = rho * point[0];
+            p->y[i] = rho * point[1];
         }
     }
     p->unit_of_reach = 1 / p->reach;
@@ -69,8 +71,10 @@ void algsurf_i_roots_start(algsurf_i_roots *p) {
 static int recall(algsurf_i_roots *p, int i) {
     double x = p->x[i] * p->unit_of_reach, y = p->y[i] * p->unit_of_reach;
     if (x * x + y * y <= 4) return 0;
-    p->x[i] = p->reach * cos(TURN * i + 0.7);
-    p->y[i] = p->reach * sin(TURN * i + 0.7);
+    double point[2];
+    algsurf_i_circle(TURN * i + 0.7, point);
+    p->x[i] = p->reach * point[0];
+    p->y[i] = p->reach * point[1];
     return 1;
 }
 
@@ -143,9 +147,10 @@ static int step(algsurf_i_roots *p, const batch *b, int lane, double scale) {
     double q = qr * qr + qi * qi, nearest = b->near[l][h];
     if (!(q > 0) || !(nearest < HUGE_VAL)) {
         /* on a stationary point or on another root: a little away, each in its own direction */
-        double away = 0x1p-20 * (sqrt(az2) + 1) / scale;
-        p->x[i] += away * cos(TURN * i + 0.7);
-        p->y[i] += away * sin(TURN * i + 0.7);
+        double away = 0x1p-20 * (sqrt(az2) + 1) / scale, point[2];
+        algsurf_i_circle(TURN * i + 0.7, point);
+        p->x[i] += away * point[0];
+        p->y[i] += away * point[1];
         return 0;
     }
     double xr = (pr * qr + pi * qi) / q, xi = (pi * qr - pr * qi) / q, length2 = xr * xr + xi * xi;

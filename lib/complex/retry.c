@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "impl.h"
+#include "../base/elementary.h"
 
 #define MOVED 2                 /* done[i] of a root that was retried */
 #define SWEEPS 40               /* linear convergence at a multiple root: a factor of (k-1)/(k+1) a sweep */
@@ -117,13 +118,14 @@ static int correct(algsurf_i_roots *p, int i) {
 static void disperse(algsurf_i_roots *p) {
     for (int i = 0; i < p->n; i++) {
         if (p->done[i]) continue;
-        double size = fabs(p->x[i]) + fabs(p->y[i]), angle = 1 + TURN * i;
+        double size = fabs(p->x[i]) + fabs(p->y[i]), point[2];
+        algsurf_i_circle(1 + TURN * i, point);
         for (int j = 0; j < i; j++) {
             if (fabs(p->x[i] - p->x[j]) + fabs(p->y[i] - p->y[j]) > 0x1p-40 * size) continue;
-            p->x[i] += 0x1p-38 * size * cos(angle);
-            p->y[i] += 0x1p-38 * size * sin(angle);
+            p->x[i] += 0x1p-38 * size * point[0];
+            p->y[i] += 0x1p-38 * size * point[1];
         }
-        if (p->y[i] == 0) p->y[i] = 0x1p-40 * size * sin(angle);
+        if (p->y[i] == 0) p->y[i] = 0x1p-40 * size * point[1];
         p->xl[i] = p->yl[i] = 0;
     }
 }
@@ -138,8 +140,10 @@ static void settle_tiny(algsurf_i_roots *p) {
     for (int i = 0; i < p->n; i++) {
         if (p->done[i] || !is_tiny(p->x[i], p->y[i])) continue;
         p->done[i] = MOVED;
-        p->x[i] = radius * cos(TURN * i + 0.7);
-        p->y[i] = radius * sin(TURN * i + 0.7);
+        double point[2];
+        algsurf_i_circle(TURN * i + 0.7, point);
+        p->x[i] = radius * point[0];
+        p->y[i] = radius * point[1];
         p->xl[i] = p->yl[i] = 0;
     }
 }

@@ -16,6 +16,7 @@
 #include "edges.h"
 #include "../poly/interval_public.h"
 #include "../poly/interval_round.h"
+#include "../base/elementary.h"
 
 #define PI_BELOW 0x1.921fb54442d18p+1 /* the doubles around pi; the lower one is nearest */
 #define PI_ABOVE 0x1.921fb54442d19p+1
@@ -29,10 +30,10 @@ static double end_of(const algsurf_sector *s) {
     return s->sigma + s->delta >= PI_BELOW ? HUGE_VAL : algsurf_i_add_down(s->sigma, s->delta);
 }
 
-/* The unit vector at an angle: libm proposes it, its argument as an interval proves it. */
+/* The unit vector at an angle: proposed by elementary.c, proved by its argument as an interval. */
 static int direction(double angle, double unit[2]) {
     algsurf_interval arg;
-    unit[0] = cos(angle), unit[1] = sin(angle);
+    algsurf_i_circle(angle, unit);
     const algsurf_cinterval point = {{unit[0], unit[0]}, {unit[1], unit[1]}};
     return algsurf_cinterval_arg(point, &arg) == ALGSURF_OK && arg.lo >= angle - 0x1p-47 &&
            arg.hi <= angle + 0x1p-47 && fabs(unit[0] * unit[0] + unit[1] * unit[1] - 1) <= 0x1p-48;

@@ -10,6 +10,7 @@
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../base/vec.h"
+#include "../base/elementary.h"
 
 #define PI 3.14159265358979323846
 
@@ -41,6 +42,12 @@ static algsurf_status set_frame(algsurf_camera *camera, const double eye[3], con
     return ALGSURF_OK;
 }
 
+static double tangent(double angle) {
+    double point[2];
+    algsurf_i_circle(angle, point);
+    return point[1] / point[0];
+}
+
 static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const double eye[3],
                                                    const double look_at[3], const double up[3],
                                                    double aperture, int orthographic) {
@@ -48,7 +55,7 @@ static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const
     if (!camera || !eye || !look_at || !up) return ALGSURF_E_ARGUMENT;
     if (!isfinite(aperture)) return ALGSURF_E_NOT_FINITE;
     if (!(aperture > 0) || (!orthographic && !(aperture < 180))) return ALGSURF_E_ARGUMENT;
-    made.half_height = orthographic ? 0.5 * aperture : tan(aperture * (PI / 360));
+    made.half_height = orthographic ? 0.5 * aperture : tangent(aperture * (PI / 360));
     if (!(made.half_height > 0)) return ALGSURF_E_ARGUMENT; /* it underflowed */
     algsurf_status status = set_frame(&made, eye, look_at, up);
     if (status == ALGSURF_OK) *camera = made;

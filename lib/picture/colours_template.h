@@ -8,6 +8,7 @@
 #define ALGSURF_COLOURS_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "kernel.h"
+#include "../base/elementary.h"
 
 #define MOST_SQUARED 1024 /* shininess: its power by squaring is off by some shininess u */
 
@@ -15,7 +16,8 @@
 INLINE lanes highlight(lanes square, double shininess) {
     lanes power = all_lanes(1);
     if (!(shininess <= MOST_SQUARED && shininess == (int)shininess)) {
-        for (int l = 0; l < LANES; l++) power[l] = square[l] > 0 ? pow(square[l], 0.5 * shininess) : 0;
+        for (int l = 0; l < LANES; l++)
+            power[l] = square[l] > 0 ? algsurf_i_pow(square[l], 0.5 * shininess) : 0;
         return power;
     }
     int n = (int)shininess;

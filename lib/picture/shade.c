@@ -9,6 +9,7 @@
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"
+#include "../base/elementary.h"
 
 #define PREVIEW_FAR 0.3 /* brightness at the far end of the extent; 1 at the near one */
 
@@ -78,8 +79,8 @@ void algsurf_i_shade(const algsurf_material *material, const algsurf_light *ligh
         double share = visible ? visible[l] : 1.0, incidence = algsurf_dot(n, to_light);
         if (!(incidence > 0) || !(share > 0)) continue;
         double diffuse = share * material->diffuse * incidence;
-        double specular =
-            share * material->specular * pow(fmax(0, algsurf_dot(n, half_way)), material->shininess);
+        double specular = share * material->specular *
+                          algsurf_i_pow(fmax(0, algsurf_dot(n, half_way)), material->shininess);
         for (int i = 0; i < 3; i++) colour[i] += lights[l].colour[i] * (diffuse * base[i] + specular);
     }
 }

@@ -16,6 +16,7 @@
 
 #include "algsurf/status.h"
 #include "exact_cell.h"
+#include "../base/elementary.h"
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */
 
@@ -61,7 +62,7 @@ static double cluster_radius(const double *b, int n, int v, double x, double lea
     lead *= binomial;
     binomial = 1;
     for (int i = 0; i < v; i++) {
-        radius = fmax(radius, pow(fabs(right[0]) * binomial / scale / lead, 1.0 / (v - i)));
+        radius = fmax(radius, algsurf_i_pow(fabs(right[0]) * binomial / scale / lead, 1.0 / (v - i)));
         for (int j = 0; j < n - i; j++) right[j] = right[j + 1] - right[j];
         binomial *= (double)(n - i) / (i + 1);
         scale *= 1 - x;

@@ -15,6 +15,7 @@
 
 #include "../base/eft.h"
 #include "coefficients.h"
+#include "../base/elementary.h"
 
 /* A root of q by its size, and of p: 0 <= lo < root < hi, or lo = root = hi.  side: -1 below 0. */
 typedef struct place {
@@ -79,7 +80,7 @@ static int compare_power(double x, int k, double y) {
 
 /* The least double x with x^k >= y. */
 static double root_above(double y, int k) {
-    double x = pow(y, 1.0 / k);
+    double x = algsurf_i_pow(y, 1.0 / k);
     while (compare_power(x, k, y) < 0) x = nextafter(x, HUGE_VAL);
     while (compare_power(nextafter(x, 0), k, y) >= 0) x = nextafter(x, 0);
     return x;
@@ -123,7 +124,8 @@ static int leave_zero(const algsurf_i_power *w, const algsurf_bracket *b, place 
 /* Ends near those of q's bracket. */
 static int take_roots_of_ends(const algsurf_i_power *w, const double *c, place *r) {
     int k = w->step;
-    double a = pow(r->lo, 1.0 / k) * (1 + 0x1p-48), b = pow(r->hi, 1.0 / k) * (1 - 0x1p-48);
+    double a = algsurf_i_pow(r->lo, 1.0 / k) * (1 + 0x1p-48),
+           b = algsurf_i_pow(r->hi, 1.0 / k) * (1 - 0x1p-48);
     if (!(a < b) || compare_power(a, k, r->lo) < 0 || compare_power(b, k, r->hi) > 0) return 0;
     if (sign_at(w, c, r, a) != r->before || sign_at(w, c, r, b) != -r->before) return 0;
     r->lo = a;

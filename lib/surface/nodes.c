@@ -22,10 +22,13 @@
 #include <stdlib.h>
 
 #include "impl.h"
+#include "../base/elementary.h"
 
 static void set_nodes(double *node, int n) {
     for (int i = 0; 2 * i <= n; i++) {
-        double v = ldexp(round(ldexp(cos(3.14159265358979323846 * i / n), 20)), -20);
+        double point[2];
+        algsurf_i_circle(3.14159265358979323846 * i / n, point);
+        double v = ldexp(round(ldexp(point[0], 20)), -20);
         node[i] = 2 * i == n ? 0 : -v;
         node[n - i] = -node[i];
     }
@@ -75,7 +78,7 @@ static void set_nodes_and_matrix(algsurf_surface *s) {
         s->amplification = fmax(s->amplification, sum);
     }
     /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
-    s->clear_reach = pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
+    s->clear_reach = algsurf_i_pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
 }
 
 int algsurf_i_surface_set_tables(algsurf_surface *s) {
@@ -88,7 +91,7 @@ int algsurf_i_surface_set_tables(algsurf_surface *s) {
     s->node_degree = n;
     s->from_powers = s->tables;
     set_powers(s->from_powers, n);
-    s->most_reach = exp2(280.0 / n);
+    s->most_reach = algsurf_i_exp2(280.0 / n);
     if (with_nodes) {
         s->to_bernstein = s->tables + side * side;
         s->nodes = s->to_bernstein + side * ALGSURF_NODE_STRIDE;

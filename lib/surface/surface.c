@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "../base/fpenv.h"
+#include "../base/elementary.h"
 
 /* A term and its place in the input: sorting with it is stable, whatever qsort does. */
 typedef struct placed_term {
@@ -120,10 +121,10 @@ static void summarise(const algsurf_surface *s, degree_summary of[ALGSURF_MAX_DE
 
 /* The nearest integer to log2(rho), 0 when there are no lower terms. */
 static int balanced_unit(const degree_summary *of, int n) {
-    double highest = of[n].top + log2(of[n].sum), largest = -HUGE_VAL;
+    double highest = of[n].top + algsurf_i_log2(of[n].sum), largest = -HUGE_VAL;
     for (int k = 0; k < n; k++) {
         if (of[k].top == INT_MIN) continue;
-        largest = fmax(largest, (of[k].top + log2(of[k].sum) - highest) / (n - k));
+        largest = fmax(largest, (of[k].top + algsurf_i_log2(of[k].sum) - highest) / (n - k));
     }
     return largest > -HUGE_VAL ? (int)lrint(largest) : 0;
 }
