@@ -4,7 +4,7 @@
  * rtcOccluded1, 4, 8, 16 with flush-to-zero and denormals-are-zero on, as Embree's manual asks, over a floor
  * of two triangles, and compares every answer with algsurf_intersect_first.  Exit status 1 if any differs.
  *
- *     cc -O2 -ffp-contract=off -I../include embree_geometry.c $(find ../lib -name "*.c") -lembree3 -lm -pthread
+ *     cc -O2 -I../include embree_geometry.c $(find ../lib -name "*.c") -lembree3 -lm -pthread
  */
 #include <embree3/rtcore.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* first_hit.c - the smallest program that uses libalgsurf on surfaces: a sphere and two rays.
  *
- *     cc -O2 -ffp-contract=off -I../include first_hit.c $(find ../lib -name "*.c") -lm -pthread -o first_hit
+ *     cc -O2 -I../include first_hit.c $(find ../lib -name "*.c") -lm -pthread -o first_hit
  */
 #include <math.h>
 #include <stdio.h>

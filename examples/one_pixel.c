@@ -4,7 +4,7 @@
  * function that does it alone, and at the end by the call that does all of them.  What is printed here is
  * explained in guide/how-it-works.md.
  *
- *     cc -O2 -ffp-contract=off -I../include one_pixel.c $(find ../lib -name "*.c") -lm -pthread -o one_pixel
+ *     cc -O2 -I../include one_pixel.c $(find ../lib -name "*.c") -lm -pthread -o one_pixel
  */
 #include <math.h>
 #include <stdio.h>

@@ -3,21 +3,21 @@
  * Everything is in natural units, and directions are divided by a power of two, so that their largest
  * component is in [1,2): rays and surfaces of any size are alike.  The caller's t is t_unit times ours.
  *
- * Scaling of t.  A t_min or t_max that underflows is off by 2^-1074, which changes P by less than UNDERFLOW;
- * one that overflows is beyond all chords.  On the way out underflow moves t_lo and t_hi by 2^-1074, less
- * than 2^-100 h where LEAST_CHORD holds.  Both have room for that: a bracket's ends 2^-52 h, and where signs
- * of P show them, such a move is 2^-70 of the magnitudes there at most, which changes P by far less than the
- * 5 u S that its error has to spare (hits_template.h, narrow).
+ * Scaling of t.  A t_min or t_max that underflows is off by 2^-1074, which changes P by less than
+ * LOST_BY_UNDERFLOW; one that overflows is beyond all chords.  On the way out underflow moves t_lo and t_hi
+ * by 2^-1074, less than 2^-100 h where LEAST_CHORD holds.  Both have room for that: a bracket's ends 2^-52 h,
+ * and where signs of P show them, such a move is 2^-70 of the magnitudes there at most, which changes P by
+ * far less than the 5 u S that its error has to spare (hits_template.h, narrow).
  *
  * Range.  With reach^n <= 2^280, n <= 64 and fewer than 2^16 terms, P's scheme on magnitudes is below 2^296.
  * An underflow changes a number by 2^-1074, is multiplied by 2^280 and the entries of a change of basis,
- * below 2^12, at most, and there are fewer than 2^22 of them: UNDERFLOW is more. */
+ * below 2^12, at most, and there are fewer than 2^22 of them: LOST_BY_UNDERFLOW is more. */
 #ifndef ALGSURF_CHORD_TEMPLATE_H
 #define ALGSURF_CHORD_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "kernel.h"
 
-#define UNDERFLOW 0x1p-550
+#define LOST_BY_UNDERFLOW 0x1p-550
 #define FARTHEST 0x1p100    /* origin, in natural units */
 #define LEAST_UNIT 0x1p-800 /* of the caller's t: ours is below 2^141, so no t overflows */
 #define MOST_UNIT 0x1p800

@@ -56,7 +56,7 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
         if (s->stride[i] == 2) reach[i] *= reach[i];
     }
     double share = (5 * s->degree + 8) * 0x1p-53 + s->error;
-    lanes error = share * surface_magnitude(s, reach) + UNDERFLOW;
+    lanes error = share * surface_magnitude(s, reach) + LOST_BY_UNDERFLOW;
     lanes pad = 3 * error / absolute(slope) + 0x1p-52 * absolute(hit->t),
           t[PAIR] = {hit->t - pad, hit->t + pad};
     for (int m = 0; m < PAIR; m++)

@@ -52,7 +52,7 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
         x[i] = s->stride[i] == 2 ? reach * reach : reach;
     }
     double factor = (10 * n + 20) * 0x1p-53 + s->error;
-    k->e[0] = factor * s->amplification * surface_magnitude(s, x) + UNDERFLOW;
+    k->e[0] = factor * s->amplification * surface_magnitude(s, x) + LOST_BY_UNDERFLOW;
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */

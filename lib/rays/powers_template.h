@@ -104,7 +104,7 @@ APART void coefficients_from_powers(const algsurf_surface *s, const chord_line *
         for (int k = 3; k <= n; k += 2) odd += basis[k] * p.c[k];
         b[j] = even + odd;
         b[n - j] = even - odd;
-        e[j] = e[n - j] = factor * sum + UNDERFLOW;
+        e[j] = e[n - j] = factor * sum + LOST_BY_UNDERFLOW;
     }
 }
 

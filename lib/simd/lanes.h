@@ -2,7 +2,7 @@
  *
  * The includer defines LANES: 1 (any machine), 2 (SSE2, NEON), 4 (AVX2) or 8 (AVX-512).  Every lane is
  * rounded as a double alone would be, and no operation mixes lanes: so all kernels give the same bits.  (That
- * also forbids fused multiply-add; -ffp-contract=off sees to it.)  A mask has all bits of a lane set where it
+ * also forbids fused multiply-add; base/arithmetic.h sees to it.)  A mask has all bits of a lane set where it
  * is true. */
 #ifndef ALGSURF_LANES_H
 #define ALGSURF_LANES_H
