@@ -1,7 +1,6 @@
 /* poly_roots.c - the smallest program that uses libalgsurf on polynomials: all roots in an interval.
  *
- *     cc -O2 -I../include poly_roots.c $(find ../lib -name "*.c") -lm -pthread -o
- * poly_roots
+ *     cc -O2 -I../include poly_roots.c $(find ../lib -name "*.c") -lm -pthread -o poly_roots
  */
 #include <stdio.h>
 
