@@ -84,7 +84,8 @@ static void powers(void **state) {
         double x = i % 2 ? between(0, 1) : ldexp(between(1, 2), (int)between(-1000, 1000));
         double y = i % 2 ? between(0, 60) : between(0, 1);
         double got = algsurf_i_pow(x, y);
-        if (got >= DBL_MIN) assert_near("pow", x, y, got, powl(x, y));
+        long double exact = powl(x, y), unit = ldexpl(1, ilogbl(exact) + 1 - DBL_MANT_DIG);
+        if (got >= DBL_MIN) assert_close("pow", x, y, got, exact, fabsl(y * log2l(x)) / 32 * unit);
     }
     static const double special[][3] = {
         {0, 0, 1},        {0, 0.5, 0},          {0, 1e300, 0},    {1, 1e300, 1},
@@ -129,7 +130,7 @@ static void same_bits_everywhere(void **state) {
         double x = next_random(), y = between(0, 90);
         mix(&hash, algsurf_i_pow(x, y));
     }
-    assert_int_equal(hash, 0x1bc462c21c26cdc8u);
+    assert_int_equal(hash, 0xb799a805aa8bd44bu);
 }
 
 int main(void) {

@@ -1,12 +1,11 @@
 /* elementary.c - logarithm, power, sine and cosine from their series.
  *
- * Each argument is reduced to where the Taylor series is short; the first terms are summed as double-doubles,
- * the others, which are small, as doubles.  Truncation and what doubles lose, relative to the result:
- *   log2    2^-64: with s = (m-1)/(m+1), m next to 1, ln m = 2s (1 + s^2 (1/3 + s^2 (1/5 + ...))); s^2 <
- * 0.0295, and only s^4 (1/5 + ...) is left to doubles exp2    2^-57: with |r| < 0.347, e^r = 1 + r + r^2/2 +
- * r^3 (1/6 + ...); the last term is left to doubles circle  2^-54: with |r| < 0.786, sin r = r - r^3 (1/6 -
- * ...), cos r = 1 - r^2/2 + r^4 (1/24 - ...) A power is exp2 of y log2 x, which is below 1100 in magnitude:
- * 2^-53 at worst, 2^-57 while below 64.
+ * Each argument is reduced to where the Taylor series is short; its first terms are summed as
+ * double-doubles, the others, which are small, as doubles.  What these lose, relative to the result:
+ *   log2    2^-57: with s = (m-1)/(m+1), m next to 1, ln m = 2s + 2s^3 (1/3 + s^2/5 + ...), s^2 < 0.0295
+ *   exp2    2^-57: with |r| < 0.347, e^r = 1 + r + r^2/2 + r^3 (1/6 + ...)
+ *   circle  2^-54: with |r| < 0.786, sin r = r - r^3 (1/6 - ...), cos r = 1 - r^2/2 + r^4 (1/24 - ...)
+ * What is truncated is less.  A power is exp2 of y log2 x: what the logarithm lost is multiplied by that.
  */
 #include "arithmetic.h"
 #include "elementary.h"
@@ -18,30 +17,29 @@
 static const algsurf_dd log2_of_e = {0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
 static const algsurf_dd ln_of_2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 static const algsurf_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-static const algsurf_dd third = {0x1.5555555555555p-2, 0x1.5555555555555p-56};
 
-/* c[0] + c[1] x + ... + c[n] x^n */
+/* c[0] + c[1] x + ... + c[n] x^n; even and odd powers side by side. */
 static double series(const double *c, int n, double x) {
-    double sum = c[n];
-    while (n > 0) sum = sum * x + c[--n];
-    return sum;
+    double sum[2] = {0, 0}, square = x * x;
+    for (; n >= 0; n--) sum[n % 2] = sum[n % 2] * square + c[n];
+    return sum[0] + x * sum[1];
 }
 
 static algsurf_dd log2_of(double x) {
-    static const double c[] = {1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15,
-                               1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25};
+    static const double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13,
+                               1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25};
     int k;
     double m = frexp(x, &k);
     if (m < 0.70710678118654752) {
         m *= 2;
         k--;
     }
-    algsurf_dd s = algsurf_dd_div(algsurf_dd_from(m - 1), algsurf_two_sum(m, 1));
-    algsurf_dd square = algsurf_dd_mul(s, s);
-    algsurf_dd sum = algsurf_dd_add_d(third, square.hi * series(c, 10, square.hi));
-    sum = algsurf_dd_add(s, algsurf_dd_mul(s, algsurf_dd_mul(square, sum)));
-    sum = algsurf_dd_mul(algsurf_dd_scale(sum, 2), log2_of_e);
-    return algsurf_dd_add_d(sum, k);
+    algsurf_dd above = algsurf_two_sum(m, 1);
+    double s = (m - 1) / above.hi;
+    algsurf_dd product = algsurf_two_prod(s, above.hi);
+    double low = ((m - 1 - product.hi) - product.lo - s * above.lo) / above.hi;
+    algsurf_dd half_ln = algsurf_fast_two_sum(s, low + s * (s * s) * series(c, 11, s * s));
+    return algsurf_dd_add_d(algsurf_dd_mul(algsurf_dd_scale(half_ln, 2), log2_of_e), k);
 }
 
 static double exp2_of(algsurf_dd x) {
