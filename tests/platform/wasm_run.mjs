@@ -2,16 +2,17 @@
 //
 //     node --no-warnings wasm_run.mjs PROGRAM ARGUMENT...
 //
-// It sees the whole file system, and relative names start in the working directory.
+// It sees the working directory, and for arguments that are absolute names the folder of the root that they are in.
+// (Not the root itself: wasi-libc takes "/" and "." for the same.)
 import { readFile } from "node:fs/promises";
 import { WASI } from "node:wasi";
 
 const [program, ...args] = process.argv.slice(2);
+const folders = args.filter((arg) => /^\/[^/]+\//.test(arg)).map((arg) => `/${arg.split("/")[1]}`);
 const wasi = new WASI({
     version: "preview1",
     args: [program, ...args],
-    env: { PWD: process.cwd() },
-    preopens: { "/": "/", ".": "." },
+    preopens: { ".": ".", ...Object.fromEntries(folders.map((folder) => [folder, folder])) },
     returnOnExit: true,
 });
 const { instance } = await WebAssembly.instantiate(await readFile(program), wasi.getImportObject());
