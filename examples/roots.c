@@ -3,7 +3,9 @@
  * One thread takes line by line, so that a line typed is a line answered.  Several take some hundred lines
  * each, and what they found is printed in the order of the lines. */
 #include <errno.h>
+#if !defined(__wasi__)
 #include <pthread.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
 
@@ -144,6 +146,12 @@ static void *take_batch(void *data) {
     return NULL;
 }
 
+#if defined(__wasi__)
+/* WebAssembly's system interface has no threads. */
+static void take_batches(batch *b, int count) {
+    for (int i = 0; i < count; i++) take_batch(&b[i]);
+}
+#else
 /* All batches that have lines, the first one by this thread; what cannot have a thread, too. */
 static void take_batches(batch *b, int count) {
     pthread_t thread[256];
@@ -155,6 +163,7 @@ static void take_batches(batch *b, int count) {
     for (int i = started; i < count; i++) take_batch(&b[i]);
     for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
 }
+#endif
 
 static void print(FILE *file, roots_text *text) {
     if (text->length > 0) fwrite(text->text, 1, text->length, file);

@@ -6,16 +6,27 @@
 
 All roots: prints, for each box, real or complex, number of roots in it, re, im, and the box's widths in re and
 im.  Real roots: multiplicity, the root to the last place, and the doubles on both sides of it.
-The shared library is looked for where the system looks: installed, or in LD_LIBRARY_PATH (macOS:
-DYLD_LIBRARY_PATH; Windows: the folders of PATH).
+As a module: roots(c) and real_roots(c, lo, hi), for any sequence of numbers (list, tuple, array, numpy's).
+The shared library is taken from beside this file if it is there, else from where the system looks: installed, or
+in LD_LIBRARY_PATH (macOS: DYLD_LIBRARY_PATH; Windows: the folders of PATH).
 """
 import ctypes as ct
 import math
+import pathlib
 import sys
 
-FILES = {"darwin": "libalgsurf.1.dylib", "win32": "libalgsurf-1.dll"}
+NAMES = {"darwin": "libalgsurf.1.dylib", "win32": "libalgsurf-1.dll"}  # elsewhere libalgsurf.so.1
+
+
+def library(platform=sys.platform):
+    """The shared library's file on this platform."""
+    name = NAMES.get(platform, "libalgsurf.so.1")
+    beside = pathlib.Path(__file__).resolve().parent / name
+    return str(beside) if beside.exists() else name
+
+
 try:
-    lib = ct.CDLL(FILES.get(sys.platform, "libalgsurf.so.1"), winmode=0)
+    lib = ct.CDLL(library(), winmode=0)
 except OSError as error:
     sys.exit(f"roots.py: {error}")
 lib.algsurf_status_text.restype = ct.c_char_p

@@ -11,11 +11,10 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 
-#include <pthread.h>
-#include <stdlib.h>
 #include <time.h>
 
 #include "../base/fpenv.h"
+#include "../base/threads.h"
 
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
 #define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
