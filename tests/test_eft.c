@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 #include <fenv.h>
+#include <float.h>
 
 #include "base/eft.h"
 #include "base/fpenv.h"

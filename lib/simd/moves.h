@@ -2,7 +2,8 @@
  *
  * A stack is aligned to 16 bytes there; gcc nevertheless moves what it keeps on it by instructions that
  * stop the program unless 32 or 64 bytes are aligned (gcc's bug 54412; other compilers align the stack).  The
- * macros make the assembler take the instructions for any address, which are as fast at an aligned one.
+ * macros make the assembler take the instructions for any address, which are as fast at an aligned one.  With
+ * -flto, which may separate them from the functions, give -Wa,-muse-unaligned-vector-move as well.
  */
 #ifndef ALGSURF_MOVES_H
 #define ALGSURF_MOVES_H
