@@ -4,7 +4,7 @@
  * caches.  Random numbers: splitmix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators,
  * 2014), whose stream is good from any seed.
  */
-#define _POSIX_C_SOURCE 200809L /* clock_gettime, sysconf */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "measure.h"
 
 #include <math.h>
@@ -12,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
+
+#include "portable.h"
 
 #ifndef MEASURE_FLAGS
 #define MEASURE_FLAGS "unknown"
@@ -84,7 +85,7 @@ void measure_machine(char *line, size_t size) {
     const char *family = "gcc "; /* clang's version names itself */
 #endif
     char name[128];
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    long cores = portable_processors();
     processor_name(name, sizeof name);
     snprintf(line, size, "%s, %ld core%s; %s%s; %s", name, cores, cores == 1 ? "" : "s", family, __VERSION__,
              MEASURE_FLAGS);

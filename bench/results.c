@@ -1,12 +1,11 @@
 /* results.c - see results.h. */
-#define _POSIX_C_SOURCE 200809L /* mkdir, stat */
 #include "results.h"
 
 #include <errno.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "cli.h"
+#include "portable.h"
 
 typedef struct path {
     char text[4096];
@@ -24,10 +23,9 @@ _Noreturn static void fail(const char *name) {
 }
 
 void results_folder(const char *folder) {
-    struct stat about;
-    if (mkdir(folder, 0777) == 0) return;
+    if (portable_make_folder(folder) == 0) return;
     int why = errno;
-    if (stat(folder, &about) == 0 && S_ISDIR(about.st_mode)) return;
+    if (portable_kind_of(join(folder, ".").text) == PORTABLE_FOLDER) return;
     errno = why;
     fail(folder);
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "catalogue.h"
+#include "portable.h"
 #include "terms_file.h"
 
 /* ---- complaints ---- */
@@ -192,6 +193,7 @@ static int parse_option(const cli_program *program, char **argument, char *optio
 
 int cli_parse_files(const cli_program *program, int argc, char **argv, void *options) {
     program_name = program->name;
+    portable_binary_output();
     int plain_only = 0, files = 0;
     for (int i = 1; i < argc;) {
         const char *text = argv[i];

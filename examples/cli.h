@@ -13,7 +13,9 @@
 
 enum { CLI_BROKEN = 1, CLI_BAD_INPUT = 2 };
 
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(__MINGW_PRINTF_FORMAT) /* "printf" alone is Microsoft's there */
+#define CLI_FORMAT(text, first) __attribute__((format(__MINGW_PRINTF_FORMAT, text, first)))
+#elif defined(__GNUC__) || defined(__clang__)
 #define CLI_FORMAT(text, first) __attribute__((format(printf, text, first)))
 #else
 #define CLI_FORMAT(text, first)

@@ -6,67 +6,66 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli.h"
+#include "portable.h"
 
-/* Removes what the set has written so far. */
-static _Noreturn void fail(const output_set *set, const char *path, const char *why) {
-    for (int i = 0; i < set->count; i++)
-        if (set->files[i].temporary) remove(set->files[i].temporary);
+_Noreturn void output_fail(const output_set *set, const char *path, const char *why) {
+    for (int i = 0; i < set->count; i++) {
+        if (!set->files[i].temporary) continue;
+        if (set->files[i].open) (void)fclose(set->files[i].open); /* Windows removes no open file */
+        remove(set->files[i].temporary);
+    }
     if (strcmp(path, "-") == 0) cli_fail(CLI_BROKEN, "cannot write to standard output: %s", why);
     cli_fail(CLI_BROKEN, "cannot write '%s': %s", cli_quote(path).text, why);
 }
 
-int output_is_special(const char *path) {
-    struct stat about;
-    return lstat(path, &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
-}
+int output_is_special(const char *path) { return portable_kind_of(path) == PORTABLE_OTHER; }
 
 /* A file that is there must be one that can be written. */
 static void check_existing(const output_set *set, const char *path) {
-    struct stat about;
-    if (lstat(path, &about) != 0) return;
-    if (S_ISDIR(about.st_mode)) fail(set, path, strerror(EISDIR));
-    if (access(path, W_OK) != 0) fail(set, path, strerror(errno));
+    portable_kind kind = portable_kind_of(path);
+    if (kind == PORTABLE_NOTHING) return;
+    if (kind == PORTABLE_FOLDER) output_fail(set, path, strerror(EISDIR));
+    if (access(path, W_OK) != 0) output_fail(set, path, strerror(errno));
 }
 
 /* Creates a file beside the path that did not exist before. */
 static FILE *open_beside(const output_set *set, const char *path, char **name) {
-    const char *slash = strrchr(path, '/');
-    int folder = slash ? (int)(slash + 1 - path) : 0;
+    int folder = portable_folder_length(path);
     size_t room = (size_t)folder + 64;
     FILE *file = NULL;
     *name = malloc(room);
-    if (!*name) fail(set, path, "out of memory");
+    if (!*name) output_fail(set, path, "out of memory");
     for (int i = 0; i < 100 && !file; i++) {
         snprintf(*name, room, "%.*s.algsurf-%ld-%d.part", folder, path, (long)getpid(), i);
-        file = fopen(*name, "wbx");
+        file = portable_create(*name);
         if (!file && errno != EEXIST) break;
     }
-    if (!file) fail(set, path, strerror(errno));
+    if (!file) output_fail(set, path, strerror(errno));
     return file;
 }
 
-static FILE *open_output(output_set *set, const char *path) {
+FILE *output_open(output_set *set, const char *path) {
     if (strcmp(path, "-") == 0) return stdout;
-    output_file out = {path, NULL};
-    FILE *file;
+    output_file out = {path, NULL, NULL};
     check_existing(set, path);
     if (output_is_special(path)) {
-        file = fopen(path, "wb");
-        if (!file) fail(set, path, strerror(errno));
+        out.open = fopen(path, "wb");
+        if (!out.open) output_fail(set, path, strerror(errno));
     } else {
-        file = open_beside(set, path, &out.temporary);
+        out.open = open_beside(set, path, &out.temporary);
     }
     set->files[set->count++] = out;
-    return file;
+    return out.open;
 }
 
-static void close_output(const output_set *set, const char *path, FILE *file) {
-    if (fflush(file) != 0 || ferror(file)) fail(set, path, strerror(errno));
-    if (file != stdout && fclose(file) != 0) fail(set, path, strerror(errno));
+void output_close(output_set *set, const char *path, FILE *file) {
+    if (fflush(file) != 0 || ferror(file)) output_fail(set, path, strerror(errno));
+    if (file == stdout) return;
+    set->files[set->count - 1].open = NULL;
+    if (fclose(file) != 0) output_fail(set, path, strerror(errno));
 }
 
 void output_check(const char *path) {
@@ -82,21 +81,21 @@ void output_check(const char *path) {
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,
                   const uint8_t *pixels) {
-    FILE *file = open_output(set, path);
+    FILE *file = output_open(set, path);
     const char *wrong = image_write(file, format, width, height, pixels);
-    if (wrong) fail(set, path, wrong);
-    close_output(set, path, file);
+    if (wrong) output_fail(set, path, wrong);
+    output_close(set, path, file);
 }
 
 void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
                 const uint8_t *pixels) {
-    FILE *file = open_output(set, path);
+    FILE *file = output_open(set, path);
     image_write_ppm(file, comment, width, height, pixels);
-    close_output(set, path, file);
+    output_close(set, path, file);
 }
 
 void output_hits(output_set *set, const char *path, const double *hits, size_t count) {
-    FILE *file = open_output(set, path);
+    FILE *file = output_open(set, path);
     for (size_t i = 0; i < count; i++) {
         uint64_t bits;
         uint8_t bytes[8];
@@ -104,20 +103,20 @@ void output_hits(output_set *set, const char *path, const double *hits, size_t c
         for (int b = 0; b < 8; b++) bytes[b] = (uint8_t)(bits >> 8 * b);
         fwrite(bytes, 1, sizeof bytes, file);
     }
-    close_output(set, path, file);
+    output_close(set, path, file);
 }
 
 void output_text(output_set *set, const char *path, const char *text) {
-    FILE *file = open_output(set, path);
+    FILE *file = output_open(set, path);
     fputs(text, file);
-    close_output(set, path, file);
+    output_close(set, path, file);
 }
 
 void output_commit(output_set *set) {
     for (int i = 0; i < set->count; i++) {
         output_file *out = &set->files[i];
         if (!out->temporary) continue;
-        if (rename(out->temporary, out->path) != 0) fail(set, out->path, strerror(errno));
+        if (portable_rename(out->temporary, out->path) != 0) output_fail(set, out->path, strerror(errno));
         free(out->temporary);
         out->temporary = NULL;
     }

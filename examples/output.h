@@ -9,12 +9,14 @@
 #define OUTPUT_H
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "image.h"
 
 typedef struct output_file {
     const char *path;
     char *temporary; /* null: written directly */
+    FILE *open;      /* null once it is closed */
 } output_file;
 
 /* The files of one picture; starts with all zero. */
@@ -35,6 +37,12 @@ void output_ppm(output_set *set, const char *path, const char *comment, int widt
                 const uint8_t *pixels);
 void output_hits(output_set *set, const char *path, const double *hits, size_t count);
 void output_text(output_set *set, const char *path, const char *text);
+
+/* For what a program writes itself: a file of the set to write to, and to close before the next one; or the
+ * end of the program, with one line, after which none of the set's files is there. */
+FILE *output_open(output_set *set, const char *path);
+void output_close(output_set *set, const char *path, FILE *file);
+_Noreturn void output_fail(const output_set *set, const char *path, const char *why);
 
 /* Gives all files of the set their names. */
 void output_commit(output_set *set);

@@ -4,16 +4,15 @@
  * the frame, where it hides nothing.  Colours: Okabe and Ito, Color universal design, 2008, without their
  * yellow, which is hard to see on a light panel.
  */
-#define _POSIX_C_SOURCE 200809L /* lstat */
 #include "plot.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "plot_draw.h"
+#include "portable.h"
 
 enum { WIDTH = 800, HEIGHT = 480, LEGEND_ROW = 20, SUBTITLE_ROW = 16 };
 
@@ -278,12 +277,11 @@ int plot_put_column(const plot *plots, size_t count, FILE *out) {
 
 /* Removes what was begun, but no device that somebody named as the file. */
 static void give_up(const char *file) {
-    struct stat about;
-    if (lstat(file, &about) == 0 && S_ISREG(about.st_mode)) (void)remove(file);
+    if (portable_kind_of(file) == PORTABLE_FILE) (void)remove(file);
 }
 
 int plot_write_column(const plot *plots, size_t count, const char *file) {
-    FILE *out = fopen(file, "w");
+    FILE *out = fopen(file, "wb");
     if (!out) return -1;
     int done = put_document(out, plots, count) && !ferror(out);
     if (fclose(out) == 0 && done) return 0;

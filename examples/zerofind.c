@@ -1,6 +1,5 @@
 /* zerofind.c - plots the polynomial along one ray, and how its first root is found: zerofind --help.
  * After the program ZEROFIND in Chuyeshov, Visualization of algebraic surfaces, 2005, section 3.2. */
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -198,14 +197,10 @@ static void print_trace(const zerofind *z, const algsurf_surface *surface) {
 
 static void write_plot(const char *path, const zerofind *z, const zerofind_words *words) {
     output_set set = {.count = 0};
-    char *text = NULL;
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
-    if (!memory || zerofind_plot(z, words, memory) != 0) cli_no_memory();
-    if (fclose(memory) != 0) cli_no_memory();
-    output_text(&set, path, text);
+    FILE *file = output_open(&set, path);
+    if (zerofind_plot(z, words, file) != 0) output_fail(&set, path, "out of memory");
+    output_close(&set, path, file);
     output_commit(&set);
-    free(text);
 }
 
 /* The ray, as the plot names it. */

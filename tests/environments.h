@@ -7,6 +7,12 @@
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
+#if defined(__i386__) ||                                                                                     \
+    defined(_WIN32) /* where libm, or the return of a double, goes through the x87 unit */
+#define ENVIRONMENT_X87 1
+#else
+#define ENVIRONMENT_X87 0
+#endif
 
 enum {
     ENVIRONMENTS = 8
@@ -15,7 +21,7 @@ enum {
 /* The control word of the x87 unit, where C computes nothing but where results pass through. */
 static inline unsigned environment_x87(void) {
     unsigned short word = 0x37f;
-#if defined(__i386__)
+#if ENVIRONMENT_X87
     __asm__ volatile("fnstcw %0" : "=m"(word));
 #endif
     return word;
@@ -23,12 +29,12 @@ static inline unsigned environment_x87(void) {
 
 static const int environment_modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
-/* Subnormal results and operands become zero, or not; on i386 the x87 unit rounds to 24 bits with it.  On
- * other processors nothing happens. */
+/* Subnormal results and operands become zero, or not; where it counts, the x87 unit rounds to 24 bits with
+ * it.  On other processors nothing happens. */
 static inline void environment_flush(int flush) {
 #if defined(__SSE2__)
     _mm_setcsr((_mm_getcsr() & ~0x8040u) | (flush ? 0x8040u : 0u));
-#if defined(__i386__)
+#if ENVIRONMENT_X87
     unsigned short word = (unsigned short)((environment_x87() & ~0x300u) | (flush ? 0u : 0x300u));
     __asm__ volatile("fldcw %0" ::"m"(word));
 #endif
@@ -50,7 +56,7 @@ static inline void environment_flush(int flush) {
 /* Does it flush as it should? */
 static inline int environment_flushes(int flush) {
 #if defined(__SSE2__)
-    unsigned narrow = flush && sizeof(void *) == 4 ? 0u : 0x300u;
+    unsigned narrow = flush && ENVIRONMENT_X87 ? 0u : 0x300u;
     return (_mm_getcsr() & 0x8040u) == (flush ? 0x8040u : 0u) && (environment_x87() & 0x300u) == narrow;
 #elif defined(__aarch64__)
     unsigned long long fpcr;

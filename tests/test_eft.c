@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 #include <fenv.h>
+#include <float.h>
 
 #include "base/eft.h"
 #include "base/fpenv.h"
@@ -66,6 +67,61 @@ static void test_transforms_are_exact(void **state) {
         if (!mpq_equal(got, sum)) fail_dd("fast_two_sum", i, (algsurf_dd){a, 0}, (algsurf_dd){b, 0}, s);
     }
     mpq_clears(x, y, sum, product, got, NULL);
+}
+
+/* |got - (a b + c)| <= (1/2 + 2^-50) ulp, for results that are normal and finite. */
+static int rounded_once(double a, double b, double c, double got) {
+    int exponent;
+    mpq_t x, y, limit;
+    mpq_inits(x, y, limit, NULL);
+    exact_set(x, a), exact_set(y, b);
+    mpq_mul(x, x, y);
+    exact_set(y, c);
+    mpq_add(x, x, y);
+    exact_set(y, got);
+    mpq_sub(x, x, y), mpq_abs(x, x);
+    (void)frexp(got, &exponent);
+    exact_set(limit, ldexp(1 + 0x1p-50, exponent - 54 < -1074 ? -1074 : exponent - 54));
+    int holds = got == 0 ? mpq_sgn(x) == 0 : mpq_cmp(x, limit) <= 0;
+    mpq_clears(x, y, limit, NULL);
+    return holds;
+}
+
+static void test_multiply_add(void **state) {
+    (void)state;
+    uint64_t seed = SEED + 7;
+    for (int i = 0; i < ROUNDS; i++) {
+        static const int range[4] = {3, 60, 450, 900};
+        int wide = range[i % 4];
+        double a = exact_random_wide(&seed, -wide, wide), b = exact_random_wide(&seed, -wide, wide), c;
+        if (i % 16 == 15) b = ldexp(b, -1000); /* subnormal, too */
+        double product = a * b;
+        if (!isfinite(product)) product = copysign(0x1p1000, product);
+        switch (i / 4 % 4) { /* all cancels but the product's error; nearly all; little; c is far from it */
+        case 0:
+            c = -product;
+            break;
+        case 1:
+            c = -product * (1 + 0x1p-40 * exact_random_unit(&seed));
+            break;
+        case 2:
+            c = product * exact_random_unit(&seed);
+            break;
+        default:
+            c = exact_random_wide(&seed, -1000, 1000);
+        }
+        double got = algsurf_multiply_add(a, b, c), size = fabs(got);
+        if (isfinite(a * b) && size >= 0x1p-1022 && !rounded_once(a, b, c, got))
+            fail_msg("multiply_add, seed %u round %d: %a * %a + %a is not %a", SEED + 7, i, a, b, c, got);
+    }
+    assert_true(algsurf_multiply_add(0x1p1000, 0x1p1000, -1) == INFINITY);
+    assert_true(algsurf_multiply_add(0x1p1000, 0x1p1000, -DBL_MAX) == INFINITY);
+    assert_true(algsurf_multiply_add(0x1p600, 0x1p500, -0x1p1023) == INFINITY);
+    assert_true(algsurf_multiply_add(0x1p512, 0x1p512, -0x1.8p1023) == 0x1p1022);
+    assert_true(algsurf_multiply_add(0x1p-600, 0x1p-600, 1) == 1);
+    assert_true(algsurf_multiply_add(0x1p-600, 0x1p-400, 0x1p-1000) == 0x1p-999);
+    assert_true(algsurf_multiply_add(0, 3, -2) == -2);
+    assert_true(algsurf_multiply_add(INFINITY, -2, 1) == -INFINITY);
 }
 
 /* The products the header promises: down to 2^-969, and factors up to 2^995 when nothing overflows. */
@@ -238,6 +294,7 @@ int main(void) {
         cmocka_unit_test(test_transforms_are_exact),
         cmocka_unit_test(test_two_prod_at_its_limits),
         cmocka_unit_test(test_two_prod_in_underflow),
+        cmocka_unit_test(test_multiply_add),
         cmocka_unit_test(test_double_double_sums),
         cmocka_unit_test(test_double_double_products),
         cmocka_unit_test(test_double_double_root),

@@ -56,7 +56,7 @@ static host host_enter(int h) {
         _mm_setcsr(_mm_getcsr() | 0x3fu);
     } else if (h == 2 * ENVIRONMENTS) {
         _mm_setcsr(_mm_getcsr() & ~0x680u); /* invalid operation, division by zero, overflow */
-#if defined(__i386__)
+#if ENVIRONMENT_X87
         unsigned short word = (unsigned short)(environment_x87() & ~0xdu); /* the same */
         __asm__ volatile("fldcw %0" ::"m"(word));
 #endif

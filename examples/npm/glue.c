@@ -171,14 +171,6 @@ int scene_complex_space(algsurf_scene *scene, double sigma, double delta, const 
     return algsurf_scene_set_complex_space(scene, &space);
 }
 
-/* Red, green, blue become red, green, blue and 255 in the same place: the last pixel first. */
-static void add_alpha(uint8_t *row, int width) {
-    for (int x = width - 1; x >= 0; x--) {
-        uint8_t pixel[4] = {row[3 * x], row[3 * x + 1], row[3 * x + 2], 255};
-        memcpy(row + 4 * x, pixel, sizeof pixel);
-    }
-}
-
 /* Draws rows row_begin .. row_end-1 of a picture.
  *   rgba    four bytes a pixel
  *   t       null, or a double a pixel
@@ -193,10 +185,9 @@ int render(const algsurf_scene *scene, int width, int height, int row_begin, int
                                             .row_end = row_end,
                                             .threads = 1};
     algsurf_render_stats stats = {.size = sizeof stats};
-    size_t stride = 4 * (size_t)width;
-    algsurf_status status = algsurf_render(scene, &options, rgba, stride, t, &stats);
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = rgba, .format = ALGSURF_RGBA8, .t = t};
+    algsurf_status status = algsurf_render(scene, &options, &picture, &stats);
     if (status != ALGSURF_OK) return status;
-    for (int y = 0; y < row_end - row_begin; y++) add_alpha(rgba + stride * (size_t)y, width);
     counts[0] = (double)stats.rays;
     counts[1] = (double)stats.hits;
     counts[2] = (double)stats.undecided;

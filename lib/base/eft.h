@@ -89,6 +89,25 @@ static inline algsurf_dd algsurf_dd_scale(algsurf_dd a, double power_of_two) {
     return (algsurf_dd){a.hi * power_of_two, a.lo * power_of_two};
 }
 
+static inline int algsurf_in_middle(double a) {
+    return a == 0 || (0x1p-400 <= fabs(a) && fabs(a) <= 0x1p400);
+}
+
+/* a b + c, rounded once, or to a neighbour of that where the exact value is closer than 2^-104 of itself to
+ * the middle between two doubles; a subnormal result twice.  libm's fma rounds wrongly on some systems. */
+static inline double algsurf_multiply_add(double a, double b, double c) {
+    if (algsurf_in_middle(a) && algsurf_in_middle(b) && fabs(c) <= 0x1p400)
+        return algsurf_dd_add_d(algsurf_two_prod(a, b), c).hi;
+    if (a == 0 || b == 0 || !isfinite(a) || !isfinite(b) || !isfinite(c)) return a * b + c;
+    int i, j, top;
+    a = frexp(a, &i), b = frexp(b, &j);
+    (void)frexp(c, &top);
+    if (c == 0 || top < i + j) top = i + j;
+    algsurf_dd product = algsurf_two_prod(a, b);
+    product = (algsurf_dd){ldexp(product.hi, i + j - top), ldexp(product.lo, i + j - top)};
+    return ldexp(algsurf_dd_add_d(product, ldexp(c, -top)).hi, top);
+}
+
 static inline int algsurf_dd_sign(algsurf_dd a) {
     return (a.hi > 0) - (a.hi < 0) + (a.hi == 0) * ((a.lo > 0) - (a.lo < 0));
 }

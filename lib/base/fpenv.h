@@ -21,13 +21,14 @@
 #define ALGSURF_MXCSR_CONTROL 0xffc0u  /* everything but the six sticky flags */
 typedef struct {
     unsigned mxcsr;
-#if defined(__i386__)
+#if defined(__i386__) || defined(_WIN32)
     unsigned x87[7];
 #endif
 } algsurf_fpenv;
-#if defined(__i386__)
-/* Functions return doubles through the x87 unit, and libm computes there: all exceptions masked, nearest,
- * 64 bits.  Its stack has to be empty meanwhile, which the clobbers ask for. */
+#if defined(__i386__) || defined(_WIN32)
+/* The x87 unit: 32-bit functions return doubles through it, and libm computes there, on Windows also in 64
+ * bits, where a new thread starts with a precision of 53 bits.  All exceptions masked, nearest, 64 bits.  Its
+ * stack has to be empty meanwhile, which the clobbers ask for. */
 #define ALGSURF_X87_STANDARD 0x37f
 #define ALGSURF_X87_STACK "st", "st(1)", "st(2)", "st(3)", "st(4)", "st(5)", "st(6)", "st(7)"
 static inline void algsurf_fpenv_enter_x87(algsurf_fpenv *saved) {

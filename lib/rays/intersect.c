@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "exact.h"
 #include "intersect_impl.h"
@@ -64,14 +65,15 @@ static void polish(const query *q, const algsurf_i_ray_root *root, double x[3]) 
 
 /* A coordinate of the point at t; what is beyond the largest double is drawn in. */
 static double coordinate_at(const query *q, int axis, double t) {
-    return fmin(fmax(fma(t, q->ray->direction[axis], q->ray->origin[axis]), -DBL_MAX), DBL_MAX);
+    return fmin(fmax(algsurf_multiply_add(t, q->ray->direction[axis], q->ray->origin[axis]), -DBL_MAX),
+                DBL_MAX);
 }
 
 /* The point at t where the frame has, or may have, overflowed. */
 static void point_within_range(const query *q, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
         position[i] = coordinate_at(q, i, t);
-        x[i] = ldexp(fma(t, q->ray->direction[i], q->ray->origin[i]), -q->surface->unit);
+        x[i] = ldexp(algsurf_multiply_add(t, q->ray->direction[i], q->ray->origin[i]), -q->surface->unit);
     }
 }
 
@@ -148,7 +150,8 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                                               : 0;
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
     for (int i = 0; i < 3; i++)
-        hit->position[i] = fmin(fmax(fma(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
+        hit->position[i] =
+            fmin(fmax(algsurf_multiply_add(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
 }
 
 static size_t memory_limit(const algsurf_intersect_options *options) {

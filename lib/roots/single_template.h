@@ -92,11 +92,11 @@ static void set_single(single *s) {
 
 /* lo + (hi - lo) at, if that is a double. */
 static int is_double(const single *s, double at, double *x) {
-    double low, width = s->hi - s->lo, part = width * at;
-    algsurf_dd sum = algsurf_two_sum(s->lo, part);
+    double width = s->hi - s->lo;
+    algsurf_dd part = algsurf_two_prod(width, at), sum = algsurf_two_sum(s->lo, part.hi);
     *x = sum.hi;
-    low = fma(width, at, -part);
-    return width + s->lo == s->hi && s->hi - width == s->lo && low == 0 && sum.lo == 0;
+    return width + s->lo == s->hi && s->hi - width == s->lo && fabs(part.hi) >= 0x1p-969 && part.lo == 0 &&
+           sum.lo == 0;
 }
 
 /* Sets an end of a bracket where the sign is known; returns whether there is one. */

@@ -1,6 +1,8 @@
 /* avx512.h - packets of eight for AVX-512, or of two if the includer defines PACKETS_OF_TWO, to be included
  * before a template; nothing on other processors.  The includer ends with end.h. */
 #if defined(__x86_64__)
+#include "moves.h"
+
 #if defined(PACKETS_OF_TWO)
 #define LANES 2
 #else

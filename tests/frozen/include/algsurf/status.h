@@ -32,7 +32,13 @@
 /* Largest degree of a polynomial handed to the root finders directly. */
 #define ALGSURF_MAX_POLY_DEGREE 512
 
-#if defined(__GNUC__) || defined(__clang__)
+/* On Windows, ALGSURF_DLL tells the compiler that the library is a DLL, which saves each call a jump;
+ * programs work without it, and it must not be defined with the static library. */
+#if defined(_WIN32) && defined(ALGSURF_DLL)
+#define ALGSURF_API __declspec(dllimport)
+#elif defined(_WIN32)
+#define ALGSURF_API
+#elif defined(__GNUC__) || defined(__clang__)
 #define ALGSURF_API __attribute__((visibility("default")))
 #else
 #define ALGSURF_API

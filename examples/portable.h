@@ -1,0 +1,28 @@
+/* portable.h - what POSIX and Windows do differently, for the programs here; everything else is C11, or POSIX
+ * that mingw-w64 has too. */
+#ifndef PORTABLE_H
+#define PORTABLE_H
+#include <stdio.h>
+
+/* From here on, the bytes written to standard output are those that the program gave: Windows' text mode
+ * would end lines by CR LF, and cut pictures. */
+void portable_binary_output(void);
+
+/* What is at a path; a link is "other", wherever it leads. */
+typedef enum portable_kind { PORTABLE_NOTHING, PORTABLE_FILE, PORTABLE_FOLDER, PORTABLE_OTHER } portable_kind;
+portable_kind portable_kind_of(const char *path);
+
+/* How many characters of a path name its folder, with the separator at their end; 0: there is none. */
+int portable_folder_length(const char *path);
+
+/* These return 0, or -1 with errno set. */
+int portable_rename(const char *from, const char *to); /* replaces a file that is there */
+int portable_make_folder(const char *path);
+
+/* A file for writing that was not there before; null with errno set, EEXIST where there was one. */
+FILE *portable_create(const char *path);
+
+/* How many processors the system has for threads. */
+long portable_processors(void);
+
+#endif
