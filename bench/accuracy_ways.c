@@ -160,10 +160,11 @@ static double draw(ways *w, const setting *s) {
     const algsurf_intersect_options intersect = options_of(s);
     const algsurf_render_options options = {
         .size = sizeof options, .width = v->width, .height = v->height, .threads = 1};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = w->pixels, .t = w->picture_hits};
     algsurf_render_stats stats = {.size = sizeof stats};
     must(w, algsurf_scene_set_intersect(w->scene, &intersect));
     double begun = measure_cpu();
-    must(w, algsurf_render(w->scene, &options, w->pixels, 3 * (size_t)v->width, w->picture_hits, &stats));
+    must(w, algsurf_render(w->scene, &options, &picture, &stats));
     double seconds = measure_cpu() - begun;
     return seconds * (stats.expand_s + stats.solve_s + stats.point_s) / stats.total_s;
 }
@@ -173,7 +174,7 @@ static double run_picture(ways *w, const setting *s) {
     double seconds = draw(w, s);
     for (size_t i = 0; i < v->count; i++) {
         double t = w->picture_hits[v->pixel[i]];
-        w->answer[i] = (answer){.state = isnan(t) ? ALGSURF_MISS : ALGSURF_HIT, .t = t};
+        w->answer[i] = (answer){.state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT, .t = t};
     }
     return seconds / (double)v->all_rays;
 }

@@ -42,15 +42,15 @@ static double draw_here(studio *s, artist who) {
         .size = sizeof intersect, .tier = who == BOUNDED ? ALGSURF_TIER_BOUNDED : ALGSURF_TIER_CERTIFIED};
     const algsurf_render_options options = {
         .size = sizeof options, .width = PEERS_WIDTH, .height = PEERS_HEIGHT, .threads = 1};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = s->pixels, .t = s->hits};
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_status status = algsurf_scene_set_intersect(s->scene.scene, &intersect);
     double begun = measure_cpu();
-    if (status == ALGSURF_OK)
-        status = algsurf_render(s->scene.scene, &options, s->pixels, 3 * PEERS_WIDTH, s->hits, &stats);
+    if (status == ALGSURF_OK) status = algsurf_render(s->scene.scene, &options, &picture, &stats);
     double seconds = measure_cpu() - begun;
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", s->scene.name, algsurf_status_text(status));
     if (who == BOUNDED) s->undecided = stats.undecided;
-    for (int i = 0; i < PIXELS; i++) s->shows[who][i] = (char)(isnan(s->hits[i]) == 0);
+    for (int i = 0; i < PIXELS; i++) s->shows[who][i] = (char)(isinf(s->hits[i]) == 0);
     return seconds;
 }
 

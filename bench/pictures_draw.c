@@ -148,7 +148,7 @@ size_t stage_rays(const stage *s) {
 
 static size_t count_hits(const stage *s, const canvas *c) {
     size_t hits = 0;
-    for (size_t i = 0; i < pixel_count(s); i++) hits += isnan(c->hits[i]) == 0;
+    for (size_t i = 0; i < pixel_count(s); i++) hits += isinf(c->hits[i]) == 0;
     return hits;
 }
 
@@ -168,13 +168,14 @@ static void render(stage *s, const manner *m, const canvas *to, drawing *d) {
         .size = sizeof intersect, .tier = m->tier, .method = m->method, .kernel = m->kernel};
     const algsurf_render_options options = {
         .size = sizeof options, .width = s->width, .height = s->height, .threads = m->threads};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = to->pixels, .t = to->hits};
     algsurf_render_stats stats = {.size = sizeof stats};
     must(algsurf_scene_set_intersect(scene, &intersect), s->entry->name);
     must(algsurf_scene_set_quality(scene, m->quality), s->entry->name);
     must(algsurf_scene_set_antialias(scene, m->antialias > 0 ? m->antialias : 1), s->entry->name);
     must(algsurf_scene_set_antialias_threshold(scene, m->threshold), s->entry->name);
     double begun = wall_clock();
-    must(algsurf_render(scene, &options, to->pixels, 3 * (size_t)s->width, to->hits, &stats), s->entry->name);
+    must(algsurf_render(scene, &options, &picture, &stats), s->entry->name);
     d->seconds[PART_ALL] = wall_clock() - begun;
     d->seconds[PART_EXPAND] = stats.expand_s;
     d->seconds[PART_SOLVE] = stats.solve_s;
@@ -206,7 +207,7 @@ static int is_left_open(const stage *s, size_t pixel) {
  * doubles leave open. */
 static int same_mask(const stage *s, int more, int open) {
     for (size_t i = 0; i < pixel_count(s); i++) {
-        int here = !isnan(s->canvas.hits[i]), there = !isnan(s->reference.hits[i]);
+        int here = !isinf(s->canvas.hits[i]), there = !isinf(s->reference.hits[i]);
         if (here != there && !(more && here) && !(open && is_left_open(s, i))) return 0;
     }
     return 1;

@@ -33,9 +33,10 @@ static void solve(void *self, size_t begin, size_t end) {
     manner *m = self;
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 1};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = m->pixels};
     (void)begin, (void)end; /* one picture */
     m->stats.size = sizeof m->stats;
-    must(algsurf_render(m->scene, &options, m->pixels, 3 * WIDTH, NULL, &m->stats), m->program);
+    must(algsurf_render(m->scene, &options, &picture, &m->stats), m->program);
 }
 
 static int list_manners(manner *m) {

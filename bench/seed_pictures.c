@@ -16,9 +16,9 @@ static void render(seed_easel *easel, const algsurf_intersect_options *intersect
     const seed_view *view = easel->view;
     const algsurf_render_options options = {
         .size = sizeof options, .width = view->width, .height = view->height};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = easel->pixels, .t = hits};
     seed_must(algsurf_scene_set_intersect(easel->scene, intersect), view->entry->name);
-    seed_must(algsurf_render(easel->scene, &options, easel->pixels, 3 * (size_t)view->width, hits, NULL),
-              view->entry->name);
+    seed_must(algsurf_render(easel->scene, &options, &picture, NULL), view->entry->name);
 }
 
 void seed_easel_open(seed_easel *easel, const seed_view *view) {
@@ -52,7 +52,7 @@ static int is_left_open(const seed_view *view, int pixel) {
 
 static int is_right(const seed_easel *easel, int pixel, double tolerance) {
     double t = easel->hits[pixel], truth = easel->truth[pixel];
-    if (isnan(t) && isnan(truth)) return 1;
+    if (isinf(t) && isinf(truth)) return 1;
     double allowed = 10 * tolerance + 0x1p-36 * easel->view->entry->extent.size[0];
     return fabs(t - truth) <= allowed || is_left_open(easel->view, pixel);
 }

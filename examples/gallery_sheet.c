@@ -52,6 +52,9 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     const algsurf_camera camera = view_camera(&shown, 0, 1);
     const algsurf_material material = view_material(entry);
     const algsurf_render_options how = {.size = sizeof how, .width = TILE_WIDTH, .height = TILE_HEIGHT};
+    const algsurf_picture tile = {.size = sizeof tile,
+                                  .pixels = sheet->pixels + 3 * ((size_t)y * WIDTH + (size_t)x),
+                                  .stride = 3 * (size_t)WIDTH};
     cli_surface name = {.name = entry->name};
     algsurf_surface *surface = cli_make_surface(&name);
     algsurf_scene *scene;
@@ -60,9 +63,7 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     demand(algsurf_scene_set_camera(scene, &camera), entry->name);
     demand(algsurf_scene_set_material(scene, &material), entry->name);
     demand(algsurf_scene_set_antialias(scene, ANTIALIAS), entry->name);
-    demand(algsurf_render(scene, &how, sheet->pixels + 3 * ((size_t)y * WIDTH + (size_t)x), 3 * (size_t)WIDTH,
-                          NULL, NULL),
-           entry->name);
+    demand(algsurf_render(scene, &how, &tile, NULL), entry->name);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
     canvas_write(sheet, x + (TILE_WIDTH - canvas_text_width(entry->name)) / 2, y + TILE_HEIGHT + GAP,

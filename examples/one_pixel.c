@@ -177,7 +177,8 @@ static algsurf_hit show_hit(const algsurf_surface *surface, const algsurf_ray *r
 static void show_colour(const algsurf_surface *surface, const algsurf_camera *camera, const algsurf_ray *ray,
                         const algsurf_hit *hit) {
     static uint8_t pixels[3 * WIDTH];
-    static double hits[WIDTH];
+    static double t[WIDTH];
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = pixels, .t = t};
     double colour[3];
     algsurf_scene *scene;
     const algsurf_render_options row = {
@@ -188,12 +189,12 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
     check(algsurf_scene_set_camera(scene, camera));
     check(algsurf_scene_set_material(scene, &MATERIAL));
     check(algsurf_scene_set_lights(scene, &LIGHT, 1));
-    check(algsurf_render(scene, &row, pixels, sizeof pixels, hits, NULL));
+    check(algsurf_render(scene, &row, &planes, NULL));
     algsurf_scene_free(scene);
     const uint8_t *pixel = pixels + 3 * PIXEL_X;
     printf("\n[colour]\nred, green, blue   %.4f %.4f %.4f\n", colour[0], colour[1], colour[2]);
     printf("as bytes           %.0f %.0f %.0f\n", 255 * colour[0], 255 * colour[1], 255 * colour[2]);
-    printf("algsurf_render     %d %d %d, t = %.10f\n", pixel[0], pixel[1], pixel[2], hits[PIXEL_X]);
+    printf("algsurf_render     %d %d %d, t = %.10f\n", pixel[0], pixel[1], pixel[2], t[PIXEL_X]);
 }
 
 /* ---- doubt ---- */

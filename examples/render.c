@@ -1,6 +1,7 @@
 /* render.c - draws an algebraic surface from the command line: render --help. */
 #include <ctype.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -130,6 +131,12 @@ static void write_picture(output_set *set, const char *path, const run *r, const
     output_ppm(set, path, render_slice_write(&slice).text, options->view.width, r->rows, r->pixels);
 }
 
+/* As the file of hits has them. */
+static void mark_misses(double *hits, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (isinf(hits[i])) hits[i] = NAN;
+}
+
 static void draw_picture(run *r, const view *shown, int picture) {
     const render_options *options = r->options;
     const render_sweep *sweep = &options->sweep;
@@ -146,11 +153,13 @@ static void draw_picture(run *r, const view *shown, int picture) {
     algsurf_render_options how = {
         sizeof how,       options->view.width, options->view.height, options->row_begin,
         options->row_end, options->threads,    progress_rows,        &r->bar};
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = r->pixels, .t = r->hits};
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = options->frame > 0 ? 1 : picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
     demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
-    demand(algsurf_render(r->scene, &how, r->pixels, 3 * (size_t)options->view.width, r->hits, &counted));
+    demand(algsurf_render(r->scene, &how, &planes, &counted));
+    if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};
     if (stats) write_stats(&set, stats, r, &counted);

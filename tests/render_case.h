@@ -15,8 +15,21 @@
 typedef struct picture {
     uint8_t bytes[H * STRIDE];
     double hits[H * W];
+    float normals[H * W * 3];
+    unsigned char states[H * W];
     algsurf_render_stats stats;
 } picture;
+
+/* All planes of a picture, from a row on. */
+static inline algsurf_picture planes_of(picture *p, int row) {
+    size_t first = (size_t)row;
+    return (algsurf_picture){.size = sizeof(algsurf_picture),
+                             .pixels = p->bytes + first * STRIDE,
+                             .stride = STRIDE,
+                             .t = p->hits + first * W,
+                             .normals = p->normals + first * W * 3,
+                             .state = p->states + first * W};
+}
 
 static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
 static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.2, 0, 0}};
@@ -59,10 +72,8 @@ static inline void blank(picture *p) {
 }
 
 static inline void render(const algsurf_scene *scene, const algsurf_render_options *o, picture *p) {
-    size_t first = (size_t)o->row_begin;
-    assert_int_equal(
-        algsurf_render(scene, o, p->bytes + first * STRIDE, STRIDE, p->hits + first * W, &p->stats),
-        ALGSURF_OK);
+    const algsurf_picture planes = planes_of(p, o->row_begin);
+    assert_int_equal(algsurf_render(scene, o, &planes, &p->stats), ALGSURF_OK);
 }
 
 static inline picture *drawn(const algsurf_scene *scene, int threads) {
@@ -74,9 +85,19 @@ static inline picture *drawn(const algsurf_scene *scene, int threads) {
     return p;
 }
 
+static inline void assert_same_row(const picture *a, const picture *b, int row) {
+    size_t first = (size_t)row;
+    assert_memory_equal(a->bytes + first * STRIDE, b->bytes + first * STRIDE, STRIDE);
+    assert_memory_equal(a->hits + first * W, b->hits + first * W, W * sizeof *a->hits);
+    assert_memory_equal(a->normals + first * W * 3, b->normals + first * W * 3, 3 * W * sizeof *a->normals);
+    assert_memory_equal(a->states + first * W, b->states + first * W, W);
+}
+
 static inline void assert_same_picture(const picture *a, const picture *b) {
     assert_memory_equal(a->bytes, b->bytes, sizeof a->bytes);
     assert_memory_equal(a->hits, b->hits, sizeof a->hits);
+    assert_memory_equal(a->normals, b->normals, sizeof a->normals);
+    assert_memory_equal(a->states, b->states, sizeof a->states);
 }
 
 #endif

@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -134,7 +135,8 @@ static void draw(answers *a, int i) {
     ok(a, 8, algsurf_scene_set_complex_space(scene, s->imaginary != 0 ? &space : NULL));
     for (int k = 0; k < 2; k++) {
         algsurf_render_options o = {.size = sizeof o, .width = W, .height = H, .threads = k ? 3 : 1};
-        ok(a, 9, algsurf_render(scene, &o, a->pixels[i][k], 3 * W, a->t[i][k], NULL));
+        const algsurf_picture planes = {.size = sizeof planes, .pixels = a->pixels[i][k], .t = a->t[i][k]};
+        ok(a, 9, algsurf_render(scene, &o, &planes, NULL));
     }
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
@@ -193,7 +195,7 @@ static answers *usual(void) {
     assert_int_equal(a->failed, 0);
     for (int i = 0; i < SCENES; i++) {
         int hits = 0;
-        for (int k = 0; k < W * H; k++) hits += a->t[i][0][k] == a->t[i][0][k];
+        for (int k = 0; k < W * H; k++) hits += a->t[i][0][k] < INFINITY;
         assert_in_range(hits, W * H / 8, W * H - 1);
         assert_memory_equal(a->pixels[i][0], a->pixels[i][1], sizeof a->pixels[i][0]);
     }

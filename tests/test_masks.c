@@ -78,13 +78,14 @@ static void draw(const view *v, int tier) {
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tiers[tier]};
     const algsurf_render_options o = {
         .size = sizeof o, .width = WIDTH, .height = HEIGHT, .row_begin = v->row_begin, .row_end = v->row_end};
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = hits[tier]};
     algsurf_render_stats stats = {.size = sizeof stats};
     assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, bytes, 3 * WIDTH, hits[tier], &stats), ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
     algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
     if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
@@ -108,10 +109,10 @@ static void complain(const view *v, int tier, int x, int row, const algsurf_ray 
     exact_print_doubles("ray direction", ray->direction, 3);
 }
 
-/* What is wrong with t, NaN for a miss; null if nothing.  Roots before a sure one are those at an end of the
+/* What is wrong with t, +inf for a miss; null if nothing.  Roots before a sure one are those at an end of the
  * extent, and what t is off by is far less than what the roots are apart, or they are one for the eye. */
 static const char *judge(const view *v, const exact_answer *answer, double t) {
-    if (isnan(t)) return answer->sure ? "a miss for a hit" : NULL;
+    if (isinf(t)) return answer->sure ? "a miss for a hit" : NULL;
     if (answer->count == 0) return "a hit for a miss";
     for (int i = 0; i < answer->count; i++)
         if (fabs(t - answer->t[i]) <= 0x1p-20 * v->extent.size[0] || answer->clustered) return NULL;
@@ -141,7 +142,7 @@ static void check_pixel(const view *v, int x, int row) {
 
 /* Does the pixel show something else than its neighbour does? */
 static int differ(const view *v, double t, double other) {
-    if (isnan(t) || isnan(other)) return (isnan(t) != 0) != (isnan(other) != 0);
+    if (isinf(t) || isinf(other)) return (isinf(t) != 0) != (isinf(other) != 0);
     return fabs(t - other) > 0.05 * v->extent.size[0];
 }
 

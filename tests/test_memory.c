@@ -150,7 +150,8 @@ static uint8_t reference[HEIGHT][WIDTH * 3];
 static algsurf_status draw(uint8_t pixels[HEIGHT][WIDTH * 3]) {
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 2};
-    return algsurf_render(stage, &options, &pixels[0][0], sizeof pixels[0], NULL, NULL);
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = &pixels[0][0]};
+    return algsurf_render(stage, &options, &planes, NULL);
 }
 
 static algsurf_status render(void) {
@@ -176,7 +177,8 @@ static algsurf_status draw_complex(complex_picture *p) {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 2};
     memset(p, 0xa5, sizeof *p);
     p->stats.size = sizeof p->stats;
-    return algsurf_render(stage, &options, &p->pixels[0][0], sizeof p->pixels[0], p->hits, &p->stats);
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = &p->pixels[0][0], .t = p->hits};
+    return algsurf_render(stage, &options, &planes, &p->stats);
 }
 
 /* Does without nothing: there is a picture, or E_NO_MEMORY and every output as it was. */
@@ -349,7 +351,8 @@ static algsurf_status draw_small(small_picture *p) {
         .size = sizeof options, .width = WIDTH / 3, .height = HEIGHT / 3, .threads = 1};
     memset(p, 0xa5, sizeof *p);
     p->stats.size = sizeof p->stats;
-    return algsurf_render(stage, &options, &p->pixels[0][0], sizeof p->pixels[0], p->hits, &p->stats);
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = &p->pixels[0][0], .t = p->hits};
+    return algsurf_render(stage, &options, &planes, &p->stats);
 }
 
 static algsurf_status render_small(void) {
@@ -447,6 +450,7 @@ static void test_threads(void **state) {
     algsurf_surface *s = make_surface();
     uint8_t pixels[HEIGHT][WIDTH * 3], before[HEIGHT][WIDTH * 3];
     algsurf_render_stats stats = {.size = sizeof stats};
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = &pixels[0][0]};
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 4};
     (void)state;
@@ -455,8 +459,7 @@ static void test_threads(void **state) {
     for (int allowed = 0; allowed <= 3; allowed++) {
         memset(pixels, 0xa5, sizeof pixels);
         threads_allowed = allowed;
-        algsurf_status status =
-            algsurf_render(stage, &options, &pixels[0][0], sizeof pixels[0], NULL, &stats);
+        algsurf_status status = algsurf_render(stage, &options, &planes, &stats);
         threads_allowed = -1;
         assert_int_equal(status, ALGSURF_OK);
         assert_int_equal(stats.threads, allowed + 1);

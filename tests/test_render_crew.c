@@ -99,8 +99,9 @@ static void cancel(void **state) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 3);
     picture *whole = drawn(scene, 1), p;
-    uint8_t untouched[3 * W];
-    memset(untouched, SENTINEL, sizeof untouched);
+    picture blanked;
+    const algsurf_picture planes = planes_of(&p, H / 2);
+    blank(&blanked);
     (void)state;
     for (int threads = 1; threads <= 3; threads++) {
         calls c = {.caller = pthread_self(), .limit = threads == 1 ? 2 : 1};
@@ -109,12 +110,11 @@ static void cancel(void **state) {
         o.progress = on_progress, o.progress_data = &c;
         o.row_begin = H / 2, o.row_end = H; /* the surface begins at once */
         blank(&p);
-        assert_int_equal(algsurf_render(scene, &o, p.bytes + H / 2 * STRIDE, STRIDE, NULL, &p.stats),
-                         ALGSURF_CANCELLED);
+        assert_int_equal(algsurf_render(scene, &o, &planes, &p.stats), ALGSURF_CANCELLED);
         assert_int_equal(c.count, c.limit); /* not called again */
         for (int y = 0; y < H; y++) {
             int finished = memcmp(p.bytes + y * STRIDE, whole->bytes + y * STRIDE, 3 * W) == 0;
-            if (!finished) assert_memory_equal(p.bytes + y * STRIDE, untouched, sizeof untouched);
+            assert_same_row(&p, finished ? whole : &blanked, y);
             done += finished;
         }
         assert_true(threads == 1 ? done == 2 : done >= 1);
@@ -124,12 +124,35 @@ static void cancel(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, size_t stride,
-                   algsurf_status expected) {
+static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, algsurf_status expected) {
     picture p, before;
+    const algsurf_picture planes = planes_of(&p, 0);
     blank(&p), blank(&before);
-    assert_int_equal(algsurf_render(scene, o, p.bytes, stride, p.hits, &p.stats), expected);
+    assert_int_equal(algsurf_render(scene, o, &planes, &p.stats), expected);
     assert_memory_equal(&p, &before, sizeof p);
+}
+
+static void bad_planes(void **state) {
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    const algsurf_render_options o = options_for(1);
+    picture p, before;
+    const algsurf_picture good = planes_of(&p, 0);
+    algsurf_picture bad;
+    (void)state;
+    blank(&p), blank(&before);
+    assert_int_equal(algsurf_render(scene, &o, NULL, &p.stats), ALGSURF_E_ARGUMENT);
+#define REFUSE(change)                                                                                       \
+    (bad = good, (change), assert_int_equal(algsurf_render(scene, &o, &bad, &p.stats), ALGSURF_E_ARGUMENT))
+    for (size_t size = 0; size < sizeof bad; size++) REFUSE(bad.size = size); /* none of any release */
+    REFUSE(bad.stride = 1);
+    REFUSE(bad.stride = 3 * W - 1);
+    REFUSE((bad.stride = 4 * W - 1, bad.format = ALGSURF_RGBA8));
+    REFUSE(bad.format = -1);
+    REFUSE(bad.format = ALGSURF_RGBA8 + 1);
+#undef REFUSE
+    assert_memory_equal(&p, &before, sizeof p);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 static void bad_options(void **state) {
@@ -138,12 +161,11 @@ static void bad_options(void **state) {
     const algsurf_render_options good = options_for(1);
     algsurf_render_options o = good;
     picture p;
+    const algsurf_picture planes = planes_of(&p, 0);
     (void)state;
-    refuse(NULL, &good, STRIDE, ALGSURF_E_ARGUMENT);
-    refuse(scene, NULL, STRIDE, ALGSURF_E_ARGUMENT);
-    refuse(scene, &good, 3 * W - 1, ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_render(scene, &good, NULL, STRIDE, NULL, NULL), ALGSURF_E_ARGUMENT);
-#define REFUSE(change) (o = good, (change), refuse(scene, &o, STRIDE, ALGSURF_E_ARGUMENT))
+    refuse(NULL, &good, ALGSURF_E_ARGUMENT);
+    refuse(scene, NULL, ALGSURF_E_ARGUMENT);
+#define REFUSE(change) (o = good, (change), refuse(scene, &o, ALGSURF_E_ARGUMENT))
     for (size_t size = 0; size < sizeof o; size++) REFUSE(o.size = size); /* none of any release */
     REFUSE(o.width = 0);
     REFUSE(o.width = 65536);
@@ -159,12 +181,12 @@ static void bad_options(void **state) {
 #undef REFUSE
     blank(&p);
     for (p.stats.size = 0; p.stats.size < sizeof p.stats; p.stats.size++)
-        assert_int_equal(algsurf_render(scene, &good, p.bytes, STRIDE, NULL, &p.stats), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_render(scene, &good, &planes, &p.stats), ALGSURF_E_ARGUMENT);
     assert_int_equal(p.bytes[0], SENTINEL);
     algsurf_camera huge = camera_at(7, 4, 5, 36);
     huge.orthographic = 1, huge.half_height = 1.7e308;
     assert_int_equal(algsurf_scene_set_camera(scene, &huge), ALGSURF_OK);
-    refuse(scene, &good, STRIDE, ALGSURF_E_NOT_FINITE);
+    refuse(scene, &good, ALGSURF_E_NOT_FINITE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
@@ -182,13 +204,19 @@ static void sized_structs(void **state) {
         double more;
     } stats = {.more = 7};
     (void)state;
-    newer.o.size = sizeof newer, stats.s.size = sizeof stats;
+    struct {
+        algsurf_picture p;
+        double more;
+    } planes = {.p = planes_of(&p, 0)};
+    newer.o.size = sizeof newer, stats.s.size = sizeof stats, planes.p.size = sizeof planes;
     blank(&p);
-    assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, &stats.s), ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, &stats.s), ALGSURF_OK);
     assert_same_picture(whole, &p);
     assert_true(stats.s.rays == W * H && stats.more == 0 && stats.s.size == sizeof stats);
-    newer.more = 1;
-    assert_int_equal(algsurf_render(scene, &newer.o, p.bytes, STRIDE, p.hits, NULL), ALGSURF_E_ARGUMENT);
+    planes.more = 1;
+    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_ARGUMENT);
+    planes.more = 0, newer.more = 1;
+    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, NULL), ALGSURF_E_ARGUMENT);
     free(whole);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
@@ -196,7 +224,7 @@ static void sized_structs(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bytes),  cmocka_unit_test(progress_calls), cmocka_unit_test(cancel),
-        cmocka_unit_test(bad_options), cmocka_unit_test(sized_structs),
+        cmocka_unit_test(bad_options), cmocka_unit_test(bad_planes),     cmocka_unit_test(sized_structs),
     };
     return cmocka_run_group_tests_name("render: crew", tests, NULL, NULL);
 }

@@ -287,6 +287,7 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
                                 .row_begin = row_begin,
                                 .row_end = v->row_end,
                                 .threads = 1};
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = out->bytes, .t = out->hits};
     out->stats.size = sizeof out->stats;
     assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
@@ -294,8 +295,7 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
     assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_antialias(scene, v->antialias), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, out->bytes, 3 * (size_t)v->width, out->hits, &out->stats),
-                     ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &o, &planes, &out->stats), ALGSURF_OK);
     algsurf_scene_free(scene);
 }
 
@@ -376,22 +376,22 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         seen.clustered += answer.clustered;
         assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
         unsure |= hit.state == ALGSURF_UNDECIDED;
-        for (int i = 0; i < answer.count && !isnan(t); i++) {
+        for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
             double part = fabs(t - answer.t[i]) / room;
             if (part <= 1 || answer.clustered) met = 1;
             if (part <= 1 && part > seen.worst) seen.worst = part;
             if (i == answer.count - 1 && answer.sure) nearest = fmin(nearest, answer.t[i] + room);
         }
-        if (isnan(t) && answer.sure) {
+        if (isinf(t) && answer.sure) {
             complain(v, sx, sy, t, &ray, &answer, "a miss for a hit");
             return;
         }
         met |= answer.clustered;
     }
     seen.checked++, seen.edges += edge;
-    seen.hits += !isnan(t), seen.misses += isnan(t);
-    if (isnan(t) || (met && t <= nearest)) return;
+    seen.hits += !isinf(t), seen.misses += isinf(t);
+    if (isinf(t) || (met && t <= nearest)) return;
     if (unsure) {
         seen.excused++;
         return;
@@ -400,11 +400,11 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
 }
 
 static int is_edge(const view *v, const double *hits, int i) {
-    int x = i % v->width, rows = v->row_end - v->row_begin, y = i / v->width, miss = isnan(hits[i]) != 0;
-    return (x > 0 && (isnan(hits[i - 1]) != 0) != miss) ||
-           (x < v->width - 1 && (isnan(hits[i + 1]) != 0) != miss) ||
-           (y > 0 && (isnan(hits[i - v->width]) != 0) != miss) ||
-           (y < rows - 1 && (isnan(hits[i + v->width]) != 0) != miss);
+    int x = i % v->width, rows = v->row_end - v->row_begin, y = i / v->width, miss = isinf(hits[i]) != 0;
+    return (x > 0 && (isinf(hits[i - 1]) != 0) != miss) ||
+           (x < v->width - 1 && (isinf(hits[i + 1]) != 0) != miss) ||
+           (y > 0 && (isinf(hits[i - v->width]) != 0) != miss) ||
+           (y < rows - 1 && (isinf(hits[i + v->width]) != 0) != miss);
 }
 
 static void check_drawing(const view *v, const drawing *d, uint64_t *seed) {
@@ -461,7 +461,7 @@ static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
     int count = v->width * (v->row_end - v->row_begin), start = exact_random_int(seed, count), at = -1;
     for (int i = 0; i < count && at < 0; i++) {
         int k = (start + i) % count;
-        if (k % v->width < v->width - 1 && (isnan(d->hits[k]) != 0) != (isnan(d->hits[k + 1]) != 0)) at = k;
+        if (k % v->width < v->width - 1 && (isinf(d->hits[k]) != 0) != (isinf(d->hits[k + 1]) != 0)) at = k;
     }
     if (at < 0) return 0;
     double left = at % v->width + 0.5, right = left + 1, y = v->row_begin + at / v->width + 0.5, zoom,
@@ -677,7 +677,7 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     algsurf_ray ray = ray_at(v, x + 0.5, y + 0.5);
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
     algsurf_hit hit;
-    int met = v->radius > 0x1p1016, state = isnan(t) ? ALGSURF_MISS : ALGSURF_HIT;
+    int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT;
     assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
     seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;

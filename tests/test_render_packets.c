@@ -70,11 +70,12 @@ static picture *draw(const algsurf_surface *surface, const view *v,
     picture *p = malloc(sizeof *p);
     assert_non_null(p);
     algsurf_render_options how = options_for(1);
+    const algsurf_picture planes = planes_of(p, 0);
     blank(p);
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, options), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &how, p->bytes, STRIDE, p->hits, &p->stats), ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &how, &planes, &p->stats), ALGSURF_OK);
     algsurf_scene_free(scene);
     return p;
 }
@@ -96,12 +97,12 @@ static void check_pixels(const algsurf_surface *surface, const view *v, const pi
         algsurf_ray ray;
         algsurf_hit hit;
         assert_int_equal(algsurf_camera_ray(&v->camera, W, H, i % W + 0.5, i / W + 0.5, &ray), ALGSURF_OK);
-        if (isnan(packets->hits[i]) != isnan(singly->hits[i])) {
+        if (isinf(packets->hits[i]) != isinf(singly->hits[i])) {
             assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
             if (hit.state != ALGSURF_UNDECIDED)
                 fail_msg("%s, view %d, pixel %d,%d: %s by packets only", v->entry->name, v->number, i % W,
-                         i / W, isnan(packets->hits[i]) ? "missed" : "hit");
-        } else if (!isnan(packets->hits[i]) && packets->hits[i] != singly->hits[i] &&
+                         i / W, isinf(packets->hits[i]) ? "missed" : "hit");
+        } else if (!isinf(packets->hits[i]) && packets->hits[i] != singly->hits[i] &&
                    !is_zero(surface, &ray, packets->hits[i])) {
             assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
             if (hit.state == ALGSURF_HIT)
@@ -192,8 +193,8 @@ static void compare_tiers(const algsurf_surface *surface, const view *v, void *d
     picture *p = draw(surface, v, &fast), *q = draw(surface, v, &standard);
     assert_true(p->stats.undecided == 0);
     for (int k = 0; k < W * H && v->number >= 6; k++) {
-        s->part += (uint64_t)(isnan(p->hits[k]) != isnan(q->hits[k]));
-        s->whole += (uint64_t)!isnan(q->hits[k]);
+        s->part += (uint64_t)(isinf(p->hits[k]) != isinf(q->hits[k]));
+        s->whole += (uint64_t)!isinf(q->hits[k]);
     }
     free(p);
     free(q);

@@ -267,11 +267,12 @@ static long compare_with_rays(const test_view *v) {
     algsurf_scene *scene = NULL;
     algsurf_render_options how = {.size = sizeof how, .width = v->width, .height = v->height, .threads = 1};
     assert_true(bytes && hits);
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = hits};
     assert_int_equal(algsurf_surface_from_terms(v->terms, 4, &surface), ALGSURF_OK);
     assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &how, bytes, 3 * (size_t)v->width, hits, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_render(scene, &how, &planes, NULL), ALGSURF_OK);
     for (size_t i = 0; i < count; i++) {
         int x = (int)(i % (size_t)v->width), y = (int)(i / (size_t)v->width);
         algsurf_ray ray;
@@ -280,7 +281,7 @@ static long compare_with_rays(const test_view *v) {
                          ALGSURF_OK);
         assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
         alone += hit.state == ALGSURF_HIT;
-        if (hit.state == ALGSURF_UNDECIDED || (hit.state == ALGSURF_HIT) == !isnan(hits[i])) continue;
+        if (hit.state == ALGSURF_UNDECIDED || (hit.state == ALGSURF_HIT) == !isinf(hits[i])) continue;
         if (seen.lost++ < 5) show_view(v, x, y);
     }
     seen.views++;

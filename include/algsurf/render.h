@@ -47,15 +47,17 @@ ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 
 /* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
  * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
- * are the defaults, a null complex space is real space, any other null is E_ARGUMENT; so are negative colours
- * and weights, and a camera whose axes are not orthonormal.  Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
+ * are the defaults, a null complex space is real space, a null background is none, any other null is
+ * E_ARGUMENT; so are negative colours and weights, and a camera whose axes are not orthonormal.  Errors:
+ * E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
 /* At most 16 lights; count 0 removes them all.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
                                                     int count);
-/* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full.  Errors: as above.  Since 1.0. */
+/* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full; null: there is no background, and
+ * a picture with alpha is transparent there (algsurf_picture).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* How points of the surface are lit.  Errors: as above, also for a quality that is none.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
@@ -63,13 +65,14 @@ ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsu
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 /* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
  * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
- * left or right by more than 255 threshold in a channel of 0..255; any other pixel shows its middle alone. So
- * each pixel is that of one of two pictures without a threshold, n x n samples or one, and the latter tells
- * which; so are the hits, but for the last bits, which may depend on what is solved beside them.  Threshold 1
- * chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1
- * most other edges too.  A slice's upper and lower neighbours are looked at as in the whole picture. Errors:
- * E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for
- * some per cent of its pixels.  Since 1.0. */
+ * left or right by more than 255 threshold in a channel of 0..255, alpha among them, whatever the planes
+ * asked for; any other pixel shows its middle alone. So each pixel is that of one of two pictures without a
+ * threshold, n x n samples or one, and the latter tells which; so is what the other planes tell of it, but
+ * for the last bits, which may depend on what is solved beside them.  Threshold 1 chooses no pixel, and where
+ * n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1 most other edges too.  A
+ * slice's upper and lower neighbours are looked at as in the whole picture. Errors: E_ARGUMENT for a null
+ * scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for some per cent of its
+ * pixels.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */
@@ -127,32 +130,59 @@ typedef struct algsurf_render_stats {
     const char *kernel;   /* the packet code's name (algsurf_kernel_name) */
 } algsurf_render_stats;
 
+/* How the pixels of a picture lie in memory, 8 bits a channel. */
+typedef enum algsurf_pixel_format {
+    ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
+    ALGSURF_RGBA8 = 1 /* red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one
+                         it is the share of the pixel's samples that show the surface, and the colour is the
+                         average of those alone, not multiplied by alpha; both are 0 where there are none */
+} algsurf_pixel_format;
+
+/* Where a picture goes: planes of the caller's memory, which do not overlap.  A null plane is not asked for;
+ * without pixels nothing is shaded.  Each plane has an entry for each pixel of the rows drawn, top row first,
+ * from left to right.  Rows of pixels are stride bytes apart; those of the other planes follow each other
+ * without a gap.
+ *     A plane's bytes do not depend on which others are asked for.  t, normals and state tell of one sample
+ * of the pixel, the nearest.  That is the one of least t among those that show the surface or an undecided
+ * place; of several, the first, row by row.  The ray of sample (j,k) of n x n is that of algsurf_camera_ray
+ * at (x + (j+0.5)/n, y + (k+0.5)/n).  Where a threshold of antialiasing leaves a pixel its middle alone, n
+ * is 1.
+ */
+typedef struct algsurf_picture {
+    size_t size;           /* sizeof(algsurf_picture) */
+    unsigned char *pixels; /* colours: the average of the samples' clamped colours, rounded to nearest */
+    size_t stride;         /* from one row of pixels to the next, at least a row's bytes; 0: as many */
+    int format;            /* of the pixels, an algsurf_pixel_format */
+    double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
+                              space: |t|; +inf where no sample shows anything.  |t - exact| is within what
+                              rounding the ray, t and P can change, and 2^-36 of the extent's radius */
+    float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
+                              viewer; all 0 where that is, and where no sample shows anything */
+    unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the place in
+                              doubt; MISS where no sample shows anything */
+} algsurf_picture;
+
 /* Draws rows row_begin .. row_end-1 of the picture.
- *   pixels   row_end-row_begin rows of width * 3 bytes, red green blue, top row first; each row
- *            starts stride bytes after the one before, stride >= 3 * width
- *   hits     null, or (row_end-row_begin) * width doubles: t of the hit along the unit ray of the
- *            pixel (complex space: |t|), the smallest over the samples shown, NaN where none.  The ray of
- *            sample (j,k) of n x n is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n); the
- *            middle is sample (0,0) of 1 x 1; |t - exact| is within what rounding that ray, t and P can
- *            change, and 2^-36 of the extent's radius
+ *   picture  where to.  The rows drawn are rows 0 .. row_end-row_begin-1 of its planes
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at the place of doubt and counted; an undecided shadow ray counts
- * as occluded.  A pixel is the average of its samples' clamped colours, rounded to nearest.
+ * as occluded.
  * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
- * Errors: E_ARGUMENT, E_NOT_FINITE (the picture or a light leaves the range of double), E_NO_MEMORY (to draw
- * at all; or, when single rays could not be decided for want of it, everything else is drawn, they count as
- * undecided, and stats is written), E_THREAD (no locks to be had).
+ * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
+ * light leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided
+ * for want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD (no
+ * locks to be had).
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
- * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  Memory: some
- * 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 100 more, in complex space
- * 32 more for each degree, allocated once. Source: P in camera axes once a frame and by rows; Descartes' rule
- * on Bernstein coefficients for neighbouring pixels side by side.  Since 1.0. */
+ * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  t, normals and
+ * state: 1 to 4 nanoseconds a pixel.  Memory: some 200 bytes for each thread and pixel of a row, with a
+ * threshold of antialiasing 200 more, in complex space 32 more for each degree, allocated once.
+ * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
+ * neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
-                                          uint8_t *pixels, size_t stride, double *hits,
-                                          algsurf_render_stats *stats);
+                                          const algsurf_picture *picture, algsurf_render_stats *stats);
 
 #ifdef __cplusplus
 }

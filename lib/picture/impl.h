@@ -3,7 +3,7 @@
  *     render.c           checks the arguments, owns the memory, reports
  *     threads.c          hands rows to threads, calls progress, cancels
  *     processors.c       how many threads the system can run at once
- *     row.c              one row: samples -> hits -> colours -> bytes
+ *     row.c              one row: samples -> hits -> colours -> planes
  *     antialias.c        which of its pixels get all samples, and what the others show
  *     view.c             camera and extent in the units of packets
  *     pixel_range.c      the pixels of a row that may meet the extent
@@ -21,21 +21,29 @@
 
 #define ALGSURF_MAX_THREADS 256
 
-/* The points of a row that are seen through one sample of its pixels, and the pixels' sums over samples. */
+/* What the pixels of a row show, over the samples drawn so far. */
+typedef struct algsurf_i_shown {
+    uint16_t *samples; /* of each pixel: how many of its samples show a point; 0: the others mean nothing */
+    double *sum;       /* 3 for each pixel: the clamped colours of those, if colours are asked for */
+    double *nearest;   /* their smallest t */
+    double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
+    uint8_t *state;    /* the algsurf_hit_state there, or null likewise */
+} algsurf_i_shown;
+
+/* The points of a row that are seen through one sample of its pixels, and what the pixels show. */
 typedef struct algsurf_i_line {
     const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
     int wanted_count;
     int count;  /* points: hits and undecided ones */
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
+    int coloured;      /* 1: colours are asked for */
     double *colour;    /* 3 for each point */
     double *visible;   /* light_count for each point, in full quality */
     double *depth;     /* of each pixel: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
-    uint8_t *state;    /* of each pixel: an ALGSURF_LANE */
-    uint16_t *samples; /* of each pixel: how many of its samples show a point */
-    double *sum;       /* 3 for each such pixel: their clamped colours */
-    double *nearest;   /* and their smallest t */
+    uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    algsurf_i_shown shown;
 } algsurf_i_line;
 
 /* What packets need to know of a picture. */
@@ -78,9 +86,9 @@ typedef struct algsurf_i_tally {
 /* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
  * samples, there is none of it. */
 typedef struct algsurf_i_middles {
-    int end;                   /* the rows before this one have been drawn */
-    uint8_t *bytes[3];         /* 3 for each pixel */
-    double *colour[3], *t[3];  /* 3 and 1 for each pixel, as line.sum and hits */
+    int end; /* the rows before this one have been drawn */
+    algsurf_i_shown shown[3];
+    uint8_t *bytes[3];         /* of the pixels, as RGBA8, whatever is asked for */
     algsurf_i_tally counts[3]; /* of the rays through them */
     uint8_t *wanted;           /* of each pixel of the row in the making */
 } algsurf_i_middles;
@@ -107,9 +115,8 @@ typedef struct algsurf_i_picture {
     const algsurf_i_kernel *kernel;
     const algsurf_i_picture_kernel *code; /* for that kernel */
     algsurf_i_packets *packets;           /* null: every ray by itself */
-    uint8_t *pixels;
-    size_t stride;
-    double *hits;    /* or null */
+    algsurf_picture planes;
+    int channels;    /* of a pixel of the pixels plane */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;
@@ -119,26 +126,40 @@ typedef struct algsurf_i_picture {
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally);
 
-/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to the line's sums.  OK, CANCELLED
- * or what intersect returned. */
+/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to what the line shows.  OK,
+ * CANCELLED or what intersect returned. */
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_worker *worker, algsurf_i_tally *tally);
 
-/* The line's sums over so many samples of each pixel, as bytes and, unless hits is null, as hits. */
-void algsurf_i_store_line(const algsurf_i_picture *picture, const algsurf_i_line *line, int samples,
-                          uint8_t *bytes, double *hits);
+/* Is t less than that of each sample of pixel x so far? */
+static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
+    return shown->samples[x] == 0 || t < shown->nearest[x];
+}
+
+/* Adds a sample to pixel x: its clamped colour and t. */
+static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, const double colour[3],
+                                        double t) {
+    int first = shown->samples[x]++ == 0;
+    for (int k = 0; k < 3; k++) shown->sum[3 * x + k] = colour[k] + (first ? 0 : shown->sum[3 * x + k]);
+    shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
+}
+
+/* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */
+void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
+                             int channels, uint8_t *bytes);
 
 /* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
  * sets line.wanted. */
 algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                        algsurf_i_tally *tally);
 
-/* Adds the middles of a row's wanted pixels to the line's sums: where n is odd, they are a sample. */
-void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker);
+/* Adds the middles of a row's pixels to what the line shows: of those that are wanted (1), where n is odd and
+ * they are a sample; of those that are not (0), which show nothing else. */
+void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, int wanted, algsurf_i_worker *worker);
 
-/* The row's bytes and hits (or null) at the pixels that are not wanted. */
+/* The row's bytes at the pixels that are not wanted. */
 void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker,
-                             uint8_t *bytes, double *hits);
+                             uint8_t *bytes);
 
 /* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
@@ -159,7 +180,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
 algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_line *line, algsurf_i_tally *tally);
 
-/* Appends a single ray's hit at pixel x to the line's points, if it is one, and counts it. */
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and counts it. */
 void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
                         algsurf_i_tally *tally);
 

@@ -21,6 +21,18 @@ static algsurf_status read_options(const algsurf_render_options *given, algsurf_
     return good ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
+/* The planes of a picture of that width. */
+static algsurf_status read_planes(const algsurf_picture *given, int width, algsurf_i_picture *picture) {
+    algsurf_picture *planes = &picture->planes;
+    if (!given || !algsurf_options_read(planes, sizeof *planes, given)) return ALGSURF_E_ARGUMENT;
+    if (!planes->pixels) return ALGSURF_OK;
+    if (planes->format != ALGSURF_RGB8 && planes->format != ALGSURF_RGBA8) return ALGSURF_E_ARGUMENT;
+    picture->channels = planes->format == ALGSURF_RGBA8 ? 4 : 3;
+    size_t row = (size_t)picture->channels * (size_t)width;
+    if (planes->stride == 0) planes->stride = row;
+    return planes->stride >= row ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
 /* How many threads to draw with: never more than rows. */
 static int thread_count(const algsurf_render_options *options) {
     long threads = options->threads > 0 ? options->threads : algsurf_i_processors();
@@ -104,13 +116,15 @@ typedef struct work_memory {
     algsurf_i_worker *workers;
     double *doubles;  /* lines, middles and trails of all workers, the lights' samples, the frame */
     int *ints;        /* a row for each worker */
-    uint16_t *counts; /* likewise */
-    uint8_t *bytes;   /* likewise, and what their middles need */
+    uint16_t *counts; /* likewise, and of their middles */
+    uint8_t *bytes;   /* likewise */
 } work_memory;
 
-#define LINE_DOUBLES 18   /* for each pixel, besides a share of each light */
-#define MIDDLE_DOUBLES 12 /* for each pixel of a selective picture */
-#define MIDDLE_BYTES 10   /* likewise */
+#define LINE_DOUBLES 18   /* for each pixel, besides normals and a share of each light */
+#define LINE_BYTES 2      /* likewise */
+#define MIDDLE_DOUBLES 12 /* likewise, in a selective picture */
+#define MIDDLE_BYTES 16   /* likewise */
+#define MIDDLES 3         /* rows of them */
 #define APART 24          /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
 
 static double *take(double **from, size_t count) {
@@ -125,6 +139,15 @@ static uint8_t *take_bytes(uint8_t **from, size_t count) {
     return taken;
 }
 
+static void lay_out_shown(algsurf_i_shown *shown, size_t width, const algsurf_picture *planes,
+                          uint16_t *counts, double **doubles, uint8_t **bytes) {
+    shown->samples = counts;
+    shown->sum = take(doubles, 3 * (width + APART));
+    shown->nearest = take(doubles, width + APART);
+    shown->normal = planes->normals ? take(doubles, 3 * (width + APART)) : NULL;
+    shown->state = planes->state ? take_bytes(bytes, width) : NULL;
+}
+
 static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
     width += APART;
     line->points.t = take(doubles, width);
@@ -135,16 +158,14 @@ static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, doub
     }
     line->colour = take(doubles, 3 * width);
     line->depth = take(doubles, width);
-    line->sum = take(doubles, 3 * width);
-    line->nearest = take(doubles, width);
     line->visible = take(doubles, lights * width);
 }
 
-static void lay_out_middles(algsurf_i_middles *middles, size_t width, double **doubles, uint8_t **bytes) {
-    for (int slot = 0; slot < 3; slot++) {
-        middles->colour[slot] = take(doubles, 3 * width);
-        middles->t[slot] = take(doubles, width);
-        middles->bytes[slot] = take_bytes(bytes, 3 * width);
+static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algsurf_picture *planes,
+                            uint16_t *counts, double **doubles, uint8_t **bytes) {
+    for (size_t slot = 0; slot < MIDDLES; slot++) {
+        lay_out_shown(&middles->shown[slot], width, planes, counts + slot * width, doubles, bytes);
+        middles->bytes[slot] = take_bytes(bytes, 4 * width);
     }
     middles->wanted = take_bytes(bytes, width);
 }
@@ -163,27 +184,29 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
     size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
-    size_t middle = picture->selective ? 1 : 0;
+    size_t middle = picture->selective ? 1 : 0, rows = 1 + middle * MIDDLES;
+    const algsurf_picture *planes = &picture->planes;
     size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
+    size_t doubles_each = LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
+                          (roots > 0) + 2 * roots;
     memory->workers = calloc(count, sizeof *memory->workers);
     memory->doubles =
-        calloc(count * (width + APART) *
-                       (LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (roots > 0) + 2 * roots) +
-                   frame + 3 * samples,
-               sizeof *memory->doubles);
+        calloc(count * (width + APART) * doubles_each + frame + 3 * samples, sizeof *memory->doubles);
     memory->ints = calloc(count * width, sizeof *memory->ints);
-    memory->counts = calloc(count * width, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, 1 + middle * MIDDLE_BYTES);
+    memory->counts = calloc(count * width * rows, sizeof *memory->counts);
+    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES);
     if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes) return 0;
     double *doubles = memory->doubles;
     uint8_t *bytes = memory->bytes;
     for (size_t i = 0; i < count; i++) {
         algsurf_i_worker *worker = &memory->workers[i];
         worker->line.pixel = memory->ints + i * width;
-        worker->line.samples = memory->counts + i * width;
+        uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         lay_out_line(&worker->line, width, lights, &doubles);
-        if (picture->selective) lay_out_middles(&worker->middles, width, &doubles, &bytes);
+        lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
+        if (picture->selective)
+            lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
         if (roots == 0) continue;
         worker->line.imaginary = take(&doubles, width + APART);
         worker->trail.x = take(&doubles, roots * width);
@@ -233,20 +256,19 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
 
 /* In the standard environment. */
 static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
-                                              const algsurf_render_options *options, uint8_t *pixels,
-                                              size_t stride, double *hits, algsurf_render_stats *stats) {
+                                              const algsurf_render_options *options,
+                                              const algsurf_picture *planes, algsurf_render_stats *stats) {
     double begin = algsurf_i_render_clock();
     algsurf_i_packets packets;
-    algsurf_i_picture picture = {.pixels = pixels, .stride = stride, .hits = hits, .packets = &packets};
+    algsurf_i_picture picture = {.packets = &packets};
     algsurf_render_options o;
     algsurf_i_tally total = {0};
     int threads = 0;
 
-    if (!scene || !pixels || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
+    if (!scene || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
-    if (status != ALGSURF_OK) return status;
-    if (stride < 3 * (size_t)o.width) return ALGSURF_E_ARGUMENT;
-    status = prepare(scene, &o, &picture);
+    if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
+    if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);
     if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
     if (status >= 0 && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
     if ((status >= 0 || total.without_memory > 0) && stats)
@@ -255,10 +277,10 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
 }
 
 algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
-                              uint8_t *pixels, size_t stride, double *hits, algsurf_render_stats *stats) {
+                              const algsurf_picture *picture, algsurf_render_stats *stats) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = render(scene, options, pixels, stride, hits, stats);
+    algsurf_status status = render(scene, options, picture, stats);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -1,9 +1,10 @@
 /* row.c - one row of a picture.
  *
  * A row is drawn in n x n passes, one for each sample of the pixels' grid: first all rays of the pass
- * meet the surface, then all hits are shaded.  So the buffer holds one row of one sample, however many
- * samples a pixel has, and solving and shading can be timed with two clock readings a pass.  In a selective
- * picture the passes are for the wanted pixels, and the others show their middles (antialias.c).
+ * meet the surface, then all hits are shaded, if colours are asked for.  So the buffer holds one row of one
+ * sample, however many samples a pixel has, and solving and shading can be timed with two clock readings a
+ * pass.  In a selective picture the passes are for the wanted pixels, and the others show their middles
+ * (antialias.c).
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
@@ -26,10 +27,14 @@ static int stopped(const algsurf_i_picture *picture) {
     return atomic_load_explicit(&picture->stop, memory_order_relaxed);
 }
 
+/* So line->state tells of every point what it is. */
+_Static_assert((int)ALGSURF_LANE_HIT == (int)ALGSURF_HIT, "both are the state of a pixel");
+
 void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
                         algsurf_i_tally *tally) {
     const algsurf_i_points *points = &line->points;
     int i = line->count;
+    line->state[x] = (uint8_t)hit->state;
     tally->hits += hit->state == ALGSURF_HIT;
     tally->undecided += hit->state == ALGSURF_UNDECIDED;
     if (hit->state == ALGSURF_MISS) return;
@@ -90,42 +95,77 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
 
 static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
 
-/* Adds a pass's colours to the pixels' sums. */
-static void add_pass(algsurf_i_line *line) {
+/* Before a pass's points are added: the normals and states of those that are nearest. */
+static void keep_nearest(const algsurf_i_line *line) {
+    const algsurf_i_points *points = &line->points;
+    double *normal = line->shown.normal;
+    uint8_t *state = line->shown.state;
+    if (!normal && !state) return;
     for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i], first = line->samples[x]++ == 0;
-        double t = line->points.t[i];
-        for (int k = 0; k < 3; k++)
-            line->sum[3 * x + k] = clamped(line->colour[3 * i + k]) + (first ? 0 : line->sum[3 * x + k]);
-        line->nearest[x] = first || t < line->nearest[x] ? t : line->nearest[x];
+        int x = line->pixel[i];
+        if (!algsurf_i_is_nearest(&line->shown, x, points->t[i])) continue;
+        if (state) state[x] = line->state[x];
+        for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
+    }
+}
+
+/* Adds a pass's points to what the pixels show. */
+static void add_pass(const algsurf_i_line *line) {
+    for (int i = 0; i < line->count; i++) {
+        const double *colour = line->colour + 3 * i;
+        const double shown[3] = {clamped(colour[0]), clamped(colour[1]), clamped(colour[2])};
+        algsurf_i_add_sample(&line->shown, line->pixel[i], shown, line->points.t[i]);
     }
 }
 
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
-/* The averages over all samples as bytes; samples without a point show the background. */
-static void store_colours(const algsurf_i_picture *picture, const algsurf_i_line *line, int all,
-                          uint8_t *bytes) {
-    double share = 1.0 / all;
-    size_t length = 3 * (size_t)picture->width, done = 3;
+/* Averages over all samples; those without a point show the background.  Where there is none, alpha is the
+ * share of the others, and the average is over them.  With a known number of channels it is faster. */
+static inline void store_averages(const algsurf_i_shown *shown, int all, const double sky[3], int transparent,
+                                  int channels, int width, uint8_t *bytes) {
+    const uint16_t *counts = shown->samples;
+    const double *sums = shown->sum, share = 1.0 / all;
+    for (int x = 0; x < width; x++) {
+        int samples = counts[x];
+        const double *sum = sums + 3 * x;
+        uint8_t *pixel = bytes + channels * x;
+        if (samples == 0) continue;
+        double weight = transparent && channels == 4 ? 1.0 / samples : share;
+        for (int k = 0; k < 3; k++) pixel[k] = byte_of((sum[k] + (all - samples) * sky[k]) * weight);
+        if (channels == 4) pixel[3] = transparent ? byte_of(samples * share) : 255;
+    }
+}
+
+void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
+                             int channels, uint8_t *bytes) {
+    int transparent = picture->scene->transparent, width = picture->width;
+    size_t length = (size_t)channels * (size_t)width, done = (size_t)channels;
     double sky[3];
     for (int k = 0; k < 3; k++) {
         sky[k] = clamped(picture->scene->background[k]);
         bytes[k] = byte_of(sky[k]);
     }
+    if (channels == 4) bytes[3] = transparent ? 0 : 255;
     for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
-    for (int x = 0; x < picture->width; x++) {
-        int samples = line->samples[x];
-        const double *sum = line->sum + 3 * x;
-        if (samples == 0) continue;
-        for (int k = 0; k < 3; k++) bytes[3 * x + k] = byte_of((sum[k] + (all - samples) * sky[k]) * share);
-    }
+    if (channels == 4)
+        store_averages(shown, all, sky, transparent, 4, width, bytes);
+    else
+        store_averages(shown, all, sky, transparent, 3, width, bytes);
 }
 
-void algsurf_i_store_line(const algsurf_i_picture *picture, const algsurf_i_line *line, int samples,
-                          uint8_t *bytes, double *hits) {
-    store_colours(picture, line, samples, bytes);
-    for (int x = 0; hits && x < picture->width; x++) hits[x] = line->samples[x] > 0 ? line->nearest[x] : NAN;
+/* The planes besides the pixels, from entry `first` on. */
+static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown *shown, size_t first,
+                           int width) {
+    const uint16_t *samples = shown->samples;
+    for (int x = 0; planes->t && x < width; x++)
+        planes->t[first + (size_t)x] = samples[x] > 0 ? shown->nearest[x] : INFINITY;
+    for (int x = 0; planes->state && x < width; x++)
+        planes->state[first + (size_t)x] = samples[x] > 0 ? shown->state[x] : ALGSURF_MISS;
+    for (int x = 0; planes->normals && x < width; x++) {
+        float *normal = planes->normals + 3 * (first + (size_t)x);
+        for (int k = 0; k < 3; k++) normal[k] = samples[x] > 0 ? (float)shown->normal[3 * x + k] : 0;
+    }
 }
 
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -135,18 +175,26 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     if (stopped(picture)) return ALGSURF_CANCELLED;
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
-    if (status == ALGSURF_OK) status = shade_line(picture, line, tally);
-    if (status == ALGSURF_OK) add_pass(line);
+    if (status == ALGSURF_OK && line->coloured) status = shade_line(picture, line, tally);
+    if (status == ALGSURF_OK) {
+        keep_nearest(line);
+        add_pass(line);
+    }
     return status;
 }
 
-static void store_row(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker) {
+static void store_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+    const algsurf_picture *planes = &picture->planes;
+    const algsurf_i_shown *shown = &worker->line.shown;
     size_t index = (size_t)(row - picture->row_begin);
-    uint8_t *bytes = picture->pixels + index * picture->stride;
-    double *hits = picture->hits ? picture->hits + index * (size_t)picture->width : NULL;
     int n = picture->scene->antialias;
-    algsurf_i_store_line(picture, &worker->line, n * n, bytes, hits);
-    if (picture->selective) algsurf_i_store_middles(picture, row, worker, bytes, hits);
+    if (planes->pixels) {
+        uint8_t *bytes = planes->pixels + index * planes->stride;
+        algsurf_i_store_colours(picture, shown, n * n, picture->channels, bytes);
+        if (picture->selective) algsurf_i_store_middles(picture, row, worker, bytes);
+    }
+    if (picture->selective) algsurf_i_add_middles(picture, row, 0, worker);
+    store_geometry(planes, shown, index * (size_t)picture->width, picture->width);
 }
 
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
@@ -157,10 +205,11 @@ algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, a
     line->wanted = NULL;
     line->wanted_count = picture->width;
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
-    memset(line->samples, 0, (size_t)picture->width * sizeof *line->samples);
+    line->coloured = picture->planes.pixels != NULL;
+    memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
     for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
         if (picture->selective && 2 * k + 1 == n * n)
-            algsurf_i_add_middles(picture, row, worker);
+            algsurf_i_add_middles(picture, row, 1, worker);
         else
             status = algsurf_i_render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
     }

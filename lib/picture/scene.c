@@ -98,9 +98,10 @@ algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_ligh
 
 algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = algsurf_i_colour_check(colour);
+    algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
     if (status != ALGSURF_OK) return status;
-    for (int i = 0; i < 3; i++) scene->background[i] = colour[i];
+    for (int i = 0; i < 3; i++) scene->background[i] = colour ? colour[i] : 0;
+    scene->transparent = !colour;
     return ALGSURF_OK;
 }
 

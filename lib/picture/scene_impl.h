@@ -11,8 +11,9 @@ struct algsurf_scene {
     algsurf_camera camera;
     algsurf_material material;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
-    int light_count; /* -1: the default lights, which depend on camera and extent */
-    double background[3];
+    int light_count;      /* -1: the default lights, which depend on camera and extent */
+    double background[3]; /* 0 where there is none, */
+    int transparent;      /* which this tells: 1 */
     algsurf_quality quality;
     int antialias;
     double antialias_threshold; /* 0: every pixel gets all its samples */

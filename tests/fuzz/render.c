@@ -12,6 +12,8 @@ enum { MOST_TERMS = 24, MOST_DEGREE = 12, SIDE = 8, PIXELS = SIDE * SIDE };
 typedef struct picture {
     uint8_t bytes[3 * PIXELS];
     double hits[PIXELS];
+    float normals[3 * PIXELS];
+    unsigned char states[PIXELS];
     algsurf_render_stats stats;
 } picture;
 
@@ -53,10 +55,12 @@ static int read_camera(fuzz_numbers *in, algsurf_camera *camera) {
 static algsurf_status draw(const view *v, const char *kernel, picture *p) {
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     const algsurf_render_options o = {.size = sizeof o, .width = SIDE, .height = SIDE, .threads = 1};
+    const algsurf_picture planes = {
+        .size = sizeof planes, .pixels = p->bytes, .t = p->hits, .normals = p->normals, .state = p->states};
     memset(p, 0x5a, sizeof *p);
     p->stats.size = sizeof p->stats;
     fuzz_check(algsurf_scene_set_intersect(v->scene, &how) == ALGSURF_OK);
-    algsurf_status status = algsurf_render(v->scene, &o, p->bytes, 3 * SIDE, p->hits, &p->stats);
+    algsurf_status status = algsurf_render(v->scene, &o, &planes, &p->stats);
     fuzz_check(status == ALGSURF_OK || status == ALGSURF_E_NOT_FINITE);
     return status;
 }
@@ -82,12 +86,12 @@ static void check_pixels(const view *v, const picture *p) {
     for (int i = 0; i < PIXELS; i++) {
         int state = ALGSURF_MISS;
         double t[2];
-        fuzz_check(isnan(p->hits[i]) || p->hits[i] >= 0);
+        fuzz_check(p->hits[i] >= 0 && p->states[i] <= ALGSURF_UNDECIDED);
         if (!answers_around(v, i, &state, t)) continue;
-        if ((state == ALGSURF_HIT) != !isnan(p->hits[i]))
+        if (state != p->states[i])
             fprintf(stderr, "pixel %d,%d: %a, single rays say %d at %a\n", i % SIDE, i / SIDE, p->hits[i],
                     state, t[0]);
-        fuzz_check((state == ALGSURF_HIT) == !isnan(p->hits[i]));
+        fuzz_check(state == p->states[i]);
         double slack = 8 * (t[1] - t[0]) + 1e-9 * t[1];
         if (state == ALGSURF_HIT && !(p->hits[i] >= t[0] - slack && p->hits[i] <= t[1] + slack))
             fprintf(stderr, "pixel %d,%d: %a, single rays say %a to %a\n", i % SIDE, i / SIDE, p->hits[i],
@@ -101,7 +105,7 @@ static void check_picture(const view *v) {
     const char *kernel = algsurf_kernel_name(0);
     if (draw(v, kernel, &p) != ALGSURF_OK) return;
     uint64_t samples = (uint64_t)(PIXELS * v->samples * v->samples), drawn = 0;
-    for (int i = 0; i < PIXELS; i++) drawn += isnan(p.hits[i]) ? 0 : 1;
+    for (int i = 0; i < PIXELS; i++) drawn += p.states[i] != ALGSURF_MISS;
     fuzz_check(p.stats.rays == samples && p.stats.hits + p.stats.undecided <= samples);
     fuzz_check(drawn <= p.stats.hits + p.stats.undecided);
     fuzz_check(v->samples > 1 || drawn == p.stats.hits + p.stats.undecided);
@@ -109,6 +113,8 @@ static void check_picture(const view *v) {
         fuzz_check(draw(v, kernel, &other) == ALGSURF_OK);
         fuzz_check(memcmp(p.bytes, other.bytes, sizeof p.bytes) == 0);
         fuzz_check(memcmp(p.hits, other.hits, sizeof p.hits) == 0);
+        fuzz_check(memcmp(p.normals, other.normals, sizeof p.normals) == 0);
+        fuzz_check(memcmp(p.states, other.states, sizeof p.states) == 0);
     }
     if (v->samples == 1) check_pixels(v, &p);
 }
