@@ -5,6 +5,7 @@
  *   right or lower neighbour not looked at, >= for >, one channel left out           one_of_two
  *   rows beyond a slice or a batch not looked at; a row's place in the ring wrong     one_of_two, same_bytes
  *   middle not added for odd n, or added twice                                       one_of_two
+ *   its normal taken though another sample is nearer                                 one_of_two
  *   unwanted pixels of a run sampled, or of a row that is left to single rays        counts_as_by_rays
  *   counts of rows that are only looked at                                           same_bytes
  *   roots of pixels that were left out taken for start values                        same_bytes
@@ -24,7 +25,7 @@
 static const struct way {
     const char *name;
     algsurf_quality quality;
-    algsurf_method method;
+    int method;
     int complex;
     algsurf_coherence coherence;
 } ways[] = {
@@ -73,6 +74,10 @@ static int same_hit(double a, double b) {
     return isinf(a) || isinf(b) ? a == b : fabs(a - b) <= 0x1p-44 * fabs(b);
 }
 
+static int same_normal(const float *a, const float *b) {
+    return fmaxf(fabsf(a[0] - b[0]), fmaxf(fabsf(a[1] - b[1]), fabsf(a[2] - b[2]))) <= 1e-6F;
+}
+
 static void check(const struct way *way, const picture *one, const picture *all, const picture *p, int n,
                   double threshold) {
     uint64_t chosen = 0;
@@ -80,7 +85,8 @@ static void check(const struct way *way, const picture *one, const picture *all,
         int x = i % W, y = i / W, out = stands_out(one->bytes, STRIDE, W, H, x, y, threshold);
         const picture *expected = out ? all : one;
         if (memcmp(p->bytes + y * STRIDE + 3 * x, expected->bytes + y * STRIDE + 3 * x, 3) != 0 ||
-            !same_hit(p->hits[i], expected->hits[i]))
+            !same_hit(p->hits[i], expected->hits[i]) || p->states[i] != expected->states[i] ||
+            !same_normal(p->normals + 3 * i, expected->normals + 3 * i))
             fail_msg("%s, n = %d, threshold %g: pixel %d,%d is not that of %s", way->name, n, threshold, x, y,
                      out ? "n x n samples" : "one sample");
         chosen += (uint64_t)out;

@@ -26,7 +26,7 @@ static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 
 /* Ways to draw: by packets, ray by ray, in complex space, each through a pinhole or in parallel. */
 static const struct way {
     const char *name;
-    algsurf_method method;
+    int method;
     int complex, parallel;
 } ways[] = {
     {"packets", ALGSURF_METHOD_DEFAULT, 0, 0}, {"parallel packets", ALGSURF_METHOD_DEFAULT, 0, 1},
@@ -131,7 +131,7 @@ static void nearest_sample(void **state) {
 
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
 static void undecided(void **state) {
-    static const algsurf_doubt doubts[] = {ALGSURF_DOUBT_REPORT, ALGSURF_DOUBT_HIT, ALGSURF_DOUBT_MISS};
+    static const int doubts[] = {ALGSURF_DOUBT_REPORT, ALGSURF_DOUBT_HIT, ALGSURF_DOUBT_MISS};
     static const int told[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);

@@ -142,7 +142,7 @@ export interface Picture {
     rays: number;
     hits: number;
     undecided: number;
-    /** If asked for: the distance from the eye for each pixel, NaN where nothing is hit. */
+    /** If asked for: the distance from the eye for each pixel, Infinity where nothing is hit. */
     t?: Float64Array;
 }
 

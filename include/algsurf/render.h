@@ -132,7 +132,7 @@ typedef struct algsurf_render_stats {
 
 /* How the pixels of a picture lie in memory, 8 bits a channel. */
 typedef enum algsurf_pixel_format {
-    ALGSURF_RGB8 = 0, /* red, green, blue.  Where a scene has no background, it is black */
+    ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
     ALGSURF_RGBA8 = 1 /* red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one
                          it is the share of the pixel's samples that show the surface, and the colour is the
                          average of those alone, not multiplied by alpha; both are 0 where there are none */
@@ -143,9 +143,11 @@ typedef enum algsurf_pixel_format {
  * from left to right.  Rows of pixels are stride bytes apart; those of the other planes follow each other
  * without a gap.
  *     A plane's bytes do not depend on which others are asked for.  t, normals and state tell of one sample
- * of the pixel, the nearest: that of least t among those that show the surface or an undecided place, of
- * several the first, row by row.  Its ray is that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n) for
- * sample (j,k) of n x n; where a threshold leaves a pixel its middle alone, that is sample (0,0) of 1 x 1. */
+ * of the pixel, the nearest.  That is the one of least t among those that show the surface or an undecided
+ * place; of several, the first, row by row.  The ray of sample (j,k) of n x n is that of algsurf_camera_ray
+ * at (x + (j+0.5)/n, y + (k+0.5)/n).  Where a threshold of antialiasing leaves a pixel its middle alone, n
+ * is 1.
+ */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* colours: the average of the samples' clamped colours, rounded to nearest */
@@ -168,16 +170,18 @@ typedef struct algsurf_picture {
  * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
- * Errors: E_ARGUMENT (a bad option, stride, format or size; null), E_NOT_FINITE (the picture or a light
- * leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided for
- * want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD (no locks to
- * be had). Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn
- * by packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; the other planes take
- * less than a nanosecond each; samples that packets leave in doubt, and all of other scenes, cost an
- * intersection each.  A shadow ray a light sample. Memory: some 200 bytes for each thread and pixel of a row,
- * with a threshold of antialiasing 100 more, in complex space 32 more for each degree, allocated once.  59
- * KiB of stack. Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients
- * for neighbouring pixels side by side.  Since 1.0. */
+ * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
+ * light leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided
+ * for want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD (no
+ * locks to be had).
+ * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
+ * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
+ * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  t, normals and
+ * state: 1 to 4 nanoseconds a pixel.
+ * Memory: some 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 200 more, in
+ * complex space 32 more for each degree, allocated once.  60 KiB of stack.
+ * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
+ * neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           const algsurf_picture *picture, algsurf_render_stats *stats);
 
