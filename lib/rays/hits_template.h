@@ -43,6 +43,13 @@ INLINE lanes last_step(const algsurf_surface *s, const ray_lanes *r, mask which,
     }
 }
 
+/* The same, for whoever watches: apart from what nobody watches, which then keeps its registers. */
+APART void tell_last_step(const algsurf_surface *s, const ray_lanes *r, const packet *k,
+                          const lanes far_t_low[3]) {
+    lanes x[PAIR][3], gradient[3], far = far_t_low[0], low = far_t_low[2];
+    (void)last_step(s, r, k->hit, &far, far_t_low[1], &low, x, gradient, k->watch);
+}
+
 /* [t_lo,t_hi] around t, narrower than the bracket where the signs of P itself show it.
  *
  * P(X(t)) at a double t is off by at most E: `along` rounds X once, but for 2^-100 (|o| + |t d|), which 2^-30
@@ -82,7 +89,11 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
     lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
-    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient, watch_of(k));
+    if (watch_of(k)) {
+        const lanes begin[3] = {far, t, low};
+        tell_last_step(job->surface, r, k, begin);
+    }
+    lanes step = last_step(job->surface, r, k->hit, &far, t, &low, x, gradient, NULL);
     lanes pad = 0x1p-50 * (absolute(middle) + half);
     hit->t_lo =
         choose(at_most(c->p, all_lanes(0)), r->near, larger(r->near, middle + half * (2 * c->p - 1) - pad));

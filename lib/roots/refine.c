@@ -160,7 +160,8 @@ static double told(double t, void *data) {
     algsurf_i_polynomial *p = data;
     p->engine = ALGSURF_ENGINE_DOUBLES;
     double y = p->inner(t, data);
-    algsurf_i_tell_point(&p->watch, t, y, -p->exponent, p->engine);
+    const algsurf_i_watch watch = {.observer = p->observer};
+    algsurf_i_tell_point(&watch, t, y, -p->exponent, p->engine);
     return y;
 }
 
@@ -176,11 +177,11 @@ static void balance(algsurf_i_polynomial *p, double *room) {
 
 /* Does a root lie between neighbouring doubles?  Signs tell nothing of two roots, nor of a double one. */
 static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo, double hi) {
-    const algsurf_i_watch *watch = p->watch.observer ? &p->watch : NULL;
+    const algsurf_i_watch watch = {.observer = p->observer};
     algsurf_real_root root;
     int count;
-    algsurf_status status =
-        algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, &root, 1, &count, watch);
+    algsurf_status status = algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, &root, 1, &count,
+                                                   p->observer ? &watch : NULL);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 
@@ -231,13 +232,13 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, doubl
                                                    algsurf_refined_root *result) {
     algsurf_i_search s = {.data = &p};
     algsurf_method method;
-    algsurf_status status = prepare(&s, options, &method, &p.watch.observer);
+    algsurf_status status = prepare(&s, options, &method, &p.observer);
     if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
     for (int i = 0; status == ALGSURF_OK && i <= p.given.degree; i++)
         if (!isfinite(p.c[i])) status = ALGSURF_E_NOT_FINITE;
     if (status != ALGSURF_OK) return status;
     p.inner = method == ALGSURF_METHOD_DEFAULT ? algsurf_i_polynomial_certain : plain_value;
-    s.f = p.watch.observer ? told : p.inner;
+    s.f = p.observer ? told : p.inner;
     status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
                                               : refine_plain(&s, &p, lo, hi, method, result);
     if (status >= 0) result->value = algsurf_i_polynomial_unscaled(&p, result->value);

@@ -64,8 +64,8 @@ typedef struct algsurf_i_polynomial {
     double newton; /* Newton's step at the last point: from algsurf_i_polynomial_certain */
     int no_memory; /* a value could not be told, and is NaN */
     algsurf_function inner;
-    int engine;            /* that found the last value: set to the doubles' by who asks */
-    algsurf_i_watch watch; /* its observer null: nobody looks */
+    int engine;                 /* that found the last value: set to the doubles' by who asks */
+    algsurf_observer *observer; /* null: nobody looks */
 } algsurf_i_polynomial;
 
 /* Scales p, with unit and exponent 0, for |t| <= farthest, into c and r if there is need. */
