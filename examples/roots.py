@@ -6,16 +6,14 @@
 
 All roots: prints, for each box, real or complex, number of roots in it, re, im, and the box's widths in re and
 im.  Real roots: multiplicity, the root to the last place, and the doubles on both sides of it.
-The shared library is looked for where the system looks: installed, or in LD_LIBRARY_PATH (macOS:
-DYLD_LIBRARY_PATH; Windows: the folders of PATH).
+The shared library is looked for where the system looks: installed, or in LD_LIBRARY_PATH.
 """
 import ctypes as ct
 import math
 import sys
 
-FILES = {"darwin": "libalgsurf.1.dylib", "win32": "libalgsurf-1.dll"}
 try:
-    lib = ct.CDLL(FILES.get(sys.platform, "libalgsurf.so.1"), winmode=0)
+    lib = ct.CDLL("libalgsurf.so.1")
 except OSError as error:
     sys.exit(f"roots.py: {error}")
 lib.algsurf_status_text.restype = ct.c_char_p
