@@ -52,12 +52,22 @@ void shortest_fill(shortest_powers *powers) {
 
 /* ---- the digits ---- */
 
-__extension__ typedef unsigned __int128 wide;
+/* The upper 64 bits of a b, and the lower ones; no integer has to have more, which on 32-bit machines none
+ * has. */
+static uint64_t product(uint64_t a, uint64_t b, uint64_t *low) {
+    const uint64_t half = 0xffffffffu;
+    uint64_t al = a & half, ah = a >> 32, bl = b & half, bh = b >> 32;
+    uint64_t middle = ah * bl + (al * bl >> 32), other = al * bh + (middle & half);
+    *low = a * b;
+    return ah * bh + (middle >> 32) + (other >> 32);
+}
 
 /* The upper 64 bits of the product, the last one set if anything is below. */
 static uint64_t round_to_odd(uint64_t high, uint64_t low, uint64_t c) {
-    wide sum = (wide)high * c + (uint64_t)((wide)low * c >> 64);
-    return (uint64_t)(sum >> 64) | ((uint64_t)sum > 1);
+    uint64_t below, sum, carried = product(low, c, &below), top = product(high, c, &sum);
+    sum += carried;
+    top += sum < carried;
+    return top | (sum > 1);
 }
 
 /* floor(log10(2^q)), or of 3/4 2^q; floor(log2(10^k)): right for all exponents here. */
