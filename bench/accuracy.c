@@ -86,10 +86,10 @@ static void make_lines(record *r) {
     line *l = r->line;
     for (int method = 0; method < METHODS; method++)
         for (int tier = 0; tier < TIERS; tier++)
-            (l++)->setting = (setting){WAY_SINGLE, (algsurf_method)method, (algsurf_tier)tier, 0};
+            (l++)->setting = (setting){WAY_SINGLE, (int)method, (int)tier, 0};
     for (int w = WAY_PACKET; w <= WAY_PICTURE; w++)
         for (int tier = 0; tier < TIERS; tier++)
-            (l++)->setting = (setting){(way)w, ALGSURF_METHOD_DEFAULT, (algsurf_tier)tier, 0};
+            (l++)->setting = (setting){(way)w, ALGSURF_METHOD_DEFAULT, (int)tier, 0};
 }
 
 static setting setting_at(const line *l, int tolerance) {

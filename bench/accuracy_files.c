@@ -61,8 +61,7 @@ static int by_error(const void *left, const void *right) {
 
 /* The settings of the tier without a wrong answer, of which no other is both faster and closer: a staircase
  * that ends at the largest error shown. */
-static plot_series front_of(const record *r, algsurf_tier tier, way last, const char *name, double *x,
-                            double *y) {
+static plot_series front_of(const record *r, int tier, way last, const char *name, double *x, double *y) {
     point all[POINTS];
     size_t count = 0, kept = 0;
     for (const line *l = r->line; l < r->line + LINES; l++)
@@ -80,7 +79,7 @@ static plot_series front_of(const record *r, algsurf_tier tier, way last, const 
     return (plot_series){name, PLOT_STEPS, x, y, kept + 1};
 }
 
-static void fill_panel(panel *p, const record *r, algsurf_tier tier) {
+static void fill_panel(panel *p, const record *r, int tier) {
     int n = 0;
     for (const line *l = r->line; l < r->line + LINES; l++) {
         if (l->setting.tier != tier) continue;
@@ -111,8 +110,7 @@ static void write_charts(const record *r, const char *folder) {
     static const char about[] =
         "Each mark is one tolerance, from 1e-1 on the right to 1e-15 and 0 on the left.  A front joins the "
         "settings without a wrong answer that no other beats in both.";
-    static const algsurf_tier tiers[TIERS] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED,
-                                              ALGSURF_TIER_CERTIFIED};
+    static const int tiers[TIERS] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     char name[TEXT];
     panel *panels = calloc(TIERS, sizeof *panels);
     plot plots[TIERS];

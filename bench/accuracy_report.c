@@ -18,7 +18,7 @@ double line_ns(const line *l, int tolerance, double share) {
     return 1e9 * measure_quantile(l->seconds[tolerance], l->taken, share);
 }
 
-const line *record_line(const record *r, way w, algsurf_method method, algsurf_tier tier) {
+const line *record_line(const record *r, way w, int method, int tier) {
     const line *l = r->line;
     while (l->setting.way != w || l->setting.method != method || l->setting.tier != tier) l++;
     return l;
@@ -87,8 +87,8 @@ typedef struct range {
 /* Time of one setting in units of another's. */
 typedef struct ratio {
     way way, unit_way;
-    algsurf_method method, unit_method;
-    algsurf_tier tier, unit_tier;
+    int method, unit_method;
+    int tier, unit_tier;
     int tolerance, unit_tolerance;
 } ratio;
 
@@ -163,7 +163,7 @@ static size_t undecided_of(const record *records, int count) {
 }
 
 /* The least tolerance from which on pictures do not change, over all surfaces. */
-static double settled(const record *records, int count, algsurf_method method) {
+static double settled(const record *records, int count, int method) {
     int most = 0;
     way w = method == ALGSURF_METHOD_DEFAULT ? WAY_PICTURE : WAY_SINGLE;
     for (const record *r = records; r < records + count; r++) {

@@ -28,7 +28,7 @@ typedef struct record {
 double line_ns(const line *l, int tolerance, double share);
 
 /* The line of that setting. */
-const line *record_line(const record *r, way w, algsurf_method method, algsurf_tier tier);
+const line *record_line(const record *r, way w, int method, int tier);
 
 void report_table(const record *r);
 void report_advice(const record *records, int count);

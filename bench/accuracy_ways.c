@@ -34,12 +34,12 @@ const char *way_name(way w) {
     return names[w];
 }
 
-const char *method_name(algsurf_method method) {
+const char *method_name(int method) {
     static const char *const names[] = {"default", "brent", "bisection", "regula-falsi"};
     return names[method];
 }
 
-const char *tier_name(algsurf_tier tier) {
+const char *tier_name(int tier) {
     static const char *const names[] = {"certified", "bounded", "fast"};
     return names[tier];
 }

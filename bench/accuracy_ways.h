@@ -11,14 +11,14 @@ typedef enum way {
 
 typedef struct setting {
     way way;
-    algsurf_method method;
-    algsurf_tier tier;
+    int method;
+    int tier;
     double tolerance;
 } setting;
 
 const char *way_name(way w);
-const char *method_name(algsurf_method method);
-const char *tier_name(algsurf_tier tier);
+const char *method_name(int method);
+const char *tier_name(int tier);
 
 /* A view, and room for its answers. */
 typedef struct ways ways;

@@ -114,7 +114,7 @@ typedef struct task {
     size_t ray;
 } task;
 
-static void ask(const task *w, algsurf_tier tier) {
+static void ask(const task *w, int tier) {
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
     const example *e = w->example;
     algsurf_hit hit;

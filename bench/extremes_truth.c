@@ -194,7 +194,7 @@ static int ask_packet(const scene *s, const answers *a) {
 }
 
 int scene_ask(const scene *s, manner m, const answers *a) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+    static const int tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     if (m == MANNER_PACKET) return ask_packet(s, a);
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tiers[m]};
     for (size_t i = 0; i < s->count; i++) {

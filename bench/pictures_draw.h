@@ -20,9 +20,9 @@ typedef enum duty {
 typedef struct manner {
     const char *name, *kernel; /* kernel null: the fastest */
     int threads;               /* as algsurf_render_options */
-    algsurf_tier tier;
+    int tier;
     algsurf_quality quality;
-    algsurf_method method;
+    int method;
     int antialias; /* n x n samples a pixel; 0: one */
     double threshold;
     int lifted; /* the surface plus a constant that leaves no zero inside the extent */

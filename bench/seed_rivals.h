@@ -11,9 +11,9 @@ typedef algsurf_status seed_solver(const double *c, int degree, double lo, doubl
 typedef struct seed_method {
     const char *name;
     seed_solver *solve;
-    algsurf_method method; /* for the library's */
-    int library;           /* else a rival */
-    int may_fail;          /* its stopping rule cannot tell near from slow: its wrong roots are counted */
+    int method;   /* for the library's */
+    int library;  /* else a rival */
+    int may_fail; /* its stopping rule cannot tell near from slow: its wrong roots are counted */
 } seed_method;
 
 enum { SEED_BISECTION, SEED_REGULA_FALSI, SEED_BRENT, SEED_DEFAULT, SEED_OWN, SEED_METHODS = 7 };

@@ -269,14 +269,14 @@ int cli_choice(const cli_option *option, const char *value) {
 }
 
 void cli_set_method(const cli_option *option, const char *value, void *field) {
-    static const algsurf_method methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT,
-                                             ALGSURF_METHOD_BISECTION, ALGSURF_METHOD_REGULA_FALSI};
-    *(algsurf_method *)field = methods[cli_choice(option, value)];
+    static const int methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT, ALGSURF_METHOD_BISECTION,
+                                  ALGSURF_METHOD_REGULA_FALSI};
+    *(int *)field = methods[cli_choice(option, value)];
 }
 
 void cli_set_tier(const cli_option *option, const char *value, void *field) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_FAST};
-    *(algsurf_tier *)field = tiers[cli_choice(option, value)];
+    static const int tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_FAST};
+    *(int *)field = tiers[cli_choice(option, value)];
 }
 
 void cli_set_tolerance(const cli_option *option, const char *value, void *field) {

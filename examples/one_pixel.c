@@ -200,7 +200,7 @@ static void print_multiplicities(const algsurf_surface *surface, const algsurf_r
 
 /* Along these rays the polynomial is (x^2 - 2)^2 - z^2: two roots about z / sqrt(2) apart. */
 static void show_doubt(const algsurf_surface *tangle) {
-    static const algsurf_tier tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+    static const int tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     static const int powers[] = {10, 40, 80, 0};
     algsurf_surface *sheets = surface_of("(x^2 + y^2 - 2)^2 - z^2");
     printf("\n[doubt]\nz       fast       bounded    certified  roots: multiplicities\n");

@@ -246,6 +246,6 @@ const char *render_quality_name(algsurf_quality quality) {
                                               : "standard";
 }
 
-const char *render_tier_name(algsurf_tier tier) {
+const char *render_tier_name(int tier) {
     return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified";
 }

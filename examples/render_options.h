@@ -37,6 +37,6 @@ image_format render_image_format(const char *option, const char *path);
 
 /* The name of a setting, as written on the command line. */
 const char *render_quality_name(algsurf_quality quality);
-const char *render_tier_name(algsurf_tier tier);
+const char *render_tier_name(int tier);
 
 #endif

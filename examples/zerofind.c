@@ -24,7 +24,7 @@ typedef struct zerofind_options {
     view_options view;
     zerofind_pixel pixel;
     zerofind_ray ray;
-    algsurf_method method;
+    int method;
     double tolerance;
     int trace;
     const char *output;

@@ -229,7 +229,7 @@ static plot make_convergence(convergence *v, const zerofind *z) {
 
 /* ---- words ---- */
 
-static const char *method_name(algsurf_method method) {
+static const char *method_name(int method) {
     switch (method) {
     case ALGSURF_METHOD_BRENT:
         return "Brent's method";

@@ -8,7 +8,7 @@
 
 typedef struct zerofind_words {
     const char *surface, *ray; /* as the reader knows them */
-    algsurf_method method;
+    int method;
     const char *t_label;
 } zerofind_words;
 

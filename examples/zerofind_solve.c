@@ -51,8 +51,8 @@ static void follow_points(zerofind *z) {
 }
 
 algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray *ray, const chord *on, algsurf_method method,
-                              double tolerance, zerofind *result) {
+                              const algsurf_ray *ray, const chord *on, int method, double tolerance,
+                              zerofind *result) {
     algsurf_observer observer = {
         .size = sizeof observer, .data = result, .cell = take_cell, .point = take_point};
     const algsurf_intersect_options options = {

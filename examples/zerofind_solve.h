@@ -36,7 +36,7 @@ typedef struct zerofind {
 /* chord and the rest of `result` are filled.  method, tolerance: as in algsurf_intersect_options.  Returns
  * OK, or what algsurf_intersect_all says. */
 algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray *ray, const chord *on, algsurf_method method,
-                              double tolerance, zerofind *result);
+                              const algsurf_ray *ray, const chord *on, int method, double tolerance,
+                              zerofind *result);
 
 #endif

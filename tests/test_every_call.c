@@ -141,7 +141,7 @@ static algsurf_ray ray_made(void) {
     return ray;
 }
 
-static algsurf_extent extent_made(algsurf_extent_kind kind) {
+static algsurf_extent extent_made(int kind) {
     static const double size[3] = {2.5, 2, 1.75};
     algsurf_extent extent = {.kind = kind};
     numbers(extent.centre, 3, unit);
@@ -300,7 +300,7 @@ static void call_algsurf_surface_gradient(void) {
 
 static void call_algsurf_extent_clip(void) {
     for (int kind = ALGSURF_EXTENT_ALL; kind <= ALGSURF_EXTENT_BOX; kind++) {
-        algsurf_extent extent = extent_made((algsurf_extent_kind)kind);
+        algsurf_extent extent = extent_made((int)kind);
         algsurf_ray ray = ray_made(), chord = ray;
         int meets = 0;
         algsurf_status s;

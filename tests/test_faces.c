@@ -154,7 +154,7 @@ static void test_longest(void **state) {
     int of_degree[4] = {0};
     for (int kind = 1; kind <= 2; kind++)
         for (int bits = 54; bits < 200; bits++) {
-            algsurf_extent x = {(algsurf_extent_kind)kind, {-ones, -ones, -ones}, {ones, ones, ones}};
+            algsurf_extent x = {(int)kind, {-ones, -ones, -ones}, {ones, ones, ones}};
             double o[3] = {ones, ones, ones}, d[3] = {ones, -ones, -ones};
             if (kind == ALGSURF_EXTENT_SPHERE)
                 x.size[0] = ldexp(1, 1 - bits);
@@ -185,7 +185,7 @@ static void test_memory(void **state) {
     uint64_t block[64];
     const double o[3] = {0.1, 0.2, 3}, d[3] = {0.3, 0.5, -0.1};
     for (int kind = 1; kind <= 2; kind++) {
-        algsurf_extent x = {(algsurf_extent_kind)kind, {0.1, 0.3, 0.7}, {1.1, 1.2, 1.3}};
+        algsurf_extent x = {(int)kind, {0.1, 0.3, 0.7}, {1.1, 1.2, 1.3}};
         algsurf_memory m;
         algsurf_zpoly face[ALGSURF_MOST_FACES];
         int done = 0, count;

@@ -167,7 +167,7 @@ static void random_rays(void **state) {
 /* In the bounded tier; in the certified one nothing is left open, whatever is to become of it. */
 static void what_becomes_of_doubt(void **state) {
     static const struct {
-        algsurf_doubt doubt;
+        int doubt;
         int state;
     } cases[] = {{ALGSURF_DOUBT_REPORT, ALGSURF_UNDECIDED},
                  {ALGSURF_DOUBT_HIT, ALGSURF_HIT},

@@ -240,7 +240,7 @@ typedef struct plane {
 } plane;
 
 /* The state of the root in the sector {0, delta}; checks that its magnitude is enclosed. */
-static algsurf_hit_state state_of(const plane *p, double delta, const mpq_t size) {
+static int state_of(const plane *p, double delta, const mpq_t size) {
     const algsurf_term terms[] = {{1, 0, 0, p->a}};
     const algsurf_ray ray = {{p->x, 0, 0}, {p->d, 0, 0}, 0, p->t_max};
     algsurf_complex_space space = space_of(0, delta);
@@ -254,7 +254,7 @@ static algsurf_hit_state state_of(const plane *p, double delta, const mpq_t size
         fail_msg("a %a, x %a, d %a, t_max %a, m %a, k %a: |t| not in [%a, %a]", p->a, p->x, p->d, p->t_max,
                  p->m, p->k, hit.t_lo, hit.t_hi);
     }
-    return (algsurf_hit_state)hit.state;
+    return (int)hit.state;
 }
 
 /* Imaginary parts down to the smallest double: their roots are not real, however near.  From x = 0, where

@@ -184,7 +184,7 @@ static void grazing_lines(void **state) {
             intersect_answer a;
             static intersect_case c;
             const algsurf_extent extent = {
-                (algsurf_extent_kind)kind, {0, 0, 0}, {cases[i].radius, cases[i].radius, cases[i].radius}};
+                (int)kind, {0, 0, 0}, {cases[i].radius, cases[i].radius, cases[i].radius}};
             int wanted = kind == ALGSURF_EXTENT_SPHERE ? cases[i].sphere : cases[i].box;
             intersect_equation(&c, "x + x^3");
             c.ray = (algsurf_ray){{-4, 0, cases[i].height}, {1, 0, 0}, 0, INFINITY};
@@ -199,7 +199,7 @@ static void grazing_lines(void **state) {
  * largest double; a ray in the surface of which one point is in the extent; a chord that is one point; a long
  * box. */
 static void found_before(void **state) {
-    const algsurf_extent_kind ball = ALGSURF_EXTENT_SPHERE, box = ALGSURF_EXTENT_BOX;
+    const int ball = ALGSURF_EXTENT_SPHERE, box = ALGSURF_EXTENT_BOX;
     const double inf = INFINITY;
     const struct {
         const char *equation;
@@ -349,7 +349,7 @@ static int root_of(const edge_case *e, const algsurf_hit *h, double reach) {
 }
 
 /* What is told of the first hit: a root in the extent, and the first. */
-static const char *judge_first(const edge_case *e, algsurf_tier tier, const algsurf_hit *h) {
+static const char *judge_first(const edge_case *e, int tier, const algsurf_hit *h) {
     int fast = tier == ALGSURF_TIER_FAST;
     if (h->state == ALGSURF_UNDECIDED) return fast ? "the fast tier is undecided" : NULL;
     if (fast && surely(e, e->root[0]) * surely(e, e->root[1]) == 0) return NULL; /* takes signs as computed */
@@ -361,7 +361,7 @@ static const char *judge_first(const edge_case *e, algsurf_tier tier, const algs
 }
 
 /* Roots just inside, just outside, and on the extent's surface. */
-static void judge_tier(const edge_case *e, int round, algsurf_tier tier, int *undecided) {
+static void judge_tier(const edge_case *e, int round, int tier, int *undecided) {
     static const int becomes[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     intersect_answer report, a;
     for (int doubt = ALGSURF_DOUBT_REPORT; doubt <= ALGSURF_DOUBT_MISS; doubt++) {

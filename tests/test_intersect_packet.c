@@ -190,7 +190,7 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
 }
 
 /* The first `count` rays by every kernel: the same bits, and what integers say. */
-static void judge_all(int count, const algsurf_extent *extent, algsurf_tier tier) {
+static void judge_all(int count, const algsurf_extent *extent, int tier) {
     for (int k = 0; algsurf_kernel_name(k); k++) {
         algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
         options.kernel = algsurf_kernel_name(k);
@@ -460,7 +460,7 @@ static int judge_exactly(int i, double *error) {
         if (hit.state != answer.first.state) intersect_fail("state", &c, &answer);
         hit.reason = answer.first.reason;
         answer.first = hit;
-        answer.occluded = (algsurf_hit_state)p.occluded[i];
+        answer.occluded = (int)p.occluded[i];
         const char *wrong = intersect_form(&c, &hit);
         if (!wrong) wrong = intersect_truth(&c, &s, &answer);
         if (!wrong) wrong = intersect_agree(&answer);

@@ -27,7 +27,7 @@ enum { WIDTH = 1024, HEIGHT = 768, ROWS = 24, ROOM = 16, TIERS = 2 };
 static int pixels = 300, views = 3, whole = 0;
 static uint64_t first_seed = 20261122;
 
-static const algsurf_tier tiers[TIERS] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+static const int tiers[TIERS] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
 
 typedef struct view {
     const char *name;

@@ -23,10 +23,10 @@
 
 #define SEED 11u
 #define NEWTON_POINTS 248 /* 246 (newton.c) and the two ends */
-static const algsurf_method methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT,
-                                         ALGSURF_METHOD_BISECTION, ALGSURF_METHOD_REGULA_FALSI};
+static const int methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT, ALGSURF_METHOD_BISECTION,
+                              ALGSURF_METHOD_REGULA_FALSI};
 
-static algsurf_refine_options options_of(algsurf_method method, double tolerance, int limit) {
+static algsurf_refine_options options_of(int method, double tolerance, int limit) {
     return (algsurf_refine_options){.size = sizeof(algsurf_refine_options),
                                     .method = method,
                                     .max_iterations = limit,
@@ -57,7 +57,7 @@ static int sign_of(double x) { return (x > 0) - (x < 0); }
 
 /* What every result promises, whatever the method. */
 static void check_result(const algsurf_refined_root *r, const probe *p, double lo, double hi,
-                         double tolerance, algsurf_method method) {
+                         double tolerance, int method) {
     assert_true(lo <= r->lo && r->lo <= r->root && r->root <= r->hi && r->hi <= hi);
     assert_true(r->root == r->lo || r->root == r->hi);
     assert_int_equal(r->evaluations, p->calls);
@@ -303,8 +303,7 @@ static void from_roots(double *c, const double *roots, int n) {
     }
 }
 
-static void fail_poly(const char *what, const double *c, int n, algsurf_method method,
-                      const algsurf_refined_root *r) {
+static void fail_poly(const char *what, const double *c, int n, int method, const algsurf_refined_root *r) {
     exact_print_doubles("c", c, n + 1);
     fail_msg("%s, seed %u, method %d: root %a in [%a,%a] after %d", what, SEED, (int)method, r->root, r->lo,
              r->hi, r->evaluations);
@@ -562,8 +561,8 @@ static double horner(const double *c, int n, double x) {
 }
 
 /* What a record says is what happened: the ends, the points, their values, the bracket they leave. */
-static void check_record(const record *seen, const double *c, int n, double lo, double hi,
-                         algsurf_method method, const algsurf_refined_root *r) {
+static void check_record(const record *seen, const double *c, int n, double lo, double hi, int method,
+                         const algsurf_refined_root *r) {
     double left = lo, right = hi;
     int found = 0;
     assert_int_equal(seen->calls, r->evaluations);

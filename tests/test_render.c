@@ -205,7 +205,7 @@ static void penumbra(void **state) {
 
 /* Every ray touches the double plane y^2 = 0: a hit, or, where doubles are all there is, undecided and drawn.
  */
-static void double_plane(algsurf_tier tier) {
+static void double_plane(int tier) {
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tier};
     uint64_t all = W * H, open = tier == ALGSURF_TIER_BOUNDED ? all : 0;

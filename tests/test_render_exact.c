@@ -53,7 +53,7 @@ typedef struct view {
     algsurf_camera camera;
     double radius; /* of the ball about the extent */
     int width, height, row_begin, row_end, antialias;
-    algsurf_tier tier;
+    int tier;
     const char *kernel;
 } view;
 

@@ -73,7 +73,7 @@ static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *jo
         if (i > 0) assert_true(all[i - 1].t < all[i].t && all[i - 1].t_hi <= all[i].t_hi);
     }
     for (int m = ALGSURF_METHOD_DEFAULT; m <= ALGSURF_METHOD_REGULA_FALSI; m++) {
-        const algsurf_refine_options how = {sizeof how, (algsurf_method)m, 0, 0, NULL};
+        const algsurf_refine_options how = {sizeof how, (int)m, 0, 0, NULL};
         assert_int_equal(all_of(job, &how, entry->degree, other), n);
         for (int i = 0; i < n; i++) {
             assert_true(!job->bounded || (all[i].t_lo <= other[i].t_hi && other[i].t_lo <= all[i].t_hi));

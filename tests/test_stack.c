@@ -318,7 +318,7 @@ static void run_algsurf_refine_function(void) {
     for (int method = 0; method < 4; method++) {
         algsurf_refine_options o = {.size = sizeof o, .max_iterations = 60};
         algsurf_refined_root root;
-        o.method = (algsurf_method)method;
+        o.method = (int)method;
         (void)algsurf_refine_function(cubic, NULL, 0, 2, &o, &root);
     }
 }

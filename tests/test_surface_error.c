@@ -18,7 +18,7 @@ enum { MEMBERS = 3, SIDE = 48, TUBE = 3 };
 static intersect_case c, member;
 static intersect_answer answer;
 
-static const algsurf_tier tiers[] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+static const int tiers[] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
 
 static const char *const equations[] = {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", "x^2 z + y^2",
                                         "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "(x-y)^2 + z^2 - 1/16",
@@ -131,7 +131,7 @@ static void values(void **state) {
 }
 
 /* About (off, off, 0): away from the origin the terms are larger than what they add up to. */
-static void draw(const algsurf_surface *s, double off, algsurf_tier tier, double *t, uint64_t *undecided) {
+static void draw(const algsurf_surface *s, double off, int tier, double *t, uint64_t *undecided) {
     const double eye[3] = {off + 3, off - 4, 2}, at[3] = {off + 0.05, off + 0.03, 0.02}, up[3] = {0, 0, 1};
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {off, off, 0}, {2.5, 0, 0}};
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = ALGSURF_DOUBT_REPORT};

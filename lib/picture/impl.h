@@ -27,7 +27,7 @@ typedef struct algsurf_i_shown {
     double *sum;       /* 3 for each pixel: the clamped colours of those, if colours are asked for */
     double *nearest;   /* their smallest t */
     double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
-    uint8_t *state;    /* the algsurf_hit_state there, or null likewise */
+    uint8_t *state;    /* the int there, or null likewise */
 } algsurf_i_shown;
 
 /* The points of a row that are seen through one sample of its pixels, and what the pixels show. */

@@ -230,7 +230,7 @@ static void hit_undecided(const algsurf_extent *extent, const algsurf_ray *ray, 
 }
 
 /* What becomes of undecided places is the caller's choice. */
-static void settle_undecided(algsurf_doubt doubt, algsurf_hit *hits, int *count) {
+static void settle_undecided(int doubt, algsurf_hit *hits, int *count) {
     int kept = 0;
     for (int i = 0; i < *count; i++) {
         int undecided = hits[i].state == ALGSURF_UNDECIDED;

@@ -336,7 +336,7 @@ static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface
     if (status != ALGSURF_OK) return status;
     solve_together(&q, 1, 1, &(algsurf_i_rays_hits){.state = &found});
     if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(surface, extent, ray, &q.options, state);
-    *state = (algsurf_hit_state)found;
+    *state = (int)found;
     return ALGSURF_OK;
 }
 

@@ -69,12 +69,12 @@ static algsurf_status search_finish(const algsurf_i_search *s, algsurf_refined_r
 
 /* ---- what both entries share ---- */
 
-static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options *options,
-                              algsurf_method *method, algsurf_observer **observer) {
+static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options *options, int *method,
+                              algsurf_observer **observer) {
     algsurf_refine_options known = {.size = sizeof known};
     if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_i_observer_is_good(known.observer)) return ALGSURF_E_ARGUMENT;
-    int number = (int)known.method;
+    int number = known.method;
     if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
     if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
     if (!(known.tolerance >= 0) || isinf(known.tolerance)) return ALGSURF_E_ARGUMENT;
@@ -86,7 +86,7 @@ static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options 
     return ALGSURF_OK;
 }
 
-static void run(algsurf_i_search *s, algsurf_method method) {
+static void run(algsurf_i_search *s, int method) {
     switch (method) {
     case ALGSURF_METHOD_BISECTION:
         algsurf_i_refine_bisection(s);
@@ -122,7 +122,7 @@ static ALGSURF_NOINLINE algsurf_status refine_function(visit *v, double lo, doub
                                                        const algsurf_refine_options *options,
                                                        algsurf_refined_root *result) {
     algsurf_i_search s = {.f = call_in_host, .data = v};
-    algsurf_method method;
+    int method;
     algsurf_status status = prepare(&s, options, &method, &v->watch.observer);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
@@ -210,7 +210,7 @@ algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double 
 }
 
 static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
-                                   algsurf_method method, algsurf_refined_root *result) {
+                                   int method, algsurf_refined_root *result) {
     double room[ALGSURF_MAX_POLY_DEGREE + 1];
     balance(p, room);
     int bracketed = search_start(s, lo, hi);
@@ -220,7 +220,7 @@ static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p,
 }
 
 /* Finite ends; or the largest double and infinity, between which the default method has nothing to do. */
-static algsurf_status check_ends(double lo, double hi, algsurf_method method) {
+static algsurf_status check_ends(double lo, double hi, int method) {
     int beyond = method == ALGSURF_METHOD_DEFAULT && nextafter(lo, hi) == hi;
     if (isnan(lo) || isnan(hi) || (isinf(lo) && (isinf(hi) || !beyond)) || (isinf(hi) && !beyond))
         return ALGSURF_E_NOT_FINITE;
@@ -231,7 +231,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, doubl
                                                    const algsurf_refine_options *options,
                                                    algsurf_refined_root *result) {
     algsurf_i_search s = {.data = &p};
-    algsurf_method method;
+    int method;
     algsurf_status status = prepare(&s, options, &method, &p.observer);
     if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
     for (int i = 0; status == ALGSURF_OK && i <= p.given.degree; i++)

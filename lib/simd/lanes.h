@@ -7,6 +7,7 @@
 #ifndef ALGSURF_LANES_H
 #define ALGSURF_LANES_H
 #include <math.h>
+#include <stddef.h>
 #include <stdint.h>
 #if defined(__x86_64__)
 #include <immintrin.h>

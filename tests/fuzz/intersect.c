@@ -82,8 +82,8 @@ static algsurf_ray ray_of(const packet *p, int i) {
 }
 
 /* The single calls about lane i's ray. */
-static void ask_single(const packet *p, int i, const algsurf_extent *extent, algsurf_tier tier,
-                       algsurf_hit *hit, int *occluded) {
+static void ask_single(const packet *p, int i, const algsurf_extent *extent, int tier, algsurf_hit *hit,
+                       int *occluded) {
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
     algsurf_ray ray = ray_of(p, i);
     fuzz_check(algsurf_intersect_first(c.surface, extent, &ray, &options, hit) == ALGSURF_OK);
