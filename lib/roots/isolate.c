@@ -326,8 +326,10 @@ static algsurf_status run(const double *c, const double *r, int degree, double l
 }
 
 static int read_options(const algsurf_isolate_options *given, algsurf_observer **observer) {
-    algsurf_isolate_options known = {.size = sizeof known};
-    if (given && !algsurf_options_read(&known, sizeof known, given)) return 0;
+    algsurf_isolate_options known;
+    *observer = NULL;
+    if (!given) return 1;
+    if (!algsurf_options_read(&known, sizeof known, given)) return 0;
     *observer = known.observer;
     return algsurf_i_observer_is_good(known.observer);
 }
