@@ -1,6 +1,7 @@
 /* exact_watch.c - a cell of the integers, as an observer sees it.
  *
  * In memory of its own: watching leaves the walk's as it is. */
+#include "../base/arithmetic.h"
 #include "algsurf/status.h"
 #include "decide.h"
 #include "exact_cell.h"

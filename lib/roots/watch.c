@@ -1,9 +1,11 @@
 /* watch.c - counts and callbacks of an observer. */
+#include "../base/arithmetic.h"
 #include "watch.h"
 
 #include <float.h>
 #include <math.h>
 
+#include "../base/elementary.h"
 #include "../base/options.h"
 
 int algsurf_i_observer_is_good(const algsurf_observer *observer) {
@@ -32,7 +34,7 @@ int algsurf_i_most_variations(const signed char *signs, int degree) {
 }
 
 static double in_caller_unit(const algsurf_i_watch *watch, double y) {
-    return watch->power > 1 ? copysign(pow(fabs(y), 1.0 / watch->power), y) : y;
+    return watch->power > 1 ? copysign(algsurf_i_pow(fabs(y), 1.0 / watch->power), y) : y;
 }
 
 static void note_engine(algsurf_observer *observer, int engine) {
