@@ -1,6 +1,7 @@
 /* rounding.c - the operands that tell how operations round.
  *
  * The answers are those of IEEE 754, worked out by hand.  Behind each stands what gives another one. */
+#include "arithmetic.h"
 #include "rounding.h"
 
 #include <stddef.h>

@@ -7,7 +7,7 @@
 #include "camera_impl.h"
 #include "impl.h"
 
-enum { GROUP = 32 }; /* doubtful pixels that are solved together */
+enum { GROUP = 16 }; /* doubtful pixels that are solved together */
 
 #define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
 

@@ -7,9 +7,11 @@
  * and so must those of single calls, which have code of their own.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
+#include "../base/arithmetic.h"
 #include "algsurf/status.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "algsurf/allroots.h"
@@ -206,15 +208,17 @@ static ALGSURF_NOINLINE int all_round(void) {
 }
 
 static ALGSURF_NOINLINE algsurf_status all_agree(const problem *p) {
-    answers plain, other;
+    answers *plain = malloc(2 * sizeof *plain), *other = plain ? plain + 1 : NULL;
     const algsurf_i_kernel *kernel;
-    algsurf_status status = answer(p, "baseline", &plain);
+    if (!plain) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = answer(p, "baseline", plain);
     int same = 1;
     for (int i = 0; status == ALGSURF_OK && (kernel = algsurf_i_kernel_at(i)); i++) {
-        status = answer(p, kernel->name, &other);
-        same = same && memcmp(&plain, &other, sizeof plain) == 0;
+        status = answer(p, kernel->name, other);
+        same = same && memcmp(plain, other, sizeof *plain) == 0;
     }
-    for (int i = 0; same && i < COUNT; i++) same = same_roots(p, i, &plain) && same_ray(p, i, &plain);
+    for (int i = 0; same && i < COUNT; i++) same = same_roots(p, i, plain) && same_ray(p, i, plain);
+    free(plain);
     return status != ALGSURF_OK || same ? status : ALGSURF_E_BUILD;
 }
 

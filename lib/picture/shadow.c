@@ -35,7 +35,7 @@ void algsurf_i_place_samples(algsurf_i_picture *picture) {
     }
 }
 
-enum { BATCH = 256 }; /* rays on their way to the packet call: enough to fill it, few enough for the stack */
+enum { BATCH = 128 }; /* rays on their way to the packet call: enough to fill it, few enough for the stack */
 
 /* Rays in groups: those of one group add to one light's share of one point. */
 typedef struct batch {

@@ -187,6 +187,36 @@ static const algsurf_i_exact_eye *make_eye(const query *q, const unsigned char *
     return eye->count <= 3 * q->surface->term_count ? eye : NULL;
 }
 
+/* The rays that packets leave undecided, one by one; and what packets do not write. */
+static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surface *surface,
+                                              const algsurf_extent *extent, const algsurf_i_rays_hits *hits,
+                                              const algsurf_hit_packet *known) {
+    algsurf_status status = ALGSURF_OK;
+    algsurf_limb block[EYE_WORDS];
+    algsurf_memory memory;
+    algsurf_i_exact_eye eye;
+    algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    const algsurf_i_exact_eye *shared = make_eye(q, hits->state, &memory, &eye);
+    for (size_t i = 0; i < q->rays.count; i++) {
+        if (!left_alone(q, hits->state, i)) {
+            set_simple(q, known, i);
+            continue;
+        }
+        algsurf_ray ray = ray_of(&q->rays, i);
+        algsurf_hit hit;
+        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, shared, &q->options, &hit);
+        if (one != ALGSURF_OK) {
+            set_no_memory(&ray, &hit);
+            status = one;
+        }
+        store_hit(hits, i, &hit);
+        if (known->multiplicity) known->multiplicity[i] = hit.multiplicity;
+    }
+    algsurf_memory_release(&memory, begin);
+    return status;
+}
+
 static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
                                              const algsurf_ray_packet *rays,
                                              const algsurf_intersect_options *options,
@@ -208,29 +238,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         .normal = {known.normal[0], known.normal[1], known.normal[2]},
     };
     solve_together(&q, 0, 0, &hits);
-    algsurf_limb block[EYE_WORDS];
-    algsurf_memory memory;
-    algsurf_i_exact_eye eye;
-    algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    const algsurf_i_exact_eye *shared = make_eye(&q, hits.state, &memory, &eye);
-    for (size_t i = 0; i < q.rays.count; i++) {
-        if (!left_alone(&q, hits.state, i)) {
-            set_simple(&q, &known, i);
-            continue;
-        }
-        algsurf_ray ray = ray_of(&q.rays, i);
-        algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, shared, &q.options, &hit);
-        if (one != ALGSURF_OK) {
-            set_no_memory(&ray, &hit);
-            status = one;
-        }
-        store_hit(&hits, i, &hit);
-        if (known.multiplicity) known.multiplicity[i] = hit.multiplicity;
-    }
-    algsurf_memory_release(&memory, begin);
-    return status;
+    return finish(&q, surface, extent, &hits, &known);
 }
 
 static algsurf_ray_packet packet_of(const algsurf_ray *ray) {

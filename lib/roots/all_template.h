@@ -9,7 +9,7 @@
 #include "first_template.h"
 
 /* Of polynomials; n/2 cells of each may wait where LANES of them are split. */
-#define BATCH_OF(n) ((n) <= 10 ? POLYS_OF(n) / 2 : 16)
+#define BATCH_OF(n) (POLYS_OF(n) / 2)
 
 /* The root of a lane among those of its polynomial, in increasing order. */
 INLINE void add_root(algsurf_real_root *roots, int count, const enclosure *e, int l) {

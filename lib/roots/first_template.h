@@ -45,8 +45,8 @@ INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
 /* So many polynomials of degree n are solved together, and so many of their cells may wait: more share
  * packets better, fewer need less stack.  Rows of numbers, one for each, have room for what store_chosen
  * writes behind them; there are n + 1 rows in d and in w. */
-#define POLYS_OF(n) ((n) <= 6 ? 128 : (n) <= 10 ? 96 : 48)
-#define CELLS_OF(n) ((n) <= 10 ? POLYS_OF(n) : 72)
+#define POLYS_OF(n) ((n) <= 10 ? 128 : 64)
+#define CELLS_OF(n) ((n) <= 10 ? 128 : 96)
 #define ROW_OF(many) ((many) + 8)
 #define ROW ROW_OF(POLYS_OF(1)) /* the longest */
 #define MOST_IN_D ((ALGSURF_MAX_POLYS_DEGREE + 1) * ROW_OF(POLYS_OF(ALGSURF_MAX_POLYS_DEGREE)))

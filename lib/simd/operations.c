@@ -1,4 +1,5 @@
 /* operations.c - the table of kernels' operations. */
+#include "../base/arithmetic.h"
 #include "operations.h"
 
 const algsurf_i_operations *algsurf_i_operations_of(const algsurf_i_kernel *kernel) {

@@ -1,4 +1,5 @@
 /* operations_avx2.c - the operations of packets of four, for AVX2. */
+#include "../base/arithmetic.h"
 #include "operations.h"
 
 #include "avx2.h"

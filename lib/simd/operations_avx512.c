@@ -1,4 +1,5 @@
 /* operations_avx512.c - the operations of packets of eight, for AVX-512. */
+#include "../base/arithmetic.h"
 #include "operations.h"
 
 #include "avx512.h"

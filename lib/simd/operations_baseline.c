@@ -1,4 +1,5 @@
 /* operations_baseline.c - the operations of packets of two, for every processor. */
+#include "../base/arithmetic.h"
 #include "operations.h"
 
 #include "baseline.h"

@@ -47,12 +47,12 @@ typedef struct algsurf_complex_root {
  * polynomial without radii that has a cluster may need more than 16 KiB of the stack for its integers, and
  * then up to 1 GiB.  All is freed. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration),
  * Smith 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex
- * arguments).  40 KiB of stack.  Since 1.0. */
+ * arguments).  64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
 
 /* The same for real coefficients; radii then stand for real coefficients too, so that roots can be proved
- * real.  40 KiB of stack.  Since 1.0. */
+ * real.  64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                                          algsurf_complex_root *roots, int *count);
 
@@ -78,7 +78,7 @@ typedef struct algsurf_complex_batch {
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.
  * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.  44
- * KiB of stack.  Since 1.0.
+ * KiB of stack.  64 KiB of stack.  Since 1.0.
  */
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
