@@ -1,9 +1,9 @@
 /* algsurf/batch.h - the first roots, or all roots, of many real polynomials of one degree, side by side.
  *
- * What isolate.h and refine.h do for one polynomial, the packet code of this processor does here for
+ * What isolate.h and refine.h do for one polynomial, the SIMD code of this processor does here for
  * several at once.  A polynomial that it would have to doubt is decided alone. */
-#ifndef ALGSURF_PACKET_H
-#define ALGSURF_PACKET_H
+#ifndef ALGSURF_BATCH_H
+#define ALGSURF_BATCH_H
 #include <stddef.h>
 
 #include "algsurf/isolate.h"
@@ -18,20 +18,20 @@ extern "C" {
 typedef struct algsurf_real_batch {
     size_t size;                /* sizeof(algsurf_real_batch) */
     size_t count;               /* of polynomials; pointers may be null when it is 0 */
-    int degree;                 /* a bound: leading zeros are allowed */
+    int degree;                 /* a bound, 0..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
     algsurf_table coefficients; /* in the power basis */
     algsurf_table radii;        /* of the coefficients; at null: they are exact */
     const double *lo, *hi;      /* polynomial i: lo[i * interval_step] < hi[i * interval_step], finite */
-    ptrdiff_t interval_step;    /* 0: one interval for all; 1: arrays */
+    ptrdiff_t interval_step;    /* 0: one interval for all; 1: one for each */
 } algsurf_real_batch;
 
 /* What is known of the first root. */
 typedef enum algsurf_first_root_state {
-    ALGSURF_FIRST_ROOT_NONE = 0,     /* no root in the interval: verified; root is +inf */
-    ALGSURF_FIRST_ROOT_FOUND = 1,    /* there is one: verified */
-    ALGSURF_FIRST_ROOT_UNDECIDED = 2 /* not the same for all polynomials within the radii, or zero throughout,
-                                        or no memory; root is where it is in doubt: none is before, but for
-                                        the width of the place in doubt (+inf without memory) */
+    ALGSURF_FIRST_ROOT_NONE = 0,  /* no root in the interval: verified; root is +inf */
+    ALGSURF_FIRST_ROOT_FOUND = 1, /* there is one: verified */
+    /* Not the same for all polynomials within the radii, or zero throughout, or no memory.  root is a point
+     * of the place in doubt, and no root lies before that place (+inf without memory). */
+    ALGSURF_FIRST_ROOT_UNDECIDED = 2
 } algsurf_first_root_state;
 
 /* The first (smallest) root of each polynomial in its interval.
@@ -41,12 +41,12 @@ typedef enum algsurf_first_root_state {
  * Neither may overlap the input.
  * Guarantee: a state other than UNDECIDED is verified, and is what algsurf_isolate_first says.  (With
  * radii, one may be verified where the single call stays undecided.)  Without radii, only a polynomial that
- * is zero throughout is UNDECIDED.  Multiple roots are found like others.  The root is that of a bracket
- * which isolates the first one; where in it is approximate, by the default tolerance to 1e-12 of the interval
- * and the rounding of the root itself; of an ill-conditioned one, it is one of the two doubles around it.
- * The bits of an answer depend on its polynomial only, not on the kernel, the other polynomials or their
- * number. Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad
- * size, tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
+ * is zero throughout is UNDECIDED.  Multiple roots are found like others.  A root lies in a bracket that
+ * isolates the first one; its place there is approximate: to 1e-12 of the interval, by default, and the
+ * rounding of the root; of an ill-conditioned root, it is one of the two doubles around it.  The bits of an
+ * answer depend on its polynomial only, not on the kernel, the other polynomials or their number.
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
+ * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
  * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
  * the other answers stand.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
@@ -60,17 +60,18 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
 
 /* All real roots of each polynomial in its interval, as algsurf_real_roots gives them, bit for bit.
  *   batch    without radii
- *   options  null: all defaults; the tolerance is 0: roots are found to neighbouring doubles
+ *   options  null: all defaults
  *   roots    room for `degree`, at least 1, for each polynomial: those of number i, in increasing order, from
- *            i degree on; what is behind them there may be overwritten
+ *            i * degree on; what is behind them there may be overwritten
  *   count    how many, for each polynomial; -1: it is zero throughout, or there was no memory
  * Neither may overlap the input.
  * Guarantee: all are found, each with its multiplicity: verified.
  * Errors: as above, and E_ARGUMENT for radii.  E_NO_MEMORY: for want of memory, at least one count is -1.
- * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in packets of 100 or
- * more.  A polynomial that doubles leave in doubt costs as much
- * as in algsurf_real_roots; so do all above degree 20. Source: as above; signs beside the roots by the
- * compensated Horner scheme (Graillat, Langlois, Louvet 2005).  92 KiB of stack.  Since 1.0. */
+ * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
+ * more.  A polynomial that doubles leave in doubt costs as much as in algsurf_real_roots; so do all above
+ * degree 20.
+ * Source: as above; signs beside the roots by the compensated Horner scheme (Graillat, Langlois, Louvet
+ * 2005).  92 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch,
                                                     const algsurf_batch_options *options,
                                                     algsurf_real_root *roots, int *count);

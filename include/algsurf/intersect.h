@@ -50,11 +50,11 @@ typedef struct algsurf_hit {
                          where the ray lies in the surface, of a miss, and of an undecided place */
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
     double t;         /* approximate, along the ray as given; undecided: where it is in doubt */
-    double t_lo, t_hi;  /* encloses the hit, and no other hit is before it: neighbouring doubles, or t alone,
-                           where integers decided; where doubles did, what rounding P there leaves open, some
-                           100 units in the last place for moderate surfaces, or, where that has not been
-                           shown, the interval that isolates the hit; undecided: no hit is before t_lo, it is
-                           open whether one is in [t_lo, t_hi]; fast tier: both are t */
+    double t_lo, t_hi;  /* encloses this hit, and none is before t_lo.  Integers decided: t alone, or
+                           neighbouring doubles.  Doubles did: the error of rounding P, some 100 units in the
+                           last place for moderate surfaces, or else the interval that isolates the hit.
+                           Undecided: whether there is a hit in [t_lo, t_hi] is open.  Fast tier: both are t,
+                           and nothing is proved */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
                            a point shortly before it on the ray; all 0 where there is none either (a ray
@@ -82,8 +82,8 @@ typedef struct algsurf_intersect_options {
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
 #define ALGSURF_DEFAULT_MEMORY ((size_t)1 << 30)
 
-/* The packet code that runs on this machine, the fastest first: "avx512" (8 rays side by side), "avx2" (4),
- * "baseline" (2).  All of them give the same bits.
+/* The SIMD code for packets and pictures that runs on this machine, the fastest first: "avx512" (8 rays side
+ * by side), "avx2" (4), "baseline" (2).  All of them give the same bits.
  *   index  from 0 on
  * Returns a static string, or null when there are not that many.  Since 1.0. */
 ALGSURF_API const char *algsurf_kernel_name(int index);
@@ -154,8 +154,8 @@ typedef struct algsurf_hit_packet {
  *   hits     arrays that overlap neither each other nor those of the rays
  * Guarantee: every bit is that of the single call, whatever the kernel, and whatever else is in the packet.
  * Errors: those of the single call for an active ray, the first bad one deciding, or for extent and
- * options; E_ARGUMENT (null, or a size that is none): nothing is written.  E_NO_MEMORY: the rays that could
- * not be decided for want of memory are undecided from end to end, all others are answered.
+ * options; E_ARGUMENT (null, a wrong size): nothing is written.  E_NO_MEMORY: the rays that could
+ * not be decided for want of memory are UNDECIDED, [t_lo, t_hi] the whole ray; all others are answered.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, packets of 8 rays or more and 4 or 8 of them
  * side by side.  The cost of a single call is added for a ray that doubles leave undecided, one without end,
  * and one that is several thousand times as long as the surface is large.

@@ -11,11 +11,10 @@
  * multiplicity:
  * - exact, lo = hi: the root is this double;
  * - a bracket: lo < root < hi, and `sign` is p's sign just before the root.
- * Most brackets hold no other root, and the signs of p at lo and hi differ.  Those of other roots are as
- * narrow as can be, two neighbouring doubles: that of a root of even multiplicity, and those of roots that no
- * double parts from the next one.  Two roots between the same two doubles have equal brackets; beside a root
- * that is a double itself, a bracket ends on it.  A root beyond the largest double has a bracket between this
- * and infinity.
+ * Most brackets hold no other root, and the signs of p at lo and hi differ.  The others are two neighbouring
+ * doubles: for roots of even multiplicity, and for roots that no double separates from the next one.  Two
+ * roots between the same two doubles have equal brackets; beside a root that is a double itself, a bracket
+ * ends on it.  A root beyond the largest double has a bracket between this and infinity.
  *
  * Coefficients with radii stand for a set of polynomials, and answers hold for all of them.  Entries share
  * ends at most; those that are undecided hold what radii leave open.  If the zero polynomial is in the set
@@ -42,16 +41,17 @@ typedef struct algsurf_real_root {
 } algsurf_real_root;
 
 /* The real roots in [lo,hi], lo <= hi, either may be infinite; in increasing order, each once with its
- * multiplicity, all of them: verified.
+ * multiplicity, all of them: verified.  These are final; algsurf_isolate_all gives brackets, and takes radii
+ * and an observer.
  *   c                 degree+1 coefficients, power basis, lowest first
  *   roots, capacity   room for the answer; the degree, at least 1, always suffices
  *   count             how many were written
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small:
- * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY. Cost: for
- * degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to 20, in
- * integers of some hundred bits; these are allocated where they are larger, 1 GiB at most.  Source:
- * Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by greatest
- * common divisors (Yun 1976).  72 KiB of stack.  Since 1.0. */
+ * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY.
+ * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
+ * 20, in integers of some hundred bits; these are allocated where they are larger, 1 GiB at most.
+ * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
+ * greatest common divisors (Yun 1976).  72 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
 
@@ -75,7 +75,7 @@ ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c,
 
 /* What is known of a place. */
 typedef enum algsurf_bracket_kind {
-    ALGSURF_BRACKET_ISOLATED = 0, /* lo < root < hi, for one root: verified */
+    ALGSURF_BRACKET_ISOLATED = 0, /* lo < this root < hi: verified */
     ALGSURF_BRACKET_EXACT = 1,    /* lo = hi is a root exactly: verified */
     /* Only with radii: 0 .. multiplicity roots in [lo,hi], not the same number for all polynomials of the
      * set, or not known; status says why it stays open. */
@@ -87,7 +87,7 @@ typedef struct algsurf_bracket {
     double lo, hi;    /* in the unit of the caller's interval; one of a bracket's ends may be infinite, the
                          other is the largest double then; undecided: either may be */
     int kind;         /* an algsurf_bracket_kind */
-    int sign;         /* of p just before the root, -1 or +1, for a bracket; 0 otherwise */
+    int sign;         /* isolated: of p just before the root, -1 or +1; else 0 */
     int multiplicity; /* of the root: verified.  Undecided, or exact with radii: the roots in it, counted
                          with multiplicity, are at most this, >= 1.  (A bracket with radii: 1) */
     int status;       /* an algsurf_status: ALGSURF_OK, or why it is undecided */
@@ -104,7 +104,7 @@ typedef struct algsurf_isolate_options {
  *   options  null: all defaults
  *   bracket  where the root is, when *found is 1.  No root lies in [lo, bracket->lo): verified.
  *   found    0: no root in [lo,hi], verified; 1: see bracket
- * Returns OK, or bracket->status (positive) when the bracket is undecided, which takes radii.
+ * Returns OK, or bracket->status (positive) if it is undecided, which happens only with radii.
  * Errors: E_ARGUMENT (null, bad options, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative
  * radius), E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY;
  * nothing is written then.
@@ -120,9 +120,9 @@ ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *
  *   options              null: all defaults
  *   brackets, capacity   room for the answer; capacity >= degree, at least 1, always suffices
  *   count                how many were written
- * Returns OK: every entry is a root, and there are no others: verified.  A positive status, which takes
- * radii: at least one entry is undecided (the first one's reason); no root lies outside the entries, which
- * share ends at most.  Where there are more than `degree` places, some become one that is undecided.
+ * Returns OK: every entry is a root, and there are no others: verified.  Positive, only with radii: the
+ * status of the first undecided entry; no root lies outside the entries, which share ends at most.
+ * Where there are more than `degree` places, some become one that is undecided.
  * Errors: as above; E_ARGUMENT when capacity is too small.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_isolate_options *options,

@@ -48,22 +48,24 @@ ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const doub
 /* ---- many polynomials at once ---- */
 
 /* Numbers that belong to powers of polynomials, in the caller's own layout: that of power k of polynomial i
- * is at[k * power + i * polynomial].  With n = degree + 1, and m polynomials: a polynomial a row, double
- * c[m][n]                   {&c[0][0], 1, n} a polynomial a column, double c[n][m]                {&c[0][0],
- * m, 1} complex numbers, algsurf_complex z[m][n]   real parts {&z[0][0].re, 2, 2 * n}, imaginary parts
- * {&z[0][0].im, 2, 2 * n} Steps count doubles; they may be negative, or 0, the same number for all. */
+ * is at[k * power + i * polynomial].  With n = degree + 1, and m polynomials:
+ *     a polynomial a row, double c[m][n]          {&c[0][0], 1, n}
+ *     a polynomial a column, double c[n][m]       {&c[0][0], m, 1}
+ *     algsurf_complex z[m][n], real parts         {&z[0][0].re, 2, 2 * n}
+ *                              imaginary parts    {&z[0][0].im, 2, 2 * n}
+ * Steps may be negative, or 0: the same number for all. */
 typedef struct algsurf_table {
     const double *at;            /* null: there are none, where that is allowed */
-    ptrdiff_t power, polynomial; /* steps from one to the next */
+    ptrdiff_t power, polynomial; /* steps from one to the next, in doubles */
 } algsurf_table;
 
 /* How the roots of many polynomials are found. */
 typedef struct algsurf_batch_options {
     size_t size;        /* sizeof(algsurf_batch_options) */
-    const char *kernel; /* the packet code, by its name: "avx512", "avx2", "baseline"; null: the fastest that
-                           runs here.  All of them give the same bits. */
+    const char *kernel; /* the SIMD code, by a name that algsurf_kernel_name (intersect.h) gives; null: the
+                           fastest that runs here.  All of them give the same bits. */
     double tolerance;   /* of algsurf_first_roots_batch: wanted error of a root, relative to the length of its
-                           interval, 0 <= tolerance < 1; 0: 1e-12 or better.  Others have no use for one: 0 */
+                           interval, 0 <= tolerance < 1; 0: 1e-12 or better.  The other calls require 0 */
 } algsurf_batch_options;
 
 #ifdef __cplusplus

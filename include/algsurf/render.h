@@ -53,26 +53,27 @@ ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
-/* At most 16 lights; count 0 removes them all.  Errors: as above.  Since 1.0. */
+/* At most 16 lights; count 0, lights may be null then, removes them all.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
                                                     int count);
 /* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full; null: there is no background, and
- * a picture with alpha is transparent there (algsurf_picture).  Errors: as above.  Since 1.0. */
+ * a picture with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
-/* How points of the surface are lit.  Errors: as above, also for a quality that is none.  Since 1.0. */
+/* How points of the surface are lit.  Errors: as above, also for an unknown quality.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
 /* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int n);
 /* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
  * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
  * left or right by more than 255 threshold in a channel of 0..255, alpha among them, whatever the planes
- * asked for; any other pixel shows its middle alone. So each pixel is that of one of two pictures without a
- * threshold, n x n samples or one, and the latter tells which; so is what the other planes tell of it, but
- * for the last bits, which may depend on what is solved beside them.  Threshold 1 chooses no pixel, and where
- * n = 1 none is to be chosen.  0.3 smooths outlines on a bright background, 0.1 most other edges too.  A
- * slice's upper and lower neighbours are looked at as in the whole picture. Errors: E_ARGUMENT for a null
- * scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n samples for some per cent of its
- * pixels.  Since 1.0. */
+ * asked for; any other pixel shows its middle alone.  So each pixel equals that of the picture of n x n
+ * samples or that of one sample, drawn without a threshold, and the latter tells which; so do the other
+ * planes, but for last bits, which may depend on what is solved beside them, not on slices or threads.
+ * Threshold 1 chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright
+ * background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked at as in the whole
+ * picture.
+ * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n
+ * samples for some per cent of its pixels.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */
@@ -88,7 +89,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the roots of rays in complex space are found from those of their neighbours: some 40 per cent
  * of the iterations, 20 to 40 per cent less time, and the same picture.  Source:
- * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: as above, also for a coherence that is none.
+ * Sanjuan-Estrada, Casado, Garcia, section 3.  Errors: as above, also for an unknown coherence.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_coherence(algsurf_scene *scene, algsurf_coherence coherence);
 
@@ -123,19 +124,20 @@ typedef struct algsurf_render_stats {
     double total_s;       /* wall time */
     int threads;          /* used, the caller's among them */
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
-    uint64_t single_rays; /* of the rays, those that are no part of a row: what rows left in doubt, or all */
+    uint64_t single_rays; /* rays solved one by one: what rows left in doubt, or all */
     double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
     double point_s;       /* seconds spent in positions and normals of what packets found */
-    double shadow_s;      /* seconds spent in shadows; with the four others, summed over threads */
-    const char *kernel;   /* the packet code's name (algsurf_kernel_name) */
+    double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
+    const char *kernel;   /* the SIMD code's name (algsurf_kernel_name) */
 } algsurf_render_stats;
 
 /* How the pixels of a picture lie in memory, 8 bits a channel. */
 typedef enum algsurf_pixel_format {
     ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
-    ALGSURF_RGBA8 = 1 /* red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one
-                         it is the share of the pixel's samples that show the surface, and the colour is the
-                         average of those alone, not multiplied by alpha; both are 0 where there are none */
+    ALGSURF_RGBA8 =
+        1 /* red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one
+             it is the share of the pixel's samples that are hits or undecided, and the colour
+             is the average of those alone, not multiplied by alpha; both are 0 where there are none */
 } algsurf_pixel_format;
 
 /* Where a picture goes: planes of the caller's memory, which do not overlap.  A null plane is not asked for;
@@ -167,7 +169,7 @@ typedef struct algsurf_picture {
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at the place of doubt and counted; an undecided shadow ray counts
  * as occluded.
- * Full quality: one shadow ray for each light sample, from a millionth of what is shown above the
+ * Full quality: one shadow ray for each light sample, from 1e-6 of the shown size above the
  * surface, in real space; in preview, depth runs along the view through the extent.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
@@ -179,7 +181,7 @@ typedef struct algsurf_picture {
  * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  t, normals and
  * state: 1 to 4 nanoseconds a pixel.
  * Memory: some 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 200 more, in
- * complex space 32 more for each degree, allocated once.  60 KiB of stack.
+ * complex space 32 more for each degree, allocated once.  59 KiB of stack.
  * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,

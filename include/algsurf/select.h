@@ -23,12 +23,12 @@ typedef struct algsurf_sector {
 /* What is known of the root that is seen. */
 typedef enum algsurf_selected {
     ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
-    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and no other one that may be is smaller */
+    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and no smaller one can be: verified */
     ALGSURF_SELECTED_UNDECIDED = 2 /* index is the least root that may be in the sector */
 } algsurf_selected;
 
-/* Is every root of the enclosure in the sector (1), none (0), or is that undecided (2)?  The root 0 has
- * argument 0.  Decided with the enclosing box: a real one has argument exactly 0 or pi.
+/* 1: every root of the box is in the sector or its conjugate; 0: none is; 2: undecided.  The root 0 has
+ * argument 0; a box proved real has argument exactly 0 or pi.
  * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
                                                 const algsurf_complex_root *root, int *holds);

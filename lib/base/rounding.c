@@ -12,10 +12,9 @@ static double product(double a, double b) { return a * b; }
 static double quotient(double a, double b) { return a / b; }
 static double root(double a) { return sqrt(a); }
 static double product_and_sum(double a, double b, double c) { return a * b + c; }
-static double fused(double a, double b, double c) { return fma(a, b, c); }
 
 const algsurf_i_operations algsurf_i_operations_plain = {
-    sum, product, quotient, root, product_and_sum, fused, algsurf_two_sum, algsurf_two_prod};
+    sum, product, quotient, root, product_and_sum, algsurf_multiply_add, algsurf_two_sum, algsurf_two_prod};
 
 enum operation { SUM, PRODUCT, QUOTIENT, ROOT, PRODUCT_AND_SUM, FUSED, TWO_SUM, TWO_PRODUCT };
 

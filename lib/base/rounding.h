@@ -15,7 +15,7 @@ typedef struct algsurf_i_operations {
     double (*quotient)(double a, double b);
     double (*root)(double a);
     double (*product_and_sum)(double a, double b, double c); /* a * b + c, two roundings */
-    double (*fused)(double a, double b, double c);           /* fma(a, b, c), one; null: not used */
+    double (*fused)(double a, double b, double c);           /* the same, one; null: not used */
     algsurf_dd (*two_sum)(double a, double b);
     algsurf_dd (*two_product)(double a, double b);
 } algsurf_i_operations;

@@ -25,7 +25,7 @@ typedef struct algsurf_complex_root {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
     algsurf_complex value; /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: real, proved, whatever the multiplicity: box.im is [0,0] */
+    int real;              /* 1: proved real, box.im is [0,0]; 0: not real, or not known */
 } algsurf_complex_root;
 
 /* All roots of sum c_k z^k.
@@ -39,15 +39,17 @@ typedef struct algsurf_complex_root {
  * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
  * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
  * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
+ * Entries are in increasing order of value.re, then of value.im.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
  * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
- * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE). Cost: O(degree^2) times some 10 iterations; about.
- * With exact coefficients, degrees to 24 take 0.1 to 3 microseconds (2 to 16) where roots are simple and
- * apart, 1 to 20 otherwise. Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  A real
- * polynomial without radii that has a cluster may need more than 16 KiB of the stack for its integers, and
- * then up to 1 GiB.  All is freed. Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration),
- * Smith 1970 (inclusion discs), Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex
- * arguments).  64 KiB of stack.  Since 1.0. */
+ * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE).
+ * Cost: O(degree^2) times some 10 iterations; with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16)
+ * where roots are simple and apart, 1 to 20 otherwise.
+ * Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  A real polynomial without radii that
+ * has a cluster may need more than 16 KiB of the stack for its integers, and then up to 1 GiB.  All is freed.
+ * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
+ * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  64 KiB of stack.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
 
@@ -68,18 +70,21 @@ typedef struct algsurf_complex_batch {
     algsurf_table r;  /* radii of the coefficients; at null: they are exact */
 } algsurf_complex_batch;
 
-/* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (im
- * null), or algsurf_complex_roots. options  null: all defaults roots    count times degree entries; those of
- * polynomial i start at roots[i * degree] count    for each polynomial the number of its entries; or, where
- * the single call fails, its error, a negative algsurf_status: its entries mean nothing then Neither may
- * overlap the input. Returns the first of these errors: all other answers stand.  Errors: E_ARGUMENT (null,
- * degree outside its range, bad size or kernel): nothing is written; else those of the single call.
+/* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (no
+ * imaginary parts), or algsurf_complex_roots.
+ *   options  null: all defaults
+ *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
+ *   count    for each polynomial the number of its entries; or, where the single call fails, its error, a
+ *            negative algsurf_status: its entries mean nothing then
+ * Neither may overlap the input.
+ * Returns the first of these errors: all other answers stand.
+ * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel): nothing is written; else those of
+ * the single call.
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.
- * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.  44
- * KiB of stack.  64 KiB of stack.  Since 1.0.
- */
+ * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
+ * 64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
                                                        algsurf_complex_root *roots, int *count);

@@ -11,7 +11,8 @@
  * untouched on failure.  Operands that are not intervals (lo > hi, NaN, lo = +inf, hi = -inf) are the
  * caller's error: E_ARGUMENT where there is a status, else an unspecified result, maybe no interval.
  * Check with algsurf_interval_make where values come from outside.
- * Ends: 0 times an infinite end is 0, a number over one is 0: it stands for arbitrarily large numbers.
+ * Ends: 0 times an infinite end is 0, a finite number divided by one is 0: it stands for arbitrarily large
+ * numbers.
  * An end that is zero comes out as +0.
  * Cost: 5 to 20 ns for a real operation, 0.1 us for a complex product, modulus or argument, 0.4 us for a
  * complex quotient.  Source: Dekker 1971, error-free transforms, instead of switched rounding modes.
@@ -87,7 +88,7 @@ ALGSURF_API int algsurf_interval_interior(algsurf_interval a, algsurf_interval b
 ALGSURF_API algsurf_status algsurf_interval_poly(const algsurf_interval *c, int degree, algsurf_interval x,
                                                  algsurf_interval *result);
 /* The same by the centred form p(m) + q(x) (x - m), m the middle of x, q the quotient of p - p(m) by x - m,
- * met with Horner's result: never wider, and the excess width is of second order in the width of x.
+ * intersected with Horner's result: never wider, and the excess width is of second order in the width of x.
  * Errors: as above.  Cost: twice to three times.  Source: Krawczyk, Neumaier 1985. */
 ALGSURF_API algsurf_status algsurf_interval_poly_centred(const algsurf_interval *c, int degree,
                                                          algsurf_interval x, algsurf_interval *result);
@@ -118,7 +119,7 @@ ALGSURF_API algsurf_cinterval algsurf_cinterval_sqr(algsurf_cinterval a);
 ALGSURF_API algsurf_status algsurf_cinterval_pow(algsurf_cinterval a, int n, algsurf_cinterval *result);
 /* { |z| }, ends within a few units in the last place. */
 ALGSURF_API algsurf_interval algsurf_cinterval_abs(algsurf_cinterval a);
-/* { arg z : z in a, z != 0 } as an interval [lo,hi], -pi <= lo <= pi, lo <= hi <= lo + 2 pi.  Arguments
+/* { arg z : z in a }, a without 0, as an interval [lo,hi], -pi <= lo <= pi, lo <= hi <= lo + 2 pi.  Arguments
  * are in (-pi,pi]; a rectangle that crosses the negative real axis, or touches it from below, gets hi > pi
  * (the part below the axis counted on by 2 pi), never a jump.  A rectangle on the real axis gives exactly
  * [0,0] or [pi_lo,pi_hi], the two doubles around pi.  pi in these bounds means the double on its outer side.

@@ -1,7 +1,7 @@
 /* algsurf/observe.h - how roots are found: each interval that is looked at, each point, and who decides.
  *
  * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
- * algsurf_intersect_options) go the same way with and without it, and give the same bits; without one,
+ * algsurf_intersect_options) run alike with and without it, and give the same bits; without one,
  * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
  * Isolation looks at cells.  It begins with the whole interval, or with parts of it, and cuts what has two
@@ -68,8 +68,8 @@ typedef struct algsurf_observer {
     void *data;                   /* the caller's, passed to both */
     algsurf_cell_observer cell;   /* null: nobody is told of cells */
     algsurf_point_observer point; /* null: nobody is told of points */
-    size_t intervals;             /* cells: every call adds its own */
-    size_t evaluations;           /* points: likewise */
+    size_t intervals;             /* cells; each call adds to it, and nobody resets it */
+    size_t evaluations;           /* points; likewise */
     int engine;                   /* the highest algsurf_engine of them, who decided; a call may raise it */
 } algsurf_observer;
 

@@ -1,13 +1,13 @@
 /* algsurf/refine.h - a bracket becomes a root.
  *
- * All methods keep an interval whose ends have opposite signs, and count alike, so that they can be compared.
- * They differ in how they choose the next point.
+ * All methods keep an interval whose ends have opposite signs, and count evaluations by the same rule, so
+ * that they can be compared.  They differ in how they choose the next point.
  *
  * A polynomial's default method decides every sign exactly: compensated values where their bounds tell,
  * integers elsewhere.  Its bracket holds the root, always, and closes to two units in the last place.  The
  * other methods, asked for by name, are those of the books: they evaluate by Horner's rule in double and
  * believe the signs they get.  Where the value is lost in rounding, overflow or underflow they miss the root,
- * call a value of zero a root, or refuse a bracket whose signs look equal.
+ * call a computed 0 a root, or refuse a bracket whose signs look equal.
  */
 #ifndef ALGSURF_REFINE_H
 #define ALGSURF_REFINE_H
@@ -44,7 +44,7 @@ typedef struct algsurf_refine_options {
 typedef struct algsurf_refined_root {
     double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
-    double value;    /* f(root) as computed; a polynomial's by default: its sign is certain, 0 is a root */
+    double value;    /* f there, as computed; a polynomial's by default: its sign is certain, 0 is a root */
     int evaluations; /* of f (for the guarded Newton: of f together with f'), ends included */
     int iterations;  /* points chosen by the method */
     int converged;   /* 1: hi - lo <= 2 (tolerance + rounding) or value == 0; 0: the limit was reached.

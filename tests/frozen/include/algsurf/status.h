@@ -3,13 +3,14 @@
  * Vocabulary.  Every comment of this library uses these words in one sense only:
  *   encloses     the exact value lies in the returned interval;
  *   isolates     the interval holds exactly one root, counted without multiplicity;
- *   verified     a proof was carried out in floating point with every rounding accounted for;
+ *   verified     proved: in floating point with every rounding accounted for, or in integers;
  *   approximate  nothing is proved: the value is what a careful computation in double gives.
  *
  * Outcomes.  Every function that can fail returns an algsurf_status:
- *   negative     misuse, or no memory: nothing was computed, outputs are untouched;
+ *   negative     refused: outputs are untouched, unless the comment says otherwise;
  *   zero         done, as promised;
- *   positive     honestly undecided or stopped early: outputs hold what is known, the code says why.
+ *   positive     honestly undecided or stopped early: outputs hold what is known, unless the comment says
+ *                otherwise, and the code says why.
  *
  * Conventions common to all functions, unless their comment says otherwise.
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
@@ -56,7 +57,7 @@ extern "C" {
     X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
     X(ALGSURF_E_SYNTAX, -5, "text is not a polynomial equation in x, y, z")                                  \
     X(ALGSURF_E_ZERO, -6, "polynomial is identically zero")                                                  \
-    X(ALGSURF_E_RANGE, -7, "a value leaves the range of double")                                             \
+    X(ALGSURF_E_RANGE, -7, "a value is out of range")                                                        \
     X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
     X(ALGSURF_OK, 0, "done")                                                                                 \

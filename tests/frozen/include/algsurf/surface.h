@@ -1,7 +1,7 @@
 /* algsurf/surface.h - an algebraic surface P(x,y,z) = 0.
  *
  * A surface is an immutable polynomial whose coefficients are doubles, taken as exact numbers.
- * It may be shared by any number of threads; nothing is allocated after it is made.  Where the doubles are
+ * It may be shared by any number of threads; it never grows after it is made.  Where the doubles are
  * themselves roundings, of sqrt(5) for one, algsurf_surface_with_error says so, and answers allow for it.
  */
 #ifndef ALGSURF_SURFACE_H
@@ -36,10 +36,10 @@ typedef struct algsurf_parse_error {
 } algsurf_parse_error;
 
 /* A surface from its terms, in any order; terms with the same exponents are added (in order, each sum
- * rounded once), then zero terms vanish, whatever their exponents.  count may be 0 only in error.
+ * rounded once), then zero terms vanish, whatever their exponents.  count is at least 1.
  *   surface  receives the new surface; free it with algsurf_surface_free
- * Errors: E_ARGUMENT (null, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum overflows),
- * E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
+ * Errors: E_ARGUMENT (null, count 0, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum
+ * overflows), E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
  * E_NO_MEMORY.  A non-zero constant is accepted: a surface without points.
  * Cost: O(count log count).  38 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms, size_t count,
