@@ -134,10 +134,10 @@ typedef struct algsurf_render_stats {
 /* How the pixels of a picture lie in memory, 8 bits a channel. */
 typedef enum algsurf_pixel_format {
     ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
-    ALGSURF_RGBA8 =
-        1 /* red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one
-             it is the share of the pixel's samples that are hits or undecided, and the colour
-             is the average of those alone, not multiplied by alpha; both are 0 where there are none */
+    /* Red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one it is the share of
+     * the pixel's samples that are hits or undecided, and the colour is the average of those alone, not
+     * multiplied by alpha; both are 0 where there are none. */
+    ALGSURF_RGBA8 = 1
 } algsurf_pixel_format;
 
 /* Where a picture goes: planes of the caller's memory, which do not overlap.  A null plane is not asked for;
