@@ -16,7 +16,7 @@ static void shoot(const algsurf_surface *surface, const algsurf_ray *ray) {
         printf("hit at t = %g, point (%g, %g, %g), normal (%g, %g, %g)\n", hit.t, hit.position[0],
                hit.position[1], hit.position[2], hit.normal[0], hit.normal[1], hit.normal[2]);
     } else {
-        printf("%s\n", hit.state == ALGSURF_MISS ? "miss" : "uncertain");
+        printf("%s\n", hit.state == ALGSURF_MISS ? "miss" : "undecided");
     }
 }
 

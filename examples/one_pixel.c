@@ -185,7 +185,7 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
 /* ---- doubt ---- */
 
 static const char *state_name(int state) {
-    return state == ALGSURF_HIT ? "hit" : state == ALGSURF_MISS ? "miss" : "uncertain";
+    return state == ALGSURF_HIT ? "hit" : state == ALGSURF_MISS ? "miss" : "undecided";
 }
 
 /* Of each root on the ray its multiplicity; how far apart the doubles next to two of them are. */
