@@ -297,7 +297,7 @@ static void any_planes(void **state) {
 /* Rows of any distance, and without a gap. */
 static void strides(void **state) {
     enum { GAP = 7 };
-    static uint8_t tight[H][4 * W], apart[H][4 * W + GAP];
+    static uint8_t tight[H * 4 * W], apart[H * (4 * W + GAP)];
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
     const algsurf_render_options o = options_for(2);
@@ -305,13 +305,13 @@ static void strides(void **state) {
     for (int format = ALGSURF_RGB8; format <= ALGSURF_RGBA8; format++) {
         size_t row = (size_t)(format == ALGSURF_RGBA8 ? 4 : 3) * W;
         const algsurf_picture planes = {
-            .size = sizeof planes, .pixels = apart[0], .stride = row + GAP, .format = format};
+            .size = sizeof planes, .pixels = apart, .stride = row + GAP, .format = format};
         memset(apart, SENTINEL, sizeof apart);
-        draw_pixels(scene, format, tight[0]);
+        draw_pixels(scene, format, tight);
         assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
         for (size_t y = 0; y < H; y++) {
-            const uint8_t *there = apart[0] + y * (row + GAP);
-            assert_memory_equal(there, tight[0] + y * row, row);
+            const uint8_t *there = apart + y * (row + GAP);
+            assert_memory_equal(there, tight + y * row, row);
             for (size_t i = row; i < row + GAP; i++) assert_int_equal(there[i], SENTINEL);
         }
     }
