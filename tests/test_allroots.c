@@ -247,6 +247,11 @@ static void test_unity(void **state) {
             assert_true(boxes[i].box.re.hi - boxes[i].box.re.lo <= 4 * DBL_EPSILON);
         }
         assert_int_equal(exact, 4);
+        static algsurf_complex_root simple[LARGE];
+        int count = 0;
+        assert_int_equal(algsurf_complex_roots(large, NULL, degree, simple, &count), ALGSURF_OK);
+        assert_int_equal(count, degree);
+        assert_memory_equal(simple, boxes, (size_t)degree * sizeof *simple);
     }
 }
 

@@ -589,6 +589,9 @@ static void test_errors(void **unused) {
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     options = (algsurf_batch_options){.size = sizeof options, .tolerance = -1};
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
+    options.tolerance = 0.5;
+    p = packet_of(3, 0, MOST, 0);
+    assert_int_equal(algsurf_real_roots_batch(&p, &options, all_roots, counts), ALGSURF_E_ARGUMENT);
     options.tolerance = (double)NAN;
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);

@@ -224,6 +224,32 @@ static void hard_ones(void **state) {
     assert_int_equal(algsurf_complex_roots_batch(NULL, NULL, NULL, NULL), ALGSURF_E_ARGUMENT);
 }
 
+/* Complex numbers by rows, as algsurf_complex keeps them: the bits of single calls. */
+static void rows_of_numbers(void **state) {
+    static algsurf_complex z[MANY][MOST + 1];
+    static algsurf_complex_root roots[MANY * MOST], single[MOST];
+    int found[MANY], count;
+    (void)state;
+    for (int n = 1; n <= 12; n++) {
+        const ptrdiff_t row = 2 * (MOST + 1);
+        const algsurf_complex_batch rows = {.size = sizeof rows,
+                                            .count = MANY,
+                                            .degree = n,
+                                            .re = {&z[0][0].re, 2, row},
+                                            .im = {&z[0][0].im, 2, row}};
+        for (int i = 0; i < MANY; i++) {
+            problem p = random_problem(n, PLAIN, 0);
+            for (int k = 0; k <= n; k++) z[i][k] = (algsurf_complex){p.re[k], p.im[k]};
+        }
+        assert_int_equal(algsurf_complex_roots_batch(&rows, NULL, roots, found), ALGSURF_OK);
+        for (int i = 0; i < MANY; i++) {
+            assert_int_equal(algsurf_complex_roots(z[i], NULL, n, single, &count), ALGSURF_OK);
+            assert_int_equal(found[i], count);
+            assert_memory_equal(single, roots + i * n, (size_t)count * sizeof *single);
+        }
+    }
+}
+
 /* Real ones among complex ones, radii, and misuse. */
 static void the_interface(void **state) {
     problem p[MANY];
@@ -250,11 +276,13 @@ static void the_interface(void **state) {
         assert_int_equal(count, found[i]);
         assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
     }
-    const algsurf_batch_options unknown = {.size = sizeof unknown, .kernel = "none"}, small = {.size = 1};
+    const algsurf_batch_options unknown = {.size = sizeof unknown, .kernel = "none"}, small = {.size = 1},
+                                coarse = {.size = sizeof coarse, .tolerance = 0.5};
     algsurf_complex_batch bad = b.packet;
     found[0] = 77;
     assert_int_equal(algsurf_complex_roots_batch(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, &small, roots, found), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_complex_roots_batch(&bad, &coarse, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, NULL), ALGSURF_E_ARGUMENT);
     bad.degree = 0;
@@ -273,6 +301,7 @@ int main(void) {
         cmocka_unit_test(boxes_hold_their_roots),
         cmocka_unit_test(quadratics),
         cmocka_unit_test(hard_ones),
+        cmocka_unit_test(rows_of_numbers),
         cmocka_unit_test(the_interface),
     };
     return cmocka_run_group_tests_name("complex: many polynomials", tests, NULL, NULL);
