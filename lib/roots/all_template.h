@@ -7,6 +7,7 @@
 #ifndef ALGSURF_ALL_TEMPLATE_H
 #define ALGSURF_ALL_TEMPLATE_H
 #include "first_template.h"
+#include "good_template.h"
 
 /* Of polynomials; n/2 cells of each may wait where LANES of them are split. */
 #define BATCH_OF(n) (POLYS_OF(n) / 2)
