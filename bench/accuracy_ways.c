@@ -112,7 +112,7 @@ static algsurf_intersect_options options_of(const setting *s) {
     return (algsurf_intersect_options){.size = sizeof(algsurf_intersect_options),
                                        .tier = s->tier,
                                        .method = s->method,
-                                       .tolerance = s->tolerance};
+                                       .absolute_tolerance = s->tolerance};
 }
 
 static double run_singly(ways *w, const setting *s) {

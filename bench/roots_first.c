@@ -30,7 +30,7 @@ static void must(algsurf_status status, const char *what) {
 /* ---- this library ---- */
 
 static double refine_here(const double *c, int degree, double lo, double hi, double tolerance) {
-    const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
+    const algsurf_refine_options options = {.size = sizeof options, .absolute_tolerance = 2 * tolerance};
     algsurf_refined_root root;
     must(algsurf_refine_poly(c, degree, lo, hi, &options, &root), "refinement");
     return root.root;

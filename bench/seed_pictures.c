@@ -61,7 +61,7 @@ double seed_draw(seed_easel *easel, const seed_method *method, double tolerance,
     /* any limit of iterations of the caller's makes the renderer go ray by ray */
     const algsurf_intersect_options options = {.size = sizeof options,
                                                .method = method->method,
-                                               .tolerance = tolerance,
+                                               .absolute_tolerance = tolerance,
                                                .max_iterations = packets ? 0 : 1000};
     const seed_view *view = easel->view;
     double begun = measure_cpu();

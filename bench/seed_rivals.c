@@ -46,7 +46,7 @@ static double value(bracket *s, double x) {
 static bracket start(const double *c, int degree, double lo, double hi,
                      const algsurf_refine_options *options) {
     bracket s = {.c = c, .degree = degree, .a = lo, .b = hi};
-    s.tolerance = options->tolerance;
+    s.tolerance = 0.5 * options->absolute_tolerance;
     s.most = options->max_iterations ? options->max_iterations : 1000;
     s.fa = value(&s, lo);
     s.fb = value(&s, hi);
@@ -80,7 +80,7 @@ static double chord(const bracket *s, double fa) { return s->b - s->fb * ((s->b 
 algsurf_status seed_false_position(const double *c, int degree, double lo, double hi, double tolerance,
                                    double small, int most, algsurf_refined_root *result) {
     const algsurf_refine_options options = {
-        .size = sizeof options, .tolerance = tolerance, .max_iterations = most};
+        .size = sizeof options, .absolute_tolerance = 2 * tolerance, .max_iterations = most};
     bracket s = start(c, degree, lo, hi, &options);
     while (running(&s) && fabs(s.fa) > small && fabs(s.fb) > small) {
         double x = chord(&s, s.fa), y = value(&s, x);
@@ -162,7 +162,9 @@ const seed_method seed_methods[SEED_METHODS] = {
 
 algsurf_status seed_solve(const seed_method *method, const double *c, int degree, double lo, double hi,
                           double tolerance, int most, algsurf_refined_root *result) {
-    const algsurf_refine_options options = {
-        .size = sizeof options, .method = method->method, .max_iterations = most, .tolerance = tolerance};
+    const algsurf_refine_options options = {.size = sizeof options,
+                                            .method = method->method,
+                                            .max_iterations = most,
+                                            .absolute_tolerance = 2 * tolerance};
     return method->solve(c, degree, lo, hi, &options, result);
 }

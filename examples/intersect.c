@@ -25,7 +25,7 @@ static const cli_option options_table[] = {
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
-     FIELD(how.tolerance)},
+     FIELD(how.absolute_tolerance)},
     {"--tier", "certified|bounded|fast",
      "every ray decided, by integers where doubles leave it open (default);\n"
      "doubles alone, the rest uncertain; signs as computed, which may be wrong",

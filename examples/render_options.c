@@ -56,7 +56,7 @@ static void set_method(const cli_option *option, const char *value, void *field)
 }
 
 static void set_tolerance(const cli_option *option, const char *value, void *field) {
-    cli_set_tolerance(option, value, &real_only(option, field)->tolerance);
+    cli_set_tolerance(option, value, &real_only(option, field)->absolute_tolerance);
 }
 
 static void set_tier(const cli_option *option, const char *value, void *field) {

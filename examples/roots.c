@@ -44,7 +44,7 @@ static const cli_option options_table[] = {
     {"--real", "LO:HI", "only the real roots in LO..HI, ends included; -inf and inf are allowed",
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
-     "half width wanted of an enclosure with --real, default 0: as narrow as the\n"
+     "width wanted of an enclosure with --real, default 0: as narrow as the\n"
      "rounding of the polynomial's values allows; without --real, or where\n"
      "coefficients do not fit doubles, it always is",
      cli_set_tolerance, FIELD(tolerance)},

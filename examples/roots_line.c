@@ -167,7 +167,7 @@ static roots_row row_of(double value, double lo, double hi, int multiplicity) {
 /* Brackets, made only as narrow as is wanted. */
 static int real_to_tolerance(const roots_polynomial *p, const roots_interval *where, double tolerance,
                              roots_row *rows, roots_complaint *why) {
-    const algsurf_refine_options options = {.size = sizeof options, .tolerance = tolerance};
+    const algsurf_refine_options options = {.size = sizeof options, .absolute_tolerance = tolerance};
     double c[ROOTS_MAX_FIELDS];
     algsurf_bracket b[ROOTS_MAX_FIELDS];
     algsurf_refined_root root;

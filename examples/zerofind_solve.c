@@ -55,8 +55,10 @@ algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_exte
                               zerofind *result) {
     algsurf_observer observer = {
         .size = sizeof observer, .data = result, .cell = take_cell, .point = take_point};
-    const algsurf_intersect_options options = {
-        .size = sizeof options, .method = (int)method, .tolerance = tolerance, .observer = &observer};
+    const algsurf_intersect_options options = {.size = sizeof options,
+                                               .method = (int)method,
+                                               .absolute_tolerance = tolerance,
+                                               .observer = &observer};
     algsurf_hit first;
     memset(result, 0, sizeof *result);
     result->chord = *on;

@@ -325,12 +325,12 @@ static void test_bad_numbers(void **state) {
         c = good, c.start[1].im = bad, refused(&c, 1, 1, finite);
         c = good, c.q[0].im = bad, refused(&c, 1, finite, 1);
         c = good, c.r[2] = bad, refused(&c, 1, finite, finite);
-        c = good, c.options.epsilon = bad, refused(&c, finite, finite, finite);
+        c = good, c.options.relative_step = bad, refused(&c, finite, finite, finite);
     }
     call c = good;
     c.r[0] = -0x1p-1074, refused(&c, 1, argument, argument);
     c = good, c.p[2].re = 0, refused(&c, argument, argument, ALGSURF_E_ZERO);
-    c = good, c.options.epsilon = -1, refused(&c, argument, argument, argument);
+    c = good, c.options.relative_step = -1, refused(&c, argument, argument, argument);
     c = good, c.options.max_steps = -1, refused(&c, argument, argument, argument);
     c = good, c.options.max_inflations = -1, refused(&c, argument, argument, argument);
     c = good, c.options.size = 2, refused(&c, argument, argument, argument);

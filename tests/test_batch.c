@@ -459,7 +459,7 @@ static void test_tolerance(void **unused) {
         put_random(n, &random);
         solve(n, 0, MOST, 0, NULL, &fine);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        algsurf_batch_options options = {.size = sizeof options, .tolerance = 1e-4};
+        algsurf_batch_options options = {.size = sizeof options, .relative_tolerance = 1e-4};
         assert_int_equal(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
         for (int i = 0; i < MOST; i++)
             if (fine.state[i] == ALGSURF_FIRST_ROOT_FOUND &&
@@ -587,12 +587,12 @@ static void test_errors(void **unused) {
     }
     options.kernel = "none";
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
-    options = (algsurf_batch_options){.size = sizeof options, .tolerance = -1};
+    options = (algsurf_batch_options){.size = sizeof options, .relative_tolerance = -1};
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
-    options.tolerance = 0.5;
+    options.relative_tolerance = 0.5;
     p = packet_of(3, 0, MOST, 0);
     assert_int_equal(algsurf_real_roots_batch(&p, &options, all_roots, counts), ALGSURF_E_ARGUMENT);
-    options.tolerance = (double)NAN;
+    options.relative_tolerance = (double)NAN;
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, a.state, a.root), ALGSURF_OK);

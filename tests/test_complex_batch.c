@@ -277,7 +277,7 @@ static void the_interface(void **state) {
         assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
     }
     const algsurf_batch_options unknown = {.size = sizeof unknown, .kernel = "none"}, small = {.size = 1},
-                                coarse = {.size = sizeof coarse, .tolerance = 0.5};
+                                coarse = {.size = sizeof coarse, .relative_tolerance = 0.5};
     algsurf_complex_batch bad = b.packet;
     found[0] = 77;
     assert_int_equal(algsurf_complex_roots_batch(&bad, &unknown, roots, found), ALGSURF_E_ARGUMENT);

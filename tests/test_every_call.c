@@ -378,7 +378,7 @@ static void call_algsurf_camera_ray(void) {
 
 static algsurf_intersect_options options_made(void) {
     algsurf_intersect_options options = {.size = sizeof options, .max_memory = 1 << 20};
-    options.tolerance = number(0);
+    options.absolute_tolerance = number(0);
     return options;
 }
 
@@ -598,7 +598,7 @@ static void call_algsurf_first_roots_batch(void) {
     polys of;
     algsurf_status s;
     polys_made(&of, 1);
-    options.tolerance = number(0);
+    options.relative_tolerance = number(0);
     STATUS_IN_HOST(algsurf_first_roots_batch(&of.batch, &options, state, root));
     WRITTEN(state), WRITTEN(root);
 }
@@ -610,7 +610,7 @@ static void call_algsurf_real_roots_batch(void) {
     polys of;
     algsurf_status s;
     polys_made(&of, 0);
-    options.tolerance = number(0);
+    options.relative_tolerance = number(0);
     STATUS_IN_HOST(algsurf_real_roots_batch(&of.batch, &options, roots, count));
     WRITTEN(count);
     for (int i = 0; i < POLYS; i++)
@@ -636,7 +636,7 @@ static void call_algsurf_refine_function(void) {
     double lo = number(-1e3), hi = number(1e3);
     int elsewhere = 0;
     algsurf_status s;
-    options.tolerance = number(0);
+    options.absolute_tolerance = number(0);
     STATUS_IN_HOST(algsurf_refine_function(step_at_two, &elsewhere, lo, hi, &options, &root));
     look_at_root(&root);
     host.kept &= elsewhere == 0;
@@ -657,7 +657,7 @@ static void call_algsurf_refine_poly(void) {
         algsurf_refine_options options = {.size = sizeof options, .observer = &observer};
         algsurf_refined_root root = {.converged = 0};
         algsurf_status s;
-        options.tolerance = number(0);
+        options.absolute_tolerance = number(0);
         options.method = which ? ALGSURF_METHOD_REGULA_FALSI : ALGSURF_METHOD_DEFAULT;
         STATUS_IN_HOST(algsurf_refine_poly(p.c, DEGREE, lo, hi, &options, &root));
         look_at_root(&root);
@@ -712,7 +712,7 @@ static void call_algsurf_approximation(void) {
     int steps = 0;
     algsurf_status s;
     complex_coefficients(p);
-    options.epsilon = number(1e-10);
+    options.relative_step = number(1e-10);
     STATUS_IN_HOST(algsurf_approximation(p, DEGREE, start, &options, &z, q, &steps));
     WRITTEN(z), WRITTEN(q), WRITTEN(steps);
 }
@@ -728,7 +728,7 @@ static void call_algsurf_interval_iteration(void) {
     complex_coefficients(p);
     numbers(r, DEGREE + 1, radii);
     for (int i = 0; i < DEGREE; i++) q[i] = complex_made(quotient[i], 0);
-    options.epsilon = number(1e-10);
+    options.relative_step = number(1e-10);
     STATUS_IN_HOST(
         algsurf_interval_iteration(p, r, DEGREE, z, q, &options, &box, boxes, &unique, &inflations));
     WRITTEN(box), WRITTEN(boxes), WRITTEN(unique), WRITTEN(inflations);
@@ -744,7 +744,7 @@ static void call_algsurf_cpoly_zeros(void) {
     complex_coefficients(p);
     numbers(r, DEGREE + 1, radii);
     for (int i = 0; i < DEGREE; i++) start[i] = complex_made(quartic[0][i], 1);
-    options.epsilon = number(1e-10);
+    options.relative_step = number(1e-10);
     STATUS_IN_HOST(algsurf_cpoly_zeros(p, r, DEGREE, start, &options, zeros, &complete));
     WRITTEN(complete);
     for (int i = 0; i < DEGREE; i++)

@@ -49,7 +49,7 @@ static void test_methods_and_tolerances(void **state) {
             for (int m = ALGSURF_METHOD_DEFAULT; m <= ALGSURF_METHOD_REGULA_FALSI; m++)
                 for (int k = 0; k < 4; k++) {
                     algsurf_intersect_options options = defaults;
-                    options.method = m, options.tolerance = ldexp(tolerances[k], -length);
+                    options.method = m, options.absolute_tolerance = ldexp(tolerances[k], -length);
                     options.max_iterations = m == ALGSURF_METHOD_REGULA_FALSI ? 20000 : 0;
                     intersect_ask(&c, NULL, &options, &answer);
                     assert_null(intersect_agree(&answer));
@@ -58,13 +58,14 @@ static void test_methods_and_tolerances(void **state) {
                         if (hit->state != ALGSURF_HIT || exact_count_roots(&s, hit->t_lo, hit->t_hi) != 1)
                             continue;
                         double root = exact_root(&s, hit->t_lo, hit->t_hi, 0), error = fabs(hit->t - root);
-                        /* the bracket's half width is at most the tolerance, t one of its ends; the rest is
-                           for ill-conditioned roots.  Regula falsi ends when its steps are short. */
-                        int within = error <= 2 * options.tolerance + ldexp(1e-10, -length);
+                        /* the bracket is no wider than the tolerance, t one of its ends; the rest is for
+                           ill-conditioned roots.  Regula falsi ends when its steps are short. */
+                        int within = error <= options.absolute_tolerance + ldexp(1e-10, -length);
                         if (m == ALGSURF_METHOD_REGULA_FALSI) {
-                            short_of += error > 100 * options.tolerance + ldexp(1e-10, -length);
+                            short_of += error > 100 * options.absolute_tolerance + ldexp(1e-10, -length);
                         } else if (!within) {
-                            fprintf(stderr, "method %d tolerance %g error %g\n", m, options.tolerance, error);
+                            fprintf(stderr, "method %d tolerance %g error %g\n", m,
+                                    options.absolute_tolerance, error);
                             intersect_fail("not within the tolerance", &c, &answer);
                         }
                         hits++;
@@ -81,7 +82,7 @@ static void test_methods_and_tolerances(void **state) {
 static void test_iteration_limit(void **state) {
     (void)state;
     algsurf_intersect_options options = defaults;
-    options.method = ALGSURF_METHOD_BISECTION, options.max_iterations = 3, options.tolerance = 1e-9;
+    options.method = ALGSURF_METHOD_BISECTION, options.max_iterations = 3, options.absolute_tolerance = 1e-9;
     intersect_equation(&c, equations[0]);
     c.ray = (algsurf_ray){{0.1, 0.2, -3}, {0.05, 0, 1}, 0, 6};
     intersect_judge(&c, &options, &answer);
@@ -200,10 +201,10 @@ static void test_options(void **state) {
     newer.unknown[3] = 1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &newer.known);
     for (o.size = 0; o.size < sizeof o; o.size++) /* no release had a smaller one */
         expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
-    o = defaults, o.tolerance = NAN;
+    o = defaults, o.absolute_tolerance = NAN;
     expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
-    o.tolerance = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
-    o.tolerance = INFINITY, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.absolute_tolerance = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
+    o.absolute_tolerance = INFINITY, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.max_iterations = -1, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.tier = 9, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);
     o = defaults, o.method = 4, expect(ALGSURF_E_ARGUMENT, c.surface, all, &ray, &o);

@@ -695,7 +695,7 @@ static void test_errors(void **state) {
     bad.size[0] = 0, refuse(ALGSURF_E_ARGUMENT, &bad, NULL);
     options.kernel = "avx1024", refuse(ALGSURF_E_ARGUMENT, extent, &options);
     options.kernel = "", refuse(ALGSURF_E_ARGUMENT, extent, &options);
-    options.kernel = NULL, options.tolerance = -1, refuse(ALGSURF_E_ARGUMENT, extent, &options);
+    options.kernel = NULL, options.absolute_tolerance = -1, refuse(ALGSURF_E_ARGUMENT, extent, &options);
 
     algsurf_ray_packet rays = {.size = sizeof rays, .count = 1};
     for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
@@ -755,7 +755,7 @@ static void test_options(void **state) {
     for (int method = ALGSURF_METHOD_DEFAULT; method <= ALGSURF_METHOD_REGULA_FALSI; method++) {
         algsurf_intersect_options options = {.size = sizeof options, .method = method};
         options.max_iterations = method == ALGSURF_METHOD_DEFAULT ? 100 : 0;
-        options.tolerance = 1e-4;
+        options.absolute_tolerance = 1e-4;
         assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = ray_at(&p, i);
@@ -765,7 +765,7 @@ static void test_options(void **state) {
             assert_memory_equal(&hit, &single, sizeof hit);
         }
     }
-    algsurf_intersect_options options = {.size = sizeof options, .tolerance = 1e-4};
+    algsurf_intersect_options options = {.size = sizeof options, .absolute_tolerance = 1e-4};
     assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = ray_at(&p, i);

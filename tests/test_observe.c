@@ -349,7 +349,7 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     check_counts();
     check_ray_cells(s);
     check_points(s, how.method, &hit);
-    if (hit.state == ALGSURF_HIT && hit.multiplicity == 1 && how.tolerance == 0) check_bracket(&hit);
+    if (hit.state == ALGSURF_HIT && hit.multiplicity == 1 && how.absolute_tolerance == 0) check_bracket(&hit);
     return told.engine;
 }
 

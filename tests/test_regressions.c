@@ -139,7 +139,8 @@ static void expand_underflow(void **state) {
 /* The tolerance was taken for the wrong unit far out. */
 static void tolerance(void **state) {
     (void)state;
-    algsurf_intersect_options o = {.size = sizeof o, .method = ALGSURF_METHOD_BISECTION, .tolerance = 1e-3};
+    algsurf_intersect_options o = {
+        .size = sizeof o, .method = ALGSURF_METHOD_BISECTION, .absolute_tolerance = 1e-3};
     intersect_equation(&c, "x z - 10 + y");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 1e-8}, 0, INFINITY};
     for (int m = 0; m < 3; m++) {

@@ -339,9 +339,9 @@ static void bad_scene(void **state) {
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .max_iterations = -1};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o = (algsurf_intersect_options){.size = sizeof o, .tolerance = NAN};
+    o = (algsurf_intersect_options){.size = sizeof o, .absolute_tolerance = NAN};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o.tolerance = -1;
+    o.absolute_tolerance = -1;
     REFUSED(ARGUMENT, set_intersect(scene, &o));
 #undef REFUSED
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */

@@ -63,17 +63,17 @@ typedef struct algsurf_hit {
 
 /* How rays are intersected. */
 typedef struct algsurf_intersect_options {
-    size_t size;        /* sizeof(algsurf_intersect_options) */
-    int tier;           /* an algsurf_tier: how much is to be known about an answer */
-    int method;         /* an algsurf_method: how brackets are refined */
-    int max_iterations; /* of the refinement, 0: 1000; at the limit the best point so far counts */
-    double tolerance;   /* wanted error of t, absolute; 0: all a double can tell, with the final
-                           Newton step on P at the point itself */
-    const char *kernel; /* the packet code to use for packets and pictures, by a name that
-                           algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
-    int doubt;          /* an algsurf_doubt: what becomes of an undecided place */
-    size_t max_memory;  /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
-                           answer is E_NO_MEMORY */
+    size_t size;               /* sizeof(algsurf_intersect_options) */
+    int tier;                  /* an algsurf_tier: how much is to be known about an answer */
+    int method;                /* an algsurf_method: how brackets are refined */
+    int max_iterations;        /* of the refinement, 0: 1000; at the limit the best point so far counts */
+    double absolute_tolerance; /* wanted error of t, in the unit of t, >= 0; 0: all a double can tell, with
+                                  the final Newton step on P at the point itself */
+    const char *kernel;        /* the packet code to use for packets and pictures, by a name that
+                                  algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
+    int doubt;                 /* an algsurf_doubt: what becomes of an undecided place */
+    size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
+                          answer is E_NO_MEMORY */
     algsurf_observer *observer; /* null: nobody watches; else it is told the cells and points of the one ray,
                                    as t along it.  Packets and pictures, where rays go side by side and by
                                    several threads, refuse it: E_ARGUMENT */
@@ -91,7 +91,7 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
 /* The first hit on the ray inside the extent, t in [t_min, t_max], both ends included.
  *   extent   null: all of space
  *   options  null: certified tier, default method, full accuracy
- * Guarantee: see algsurf_tier.  With the default method and tolerance |t - exact| is within a few
+ * Guarantee: see algsurf_tier.  With the default method and absolute_tolerance 0, |t - exact| is within a few
  * u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit
  * in the last place where integers decided.  A ray's answer has the same bits alone as in a packet
  * (algsurf_intersect_packet), by whatever kernel.

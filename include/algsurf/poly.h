@@ -64,8 +64,9 @@ typedef struct algsurf_batch_options {
     size_t size;        /* sizeof(algsurf_batch_options) */
     const char *kernel; /* the SIMD code, by a name that algsurf_kernel_name (intersect.h) gives; null: the
                            fastest that runs here.  All of them give the same bits. */
-    double tolerance;   /* of algsurf_first_roots_batch: wanted error of a root, relative to the length of its
-                           interval, 0 <= tolerance < 1; 0: 1e-12 or better.  The other calls require 0 */
+    double relative_tolerance; /* of algsurf_first_roots_batch: wanted error of a root, relative to the length
+                                  of its interval, 0 <= relative_tolerance < 1; 0: 1e-12 or better.  The other
+                                  calls require 0 */
 } algsurf_batch_options;
 
 #ifdef __cplusplus

@@ -17,9 +17,9 @@
 algsurf_status algsurf_i_zero_options(const algsurf_zero_options *given, algsurf_zero_options *options) {
     algsurf_zero_options o = {sizeof o, 0, 0, 0};
     if (given && !algsurf_options_read(&o, sizeof o, given)) return ALGSURF_E_ARGUMENT;
-    if (!isfinite(o.epsilon)) return ALGSURF_E_NOT_FINITE;
-    if (o.epsilon < 0 || o.max_steps < 0 || o.max_inflations < 0) return ALGSURF_E_ARGUMENT;
-    if (o.epsilon == 0) o.epsilon = 1e-10;
+    if (!isfinite(o.relative_step)) return ALGSURF_E_NOT_FINITE;
+    if (o.relative_step < 0 || o.max_steps < 0 || o.max_inflations < 0) return ALGSURF_E_ARGUMENT;
+    if (o.relative_step == 0) o.relative_step = 1e-10;
     if (o.max_steps == 0) o.max_steps = 50;
     if (o.max_inflations == 0) o.max_inflations = 10;
     *options = o;
@@ -167,7 +167,7 @@ algsurf_status algsurf_i_approximation(const algsurf_complex *p, int n, algsurf_
     it.n = n;
     begin(&it, n > 1 ? start : (algsurf_complex){0, 0}); /* degree 1: the first step hits from anywhere */
     while (count < options->max_steps && last == GOING_ON) {
-        last = step(&it, options->epsilon);
+        last = step(&it, options->relative_step);
         count += last != FAILED;
     }
     *z = held(it.y, it.unit);

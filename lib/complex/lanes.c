@@ -116,7 +116,7 @@ algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
     if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = o.tolerance == 0
+    algsurf_status status = o.relative_tolerance == 0
                                 ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
                                 : ALGSURF_E_ARGUMENT;
     algsurf_fpenv_leave(&saved);

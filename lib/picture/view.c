@@ -129,7 +129,7 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
         if (!algsurf_i_sector_edges_of(&scene->space.sector, &p->sector)) return 0;
         algsurf_i_complex_prepare(scene, p);
     }
-    p->tolerance = scene->intersect.tolerance / ldexp(view->size, scene->surface->unit);
+    p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
     return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
            view->noise * scene->surface->degree < 0x1p-22;
 }

@@ -30,7 +30,8 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
         return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
-    if (options->max_iterations < 0 || !(options->tolerance >= 0) || isinf(options->tolerance))
+    if (options->max_iterations < 0 || !(options->absolute_tolerance >= 0) ||
+        isinf(options->absolute_tolerance))
         return ALGSURF_E_ARGUMENT;
     if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
@@ -179,7 +180,8 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
                                     .bounded = o->tier != ALGSURF_TIER_FAST,
                                     .observer = o->observer,
                                     .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
-    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->tolerance, NULL};
+    const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
+                                        NULL};
     if (!algsurf_i_rays_fit(surface, extent)) return -1;
     return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
 }

@@ -58,7 +58,7 @@ static double refine_single(const single_ray *s) {
     algsurf_refined_root root = {.root = 0.5};
     algsurf_observer told = {.size = sizeof told, .data = (void *)s, .point = tell_bracket_point};
     how.observer = s->k.watch ? &told : NULL;
-    how.tolerance = 0.5 * how.tolerance / (2 * s->half[0] * s->ray.t_unit[0] * width);
+    how.absolute_tolerance /= (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);
     if (how.method != ALGSURF_METHOD_DEFAULT ||
         algsurf_refine_poly(c, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
@@ -82,7 +82,7 @@ static void hit_as_it_is(single_ray *s, lanes v, lanes_hit *hit) {
 /* The bracket's hit; 0: it is undecided. */
 static int make_hit(single_ray *s, algsurf_hit *to) {
     const guess nowhere = {.known = no_lane()};
-    int wide = s->how && s->how->tolerance > 0; /* what is asked for is to be seen */
+    int wide = s->how && s->how->absolute_tolerance > 0; /* what is asked for is to be seen */
     lanes v;
     lanes_hit hit;
     if (s->how)

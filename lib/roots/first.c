@@ -50,7 +50,7 @@ static algsurf_status prepare(query *q, const algsurf_real_batch *batch,
     q->options = (algsurf_batch_options){.size = sizeof q->options};
     if (!batch || !algsurf_options_read(&q->polys, sizeof q->polys, batch)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&q->options, sizeof q->options, options)) return ALGSURF_E_ARGUMENT;
-    if (!(q->options.tolerance >= 0 && q->options.tolerance < 1)) return ALGSURF_E_ARGUMENT;
+    if (!(q->options.relative_tolerance >= 0 && q->options.relative_tolerance < 1)) return ALGSURF_E_ARGUMENT;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(q->options.kernel);
     if (!kernel) return ALGSURF_E_ARGUMENT;
     q->kernel = algsurf_i_roots_kernel_for(kernel);
@@ -114,7 +114,7 @@ static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
                                  .hi = p->hi,
                                  .interval = p->interval_step,
                                  .degree = p->degree,
-                                 .tolerance = q->options.tolerance};
+                                 .tolerance = q->options.relative_tolerance};
     algsurf_status status = ALGSURF_OK;
     if (!q->kernel->good(job, p->count))
         for (size_t i = 0; i < p->count && status == ALGSURF_OK; i++) status = check_one(p, i);
@@ -169,7 +169,7 @@ static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *batch,
     algsurf_status status = prepare(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
-    if (!roots || !count || p->radii.at || q.options.tolerance != 0) return ALGSURF_E_ARGUMENT;
+    if (!roots || !count || p->radii.at || q.options.relative_tolerance != 0) return ALGSURF_E_ARGUMENT;
     if ((status = set_job(&q, &job)) != ALGSURF_OK) return status;
     job.roots = roots;
     job.found = count;

@@ -77,9 +77,9 @@ static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options 
     int number = known.method;
     if (number < ALGSURF_METHOD_DEFAULT || number > ALGSURF_METHOD_REGULA_FALSI) return ALGSURF_E_ARGUMENT;
     if (known.max_iterations < 0) return ALGSURF_E_ARGUMENT;
-    if (!(known.tolerance >= 0) || isinf(known.tolerance)) return ALGSURF_E_ARGUMENT;
+    if (!(known.absolute_tolerance >= 0) || isinf(known.absolute_tolerance)) return ALGSURF_E_ARGUMENT;
     s->rounding = 0x1p-51;
-    s->tolerance = fmin(known.tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
+    s->tolerance = fmin(0.5 * known.absolute_tolerance, 0.25 * DBL_MAX); /* twice it must be finite */
     s->max_iterations = known.max_iterations ? known.max_iterations : 1000;
     *method = known.method;
     *observer = known.observer;

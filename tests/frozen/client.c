@@ -70,7 +70,7 @@ static void check_rays(const algsurf_surface *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
-    o.tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT, o.max_memory = 1 << 20;
+    o.absolute_tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT, o.max_memory = 1 << 20;
     o.observer = NULL;
     {
         algsurf_hit hit, hits[2];
@@ -160,7 +160,7 @@ static void check_roots(void) {
     CHECK(bracket.lo <= sqrt(2) && sqrt(2) <= bracket.hi && bracket.sign == -1);
 
     BLANK(algsurf_refine_options, r);
-    r.method = ALGSURF_METHOD_BISECTION, r.max_iterations = 100, r.tolerance = 1e-9;
+    r.method = ALGSURF_METHOD_BISECTION, r.max_iterations = 100, r.absolute_tolerance = 1e-9;
     r.observer = NULL;
     {
         algsurf_refined_root root;
@@ -168,7 +168,7 @@ static void check_roots(void) {
         CHECK(near(root.root, sqrt(2)) && root.converged == 1);
     }
     BLANK(algsurf_zero_options, z);
-    z.epsilon = 1e-10, z.max_steps = 60, z.max_inflations = 12;
+    z.relative_step = 1e-10, z.max_steps = 60, z.max_inflations = 12;
     {
         algsurf_cpoly_zero zeros[2];
         int complete = 0;
@@ -185,7 +185,7 @@ static void check_many(void) {
     packet.count = 2, packet.degree = 2, packet.coefficients.at = c[0], packet.coefficients.power = 1;
     packet.coefficients.polynomial = 3, packet.radii.at = NULL, packet.lo = &lo, packet.hi = &hi;
     packet.interval_step = 0;
-    o.kernel = NULL, o.tolerance = 0;
+    o.kernel = NULL, o.relative_tolerance = 0;
     {
         unsigned char state[2];
         double root[2];

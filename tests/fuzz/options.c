@@ -29,7 +29,7 @@ static void check_options(const render_options *o) {
     fuzz_check(o->antialias >= 1 && o->antialias <= 16 && o->threads >= 0 && o->threads <= 256);
     fuzz_check(o->view.fov >= 0 && o->view.fov < 180 && o->view.orthographic >= 0 &&
                isfinite(o->view.orthographic));
-    fuzz_check(o->intersect.tolerance >= 0 && isfinite(o->intersect.tolerance));
+    fuzz_check(o->intersect.absolute_tolerance >= 0 && isfinite(o->intersect.absolute_tolerance));
     for (int i = 0; i < 3; i++) {
         fuzz_check(isfinite(o->view.eye.x[i]) && isfinite(o->view.look_at.x[i]) && isfinite(o->view.up.x[i]));
         fuzz_check(isfinite(o->view.centre.x[i]) && isfinite(o->view.extent.extent.size[i]));

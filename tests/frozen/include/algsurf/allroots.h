@@ -93,11 +93,11 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
 
 /* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {
-    size_t size;        /* sizeof(algsurf_zero_options) */
-    double epsilon;     /* the approximation stops when steps of z, and of q, are below epsilon times their
-                           size; 0: 1e-10 */
-    int max_steps;      /* of the approximation, 0: 50 */
-    int max_inflations; /* of the interval iteration, 0: 10 */
+    size_t size;          /* sizeof(algsurf_zero_options) */
+    double relative_step; /* the approximation stops when steps of z, and of q, are below this times their
+                             size; 0: 1e-10 */
+    int max_steps;        /* of the approximation, 0: 50 */
+    int max_inflations;   /* of the interval iteration, 0: 10 */
 } algsurf_zero_options;
 
 /* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.

@@ -46,14 +46,12 @@ typedef enum algsurf_first_root_state {
  * rounding of the root; of an ill-conditioned root, it is one of the two doubles around it.  The bits of an
  * answer depend on its polynomial only, not on the kernel, the other polynomials or their number.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
- * tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad one
- * deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
- * the other answers stand.
- * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
- * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
- * 1 GiB at most, and give it back.
- * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of
- * stack.  Since 1.0. */
+ * relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad
+ * one deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of
+ * memory; the other answers stand. Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and
+ * batches of 100 or more; one that is decided alone takes 1 to 20 microseconds; so do all above degree 20.
+ * Integers allocate what they need, 1 GiB at most, and give it back. Source: Taylor shift, Descartes' rule
+ * (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
                                                      unsigned char *state, double *root);

@@ -30,12 +30,13 @@ typedef enum algsurf_method {
 
 /* How a root is refined. */
 typedef struct algsurf_refine_options {
-    size_t size;        /* sizeof(algsurf_refine_options) */
-    int method;         /* an algsurf_method, 0: default */
-    int max_iterations; /* 0: 1000 */
-    double tolerance;   /* wanted half width of the bracket, >= 0, in the unit of the abscissa; for rounding,
-                           4 * 2^-53 * max(|root|, smallest normal double) is always added; by the default
-                           method for polynomials 2^-53 |root|, or the smallest double */
+    size_t size;                /* sizeof(algsurf_refine_options) */
+    int method;                 /* an algsurf_method, 0: default */
+    int max_iterations;         /* 0: 1000 */
+    double absolute_tolerance;  /* wanted error of the root, in the unit of the abscissa, >= 0: the width at
+                                   which the bracket is narrow enough.  For rounding, 2^-50 max(|root|,
+                                   smallest normal double) is always added to it; by the default method for
+                                   polynomials 2^-52 |root|, or two of the smallest doubles */
     algsurf_observer *observer; /* null: nobody watches; else it is told each evaluation in its order: lo, hi,
                                    then the points that the method chooses */
 } algsurf_refine_options;
@@ -47,7 +48,7 @@ typedef struct algsurf_refined_root {
     double value;    /* f there, as computed; a polynomial's by default: its sign is certain, 0 is a root */
     int evaluations; /* of f (for the guarded Newton: of f together with f'), ends included */
     int iterations;  /* points chosen by the method */
-    int converged;   /* 1: hi - lo <= 2 (tolerance + rounding) or value == 0; 0: the limit was reached.
+    int converged;   /* 1: hi - lo <= absolute_tolerance + rounding or value == 0; 0: the limit was reached.
                         Regula falsi also stops, as converged, when two consecutive points differ by no
                         more than that: near a root or only slow, it cannot tell. */
 } algsurf_refined_root;
@@ -63,15 +64,16 @@ typedef double (*algsurf_function)(double x, void *data);
  * The function is called in the caller's floating-point environment, which it may change, and may use all of
  * libm; the arithmetic on the bracket is done in the library's, and so are calls of an observer.
  * Infinite values count by their sign.
- * Cost: evaluations: bisection log2((hi-lo)/tolerance); Brent at worst the square of that.  Since 1.0. */
+ * Cost: evaluations: bisection log2((hi-lo)/absolute_tolerance); Brent at worst the square of that.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_refined_root *result);
 
 /* The same for a polynomial in the power basis, degree+1 coefficients, lowest first.
  * By the default method:
- * - encloses: the final bracket holds a root of the exact polynomial: verified.  With tolerance 0 it is at
- *   most two units in the last place wide; lo = hi where a double is the root;
+ * - encloses: the final bracket holds a root of the exact polynomial: verified.  With absolute_tolerance 0 it
+ * is at most two units in the last place wide; lo = hi where a double is the root;
  * - every bracket that algsurf_isolate_first or _all returns without radii is accepted.  Two neighbouring
  *   doubles, or the largest one and infinity, are the final bracket if there is a root between or on them,
  *   whatever the signs there;
