@@ -114,7 +114,7 @@ static void judge_polynomial(const solver *s, size_t i, contest_row *row) {
             }
             taken[k] = 1;
             matched++;
-            double off = hypot(root[k].re - own[b].value.re, root[k].im - own[b].value.im);
+            double off = hypot(root[k].re - own[b].root.re, root[k].im - own[b].root.im);
             if (own[b].multiplicity == 1)
                 row->error = fmax(row->error, off / fmax(1, hypot(root[k].re, root[k].im)));
         }

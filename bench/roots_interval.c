@@ -27,7 +27,7 @@ static int find_here(const double *c, int degree, double *roots) {
     int count;
     algsurf_status status = algsurf_real_roots(c, degree, -1, 1, found, ALGSURF_MAX_DEGREE, &count);
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "real roots: %s", algsurf_status_text(status));
-    for (int i = 0; i < count; i++) roots[i] = found[i].value;
+    for (int i = 0; i < count; i++) roots[i] = found[i].root;
     return count;
 }
 
@@ -45,7 +45,7 @@ static void solve_packet(const solver *s, size_t begin, size_t end) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "packet: %s", algsurf_status_text(status));
     for (size_t i = begin; i < end; i++)
         for (int k = 0; k < s->count[i]; k++)
-            s->root[i * n + (size_t)k] = found[(i - begin) * n + (size_t)k].value;
+            s->root[i * n + (size_t)k] = found[(i - begin) * n + (size_t)k].root;
 }
 
 static void solve(void *self, size_t begin, size_t end) {

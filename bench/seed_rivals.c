@@ -67,7 +67,7 @@ static algsurf_status finish(const bracket *s, algsurf_refined_root *r) {
     *r = (algsurf_refined_root){.root = better(s),
                                 .lo = fmin(s->a, s->b),
                                 .hi = fmax(s->a, s->b),
-                                .value = first ? s->fa : s->fb,
+                                .residual = first ? s->fa : s->fb,
                                 .evaluations = s->evaluations,
                                 .iterations = s->iterations,
                                 .converged = done(s)};

@@ -82,7 +82,7 @@ static void read_paper(const work *w, answer *a) {
     *a = (answer){.complete = w->complete, .count = w->p->degree};
     for (int i = 0; i < a->count; i++) {
         const algsurf_cpoly_zero *zero = &w->zeros[i];
-        a->root[i] = (answer_root){zero->box, zero->value, zero->verified, zero->verified && zero->unique};
+        a->root[i] = (answer_root){zero->box, zero->root, zero->verified, zero->verified && zero->unique};
     }
 }
 
@@ -90,7 +90,7 @@ static void read_robust(const work *w, answer *a) {
     *a = (answer){.complete = 1, .count = w->count};
     for (int i = 0; i < a->count; i++) {
         const algsurf_complex_root *e = &w->boxes[i];
-        a->root[i] = (answer_root){e->box, e->value, e->multiplicity, e->multiplicity == 1};
+        a->root[i] = (answer_root){e->box, e->root, e->multiplicity, e->multiplicity == 1};
     }
 }
 

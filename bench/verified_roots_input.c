@@ -71,8 +71,8 @@ static void start_near(polynomial *p, chord on, const polynomial *neighbour, cho
         return;
     double shift = (other.middle - on.middle) / on.half, scale = other.half / on.half;
     for (int i = 0; i < count; i++) {
-        p->near[i].re = shift + scale * root[i].value.re;
-        p->near[i].im = scale * root[i].value.im + OFF_AXIS;
+        p->near[i].re = shift + scale * root[i].root.re;
+        p->near[i].im = scale * root[i].root.im + OFF_AXIS;
     }
     qsort(p->near, (size_t)count, sizeof *p->near, by_magnitude);
     p->has_near = 1;

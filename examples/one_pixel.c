@@ -283,7 +283,7 @@ static void show_packet(const algsurf_surface *surface, const algsurf_camera *ca
 
 static void print_roots(const centred *p, const algsurf_complex_root *roots, int count) {
     for (int i = 0; i < count; i++) {
-        double re = p->middle + p->half * roots[i].value.re, im = p->half * roots[i].value.im;
+        double re = p->middle + p->half * roots[i].root.re, im = p->half * roots[i].root.im;
         printf("  %.10f %+.10f i   |t| %.6f%s\n", re, im, hypot(re, im),
                roots[i].real ? "   real, proved" : "");
     }

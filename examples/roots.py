@@ -32,13 +32,13 @@ except OSError as error:
 lib.algsurf_status_text.restype = ct.c_char_p
 
 
-class Enclosure(ct.Structure):  # algsurf_complex_root in algsurf/allroots.h
+class ComplexRoot(ct.Structure):  # algsurf_complex_root in algsurf/allroots.h
     _fields_ = [(name, ct.c_double) for name in ("re_lo", "re_hi", "im_lo", "im_hi", "re", "im")]
     _fields_ += [("multiplicity", ct.c_int), ("real", ct.c_int)]
 
 
 class RealRoot(ct.Structure):  # algsurf_real_root in algsurf/isolate.h
-    _fields_ = [(name, ct.c_double) for name in ("value", "lo", "hi")]
+    _fields_ = [(name, ct.c_double) for name in ("root", "lo", "hi")]
     _fields_ += [("multiplicity", ct.c_int), ("sign", ct.c_int)]
 
 
@@ -51,7 +51,7 @@ def answer(status, found, count):
 def roots(coefficients):
     """Disjoint boxes, each proved to hold `multiplicity` roots; `real` if its root is proved real."""
     n = len(coefficients)
-    found, count = (Enclosure * max(n - 1, 1))(), ct.c_int()
+    found, count = (ComplexRoot * max(n - 1, 1))(), ct.c_int()
     status = lib.algsurf_complex_roots_of_real((ct.c_double * n)(*coefficients), None, n - 1, found, ct.byref(count))
     return answer(status, found, count)
 
@@ -72,7 +72,7 @@ def row_of_root(r):
 
 
 def row_of_real_root(r):
-    return f"{r.multiplicity}\t{r.value!r}\t{r.lo!r}\t{r.hi!r}"
+    return f"{r.multiplicity}\t{r.root!r}\t{r.lo!r}\t{r.hi!r}"
 
 
 if __name__ == "__main__":

@@ -156,7 +156,7 @@ int roots_all(const roots_polynomial *p, roots_row *rows, roots_complaint *why) 
     algsurf_status status = p->real ? algsurf_complex_roots_of_real(c, r, p->degree, e, &count)
                                     : algsurf_complex_roots(p->c, r, p->degree, e, &count);
     if (status < 0) return refused(status, why);
-    for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].value, e[i].box, e[i].multiplicity};
+    for (int i = 0; i < count; i++) rows[i] = (roots_row){e[i].root, e[i].box, e[i].multiplicity};
     return count;
 }
 
@@ -196,7 +196,7 @@ static int real_to_doubles(const roots_polynomial *p, const roots_interval *wher
                : algsurf_real_roots(c, p->degree, where->lo, where->hi, root, ROOTS_MAX_FIELDS, &count);
     if (status < 0) return refused(status, why);
     for (int i = 0; i < count; i++)
-        rows[i] = row_of(root[i].value, root[i].lo, root[i].hi, root[i].multiplicity);
+        rows[i] = row_of(root[i].root, root[i].lo, root[i].hi, root[i].multiplicity);
     return count;
 }
 

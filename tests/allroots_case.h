@@ -77,8 +77,8 @@ static inline const char *case_boxes_wrong(int n, const algsurf_complex_root *e,
     int sum = 0;
     for (int i = 0; i < count; i++) {
         if (e[i].multiplicity < 1) return "a multiplicity below 1";
-        if (!case_in(e[i].value, e[i].box)) return "a value outside of its box";
-        if (!isfinite(e[i].value.re) || !isfinite(e[i].value.im)) return "a value that is not finite";
+        if (!case_in(e[i].root, e[i].box)) return "a value outside of its box";
+        if (!isfinite(e[i].root.re) || !isfinite(e[i].root.im)) return "a value that is not finite";
         if (e[i].real && (e[i].box.im.lo != 0 || e[i].box.im.hi != 0)) return "real, but not on the axis";
         for (int j = 0; j < i; j++)
             if (case_meet(e[i].box, e[j].box)) return "two boxes meet";

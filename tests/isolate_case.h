@@ -244,7 +244,7 @@ static inline const char *isolate_entries(const algsurf_real_root *roots, int co
     for (int i = 0; i < count; i++) {
         const algsurf_real_root *t = roots + i;
         int exact = t->lo == t->hi;
-        if (!isfinite(t->value) || (t->value != t->lo && t->value != t->hi)) return "value of a root";
+        if (!isfinite(t->root) || (t->root != t->lo && t->root != t->hi)) return "value of a root";
         if (!exact && nextafter(t->lo, INFINITY) != t->hi) return "not neighbours";
         if (t->sign * t->sign != 1) return "no sign";
         if (i > 0 && !(t->lo >= t[-1].hi || (t->lo == t[-1].lo && t->hi == t[-1].hi))) return "out of order";
@@ -262,7 +262,7 @@ static inline int isolate_same_roots(const algsurf_real_root *a, const algsurf_r
     int same = 1;
     for (int i = 0; i < count; i++)
         same &= a[i].lo == b[i].lo && a[i].hi == b[i].hi && a[i].multiplicity == b[i].multiplicity &&
-                a[i].sign == b[i].sign && (b[i].value == b[i].lo || b[i].value == b[i].hi);
+                a[i].sign == b[i].sign && (b[i].root == b[i].lo || b[i].root == b[i].hi);
     return same;
 }
 

@@ -61,7 +61,7 @@ const realTable = tableOf("real_roots.tsv");
 lines("real_polynomials").forEach((line, i) => {
     const roots = algsurf.realRoots(line.split(" ").map(number), { lo: 0 });
     const expected = realTable(i + 1).flatMap((row) => cells(row, "re", "re_lo", "re_hi", "multiplicity"));
-    equal(`real roots of line ${i + 1}`, expected, roots.flatMap((r) => [r.value, r.lo, r.hi, r.multiplicity]));
+    equal(`real roots of line ${i + 1}`, expected, roots.flatMap((r) => [r.root, r.lo, r.hi, r.multiplicity]));
     compared += roots.length;
 });
 check(compared > 500, `only ${compared} real roots`);
@@ -74,7 +74,7 @@ lines("polynomials").forEach((line, i) => {
     const roots = algsurf.complexRoots(real ? c.map(([re]) => re) : c);
     const names = ["re", "im", "re_lo", "re_hi", "im_lo", "im_hi", "multiplicity"];
     const expected = complexTable(i + 1).flatMap((row) => cells(row, ...names));
-    const flat = ({ value, box, multiplicity }) => [value.re, value.im, ...box.re, ...box.im, multiplicity];
+    const flat = ({ root, box, multiplicity }) => [root.re, root.im, ...box.re, ...box.im, multiplicity];
     equal(`complex roots of line ${i + 1}`, expected, roots.flatMap(flat));
     check(roots.every((r) => !r.real || r.box.im.every((y) => y === 0)), `real roots of line ${i + 1}`);
     compared += roots.length;
@@ -220,7 +220,7 @@ await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
 const address = `http://127.0.0.1:${server.address().port}`;
 for (const source of [bytes, await compile(), `${address}/algsurf.wasm`]) {
     const other = await load(source);
-    equal("another instance", [Math.SQRT2], other.realRoots([-2, 0, 1], { lo: 0 }).map((root) => root.value));
+    equal("another instance", [Math.SQRT2], other.realRoots([-2, 0, 1], { lo: 0 }).map((r) => r.root));
     misused(() => other.render(barth, view));
 }
 const missing = await load(`${address}/nothing`).catch((error) => error.message);

@@ -4,7 +4,7 @@ import { load, compile, AlgsurfError, HIT, Picture, Rays, Surface } from "algsur
 const module: WebAssembly.Module = await compile();
 const algsurf = await load(module);
 const version: string = algsurf.version;
-const values: number[] = algsurf.realRoots(new Float64Array([-2, 0, 1]), { lo: 0 }).map((root) => root.value);
+const values: number[] = algsurf.realRoots(new Float64Array([-2, 0, 1]), { lo: 0 }).map((r) => r.root);
 const widths = algsurf.complexRoots([1, [2, 3]]).map(({ box }) => box.re[1] - box.re[0]);
 const surface: Surface = algsurf.surface("x^2 + y^2 = a", { a: 2 });
 const same: Surface = algsurf.surfaceFromTerms([[2, 0, 0, 1], [0, 2, 0, 1], [0, 0, 0, -2]]);

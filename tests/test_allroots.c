@@ -147,7 +147,7 @@ static void test_low_degrees(void **state) {
     assert_true(case_in((algsurf_complex){-2, 0}, boxes[0].box) &&
                 case_in((algsurf_complex){1, 0}, boxes[1].box));
     assert_int_equal(solve((double[]){BIG, BIG, BIG, BIG, BIG}, NULL, 4), 4); /* fifth roots of unity */
-    for (int i = 0; i < 4; i++) assert_true(fabs(hypot(boxes[i].value.re, boxes[i].value.im) - 1) < 1e-15);
+    for (int i = 0; i < 4; i++) assert_true(fabs(hypot(boxes[i].root.re, boxes[i].root.im) - 1) < 1e-15);
 }
 
 /* Roots that leave the range of double are in boxes that say so, and still do not meet. */
@@ -201,7 +201,7 @@ static void test_radii(void **state) {
         assert_int_equal(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count),
                          ALGSURF_OK);
         assert_int_equal(count, 2);
-        assert_true(fabs(boxes[1].value.re) < 1e-9 && boxes[1].box.re.hi >= 1e-10);
+        assert_true(fabs(boxes[1].root.re) < 1e-9 && boxes[1].box.re.hi >= 1e-10);
         assert_true(boxes[1].box.re.hi < 1e-9 && boxes[1].box.re.lo <= -1e-10);
     }
     /* z^3 - z with an undecided middle: the exact zero and the others stay apart, or are one box */
@@ -233,7 +233,7 @@ static void test_unity(void **state) {
         assert_int_equal(run(degree, NULL, NULL), degree);
         int exact = 0;
         for (int i = 0; i < degree; i++) {
-            const algsurf_complex v = boxes[i].value;
+            const algsurf_complex v = boxes[i].root;
             double k = atan2(v.im, v.re) * degree / 6.283185307179586;
             assert_true(fabs(hypot(v.re, v.im) - 1) < 1e-15 && fabs(k - round(k)) < 1e-12);
             for (int j = 0; j < 4; j++)
@@ -283,7 +283,7 @@ static void test_start_values(void **state) {
     assert_int_equal(run(N, NULL, &cold), N);
     algsurf_complex_root expected[N];
     memcpy(expected, boxes, sizeof expected);
-    for (int i = 0; i < N; i++) start[i] = boxes[i].value;
+    for (int i = 0; i < N; i++) start[i] = boxes[i].root;
     assert_int_equal(run(N, start, &warm), N);
     assert_true(cold.iterations >= 2 * N && warm.iterations <= 2 * N && warm.retries == 0);
     for (size_t o = 0; o < sizeof odd / sizeof *odd; o++)
@@ -319,7 +319,7 @@ static void test_reuse_and_environments(void **state) {
         assert_int_equal(count, count_again);
         for (int k = 0; k < count; k++) {
             assert_memory_equal(&first[k].box, &again[k].box, sizeof first[k].box);
-            assert_memory_equal(&first[k].value, &again[k].value, sizeof first[k].value);
+            assert_memory_equal(&first[k].root, &again[k].root, sizeof first[k].root);
         }
     }
 }

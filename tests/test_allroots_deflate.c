@@ -42,7 +42,7 @@ static void test_finds_all(void **state) {
         for (int i = 0; i < c.n; i++) {
             assert_true(!zeros[i].verified || seed_count(&c, zeros[i].box) == 1);
             assert_true(!zeros[i].verified || (zeros[i].unique && zeros[i].inflations >= 1));
-            assert_true(zeros[i].steps >= 2 && seed_in(zeros[i].box, zeros[i].value));
+            assert_true(zeros[i].steps >= 2 && seed_in(zeros[i].box, zeros[i].root));
         }
         complete_ones += complete;
         if (complete && !each_once(&c, zeros)) {
@@ -235,7 +235,7 @@ static int same(const answers *a, const answers *b) {
     for (int i = 0; i < 8; i++) {
         const algsurf_cpoly_zero *x = a->zeros + i, *y = b->zeros + i;
         equal = equal && !memcmp(&x->box, &y->box, sizeof x->box) &&
-                !memcmp(&x->value, &y->value, sizeof x->value) && x->verified == y->verified &&
+                !memcmp(&x->root, &y->root, sizeof x->root) && x->verified == y->verified &&
                 x->unique == y->unique && x->converged == y->converged && x->steps == y->steps &&
                 x->inflations == y->inflations;
     }

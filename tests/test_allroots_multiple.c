@@ -173,8 +173,8 @@ static int mirrored(const algsurf_complex_root *e, int count) {
         for (int j = 0; j < count; j++)
             images += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
                       e[i].box.im.lo == -e[j].box.im.hi && e[i].box.im.hi == -e[j].box.im.lo &&
-                      e[i].multiplicity == e[j].multiplicity && e[i].value.re == e[j].value.re &&
-                      e[i].value.im == -e[j].value.im;
+                      e[i].multiplicity == e[j].multiplicity && e[i].root.re == e[j].root.re &&
+                      e[i].root.im == -e[j].root.im;
         if (images != 1) return 0;
     }
     return 1;

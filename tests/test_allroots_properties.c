@@ -299,14 +299,14 @@ static void test_zero_ends(void **state) {
             for (int i = 0; i < n; i++)
                 if (negative_zero(zero[i].box.re.lo) || negative_zero(zero[i].box.re.hi) ||
                     negative_zero(zero[i].box.im.lo) || negative_zero(zero[i].box.im.hi) ||
-                    negative_zero(zero[i].value.re) || negative_zero(zero[i].value.im))
+                    negative_zero(zero[i].root.re) || negative_zero(zero[i].root.im))
                     fail_msg("-0 in a box of algsurf_cpoly_zeros");
         if (algsurf_complex_roots(c, NULL, n, e, &count) != ALGSURF_OK) continue;
         for (int i = 0; i < count; i++) {
             algsurf_interval re = e[i].box.re, im = e[i].box.im;
             ends += re.lo == 0 || re.hi == 0 || im.lo == 0 || im.hi == 0;
             if (negative_zero(re.lo) || negative_zero(re.hi) || negative_zero(im.lo) ||
-                negative_zero(im.hi) || negative_zero(e[i].value.re) || negative_zero(e[i].value.im))
+                negative_zero(im.hi) || negative_zero(e[i].root.re) || negative_zero(e[i].root.im))
                 fail_msg("[%a, %a] + [%a, %a] i", re.lo, re.hi, im.lo, im.hi);
         }
     }

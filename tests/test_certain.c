@@ -27,7 +27,7 @@ static _Noreturn void give_up(const char *what, const double *c, int n, const al
                               const algsurf_refined_root *r) {
     exact_print_doubles("c", c, n + 1);
     fail_msg("%s: [%a,%a] -> %a in [%a,%a], value %g after %d", what, b->lo, b->hi, r->root, r->lo, r->hi,
-             r->value, r->evaluations);
+             r->residual, r->evaluations);
     abort();
 }
 
@@ -48,8 +48,8 @@ static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
     if (!(b->lo <= r.lo && r.lo <= r.root && r.root <= r.hi && r.hi <= b->hi)) give_up("order", c, n, b, &r);
     if (nextafter(nextafter(r.lo, INFINITY), INFINITY) < r.hi) give_up("wide", c, n, b, &r);
     if (lo * hi > 0 && !given) give_up("root lost", c, n, b, &r);
-    if (at != (r.value > 0) - (r.value < 0)) give_up("value", c, n, b, &r);
-    if (!given && r.value == 0 && r.lo != r.hi) give_up("not a point", c, n, b, &r);
+    if (at != (r.residual > 0) - (r.residual < 0)) give_up("value", c, n, b, &r);
+    if (!given && r.residual == 0 && r.lo != r.hi) give_up("not a point", c, n, b, &r);
     refined++;
 }
 
@@ -128,7 +128,7 @@ static void test_underflow(void **state) {
             c[k] = -a, c[k + 1] = 1;
             check(c, k + 1, 1.1 * a);
             assert_int_equal(algsurf_refine_poly(c, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
-            if (r.root != a || r.value != 0 || r.lo != a || r.hi != a)
+            if (r.root != a || r.residual != 0 || r.lo != a || r.hi != a)
                 give_up("known root", c, k + 1, &b, &r);
         }
 }
@@ -179,7 +179,7 @@ static void test_multiple_roots(void **state) {
         algsurf_refined_root r;
         for (int k = 0; k < m; k++) times_root(c, k, 1);
         assert_int_equal(algsurf_refine_poly(c, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
-        assert_true(r.root == 1 && r.value == 0 && r.evaluations < 16);
+        assert_true(r.root == 1 && r.residual == 0 && r.evaluations < 16);
     }
 }
 
@@ -194,7 +194,7 @@ static void test_neighbours(void **state) {
     check_bracket(third_squared, 2, &good);
     check_bracket(beyond, 1, &far);
     assert_int_equal(algsurf_refine_poly(beyond, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);
-    assert_true(r.lo == DBL_MAX && r.root == DBL_MAX && isinf(r.hi) && r.value != 0);
+    assert_true(r.lo == DBL_MAX && r.root == DBL_MAX && isinf(r.hi) && r.residual != 0);
     assert_int_equal(algsurf_refine_poly(none, 2, third, above, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(beyond, 1, -INFINITY, -DBL_MAX, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(beyond, 1, INFINITY, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);

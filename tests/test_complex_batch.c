@@ -64,12 +64,12 @@ static void judge(const problem *p, const algsurf_complex_root *e, int count) {
     for (int i = 0; i < count; i++) {
         const algsurf_cinterval *b = &e[i].box;
         int mirrored = 0;
-        assert_true(b->re.lo <= e[i].value.re && e[i].value.re <= b->re.hi);
-        assert_true(b->im.lo <= e[i].value.im && e[i].value.im <= b->im.hi);
-        assert_true(!signbit(e[i].value.im) || e[i].value.im < 0);
+        assert_true(b->re.lo <= e[i].root.re && e[i].root.re <= b->re.hi);
+        assert_true(b->im.lo <= e[i].root.im && e[i].root.im <= b->im.hi);
+        assert_true(!signbit(e[i].root.im) || e[i].root.im < 0);
         if (i > 0)
-            assert_true(e[i].value.re > e[i - 1].value.re ||
-                        (e[i].value.re == e[i - 1].value.re && e[i].value.im > e[i - 1].value.im));
+            assert_true(e[i].root.re > e[i - 1].root.re ||
+                        (e[i].root.re == e[i - 1].root.re && e[i].root.im > e[i - 1].root.im));
         for (int j = 0; j < count; j++) {
             const algsurf_cinterval *a = &e[j].box;
             if (j < i)
@@ -79,13 +79,13 @@ static void judge(const problem *p, const algsurf_complex_root *e, int count) {
                         a->im.hi == -b->im.lo;
         }
         if (p->real) assert_int_equal(mirrored, 1);
-        double size = hypot(e[i].value.re, e[i].value.im);
+        double size = hypot(e[i].root.re, e[i].root.im);
         if (e[i].multiplicity > 1 || !(size > 0x1p-300 && size < 0x1p300)) continue; /* not in lanes */
         double width = fmin(b->re.hi - b->re.lo, e[i].real ? HUGE_VAL : b->im.hi - b->im.lo);
-        double radius = find_root(p, e[i].value.re, e[i].value.im, 0x1p-150 * width, &z);
+        double radius = find_root(p, e[i].root.re, e[i].root.im, 0x1p-150 * width, &z);
         if (!(radius < 0x1p-100 * width) || !lies_in(z.re, radius, b->re.lo, b->re.hi) ||
             !(e[i].real ? lies_in(z.im, 0, -radius, radius) : lies_in(z.im, radius, b->im.lo, b->im.hi))) {
-            print_error("degree %d, root %d at (%a,%a), found in %a\n", p->n, i, e[i].value.re, e[i].value.im,
+            print_error("degree %d, root %d at (%a,%a), found in %a\n", p->n, i, e[i].root.re, e[i].root.im,
                         radius);
             for (int k = 0; k <= p->n; k++) print_error("  %a %a\n", p->re[k], p->im[k]);
             fail();
@@ -149,9 +149,9 @@ static int solved_in_lanes(const problem *p, int real) {
             if (alone) assert_memory_equal(one, roots + i * p->n, (size_t)p->n * sizeof *one);
             solved += alone;
             for (int j = 0; alone && j < p->n; j++) {
-                double size = hypot(one[j].value.re, one[j].value.im);
-                check_width(one[j].box.re, one[j].value.re, size);
-                check_width(one[j].box.im, one[j].value.im, size);
+                double size = hypot(one[j].root.re, one[j].root.im);
+                check_width(one[j].box.re, one[j].root.re, size);
+                check_width(one[j].box.im, one[j].root.im, size);
             }
         }
     }

@@ -791,7 +791,7 @@ static choice choice_made(void) {
     c.sector.sigma = number(0.25), c.sector.delta = number(0.5);
     for (int i = 0; i < 2; i++) {
         c.roots[i].box = cinterval_made(i ? 2 : 1.5, i ? 0 : 0.75);
-        c.roots[i].value = complex_made(2, 0.75);
+        c.roots[i].root = complex_made(2, 0.75);
     }
     return c;
 }

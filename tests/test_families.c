@@ -95,7 +95,7 @@ static void judge(const char *family, const poly *p, const poly *const *factor, 
         if (!good || (i > 0 && root[i - 1].hi > r->lo))
             fail_msg("%s, degree %d: root %d of multiplicity %d in [%a,%a]: it is %d", family, p->degree, i,
                      told, r->lo, r->hi, known);
-        assert_true(r->lo <= r->value && r->value <= r->hi && r->hi <= nextafter(r->lo, HUGE_VAL));
+        assert_true(r->lo <= r->root && r->root <= r->hi && r->hi <= nextafter(r->lo, HUGE_VAL));
     }
 }
 

@@ -99,7 +99,7 @@ static void test_form(void **state) {
     assert_int_equal(algsurf_real_roots_integers(c, 4, -INFINITY, INFINITY, t, 4, &count), ALGSURF_OK);
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
-        assert_true(t[i].value == 2 + i && t[i].lo == 2 + i && t[i].hi == 2 + i);
+        assert_true(t[i].root == 2 + i && t[i].lo == 2 + i && t[i].hi == 2 + i);
         assert_true(t[i].multiplicity == 1 && t[i].sign == 1 - 2 * i);
     }
     assert_int_equal(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count), ALGSURF_OK);

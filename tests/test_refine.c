@@ -60,10 +60,10 @@ static void check_result(const algsurf_refined_root *r, const probe *p, double l
     assert_true(r->root == r->lo || r->root == r->hi);
     assert_int_equal(r->evaluations, p->calls);
     assert_int_equal(r->evaluations, r->iterations + 2);
-    assert_true(r->value == p->f(r->root));
-    assert_true(fabs(r->value) <= fmin(fabs(p->f(r->lo)), fabs(p->f(r->hi))));
+    assert_true(r->residual == p->f(r->root));
+    assert_true(fabs(r->residual) <= fmin(fabs(p->f(r->lo)), fabs(p->f(r->hi))));
     assert_true(sign_of(p->f(r->lo)) * sign_of(p->f(r->hi)) <= 0);
-    if (r->converged && r->value != 0 && method != ALGSURF_METHOD_REGULA_FALSI)
+    if (r->converged && r->residual != 0 && method != ALGSURF_METHOD_REGULA_FALSI)
         assert_true(r->hi - r->lo <= width(tolerance, r->root));
 }
 
@@ -267,7 +267,7 @@ static void test_ends_and_extremes(void **state) {
         algsurf_refine_options o = options_of(methods[m], 0, 3000);
         p = (probe){.f = f_identity};
         assert_int_equal(algsurf_refine_function(call, &p, 0, 5, &o, &r), ALGSURF_OK); /* root at lo */
-        assert_true(r.root == 0 && r.value == 0 && r.converged == 1 && p.calls == 2);
+        assert_true(r.root == 0 && r.residual == 0 && r.converged == 1 && p.calls == 2);
         assert_int_equal(algsurf_refine_function(call, &p, -5, 0, &o, &r), ALGSURF_OK); /* at hi */
         assert_true(r.root == 0 && r.lo == -5 && r.hi == 0);
         assert_int_equal(algsurf_refine_function(call, &p, 0, 0, &o, &r), ALGSURF_OK); /* lo = hi */
@@ -327,7 +327,7 @@ static void test_polynomials_with_known_roots(void **state) {
                 algsurf_refine_options o = options_of(methods[m], tolerance, 100000);
                 algsurf_refined_root r;
                 assert_int_equal(algsurf_refine_poly(c, n, lo, hi, &o, &r), ALGSURF_OK);
-                int narrow = r.value == 0 || r.hi - r.lo <= width(tolerance, r.root);
+                int narrow = r.residual == 0 || r.hi - r.lo <= width(tolerance, r.root);
                 if (methods[m] == ALGSURF_METHOD_REGULA_FALSI) narrow = 1;
                 double error = fabs(r.root - roots[at]), most = width(tolerance, r.root) + 1e-11;
                 if (methods[m] == ALGSURF_METHOD_REGULA_FALSI) most = t ? 1e-5 : 1e-9;
@@ -357,7 +357,7 @@ static void test_multiple_roots(void **state) {
                 algsurf_refine_options o = options_of(methods[m], 0, 0);
                 algsurf_refined_root r;
                 assert_int_equal(algsurf_refine_poly(c, multiplicity[i], shift, 2.7, &o, &r), ALGSURF_OK);
-                assert_true(r.value == 0 || r.hi - r.lo <= width(0, r.root));
+                assert_true(r.residual == 0 || r.hi - r.lo <= width(0, r.root));
                 if (fabs(r.root - 1) > noise[i] || r.evaluations > 150)
                     fail_poly("multiple root", c, multiplicity[i], methods[m], &r);
             }
@@ -402,7 +402,7 @@ static void test_extreme_polynomials(void **state) {
             assert_true(fabs(r.root - sqrt2) < 1e-15);
             o.absolute_tolerance = 0.1; /* the value is p's own, not a scaled one */
             assert_int_equal(algsurf_refine_poly(c, 2, 0, 3, &o, &r), ALGSURF_OK);
-            assert_true(fabs(r.value / scales[i] - (r.root * r.root - 2)) <=
+            assert_true(fabs(r.residual / scales[i] - (r.root * r.root - 2)) <=
                         (scales[i] < 0x1p-1000 ? 0.1 : 1e-14));
             const double far[3] = {-scales[i], scales[i] * 0.25, 0}; /* root 4, leading zero */
             o.absolute_tolerance = 0, o.max_iterations = 3000;
@@ -421,7 +421,7 @@ static void test_extreme_polynomials(void **state) {
     /* degree 0: zero is a root everywhere, a constant nowhere */
     const double zero = 0, one = 1;
     assert_int_equal(algsurf_refine_poly(&zero, 0, -1, 1, NULL, &r), ALGSURF_OK);
-    assert_true(r.value == 0 && r.converged);
+    assert_true(r.residual == 0 && r.converged);
     assert_int_equal(algsurf_refine_poly(&one, 0, -1, 1, NULL, &r), ALGSURF_E_ARGUMENT);
 }
 
@@ -573,7 +573,7 @@ static void check_record(const record *seen, const double *c, int n, double lo, 
         else
             assert_int_equal(sign_of(seen->value[i]), exact_poly_sign(c, n, x));
         assert_true(lo <= x && x <= hi);
-        found |= x == r->root && seen->value[i] == r->value;
+        found |= x == r->root && seen->value[i] == r->residual;
         if (i < 2) continue;
         assert_true(left <= x && x <= right);
         if (sign_of(seen->value[i]) == sign_of(seen->value[0]))
@@ -582,7 +582,7 @@ static void check_record(const record *seen, const double *c, int n, double lo, 
             right = x;
     }
     assert_true(found);
-    if (r->value != 0) assert_true(r->lo == left && r->hi == right);
+    if (r->residual != 0) assert_true(r->lo == left && r->hi == right);
 }
 
 /* Catches: an observer that is not told an end or a point, is told another polynomial's value (that of the

@@ -190,7 +190,7 @@ static void test_real_rivals(void **state) {
             assert_true(selected != ALGSURF_SELECTED_NONE);
             if (selected != ALGSURF_SELECTED_ONE) continue;
             decided++;
-            if (roots[index].value.re < 0)
+            if (roots[index].root.re < 0)
                 fail_msg("k = %d: the larger root, in [%a,%a]", k, roots[index].box.re.lo,
                          roots[index].box.re.hi);
         }
@@ -213,7 +213,7 @@ static void test_near_conjugates(void **state) {
         assert_true(selected != ALGSURF_SELECTED_NONE);
         if (selected != ALGSURF_SELECTED_ONE) continue;
         decided++;
-        if (roots[index].value.im < 0) fail_msg("k = %d: the larger root", k);
+        if (roots[index].root.im < 0) fail_msg("k = %d: the larger root", k);
     }
     assert_true(decided > 40);
 }

@@ -146,7 +146,7 @@ static void wrong_all(const algsurf_i_polys_job *job, size_t count) {
     real_roots->solve_all(job, count);
     for (size_t i = 0; i < count; i++) {
         algsurf_real_root *first = job->roots + i * (size_t)job->degree;
-        if (job->found[i] > 0) first->value = other(first->value);
+        if (job->found[i] > 0) first->root = other(first->root);
     }
 }
 
@@ -160,7 +160,7 @@ TABLE(allroots)
 
 static int wrong_one(const double *re, const double *im, int stride, int n, algsurf_complex_root *roots) {
     int solved = real_allroots->one(re, im, stride, n, roots);
-    roots[0].value.re = other(roots[0].value.re);
+    roots[0].root.re = other(roots[0].root.re);
     return solved;
 }
 

@@ -55,7 +55,7 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
         if (!r[i].multiplicity) continue;
         int before = algsurf_i_sign_at(&p, r[i].lo), after = algsurf_i_sign_at(&p, r[i].hi);
         if (!(before == b[i].sign && after == -b[i].sign && nextafter(r[i].lo, r[i].hi) == r[i].hi &&
-              b[i].lo <= r[i].lo && r[i].hi <= b[i].hi && (r[i].value == r[i].lo || r[i].value == r[i].hi)))
+              b[i].lo <= r[i].lo && r[i].hi <= b[i].hi && (r[i].root == r[i].lo || r[i].root == r[i].hi)))
             fail_msg("seed %u, degree %d: bracket [%a,%a], root in [%a,%a], signs %d, %d", SEED, n, b[i].lo,
                      b[i].hi, r[i].lo, r[i].hi, before, after);
     }

@@ -118,7 +118,7 @@ static void neighbours_are_near(void **state) {
             const algsurf_complex z = p[i].near[k], zero = {0, 0};
             double least = INFINITY;
             assert_true(k == 0 || distance(z, zero) >= distance(p[i].near[k - 1], zero));
-            for (int j = 0; j < count; j++) least = fmin(least, distance(z, root[j].value));
+            for (int j = 0; j < count; j++) least = fmin(least, distance(z, root[j].root));
             near += least < 0.01 * (1 + distance(z, zero));
             roots++;
         }
@@ -135,8 +135,7 @@ static answer true_answer(const polynomial *p) {
     answer a = {.complete = 1};
     assert_int_equal(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count), ALGSURF_OK);
     for (int i = 0; i < a.count; i++)
-        a.root[i] =
-            (answer_root){root[i].box, root[i].value, root[i].multiplicity, root[i].multiplicity == 1};
+        a.root[i] = (answer_root){root[i].box, root[i].root, root[i].multiplicity, root[i].multiplicity == 1};
     return a;
 }
 

@@ -53,8 +53,8 @@ static void judge_boxes(const poly_case *p, const algsurf_complex_root *e, int c
             if (meet(box, e[j].box)) wrong(p, "two boxes meet");
         for (int j = 0; j < count; j++) mirrored += is_mirror(box, e[j].box);
         if (p->real && mirrored != 1) wrong(p, "a real polynomial, and boxes that are not conjugate");
-        if (!(box.re.lo <= e[i].value.re && e[i].value.re <= box.re.hi && box.im.lo <= e[i].value.im &&
-              e[i].value.im <= box.im.hi))
+        if (!(box.re.lo <= e[i].root.re && e[i].root.re <= box.re.hi && box.im.lo <= e[i].root.im &&
+              e[i].root.im <= box.im.hi))
             wrong(p, "a value outside of its box");
         int zero = box.re.lo == 0 && box.re.hi == 0; /* multiple roots of real polynomials may be real, too */
         if (e[i].real && (box.im.lo != 0 || box.im.hi != 0 || (!zero && !p->real)))

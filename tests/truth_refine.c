@@ -53,7 +53,7 @@ static void judge_bracket(const poly_case *p, const algsurf_bracket *b, algsurf_
         wrong(p, "not within its bracket", b, r);
     if (roots_in(p, r->lo, r->hi) == 0) wrong(p, "beside the root", b, r);
     if (!two_ulps) wrong(p, "wide", b, r);
-    if (r->value == 0 && roots_in(p, r->root, r->root) == 0) wrong(p, "zero, and no root", b, r);
+    if (r->residual == 0 && roots_in(p, r->root, r->root) == 0) wrong(p, "zero, and no root", b, r);
 }
 
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }

@@ -56,7 +56,7 @@ static tally *tally_of(int start, const char *family) {
 static void wrong(int start, const poly_case *p, int i, const char *what, const algsurf_cpoly_zero *z) {
     violations++;
     printf("WRONG %s %s %s, %s: %s, root %d: %a %a in [%a,%a] x [%a,%a]\n", p->id, p->family, p->label,
-           start_name[start], what, i, z->value.re, z->value.im, z->box.re.lo, z->box.re.hi, z->box.im.lo,
+           start_name[start], what, i, z->root.re, z->root.im, z->box.re.lo, z->box.re.hi, z->box.im.lo,
            z->box.im.hi);
 }
 
@@ -75,8 +75,8 @@ static void note_width(int start, const poly_root *root, algsurf_cinterval box) 
 
 static void judge_box(int start, const poly_case *p, int i, const algsurf_cpoly_zero *z) {
     int held = poly_roots_in(p, z->box), multiple = 0;
-    if (z->value.re < z->box.re.lo || z->value.re > z->box.re.hi || z->value.im < z->box.im.lo ||
-        z->value.im > z->box.im.hi)
+    if (z->root.re < z->box.re.lo || z->root.re > z->box.re.hi || z->root.im < z->box.im.lo ||
+        z->root.im > z->box.im.hi)
         wrong(start, p, i, "value outside the box", z);
     if (!z->verified) {
         if (z->unique) wrong(start, p, i, "unique without proof", z);

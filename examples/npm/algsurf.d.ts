@@ -31,7 +31,7 @@ export class AlgsurfError extends Error {
 
 /** A real root, between two neighbouring doubles, or equal to lo = hi. */
 export interface RealRoot {
-    value: number;
+    root: number;
     lo: number;
     hi: number;
     multiplicity: number;
@@ -41,7 +41,7 @@ export interface RealRoot {
 
 /** A box that holds exactly so many roots. */
 export interface ComplexRoot {
-    value: { re: number; im: number };
+    root: { re: number; im: number };
     box: { re: [number, number]; im: [number, number] };
     multiplicity: number;
     /** Whether it is real: proved. */

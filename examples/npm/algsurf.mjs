@@ -151,8 +151,8 @@ class Algsurf {
             module.doubles(address, c.length).set(c);
             const count = module.checked(module.wasm.real_roots(address, c.length - 1, lo, hi, rows));
             return Array.from({ length: count }, (_, i) => {
-                const [value, lo, hi, multiplicity, sign] = module.doubles(rows + 40 * i, 5);
-                return { value, lo, hi, multiplicity, sign };
+                const [root, lo, hi, multiplicity, sign] = module.doubles(rows + 40 * i, 5);
+                return { root, lo, hi, multiplicity, sign };
             });
         });
     }
@@ -170,7 +170,7 @@ class Algsurf {
             return Array.from({ length: count }, (_, i) => {
                 const [re, im, reLo, reHi, imLo, imHi, multiplicity, isReal] = module.doubles(rows + 64 * i, 8);
                 return {
-                    value: { re, im },
+                    root: { re, im },
                     box: { re: [reLo, reHi], im: [imLo, imHi] },
                     multiplicity,
                     real: isReal === 1,

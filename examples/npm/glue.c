@@ -14,13 +14,13 @@
 
 /* ---- roots ---- */
 
-/* The real roots in [lo,hi]; five doubles each: value, lo, hi, multiplicity, sign.  Returns how many. */
+/* The real roots in [lo,hi]; five doubles each: root, lo, hi, multiplicity, sign.  Returns how many. */
 EXPORTED(real_roots) int real_roots(const double *c, int degree, double lo, double hi, double *rows) {
     algsurf_real_root root[ALGSURF_MAX_POLY_DEGREE];
     int count = 0;
     algsurf_status status = algsurf_real_roots(c, degree, lo, hi, root, ALGSURF_MAX_POLY_DEGREE, &count);
     for (int i = 0; i < count; i++, rows += 5) {
-        rows[0] = root[i].value;
+        rows[0] = root[i].root;
         rows[1] = root[i].lo;
         rows[2] = root[i].hi;
         rows[3] = root[i].multiplicity;
@@ -29,7 +29,7 @@ EXPORTED(real_roots) int real_roots(const double *c, int degree, double lo, doub
     return status < 0 ? (int)status : count;
 }
 
-/* All roots; eight doubles each: value (re, im), box (re lo, re hi, im lo, im hi), multiplicity, real.
+/* All roots; eight doubles each: root (re, im), box (re lo, re hi, im lo, im hi), multiplicity, real.
  *   c  degree+1 coefficients: doubles if `real` is 1, else pairs of them
  * Returns how many. */
 EXPORTED(complex_roots) int complex_roots(const double *c, int real, int degree, double *rows) {
@@ -39,8 +39,8 @@ EXPORTED(complex_roots) int complex_roots(const double *c, int real, int degree,
         real ? algsurf_complex_roots_of_real(c, NULL, degree, root, &count)
              : algsurf_complex_roots((const algsurf_complex *)c, NULL, degree, root, &count);
     for (int i = 0; i < count; i++, rows += 8) {
-        rows[0] = root[i].value.re;
-        rows[1] = root[i].value.im;
+        rows[0] = root[i].root.re;
+        rows[1] = root[i].root.im;
         rows[2] = root[i].box.re.lo;
         rows[3] = root[i].box.re.hi;
         rows[4] = root[i].box.im.lo;

@@ -23,7 +23,7 @@ extern "C" {
 /* A root, simple or multiple, or a cluster of roots that could not be told apart. */
 typedef struct algsurf_complex_root {
     algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
-    algsurf_complex value; /* approximate, in the box */
+    algsurf_complex root;  /* approximate, in the box */
     int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
     int real;              /* 1: proved real, box.im is [0,0]; 0: not real, or not known */
 } algsurf_complex_root;
@@ -39,7 +39,7 @@ typedef struct algsurf_complex_root {
  * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
  * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
  * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
- * Entries are in increasing order of value.re, then of value.im.
+ * Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
  * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
  * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE).
@@ -135,7 +135,7 @@ ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, 
 /* A root found by algsurf_cpoly_zeros. */
 typedef struct algsurf_cpoly_zero {
     algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
-    algsurf_complex value; /* the approximation, polished on the whole polynomial; in the box */
+    algsurf_complex root;  /* the approximation, polished on the whole polynomial; in the box */
     int verified;          /* the interval iteration ended in an inclusion */
     int unique;            /* and the root is simple and alone in the box */
     int converged;         /* the approximation met its stopping test, on both polynomials */

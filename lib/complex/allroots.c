@@ -239,16 +239,16 @@ static int unscale_all(const algsurf_i_roots *p, const algsurf_i_input *in, algs
     if (in->low > 0) e[count++] = (algsurf_complex_root){{{0, 0}, {0, 0}}, {0, 0}, in->low, 1};
     count = algsurf_i_roots_join(e, count, p->real);
     for (int i = 0; i < count; i++) {
-        e[i].value.re = value_in(e[i].box.re, e[i].value.re, unit, e[i].multiplicity);
-        e[i].value.im = value_in(e[i].box.im, e[i].value.im, unit, e[i].multiplicity);
+        e[i].root.re = value_in(e[i].box.re, e[i].root.re, unit, e[i].multiplicity);
+        e[i].root.im = value_in(e[i].box.im, e[i].root.im, unit, e[i].multiplicity);
     }
     return count;
 }
 
 static int compare(const void *left, const void *right) {
     const algsurf_complex_root *a = left, *b = right;
-    if (a->value.re != b->value.re) return a->value.re < b->value.re ? -1 : 1;
-    return (a->value.im > b->value.im) - (a->value.im < b->value.im);
+    if (a->root.re != b->root.re) return a->root.re < b->root.re ? -1 : 1;
+    return (a->root.im > b->root.im) - (a->root.im < b->root.im);
 }
 
 void algsurf_i_roots_sort(algsurf_complex_root *roots, int count) {

@@ -306,9 +306,9 @@ INLINE void write_answer(layout s, int real, const answer *a, int l, algsurf_com
         algsurf_complex_root *e = roots + (int)a->place[g][at];
         e->box.re.lo = a->re[0][g][at] + 0.0, e->box.re.hi = a->re[1][g][at] + 0.0;
         e->box.im.lo = a->im[0][g][at] + 0.0, e->box.im.hi = a->im[1][g][at] + 0.0;
-        e->value.re = a->re[2][g][at] + 0.0, e->value.im = a->im[2][g][at] + 0.0;
+        e->root.re = a->re[2][g][at] + 0.0, e->root.im = a->im[2][g][at] + 0.0;
         e->multiplicity = 1;
-        e->real = real && e->value.im == 0;
+        e->real = real && e->root.im == 0;
     }
 }
 

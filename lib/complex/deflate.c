@@ -34,16 +34,15 @@ static algsurf_cpoly_zero finish(const algsurf_complex *p, const double *r, int 
                                  const algsurf_zero_options *options) {
     algsurf_complex q[ALGSURF_MAX_POLY_DEGREE];
     algsurf_cpoly_zero zero;
-    zero.converged = algsurf_i_approximation(p, n, near, options, &zero.value, q, &zero.steps) == ALGSURF_OK;
-    zero.value = (algsurf_complex){zero.value.re + 0.0, zero.value.im + 0.0}; /* no -0 */
+    zero.converged = algsurf_i_approximation(p, n, near, options, &zero.root, q, &zero.steps) == ALGSURF_OK;
+    zero.root = (algsurf_complex){zero.root.re + 0.0, zero.root.im + 0.0}; /* no -0 */
     zero.unique = 0;
-    zero.verified = algsurf_i_interval_iteration(p, r, n, zero.value, q, options, &zero.box, NULL,
+    zero.verified = algsurf_i_interval_iteration(p, r, n, zero.root, q, options, &zero.box, NULL,
                                                  &zero.unique, &zero.inflations) == ALGSURF_OK;
     if (zero.verified)
-        zero.value =
-            (algsurf_complex){nearest(zero.box.re, zero.value.re), nearest(zero.box.im, zero.value.im)};
+        zero.root = (algsurf_complex){nearest(zero.box.re, zero.root.re), nearest(zero.box.im, zero.root.im)};
     else
-        zero.box = (algsurf_cinterval){{zero.value.re, zero.value.re}, {zero.value.im, zero.value.im}};
+        zero.box = (algsurf_cinterval){{zero.root.re, zero.root.re}, {zero.root.im, zero.root.im}};
     return zero;
 }
 

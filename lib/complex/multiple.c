@@ -161,7 +161,7 @@ static void narrow_simple(separation *s, const algsurf_complex_root *roots, int 
         algsurf_complex_root *e = only_one(s, &roots[i].box);
         if (!e || e->multiplicity > 1) continue;
         e->box = (algsurf_cinterval){shared(e->box.re, roots[i].box.re), shared(e->box.im, roots[i].box.im)};
-        e->value = (algsurf_complex){clamp(e->value.re, e->box.re), clamp(e->value.im, e->box.im)};
+        e->root = (algsurf_complex){clamp(e->root.re, e->box.re), clamp(e->root.im, e->box.im)};
         e->real = e->real || roots[i].real;
     }
 }
@@ -205,7 +205,7 @@ static void join(separation *s) {
     if (s->count == before + (s->whole->low > 0)) return;
     for (int i = 0; i < s->count; i++) {
         algsurf_complex_root *e = s->found + i;
-        if (e->multiplicity > 1) e->value = (algsurf_complex){middle(e->box.re), middle(e->box.im)};
+        if (e->multiplicity > 1) e->root = (algsurf_complex){middle(e->box.re), middle(e->box.im)};
     }
 }
 

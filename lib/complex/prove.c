@@ -175,9 +175,9 @@ static void use_symmetry(algsurf_complex_root *e, int count) {
         *b = (algsurf_cinterval){{fmax(image.re.lo, b->re.lo), fmin(image.re.hi, b->re.hi)},
                                  {fmax(image.im.lo, b->im.lo), fmin(image.im.hi, b->im.hi)}};
         *a = mirror(*b);
-        e[j].value = (algsurf_complex){e[i].value.re, -e[i].value.im};
+        e[j].root = (algsurf_complex){e[i].root.re, -e[i].root.im};
         if (i != j) continue;
-        e[i].value.im = 0;
+        e[i].root.im = 0;
         e[i].real = e[i].multiplicity == 1;
         if (e[i].real) a->im = (algsurf_interval){0, 0};
     }

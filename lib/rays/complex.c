@@ -89,7 +89,7 @@ static algsurf_complex_root shifted(const algsurf_i_frame *f, const algsurf_comp
     algsurf_complex_root e = *root;
     e.box.re = algsurf_i_interval_add(centre, algsurf_i_interval_mul(step, root->box.re));
     e.box.im = algsurf_i_interval_mul(step, root->box.im);
-    e.value = (algsurf_complex){f->centre + f->step * root->value.re, f->step * root->value.im};
+    e.root = (algsurf_complex){f->centre + f->step * root->root.re, f->step * root->root.im};
     return e;
 }
 
@@ -133,17 +133,17 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
                     algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_interval ends = algsurf_i_interval_scale(algsurf_i_cinterval_abs(s->box), -f->exponent);
-    double size = magnitude_of(s->value), t = ldexp(size, -f->exponent);
+    double size = magnitude_of(s->root), t = ldexp(size, -f->exponent);
     /* |s| - centre, without the rounding of the sum where the root is real and in front */
-    double offset = s->value.im == 0 && s->value.re >= 0 ? f->step * local->value.re : size - f->centre;
+    double offset = s->root.im == 0 && s->root.re >= 0 ? f->step * local->root.re : size - f->centre;
     hit->t = clamped(t, q->ray.t_min, q->ray.t_max);
     hit->t_lo = clamped(ends.lo, q->ray.t_min, hit->t);
     hit->t_hi = clamped(ends.hi, hit->t, q->ray.t_max);
     for (int i = 0; i < 3; i++)
         hit->position[i] =
             ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
-    if (local->multiplicity == 1) set_normal(q, local->value, hit->normal); /* a cluster has none */
-    if (root) *root = (algsurf_complex){ldexp(s->value.re, -f->exponent), ldexp(s->value.im, -f->exponent)};
+    if (local->multiplicity == 1) set_normal(q, local->root, hit->normal); /* a cluster has none */
+    if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
 
 static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
@@ -165,8 +165,8 @@ static const algsurf_complex *start_in_v(const complex_query *q, const algsurf_c
 static void give_roots(const complex_query *q, const algsurf_complex_root *s, int count,
                        algsurf_complex *roots) {
     for (int i = 0; roots && i < q->surface->degree; i++)
-        roots[i] = i < count ? (algsurf_complex){ldexp(s[i].value.re, -q->frame.exponent),
-                                                 ldexp(s[i].value.im, -q->frame.exponent)}
+        roots[i] = i < count ? (algsurf_complex){ldexp(s[i].root.re, -q->frame.exponent),
+                                                 ldexp(s[i].root.im, -q->frame.exponent)}
                              : (algsurf_complex){NAN, NAN};
 }
 

@@ -99,7 +99,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
         if (!algsurf_i_find_in_doubles(c, p.degree, lo, hi, 1, &first, &found))
             status = algsurf_i_decide_roots(c, p.degree, lo, hi, &first, 1, &found, NULL);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-        if (found) where = first.value;
+        if (found) where = first.root;
     }
     if (root) root[i] = where;
     return status;

@@ -62,7 +62,7 @@ static int find(algsurf_memory *m, const algsurf_zpoly *z, double lo, double hi,
         return 0;
     algsurf_i_settle(&middle, b, *count, roots);
     for (int i = 0; i < *count; i++)
-        if (!roots[i].multiplicity || !close_in(m, z, b + i, roots[i].value, roots + i)) return 0;
+        if (!roots[i].multiplicity || !close_in(m, z, b + i, roots[i].root, roots + i)) return 0;
     return 1;
 }
 

@@ -104,7 +104,7 @@ static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots
     algsurf_status status =
         algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, q->degree, count, NULL);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
-        roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
+        roots[i].root = nearer(&p, roots[i].lo, roots[i].hi);
     return status;
 }
 

@@ -60,7 +60,7 @@ static algsurf_status search_finish(const algsurf_i_search *s, algsurf_refined_r
     *result = (algsurf_refined_root){.root = s->b,
                                      .lo = fmin(s->b, s->c),
                                      .hi = fmax(s->b, s->c),
-                                     .value = s->fb,
+                                     .residual = s->fb,
                                      .evaluations = s->evaluations,
                                      .iterations = s->iterations,
                                      .converged = converged(s)};
@@ -198,7 +198,7 @@ static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *
     }
     algsurf_i_refine_newton(s, &p->newton);
     algsurf_status status = p->no_memory ? ALGSURF_E_NO_MEMORY : search_finish(s, result);
-    if (status == ALGSURF_OK && result->value == 0 && !s->settled) result->lo = result->hi = result->root;
+    if (status == ALGSURF_OK && result->residual == 0 && !s->settled) result->lo = result->hi = result->root;
     return status;
 }
 
@@ -241,7 +241,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, doubl
     s.f = p.observer ? told : p.inner;
     status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
                                               : refine_plain(&s, &p, lo, hi, method, result);
-    if (status >= 0) result->value = algsurf_i_polynomial_unscaled(&p, result->value);
+    if (status >= 0) result->residual = algsurf_i_polynomial_unscaled(&p, result->residual);
     return status;
 }
 

@@ -147,7 +147,7 @@ static void check_roots(void) {
     algsurf_bracket bracket;
     int count = 0, found = 0;
     CHECK(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count) == ALGSURF_OK && count == 2);
-    CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].value.re), sqrt(2)));
+    CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].root.re), sqrt(2)));
     BLANK(algsurf_isolate_options, isolate);
     BLANK(algsurf_observer, observer);
     observer.size = sizeof observer, observer.data = NULL, observer.cell = NULL, observer.point = NULL;
@@ -173,7 +173,7 @@ static void check_roots(void) {
         algsurf_cpoly_zero zeros[2];
         int complete = 0;
         CHECK(algsurf_cpoly_zeros(p, NULL, 2, start, at_edge(&z, sizeof z), zeros, &complete) == ALGSURF_OK);
-        CHECK(complete == 1 && near(zeros[0].value.re + zeros[1].value.re, 0));
+        CHECK(complete == 1 && near(zeros[0].root.re + zeros[1].root.re, 0));
         CHECK(zeros[0].verified == 1 && zeros[1].verified == 1);
     }
 }

@@ -71,8 +71,8 @@ static void check_form(const question *q, const algsurf_complex_root *e, int cou
         const algsurf_cinterval b = e[i].box;
         fuzz_check(e[i].multiplicity >= 1);
         sum += e[i].multiplicity;
-        fuzz_check(b.re.lo <= e[i].value.re && e[i].value.re <= b.re.hi && isfinite(e[i].value.re));
-        fuzz_check(b.im.lo <= e[i].value.im && e[i].value.im <= b.im.hi && isfinite(e[i].value.im));
+        fuzz_check(b.re.lo <= e[i].root.re && e[i].root.re <= b.re.hi && isfinite(e[i].root.re));
+        fuzz_check(b.im.lo <= e[i].root.im && e[i].root.im <= b.im.hi && isfinite(e[i].root.im));
         fuzz_check(!e[i].real || (b.im.lo == 0 && b.im.hi == 0));
         for (int j = 0; j < i; j++) fuzz_check(gap(b, e[j].box) > 0);
     }

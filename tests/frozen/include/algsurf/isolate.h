@@ -33,7 +33,7 @@ extern "C" {
 
 /* A real root. */
 typedef struct algsurf_real_root {
-    double value;     /* lo or hi: within one unit in the last place of the root; finite */
+    double root;      /* lo or hi: within one unit in the last place of the exact root; finite */
     double lo, hi;    /* encloses: lo = hi is the root exactly, or it lies between these neighbouring doubles
                          (the largest and infinity among them) */
     int multiplicity; /* >= 1 */

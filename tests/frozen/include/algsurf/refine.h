@@ -45,12 +45,12 @@ typedef struct algsurf_refine_options {
 typedef struct algsurf_refined_root {
     double root;     /* the end of [lo,hi] with the smaller |f|, a zero when one was met */
     double lo, hi;   /* the final bracket, lo <= root <= hi */
-    double value;    /* f there, as computed; a polynomial's by default: its sign is certain, 0 is a root */
+    double residual; /* f(root), as computed; a polynomial's by default: its sign is certain, 0 is a root */
     int evaluations; /* of f (for the guarded Newton: of f together with f'), ends included */
     int iterations;  /* points chosen by the method */
-    int converged;   /* 1: hi - lo <= absolute_tolerance + rounding or value == 0; 0: the limit was reached.
-                        Regula falsi also stops, as converged, when two consecutive points differ by no
-                        more than that: near a root or only slow, it cannot tell. */
+    int converged; /* 1: hi - lo <= absolute_tolerance + rounding or residual == 0; 0: the limit was reached.
+                      Regula falsi also stops, as converged, when two consecutive points differ by no
+                      more than that: near a root or only slow, it cannot tell. */
 } algsurf_refined_root;
 
 /* Real function of a real variable; data is the caller's, passed through. */
