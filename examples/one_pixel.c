@@ -110,7 +110,7 @@ typedef struct walk {
 } walk;
 
 /* An interval, as fractions of the chord, and its Bernstein coefficients, computed once more. */
-static void print_cell(void *data, const algsurf_cell *cell) {
+static void print_cell(const algsurf_cell *cell, void *data) {
     walk *w = data;
     double b[DEGREE + 1], length = w->chord->t_max - w->chord->t_min;
     algsurf_ray part = *w->chord;
@@ -130,7 +130,7 @@ static void print_cell(void *data, const algsurf_cell *cell) {
                                    : "");
 }
 
-static void print_point(void *data, double t, double value, int engine) {
+static void print_point(double t, double value, int engine, void *data) {
     walk *w = data;
     (void)engine;
     if (w->points++ == 0) printf("\n[refinement]\n              t              p\n");
@@ -141,12 +141,12 @@ static algsurf_hit show_walk(const algsurf_surface *surface, const algsurf_ray *
                              const algsurf_ray *chord) {
     walk w = {.surface = surface, .chord = chord};
     algsurf_observer observer = {
-        .size = sizeof observer, .data = &w, .cell = print_cell, .point = print_point};
+        .size = sizeof observer, .data = &w, .on_cell = print_cell, .on_point = print_point};
     const algsurf_intersect_options watched = {.size = sizeof watched, .observer = &observer};
     algsurf_hit hit;
     check(algsurf_intersect_first(surface, &BALL, ray, &watched, &hit));
-    printf("intervals %d, evaluations %d, decided by %s\n", (int)observer.intervals,
-           (int)observer.evaluations, observer.engine == ALGSURF_ENGINE_DOUBLES ? "doubles" : "integers");
+    printf("intervals %d, evaluations %d, decided by %s\n", (int)observer.cells, (int)observer.evaluations,
+           observer.engine == ALGSURF_ENGINE_DOUBLES ? "doubles" : "integers");
     return hit;
 }
 

@@ -20,7 +20,7 @@ static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent,
     if (algsurf_intersect_first(surface, extent, ray, &how, &hit) != ALGSURF_OK ||
         hit.state == ALGSURF_UNDECIDED)
         return LEFT_OPEN;
-    return observer.intervals > 0 ? (int)(observer.intervals + observer.evaluations) : NO_CHORD;
+    return observer.cells > 0 ? (int)(observer.cells + observer.evaluations) : NO_CHORD;
 }
 
 /* Costs of all pixels, row by row. */

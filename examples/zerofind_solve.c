@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-static void take_cell(void *data, const algsurf_cell *cell) {
+static void take_cell(const algsurf_cell *cell, void *data) {
     zerofind *z = data;
     if (z->cell_count >= ZEROFIND_MOST_CELLS) return;
     zerofind_cell *c = z->cells + z->cell_count++;
@@ -15,7 +15,7 @@ static void take_cell(void *data, const algsurf_cell *cell) {
     for (int j = 0; cell->signs && j <= cell->degree; j++) c->signs[j] = "-0+?"[cell->signs[j] + 1];
 }
 
-static void take_point(void *data, double t, double value, int engine) {
+static void take_point(double t, double value, int engine, void *data) {
     zerofind *z = data;
     if (z->point_count >= ZEROFIND_MOST_POINTS) return;
     z->points[z->point_count++] = (zerofind_point){.t = t, .value = value, .engine = engine};
@@ -54,7 +54,7 @@ algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_exte
                               const algsurf_ray *ray, const chord *on, int method, double tolerance,
                               zerofind *result) {
     algsurf_observer observer = {
-        .size = sizeof observer, .data = result, .cell = take_cell, .point = take_point};
+        .size = sizeof observer, .data = result, .on_cell = take_cell, .on_point = take_point};
     const algsurf_intersect_options options = {.size = sizeof options,
                                                .method = (int)method,
                                                .absolute_tolerance = tolerance,

@@ -550,7 +550,7 @@ static void call_algsurf_real_roots_integers(void) {
         int count = 0;                                                                                       \
         algsurf_status s;                                                                                    \
         STATUS_IN_HOST(call);                                                                                \
-        (void)options, WRITTEN(count), WRITTEN(observer.intervals),                                          \
+        (void)options, WRITTEN(count), WRITTEN(observer.cells),                                              \
             written(brackets, (size_t)(written_all * count) * sizeof *brackets);                             \
     }
 
@@ -642,7 +642,7 @@ static void call_algsurf_refine_function(void) {
     host.kept &= elsewhere == 0;
 }
 
-static void observe(void *data, double t, double value, int engine) {
+static void observe(double t, double value, int engine, void *data) {
     uint64_t *seen = data, bits[2];
     memcpy(bits, &t, sizeof t), memcpy(bits + 1, &value, sizeof value);
     *seen = ((*seen ^ bits[0]) * 0x100000001b3u ^ bits[1]) + (uint64_t)engine;
@@ -653,7 +653,7 @@ static void call_algsurf_refine_poly(void) {
         poly p = poly_made(which);
         double lo = number(0.625), hi = number(1.375);
         uint64_t seen = 0;
-        algsurf_observer observer = {.size = sizeof observer, .data = &seen, .point = observe};
+        algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = observe};
         algsurf_refine_options options = {.size = sizeof options, .observer = &observer};
         algsurf_refined_root root = {.converged = 0};
         algsurf_status s;

@@ -130,7 +130,7 @@ static void judge_once(const query *q) {
     }
     if (found != ALGSURF_EXACT_END) failed(q, "no memory", i);
     if (i < q->k->count && known_compare_double(q->k->root[i], q->hi) <= 0) failed(q, "a root is missing", i);
-    counted = observer.intervals;
+    counted = observer.cells;
     algsurf_exact_end(&walk);
     if (m.at != stack || m.allocated != 0) failed(q, "memory not given back", i);
     free(p.c);

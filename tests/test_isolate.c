@@ -346,7 +346,7 @@ static size_t intervals(const double *c, int n, double lo, double hi, algsurf_br
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
     assert_int_equal(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found), ALGSURF_OK);
-    return observer.intervals;
+    return observer.cells;
 }
 
 /* Intervals that Descartes' rule looks at.  Catches: a walk that is not counted, or counted twice; a

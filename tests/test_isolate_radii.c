@@ -264,7 +264,7 @@ static void test_counted(void **state) {
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
     assert_int_equal(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found), ALGSURF_OK);
-    assert_true(found == 1 && observer.intervals > 0 && observer.engine == ALGSURF_ENGINE_INTEGERS);
+    assert_true(found == 1 && observer.cells > 0 && observer.engine == ALGSURF_ENGINE_INTEGERS);
 }
 
 /* A set with the zero polynomial among its members: the whole interval, undecided; with a constant that only

@@ -48,7 +48,7 @@ static void look_around(int engine) {
     told.engine = engine > told.engine ? engine : told.engine;
 }
 
-static void take_cell(void *data, const algsurf_cell *cell) {
+static void take_cell(const algsurf_cell *cell, void *data) {
     assert_ptr_equal(data, &told);
     assert_true(told.cells < MOST && cell->degree <= ALGSURF_MAX_DEGREE);
     told_cell *c = told.cell + told.cells++;
@@ -57,7 +57,7 @@ static void take_cell(void *data, const algsurf_cell *cell) {
     look_around(cell->engine);
 }
 
-static void take_point(void *data, double t, double value, int engine) {
+static void take_point(double t, double value, int engine, void *data) {
     assert_ptr_equal(data, &told);
     assert_true(told.points < MOST);
     told.point[told.points++] = (told_point){t, value, engine};
@@ -67,12 +67,12 @@ static void take_point(void *data, double t, double value, int engine) {
 static algsurf_observer *begin(void) {
     told.cells = told.points = told.engine = 0;
     told.observer = (algsurf_observer){
-        .size = sizeof told.observer, .data = &told, .cell = take_cell, .point = take_point};
+        .size = sizeof told.observer, .data = &told, .on_cell = take_cell, .on_point = take_point};
     return &told.observer;
 }
 
 static void check_counts(void) {
-    assert_int_equal(told.observer.intervals, told.cells);
+    assert_int_equal(told.observer.cells, told.cells);
     assert_int_equal(told.observer.evaluations, told.points);
     assert_int_equal(told.observer.engine, told.engine);
     assert_int_equal(told.other_rounding, 0);
@@ -247,12 +247,12 @@ static void bad_observers(void **state) {
     o.size = 5;
     assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_ARGUMENT);
-    assert_true(count == 77 && observer.intervals == 0);
+    assert_true(count == 77 && observer.cells == 0);
     o.size = sizeof o; /* no callbacks: it counts, and adds */
     assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
-    size_t once = observer.intervals;
+    size_t once = observer.cells;
     assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
-    assert_true(once > 0 && observer.intervals == 2 * once && observer.engine == ALGSURF_ENGINE_DOUBLES);
+    assert_true(once > 0 && observer.cells == 2 * once && observer.engine == ALGSURF_ENGINE_DOUBLES);
 }
 
 /* ---- rays ---- */
@@ -402,7 +402,7 @@ static void packets_and_pictures_refuse(void **state) {
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_E_ARGUMENT);
-    assert_true(hit == 77 && observer.intervals == 0);
+    assert_true(hit == 77 && observer.cells == 0);
     observer.size = 0;
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_ARGUMENT);
     how.observer = NULL;

@@ -542,7 +542,7 @@ typedef struct {
     double x[RECORDED], value[RECORDED];
 } record;
 
-static void watch(void *data, double x, double value, int engine) {
+static void watch(double x, double value, int engine, void *data) {
     record *r = data;
     volatile double one = 1, tiny = 0x1p-60;
     assert_true(r->calls < RECORDED);
@@ -602,7 +602,7 @@ static void test_observer(void **state) {
             algsurf_refine_options o = options_of(methods[m], 1e-9, 0);
             algsurf_refined_root plain, r;
             memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
-            algsurf_observer observer = {.size = sizeof observer, .data = &seen, .point = watch};
+            algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = watch};
             seen.calls = seen.engine = 0;
             algsurf_status status = algsurf_refine_poly(c, 5, lo, hi, &o, &plain);
             o.observer = &observer;
@@ -613,7 +613,7 @@ static void test_observer(void **state) {
             assert_memory_equal(&r, &plain, sizeof r);
             check_record(&seen, c, 5, lo, hi, methods[m], &r);
             assert_true(observer.evaluations == (size_t)seen.calls && observer.engine == seen.engine);
-            assert_true(observer.intervals == 0);
+            assert_true(observer.cells == 0);
         }
     }
     assert_true(polynomials > 50);
@@ -626,7 +626,7 @@ static void test_observer_of_others(void **state) {
     (void)state;
     static record seen;
     const double c[2] = {-0.5, 1}, thrice[4] = {-1, 3, -3, 1};
-    algsurf_observer observer = {.size = sizeof observer, .data = &seen, .point = watch};
+    algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = watch};
     algsurf_refine_options o = {.size = sizeof o, .observer = &observer};
     algsurf_refined_root r, plain;
     double power = 3;

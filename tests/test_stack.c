@@ -249,11 +249,11 @@ static algsurf_complex_root complex_roots[9 * MOST];
 static int found;
 
 /* Watching takes stack, too. */
-static void ignore_cell(void *data, const algsurf_cell *cell) { (void)data, (void)cell; }
-static void ignore_point(void *data, double t, double value, int engine) {
+static void ignore_cell(const algsurf_cell *cell, void *data) { (void)data, (void)cell; }
+static void ignore_point(double t, double value, int engine, void *data) {
     (void)data, (void)t, (void)value, (void)engine;
 }
-static algsurf_observer watcher = {.size = sizeof watcher, .cell = ignore_cell, .point = ignore_point};
+static algsurf_observer watcher = {.size = sizeof watcher, .on_cell = ignore_cell, .on_point = ignore_point};
 static const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &watcher};
 
 static void first_bracket(const double *c, const double *r, int n, double lo, double hi) {

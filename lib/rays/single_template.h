@@ -31,7 +31,7 @@ static double bracket_value(double x, void *data) {
 }
 
 /* A point of that, to whoever watches. */
-static void tell_bracket_point(void *data, double x, double value, int engine) {
+static void tell_bracket_point(double x, double value, int engine, void *data) {
     const single_ray *s = data;
     double p = s->k.at.p[0], q = s->k.at.q[0];
     algsurf_i_tell_point(&s->watch, algsurf_i_watched_place(&s->watch, p + (q - p) * x),
@@ -56,7 +56,7 @@ static double refine_single(const single_ray *s) {
     double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
     algsurf_refine_options how = *s->how;
     algsurf_refined_root root = {.root = 0.5};
-    algsurf_observer told = {.size = sizeof told, .data = (void *)s, .point = tell_bracket_point};
+    algsurf_observer told = {.size = sizeof told, .data = (void *)s, .on_point = tell_bracket_point};
     how.observer = s->k.watch ? &told : NULL;
     how.absolute_tolerance /= (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);

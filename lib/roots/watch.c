@@ -46,9 +46,9 @@ void algsurf_i_tell_cell(const algsurf_i_watch *watch, const algsurf_cell *cell)
     algsurf_cell told = *cell;
     told.lo = in_caller_unit(watch, cell->lo);
     told.hi = in_caller_unit(watch, cell->hi);
-    o->intervals++;
+    o->cells++;
     note_engine(o, cell->engine);
-    if (o->cell) o->cell(o->data, &told);
+    if (o->on_cell) o->on_cell(&told, o->data);
 }
 
 void algsurf_i_tell_point(const algsurf_i_watch *watch, double t, double value, int exponent, int engine) {
@@ -57,5 +57,5 @@ void algsurf_i_tell_point(const algsurf_i_watch *watch, double t, double value, 
     o->evaluations++;
     note_engine(o, engine);
     if (told == 0 && value != 0) told = copysign(DBL_TRUE_MIN, value);
-    if (o->point) o->point(o->data, in_caller_unit(watch, t), told, engine);
+    if (o->on_point) o->on_point(in_caller_unit(watch, t), told, engine, o->data);
 }

@@ -150,13 +150,13 @@ static void check_roots(void) {
     CHECK(roots[0].multiplicity == 1 && roots[0].real == 1 && near(fabs(roots[0].root.re), sqrt(2)));
     BLANK(algsurf_isolate_options, isolate);
     BLANK(algsurf_observer, observer);
-    observer.size = sizeof observer, observer.data = NULL, observer.cell = NULL, observer.point = NULL;
-    observer.intervals = observer.evaluations = 0, observer.engine = ALGSURF_ENGINE_NONE;
+    observer.size = sizeof observer, observer.data = NULL, observer.on_cell = NULL, observer.on_point = NULL;
+    observer.cells = observer.evaluations = 0, observer.engine = ALGSURF_ENGINE_NONE;
     isolate.observer = at_edge(&observer, sizeof observer);
     CHECK(algsurf_isolate_first(c, NULL, 2, 0, 2, at_edge(&isolate, sizeof isolate), &bracket, &found) ==
               ALGSURF_OK &&
           found == 1);
-    CHECK(isolate.observer->intervals == 1 && isolate.observer->engine == ALGSURF_ENGINE_DOUBLES);
+    CHECK(isolate.observer->cells == 1 && isolate.observer->engine == ALGSURF_ENGINE_DOUBLES);
     CHECK(bracket.lo <= sqrt(2) && sqrt(2) <= bracket.hi && bracket.sign == -1);
 
     BLANK(algsurf_refine_options, r);

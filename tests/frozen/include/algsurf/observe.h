@@ -53,24 +53,24 @@ typedef struct algsurf_cell {
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */
-typedef void (*algsurf_cell_observer)(void *data, const algsurf_cell *cell);
+typedef void (*algsurf_cell_observer)(const algsurf_cell *cell, void *data);
 
 /* Told of each point t at which a method of refinement evaluates, in its order, with the value that it gets:
  * p's; of its squarefree part, up to a positive factor, where integers look at that.  engine: an
  * algsurf_engine. */
-typedef void (*algsurf_point_observer)(void *data, double t, double value, int engine);
+typedef void (*algsurf_point_observer)(double t, double value, int engine, void *data);
 
 /* Who watches.  Callbacks run in the library's floating-point environment, round to nearest, all exceptions
  * masked, and must leave that as it is; they must not change the observer.  One observer serves one call at
  * a time. */
 typedef struct algsurf_observer {
-    size_t size;                  /* sizeof(algsurf_observer) */
-    void *data;                   /* the caller's, passed to both */
-    algsurf_cell_observer cell;   /* null: nobody is told of cells */
-    algsurf_point_observer point; /* null: nobody is told of points */
-    size_t intervals;             /* cells; each call adds to it, and nobody resets it */
-    size_t evaluations;           /* points; likewise */
-    int engine;                   /* the highest algsurf_engine of them, who decided; a call may raise it */
+    size_t size;                     /* sizeof(algsurf_observer) */
+    algsurf_cell_observer on_cell;   /* null: nobody is told of cells */
+    algsurf_point_observer on_point; /* null: nobody is told of points */
+    void *data;                      /* the caller's, passed to both */
+    size_t cells;                    /* how many; each call adds to it, and nobody resets it */
+    size_t evaluations;              /* at points; likewise */
+    int engine; /* the highest algsurf_engine of them, who decided; a call may raise it */
 } algsurf_observer;
 
 #ifdef __cplusplus
