@@ -32,7 +32,7 @@ static void must(algsurf_status status, const char *what) {
 static double refine_here(const double *c, int degree, double lo, double hi, double tolerance) {
     const algsurf_refine_options options = {.size = sizeof options, .absolute_tolerance = 2 * tolerance};
     algsurf_refined_root root;
-    must(algsurf_refine_poly(c, degree, lo, hi, &options, &root), "refinement");
+    must(algsurf_refine_poly(c, NULL, degree, lo, hi, &options, &root), "refinement");
     return root.root;
 }
 

@@ -151,11 +151,16 @@ static algsurf_status itp(const double *c, int degree, double lo, double hi,
     return finish(&s, result);
 }
 
+static algsurf_status by_library(const double *c, int degree, double lo, double hi,
+                                 const algsurf_refine_options *options, algsurf_refined_root *result) {
+    return algsurf_refine_poly(c, NULL, degree, lo, hi, options, result);
+}
+
 const seed_method seed_methods[SEED_METHODS] = {
-    {"bisection", algsurf_refine_poly, ALGSURF_METHOD_BISECTION, 1, 0},
-    {"regula falsi", algsurf_refine_poly, ALGSURF_METHOD_REGULA_FALSI, 1, 1},
-    {"Brent", algsurf_refine_poly, ALGSURF_METHOD_BRENT, 1, 0},
-    {"default", algsurf_refine_poly, ALGSURF_METHOD_DEFAULT, 1, 0},
+    {"bisection", by_library, ALGSURF_METHOD_BISECTION, 1, 0},
+    {"regula falsi", by_library, ALGSURF_METHOD_REGULA_FALSI, 1, 1},
+    {"Brent", by_library, ALGSURF_METHOD_BRENT, 1, 0},
+    {"default", by_library, ALGSURF_METHOD_DEFAULT, 1, 0},
     {"Illinois", illinois, ALGSURF_METHOD_DEFAULT, 0, 0},
     {"Chandrupatla", chandrupatla, ALGSURF_METHOD_DEFAULT, 0, 0},
     {"ITP", itp, ALGSURF_METHOD_DEFAULT, 0, 0}};

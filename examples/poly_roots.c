@@ -25,7 +25,7 @@ int main(int argc, char **argv) {
     for (int i = 0; i < count; i++) {
         algsurf_refined_root root = {.root = bracket[i].lo}; /* exact, when the bracket is a point */
         if (bracket[i].kind == ALGSURF_BRACKET_ISOLATED)
-            algsurf_refine_poly(c, DEGREE, bracket[i].lo, bracket[i].hi, NULL, &root);
+            algsurf_refine_poly(c, NULL, DEGREE, bracket[i].lo, bracket[i].hi, NULL, &root);
         printf("%.17g\n", root.root);
     }
     return 0;

@@ -178,7 +178,7 @@ static int real_to_tolerance(const roots_polynomial *p, const roots_interval *wh
     for (int i = 0; status >= 0 && i < count; i++) {
         rows[i] = row_of(b[i].lo, b[i].lo, b[i].lo, b[i].multiplicity);
         if (b[i].kind == ALGSURF_BRACKET_EXACT) continue;
-        status = algsurf_refine_poly(c, p->degree, b[i].lo, b[i].hi, &options, &root);
+        status = algsurf_refine_poly(c, NULL, p->degree, b[i].lo, b[i].hi, &options, &root);
         rows[i] = row_of(root.root, root.lo, root.hi, b[i].multiplicity);
     }
     return status < 0 ? refused(status, why) : count;

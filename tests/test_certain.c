@@ -41,7 +41,7 @@ static int sign_at(const double *c, int n, double x) {
 static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
     algsurf_refined_root r;
     memset(&r, 0, sizeof r);
-    algsurf_status status = algsurf_refine_poly(c, n, b->lo, b->hi, NULL, &r);
+    algsurf_status status = algsurf_refine_poly(c, NULL, n, b->lo, b->hi, NULL, &r);
     if (status != ALGSURF_OK) give_up(algsurf_status_text(status), c, n, b, &r);
     int at = exact_poly_sign(c, n, r.root), lo = sign_at(c, n, r.lo), hi = sign_at(c, n, r.hi);
     int given = r.lo == b->lo && r.hi == b->hi; /* between neighbours there may be two, or a double one */
@@ -127,7 +127,7 @@ static void test_underflow(void **state) {
             algsurf_refined_root r;
             c[k] = -a, c[k + 1] = 1;
             check(c, k + 1, 1.1 * a);
-            assert_int_equal(algsurf_refine_poly(c, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(c, NULL, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
             if (r.root != a || r.residual != 0 || r.lo != a || r.hi != a)
                 give_up("known root", c, k + 1, &b, &r);
         }
@@ -178,7 +178,7 @@ static void test_multiple_roots(void **state) {
         double c[MOST + 1] = {1};
         algsurf_refined_root r;
         for (int k = 0; k < m; k++) times_root(c, k, 1);
-        assert_int_equal(algsurf_refine_poly(c, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
+        assert_int_equal(algsurf_refine_poly(c, NULL, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
         assert_true(r.root == 1 && r.residual == 0 && r.evaluations < 16);
     }
 }
@@ -193,14 +193,14 @@ static void test_neighbours(void **state) {
     algsurf_refined_root r;
     check_bracket(third_squared, 2, &good);
     check_bracket(beyond, 1, &far);
-    assert_int_equal(algsurf_refine_poly(beyond, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);
     assert_true(r.lo == DBL_MAX && r.root == DBL_MAX && isinf(r.hi) && r.residual != 0);
-    assert_int_equal(algsurf_refine_poly(none, 2, third, above, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(beyond, 1, -INFINITY, -DBL_MAX, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(beyond, 1, INFINITY, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
-    assert_int_equal(algsurf_refine_poly(beyond, 1, 1, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(none, NULL, 2, third, above, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, -INFINITY, -DBL_MAX, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, INFINITY, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, 1, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
     const algsurf_refine_options brent = {.size = sizeof brent, .method = ALGSURF_METHOD_BRENT};
-    assert_int_equal(algsurf_refine_poly(beyond, 1, DBL_MAX, INFINITY, &brent, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, &brent, &r), ALGSURF_E_NOT_FINITE);
 }
 
 static void test_enough(void **state) {

@@ -649,8 +649,8 @@ static void observe(double t, double value, int engine, void *data) {
 }
 
 static void call_algsurf_refine_poly(void) {
-    for (int which = 0; which < 2; which++) {
-        poly p = poly_made(which);
+    for (int which = 0; which < 3; which++) { /* 2: with radii */
+        poly p = poly_made(which % 2);
         double lo = number(0.625), hi = number(1.375);
         uint64_t seen = 0;
         algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = observe};
@@ -658,8 +658,8 @@ static void call_algsurf_refine_poly(void) {
         algsurf_refined_root root = {.converged = 0};
         algsurf_status s;
         options.absolute_tolerance = number(0);
-        options.method = which ? ALGSURF_METHOD_REGULA_FALSI : ALGSURF_METHOD_DEFAULT;
-        STATUS_IN_HOST(algsurf_refine_poly(p.c, DEGREE, lo, hi, &options, &root));
+        options.method = which == 1 ? ALGSURF_METHOD_REGULA_FALSI : ALGSURF_METHOD_DEFAULT;
+        STATUS_IN_HOST(algsurf_refine_poly(p.c, which == 2 ? p.r : NULL, DEGREE, lo, hi, &options, &root));
         look_at_root(&root);
         WRITTEN(seen);
     }

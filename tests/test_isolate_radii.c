@@ -10,11 +10,13 @@
 
 #include <float.h>
 
+#include "algsurf/refine.h"
 #include "environments.h"
 
 #define SEED 12u
 
 static isolate_answer answer;
+static int refined, narrower;
 
 /* |p(x)| > sum r_k |x|^k, exactly: the sign at x is that of every member. */
 static int margin_holds(const double *c, const double *r, int n, double x) {
@@ -46,6 +48,26 @@ static exact_sturm member(uint64_t *seed, const double *c, const double *r, int 
     return s;
 }
 
+/* Every bracket is refined, to one that each polynomial has its root in. */
+static const char *judge_refined(uint64_t *seed, const double *c, const double *r, int n) {
+    for (int i = 0; i < answer.count; i++) {
+        const algsurf_bracket *b = answer.b + i;
+        algsurf_refined_root root;
+        if (b->kind == ALGSURF_BRACKET_UNDECIDED) continue;
+        if (algsurf_refine_poly(c, r, n, b->lo, b->hi, NULL, &root) != ALGSURF_OK) return "not refined";
+        if (!(b->lo <= root.lo && root.lo <= root.root && root.root <= root.hi && root.hi <= b->hi))
+            return "order of the refined";
+        for (int k = 0; k < 4; k++) {
+            exact_sturm s = member(seed, c, r, n);
+            int inside = s.count > 0 ? exact_count_roots(&s, root.lo, root.hi) : 1;
+            exact_sturm_clear(&s);
+            if (inside != 1) return "a root lost in refinement";
+        }
+        refined++, narrower += root.hi - root.lo < 0.5 * (b->hi - b->lo);
+    }
+    return NULL;
+}
+
 static void judge_box(uint64_t *seed, const double *c, const double *r, int n, double lo, double hi) {
     memset(&answer, 0, sizeof answer);
     answer.status =
@@ -64,6 +86,7 @@ static void judge_box(uint64_t *seed, const double *c, const double *r, int n, d
         if (s.count > 0) wrong = isolate_truth(&s, lo, hi, &answer);
         exact_sturm_clear(&s);
     }
+    if (!wrong) wrong = judge_refined(seed, c, r, n);
     if (wrong) isolate_fail(wrong, c, r, n, lo, hi, &answer);
 }
 
@@ -85,7 +108,7 @@ static void test_boxes(void **state) {
         undecided += answer.status != ALGSURF_OK && bits < 10;
     }
     if (decided * 100 < rounds * 80) fail_msg("seed %u: %d of %d decided", SEED, decided, rounds);
-    assert_true(undecided > 0);
+    assert_true(undecided > 0 && refined > rounds && narrower > refined / 2);
 }
 
 /* Known gaps: x^2 - 2 e x + e^2 - d has the roots e +- sqrt d; they part when the radius is below d. */

@@ -403,9 +403,21 @@ static void test_root_solver(void **state) {
 static algsurf_status refine(void) {
     const double c[41] = {[38] = 0x1p-1000, [39] = -1, [40] = 1};
     algsurf_refined_root root = {.root = 7};
-    algsurf_status status = algsurf_refine_poly(c, 40, 0x1p-990, 2, NULL, &root);
+    algsurf_status status = algsurf_refine_poly(c, NULL, 40, 0x1p-990, 2, NULL, &root);
     if (status == ALGSURF_OK)
         assert_true(root.lo == 1 - 0x1p-53 && root.hi == 1);
+    else
+        assert_true(root.root == 7);
+    return status;
+}
+
+/* x^40 + x - 1 whose constant is known to 2^-1000. */
+static algsurf_status refine_with_radii(void) {
+    const double c[41] = {[0] = -1, [1] = 1, [40] = 1}, r[41] = {[0] = 0x1p-1000};
+    algsurf_refined_root root = {.root = 7};
+    algsurf_status status = algsurf_refine_poly(c, r, 40, 0x1p-990, 2, NULL, &root);
+    if (status == ALGSURF_OK)
+        assert_true(root.lo < root.hi && root.hi - root.lo < 0x1p-50);
     else
         assert_true(root.root == 7);
     return status;
@@ -414,6 +426,7 @@ static algsurf_status refine(void) {
 static void test_refine(void **state) {
     (void)state;
     assert_true(refuse_each(refine) > 0);
+    assert_true(refuse_each(refine_with_radii) > 0);
 }
 
 /* Two roots so close that the ends of cells have 1500 bits: who watches needs memory to be told. */

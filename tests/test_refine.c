@@ -3,7 +3,7 @@
  * Breaks caught: a bracket that loses the root (ends of equal sign), a stop too early or too late, counts
  * that are not the callback's, a Brent that is not Brent's (its points are compared with the book's
  * procedure, one by one), a Newton whose far end stays where it was, a halving that overflows, a limit that
- * is not told. */
+ * is not told, a final bracket that radii do not widen. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -240,6 +240,74 @@ static void test_regula_falsi_says_when_it_fails(void **state) {
     assert_true(r.converged && r.hi - r.lo > 1 && p.calls == 4);
 }
 
+/* t^2 - 2 within a radius of its constant: the final bracket is the range of the roots, to a unit or two. */
+static void test_radii(void **state) {
+    (void)state;
+    algsurf_refined_root root = {.root = 7}, middle;
+    static const double c[3] = {-2, 0, 1};
+    for (int e = 2; e < 60; e += 3) {
+        const double r[3] = {ldexp(1, -e), 0, 0};
+        double lo = sqrt(2 - r[0]), hi = sqrt(2 + r[0]);
+        assert_int_equal(algsurf_refine_poly(c, r, 2, 1, 3, NULL, &root), ALGSURF_OK);
+        assert_int_equal(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle), ALGSURF_OK);
+        assert_true(root.root == middle.root && root.residual == middle.residual);
+        assert_true(root.evaluations == middle.evaluations && root.iterations == middle.iterations);
+        assert_true(root.converged);
+        assert_true(lo - 0x1p-51 <= root.lo && root.lo <= lo + 0x1p-52);
+        assert_true(hi - 0x1p-52 <= root.hi && root.hi <= hi + 0x1p-51);
+        algsurf_refine_options coarse = options_of(ALGSURF_METHOD_DEFAULT, 0.25, 0);
+        assert_int_equal(algsurf_refine_poly(c, r, 2, 1, 3, &coarse, &root), ALGSURF_OK);
+        assert_true(root.lo <= lo + 0x1p-52 && hi - 0x1p-52 <= root.hi &&
+                    root.evaluations < middle.evaluations);
+    }
+    const double none[3] = {0, 0, 0};
+    assert_int_equal(algsurf_refine_poly(c, none, 2, 1, 3, NULL, &root), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle), ALGSURF_OK);
+    assert_true(root.lo == middle.lo && root.hi == middle.hi && root.evaluations == middle.evaluations);
+    const double line[2] = {0, 1}, slope[2] = {0, 0.5}; /* all have the root 0 */
+    assert_int_equal(algsurf_refine_poly(line, slope, 1, -1, 2, NULL, &root), ALGSURF_OK);
+    assert_true(root.root == 0 && root.lo == 0 && root.hi == 0);
+    assert_int_equal(algsurf_refine_poly(line, slope, 1, 0, 0, NULL, &root), ALGSURF_OK);
+    assert_true(root.root == 0 && root.lo == 0 && root.hi == 0);
+    const double thrice[4] = {-0.125, 0.75, -1.5, 1}, little[4] = {0x1p-40, 0, 0, 0}; /* about (t - 1/2)^3 */
+    assert_int_equal(algsurf_refine_poly(thrice, little, 3, -1, 2, NULL, &root), ALGSURF_OK);
+    assert_true(root.root == 0.5 && root.lo <= 0.5 - 9.6e-5 && root.hi >= 0.5 + 9.6e-5 &&
+                root.hi - root.lo < 1e-3);
+}
+
+/* A bracket is refused where a polynomial of the set may have no root in it, and so are bad radii. */
+static void test_radii_refused(void **state) {
+    (void)state;
+    algsurf_refined_root root = {.root = 7};
+    static const double c[3] = {-2, 0, 1}, r[3] = {0.5, 0, 0};
+    static const struct {
+        double r[3], lo, hi;
+        algsurf_status status;
+    } cases[] = {
+        {{0.5, 0, 0}, 1.25, 3, ALGSURF_E_ARGUMENT}, /* the first of them have their root before it */
+        {{0.5, 0, 0}, 1, 1.5, ALGSURF_E_ARGUMENT},
+        {{0.5, 0, 0}, 2, 3, ALGSURF_E_ARGUMENT},  /* none has one */
+        {{0.5, 0, 0}, -3, 3, ALGSURF_E_ARGUMENT}, /* two */
+        {{2, 0, 1}, 1, 3, ALGSURF_E_ARGUMENT},    /* 0 is among them */
+        {{2, 0, 0.5}, 0, 3, ALGSURF_E_ARGUMENT},
+        {{-0.5, 0, 0}, 1, 3, ALGSURF_E_ARGUMENT},
+        {{0.5, NAN, 0}, 1, 3, ALGSURF_E_NOT_FINITE},
+        {{0.5, 0, INFINITY}, 1, 3, ALGSURF_E_NOT_FINITE},
+        {{0.5, 0, 0}, 3, 1, ALGSURF_E_ARGUMENT},
+        {{0.5, 0, 0}, 1, INFINITY, ALGSURF_E_NOT_FINITE},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        assert_int_equal(algsurf_refine_poly(c, cases[i].r, 2, cases[i].lo, cases[i].hi, NULL, &root),
+                         cases[i].status);
+    for (int m = 1; m < 4; m++) {
+        algsurf_refine_options o = options_of(methods[m], 0, 0);
+        assert_int_equal(algsurf_refine_poly(c, r, 2, 1, 3, &o, &root), ALGSURF_E_ARGUMENT);
+    }
+    const double zero[3] = {0, 0, 0};
+    assert_int_equal(algsurf_refine_poly(zero, r, 2, 1, 3, NULL, &root), ALGSURF_E_ARGUMENT);
+    assert_true(root.root == 7);
+}
+
 static void test_iteration_limit(void **state) {
     (void)state;
     static probe p;
@@ -326,7 +394,7 @@ static void test_polynomials_with_known_roots(void **state) {
                 double tolerance = t ? 1e-9 : 0;
                 algsurf_refine_options o = options_of(methods[m], tolerance, 100000);
                 algsurf_refined_root r;
-                assert_int_equal(algsurf_refine_poly(c, n, lo, hi, &o, &r), ALGSURF_OK);
+                assert_int_equal(algsurf_refine_poly(c, NULL, n, lo, hi, &o, &r), ALGSURF_OK);
                 int narrow = r.residual == 0 || r.hi - r.lo <= width(tolerance, r.root);
                 if (methods[m] == ALGSURF_METHOD_REGULA_FALSI) narrow = 1;
                 double error = fabs(r.root - roots[at]), most = width(tolerance, r.root) + 1e-11;
@@ -356,7 +424,8 @@ static void test_multiple_roots(void **state) {
             for (double shift = 0; shift < 0.9; shift += 0.13) {
                 algsurf_refine_options o = options_of(methods[m], 0, 0);
                 algsurf_refined_root r;
-                assert_int_equal(algsurf_refine_poly(c, multiplicity[i], shift, 2.7, &o, &r), ALGSURF_OK);
+                assert_int_equal(algsurf_refine_poly(c, NULL, multiplicity[i], shift, 2.7, &o, &r),
+                                 ALGSURF_OK);
                 assert_true(r.residual == 0 || r.hi - r.lo <= width(0, r.root));
                 if (fabs(r.root - 1) > noise[i] || r.evaluations > 150)
                     fail_poly("multiple root", c, multiplicity[i], methods[m], &r);
@@ -378,7 +447,7 @@ static void test_newton_is_bounded(void **state) {
         int range = wide == 2 ? 1000 : 3;
         double lo = exact_random_wide(&seed, -range, range), hi = exact_random_wide(&seed, -range, range);
         algsurf_refined_root r;
-        algsurf_status status = algsurf_refine_poly(c, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
+        algsurf_status status = algsurf_refine_poly(c, NULL, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
         if (status == ALGSURF_E_ARGUMENT) continue; /* no sign change */
         assert_int_equal(status, ALGSURF_OK);
         int narrow = nextafter(nextafter(r.lo, INFINITY), INFINITY) >= r.hi;
@@ -398,31 +467,31 @@ static void test_extreme_polynomials(void **state) {
         for (int m = 0; m < 3; m++) {
             const double c[3] = {-2 * scales[i], 0, scales[i]};
             algsurf_refine_options o = options_of(methods[m], 0, 0);
-            assert_int_equal(algsurf_refine_poly(c, 2, 0, 1e10, &o, &r), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(c, NULL, 2, 0, 1e10, &o, &r), ALGSURF_OK);
             assert_true(fabs(r.root - sqrt2) < 1e-15);
             o.absolute_tolerance = 0.1; /* the value is p's own, not a scaled one */
-            assert_int_equal(algsurf_refine_poly(c, 2, 0, 3, &o, &r), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(c, NULL, 2, 0, 3, &o, &r), ALGSURF_OK);
             assert_true(fabs(r.residual / scales[i] - (r.root * r.root - 2)) <=
                         (scales[i] < 0x1p-1000 ? 0.1 : 1e-14));
             const double far[3] = {-scales[i], scales[i] * 0.25, 0}; /* root 4, leading zero */
             o.absolute_tolerance = 0, o.max_iterations = 3000;
-            assert_int_equal(algsurf_refine_poly(far, 2, -1e10, 1e300, &o, &r), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(far, NULL, 2, -1e10, 1e300, &o, &r), ALGSURF_OK);
             assert_true(fabs(r.root - 4) < 1e-14);
         }
     /* values overflow at the root itself: x^41 - 1e10 x^40; the signs are right all the same */
     double c[42] = {0};
     c[41] = 1, c[40] = -1e10;
-    assert_int_equal(algsurf_refine_poly(c, 41, 1e3, 1e15, NULL, &r), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 41, 1e3, 1e15, NULL, &r), ALGSURF_OK);
     assert_true(fabs(r.root - 1e10) <= 1e-4);
     /* x^3 - 1e-300 between the ends of the range */
     const double tiny[4] = {-1e-300, 0, 0, 1};
-    assert_int_equal(algsurf_refine_poly(tiny, 3, -1e300, 1e300, NULL, &r), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(tiny, NULL, 3, -1e300, 1e300, NULL, &r), ALGSURF_OK);
     assert_true(fabs(r.root / 1e-100 - 1) < 1e-14 && r.evaluations <= NEWTON_POINTS);
     /* degree 0: zero is a root everywhere, a constant nowhere */
     const double zero = 0, one = 1;
-    assert_int_equal(algsurf_refine_poly(&zero, 0, -1, 1, NULL, &r), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(&zero, NULL, 0, -1, 1, NULL, &r), ALGSURF_OK);
     assert_true(r.residual == 0 && r.converged);
-    assert_int_equal(algsurf_refine_poly(&one, 0, -1, 1, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(&one, NULL, 0, -1, 1, NULL, &r), ALGSURF_E_ARGUMENT);
 }
 
 /* ---- environment, options, bad input ---- */
@@ -441,15 +510,15 @@ static void test_any_environment(void **state) {
         for (int i = 0; i < 3; i++) {
             algsurf_refine_options o = options_of(methods[m], 0, 0);
             algsurf_refined_root want[2] = {{0}}, got[2] = {{0}};
-            assert_int_equal(algsurf_refine_poly(c, 5, -1, 0, &o, &want[0]), ALGSURF_OK);
-            assert_int_equal(algsurf_refine_poly(small, 2, 0, 9, &o, &want[1]), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &want[0]), ALGSURF_OK);
+            assert_int_equal(algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &want[1]), ALGSURF_OK);
             fesetround(modes[i]);
 #if defined(__SSE2__) || defined(__x86_64__)
             unsigned csr = _mm_getcsr();
             _mm_setcsr(csr | 0x8040u); /* flush to zero, denormals are zero */
 #endif
-            (void)algsurf_refine_poly(c, 5, -1, 0, &o, &got[0]);
-            (void)algsurf_refine_poly(small, 2, 0, 9, &o, &got[1]);
+            (void)algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &got[0]);
+            (void)algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &got[1]);
 #if defined(__SSE2__) || defined(__x86_64__)
             unsigned after = _mm_getcsr();
             _mm_setcsr(csr);
@@ -491,7 +560,7 @@ static void test_options(void **state) {
     const double c[2] = {-0.5, 1};
     for (int i = 0; i < 7; i++) {
         assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &bad[i], &r), ALGSURF_E_ARGUMENT);
-        assert_int_equal(algsurf_refine_poly(c, 1, 0, 1, &bad[i], &r), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &bad[i], &r), ALGSURF_E_ARGUMENT);
     }
 }
 
@@ -520,16 +589,17 @@ static void test_bad_input(void **state) {
         assert_int_equal(algsurf_refine_function(call, &p, -1, 0, &o, &r), ALGSURF_E_NOT_FINITE);
     }
     const double c[2] = {-0.5, 1}, nan_c[2] = {NAN, 1}, inf_c[2] = {1, -INFINITY};
-    assert_int_equal(algsurf_refine_poly(NULL, 1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, 1, 0, 1, NULL, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, -1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, 1, 1, 0, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, 1, 2, 3, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, 1, -INFINITY, 3, NULL, &r), ALGSURF_E_NOT_FINITE);
-    assert_int_equal(algsurf_refine_poly(c, 1, 0, NAN, NULL, &r), ALGSURF_E_NOT_FINITE);
-    assert_int_equal(algsurf_refine_poly(nan_c, 1, 0, 1, NULL, &r), ALGSURF_E_NOT_FINITE);
-    assert_int_equal(algsurf_refine_poly(inf_c, 1, 0, 1, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(NULL, NULL, 1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, NULL, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, -1, 0, 1, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, ALGSURF_MAX_POLY_DEGREE + 1, 0, 1, NULL, &r),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 0, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 2, 3, NULL, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, -INFINITY, 3, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, NAN, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(nan_c, NULL, 1, 0, 1, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(inf_c, NULL, 1, 0, 1, NULL, &r), ALGSURF_E_NOT_FINITE);
     assert_memory_equal(&r, &before, sizeof r);
 }
 
@@ -604,10 +674,10 @@ static void test_observer(void **state) {
             memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
             algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = watch};
             seen.calls = seen.engine = 0;
-            algsurf_status status = algsurf_refine_poly(c, 5, lo, hi, &o, &plain);
+            algsurf_status status = algsurf_refine_poly(c, NULL, 5, lo, hi, &o, &plain);
             o.observer = &observer;
             fesetround(round % 2 ? FE_UPWARD : FE_TONEAREST);
-            algsurf_status observed = algsurf_refine_poly(c, 5, lo, hi, &o, &r);
+            algsurf_status observed = algsurf_refine_poly(c, NULL, 5, lo, hi, &o, &r);
             fesetround(FE_TONEAREST);
             assert_int_equal(observed, status);
             assert_memory_equal(&r, &plain, sizeof r);
@@ -639,17 +709,17 @@ static void test_observer_of_others(void **state) {
     for (int i = 0; i < seen.calls; i++) assert_true(seen.value[i] == power_less_half(seen.x[i], &power));
     assert_true(observer.evaluations == (size_t)seen.calls && observer.engine == ALGSURF_ENGINE_DOUBLES);
     seen.calls = 0;
-    assert_int_equal(algsurf_refine_poly(thrice, 3, 0.5, 1 + 0x1p-52, &o, &r), ALGSURF_OK);
+    assert_int_equal(algsurf_refine_poly(thrice, NULL, 3, 0.5, 1 + 0x1p-52, &o, &r), ALGSURF_OK);
     assert_true(seen.calls == r.evaluations && observer.engine == ALGSURF_ENGINE_INTEGERS);
     seen.calls = 0;
-    assert_int_equal(algsurf_refine_poly(NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(c, 1, 1, 0, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(NULL, NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 0, &o, &r), ALGSURF_E_ARGUMENT);
     observer.size = 7;
-    assert_int_equal(algsurf_refine_poly(c, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
     observer.size = sizeof observer;
     assert_int_equal(seen.calls, 0);
-    assert_int_equal(algsurf_refine_poly(c, 1, 1, 2, &o, &r), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_refine_poly(c, NULL, 1, 1, 2, &o, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(seen.calls, 2);
 }
 
@@ -659,6 +729,8 @@ int main(void) {
         cmocka_unit_test(test_evaluations_are_bounded),
         cmocka_unit_test(test_brent_is_brents),
         cmocka_unit_test(test_regula_falsi_says_when_it_fails),
+        cmocka_unit_test(test_radii),
+        cmocka_unit_test(test_radii_refused),
         cmocka_unit_test(test_iteration_limit),
         cmocka_unit_test(test_ends_and_extremes),
         cmocka_unit_test(test_polynomials_with_known_roots),

@@ -306,7 +306,9 @@ static void run_algsurf_refine_poly(void) {
             algsurf_refine_options o = {.size = sizeof o, .method = i % 4, .max_iterations = 40};
             algsurf_refined_root root;
             o.observer = i / 4 % 2 ? &watcher : NULL;
-            (void)algsurf_refine_poly(p->c, p->degree, b->lo, b->hi, &o, &root);
+            (void)algsurf_refine_poly(p->c, NULL, p->degree, b->lo, b->hi, &o, &root);
+            if (p->degree > 64 || o.method != ALGSURF_METHOD_DEFAULT) continue;
+            (void)algsurf_refine_poly(p->c, p->r, p->degree, b->lo, b->hi, &o, &root);
         }
 }
 

@@ -73,7 +73,7 @@ static void judge(const poly_case *p, double lo, double hi) {
     for (int i = 0; i < REPEAT; i++)
         for (int j = 0; j < count; j++)
             if (b[j].kind == ALGSURF_BRACKET_ISOLATED)
-                status[j] = algsurf_refine_poly(c, p->degree, b[j].lo, b[j].hi, NULL, r + j);
+                status[j] = algsurf_refine_poly(c, NULL, p->degree, b[j].lo, b[j].hi, NULL, r + j);
     isolation += between - begin;
     refinement += seconds() - between;
     for (int j = 0; j < count; j++)

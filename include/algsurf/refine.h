@@ -70,21 +70,29 @@ ALGSURF_API algsurf_status algsurf_refine_function(algsurf_function f, void *dat
                                                    const algsurf_refine_options *options,
                                                    algsurf_refined_root *result);
 
-/* The same for a polynomial in the power basis, degree+1 coefficients, lowest first.
+/* The same for a polynomial in the power basis.
+ *   c, r     degree+1 coefficients, lowest first; radii or null, which other methods than the default require
+ *   options  null: all defaults
  * By the default method:
- * - encloses: the final bracket holds a root of the exact polynomial: verified.  With absolute_tolerance 0 it
- * is at most two units in the last place wide; lo = hi where a double is the root;
+ * - encloses: the final bracket holds a root of the exact polynomial: verified.  With absolute_tolerance 0
+ *   it is at most two units in the last place wide; lo = hi where a double is the root;
  * - every bracket that algsurf_isolate_first or _all returns without radii is accepted.  Two neighbouring
  *   doubles, or the largest one and infinity, are the final bracket if there is a root between or on them,
  *   whatever the signs there;
  * - no more than 248 evaluations are made for any bracket (plain halving may need 2000).
- * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE, E_NOT_FINITE; E_NO_MEMORY (by
- * default, where integers decide: 1 GiB at most).
+ * With radii:
+ * - encloses: the final bracket holds a root of each polynomial of the set, the rest of [lo,hi] none:
+ *   verified.  It is as narrow as absolute_tolerance, the radii and doubles allow;
+ * - every bracket that algsurf_isolate_first or _all returns for c and r is accepted; where a polynomial of
+ *   the set may have equal signs at lo and hi, the answer is E_ARGUMENT;
+ * - all else is told of c alone: root, residual, counts, converged.  An observer is told of cells, too.
+ * Errors: also E_ARGUMENT for a degree outside 0..ALGSURF_MAX_POLY_DEGREE or a negative radius,
+ * E_NOT_FINITE; E_NO_MEMORY (by default, where integers decide: 1 GiB at most).
  * Cost: by default some nine evaluations of O(degree) operations from an isolating bracket, 0.3 microseconds
  * at degree 4, 0.5 at 10, 2.3 at 64; a microsecond or more for each value that integers decide, which few
- * roots need.  42 KiB of stack.  Since 1.0. */
-ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
-                                               const algsurf_refine_options *options,
+ * roots need; with radii 10 to 100 microseconds more.  42 KiB of stack.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_refine_poly(const double *c, const double *r, int degree, double lo,
+                                               double hi, const algsurf_refine_options *options,
                                                algsurf_refined_root *result);
 
 #ifdef __cplusplus

@@ -61,7 +61,7 @@ static double refine_single(const single_ray *s) {
     how.absolute_tolerance /= (2 * s->half[0] * s->ray.t_unit[0] * width);
     bracket_powers(s, c);
     if (how.method != ALGSURF_METHOD_DEFAULT ||
-        algsurf_refine_poly(c, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
+        algsurf_refine_poly(c, NULL, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
         (void)algsurf_refine_function(bracket_value, (void *)s, 0, 1, &how, &root);
     return s->k.at.p[0] + width * root.root;
 }

@@ -167,3 +167,15 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
     algsurf_memory_release(&memory, begin);
     return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
 }
+
+algsurf_status algsurf_i_decide_sign(const algsurf_i_coefficients *p, double x, int *sign) {
+    algsurf_limb block[STACK_WORDS];
+    algsurf_memory memory;
+    algsurf_zpoly centre, radius;
+    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    int done = in_integers(&memory, p, 0, &centre, &radius) &&
+               algsurf_exact_radii_sign(&memory, &centre, &radius, 0, x, sign);
+    algsurf_memory_release(&memory, begin);
+    return done ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
+}

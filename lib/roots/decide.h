@@ -52,4 +52,8 @@ algsurf_status algsurf_i_decide_ranges(const algsurf_i_coefficients *p, double l
                                        algsurf_bracket *brackets, int capacity, int *count,
                                        const algsurf_i_watch *watch);
 
+/* The sign at x, finite, that all polynomials within the radii have in common, or ALGSURF_SIGN_UNKNOWN: there
+ * is none.  OK or E_NO_MEMORY. */
+algsurf_status algsurf_i_decide_sign(const algsurf_i_coefficients *p, double x, int *sign);
+
 #endif

@@ -230,6 +230,17 @@ static int isolate(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius,
     return 1;
 }
 
+int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius, int unit,
+                             double t, int *sign) {
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    set s = {.unit = unit};
+    s.cells.memory = m;
+    int done = make_envelope(m, p, radius, t >= 0, 0, &s.envelope[t >= 0][0]) &&
+               make_envelope(m, p, radius, t >= 0, 1, &s.envelope[t >= 0][1]) && sign_at(&s, t, sign);
+    algsurf_memory_release(m, mark);
+    return done;
+}
+
 /* ---- ranges with one root ---- */
 
 /* Moves the end t of a range outwards to a double with a known sign, if it is the next one. */

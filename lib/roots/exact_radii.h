@@ -23,4 +23,9 @@ typedef struct algsurf_exact_range {
 int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
                                 int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
                                 int *count, const algsurf_i_watch *watch);
+
+/* The sign at t, finite, that all these polynomials have in common, or 2: there is none.  Returns as above.
+ */
+int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius, int unit,
+                             double t, int *sign);
 #endif

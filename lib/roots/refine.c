@@ -1,4 +1,10 @@
-/* refine.c - the bracket shared by all methods, and the two ways in: a function, a polynomial. */
+/* refine.c - the bracket shared by all methods, and the two ways in: a function, a polynomial.
+ *
+ * Radii.  Outside of the ranges that integers find (algsurf_i_decide_ranges) no polynomial of the set has a
+ * root in [lo,hi].  So each has the same sign from lo to the first range and from the last one to hi, and if
+ * those differ, a root between.  The final bracket is what spans the ranges and that of the middle
+ * polynomial; only this one is refined by steps.
+ */
 #include "../base/arithmetic.h"
 #include "algsurf/refine.h"
 
@@ -185,6 +191,22 @@ static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 
+/* What spans the roots in [lo,hi] of all polynomials of the set; E_ARGUMENT where one of them may have none.
+ */
+static ALGSURF_NOINLINE algsurf_status span_roots(const algsurf_i_coefficients *set, double lo, double hi,
+                                                  algsurf_observer *observer, algsurf_bracket *span) {
+    const algsurf_i_watch watch = {.observer = observer};
+    int count, at_lo = 0, at_hi = 0;
+    algsurf_status status = algsurf_i_decide_ranges(set, lo, hi, span, 1, &count, observer ? &watch : NULL);
+    if (status != ALGSURF_OK) return status;
+    if (count == 0) return ALGSURF_E_ARGUMENT;
+    if (span->kind != ALGSURF_BRACKET_UNDECIDED) return ALGSURF_OK;
+    if (isinf(lo) || isinf(hi)) return ALGSURF_E_ARGUMENT;
+    status = algsurf_i_decide_sign(set, lo, &at_lo);
+    if (status == ALGSURF_OK) status = algsurf_i_decide_sign(set, hi, &at_hi);
+    return status == ALGSURF_OK && at_lo * at_hi != -1 ? ALGSURF_E_ARGUMENT : status;
+}
+
 static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *p, double lo, double hi,
                                      algsurf_refined_root *result) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1];
@@ -227,31 +249,50 @@ static algsurf_status check_ends(double lo, double hi, int method) {
     return lo <= hi ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
 }
 
-static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_polynomial p, double lo, double hi,
+/* Are they as the header wants them?  Radii that are all 0 are none; leading zeros are left out. */
+static algsurf_status check_coefficients(algsurf_i_coefficients *p) {
+    int has_radii = 0;
+    for (int k = 0; k <= p->degree; k++) {
+        if (!isfinite(p->c[k]) || (p->r && !isfinite(p->r[k]))) return ALGSURF_E_NOT_FINITE;
+        if (p->r && p->r[k] < 0) return ALGSURF_E_ARGUMENT;
+        has_radii = has_radii || (p->r && p->r[k] > 0);
+    }
+    if (!has_radii) p->r = NULL;
+    while (p->r && p->c[p->degree] == 0 && p->r[p->degree] == 0) p->degree--;
+    return ALGSURF_OK;
+}
+
+static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, double lo, double hi,
                                                    const algsurf_refine_options *options,
                                                    algsurf_refined_root *result) {
+    algsurf_i_polynomial p = {.c = set.c};
     algsurf_i_search s = {.data = &p};
+    algsurf_bracket span;
     int method;
     algsurf_status status = prepare(&s, options, &method, &p.observer);
+    if (status == ALGSURF_OK && set.r && method != ALGSURF_METHOD_DEFAULT) status = ALGSURF_E_ARGUMENT;
     if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
-    for (int i = 0; status == ALGSURF_OK && i <= p.given.degree; i++)
-        if (!isfinite(p.c[i])) status = ALGSURF_E_NOT_FINITE;
+    if (status == ALGSURF_OK) status = check_coefficients(&set);
+    if (status == ALGSURF_OK && set.r) status = span_roots(&set, lo, hi, p.observer, &span);
     if (status != ALGSURF_OK) return status;
+    p.given = (algsurf_i_coefficients){set.c, NULL, set.degree};
     p.inner = method == ALGSURF_METHOD_DEFAULT ? algsurf_i_polynomial_certain : plain_value;
     s.f = p.observer ? told : p.inner;
     status = method == ALGSURF_METHOD_DEFAULT ? refine_certain(&s, &p, lo, hi, result)
                                               : refine_plain(&s, &p, lo, hi, method, result);
-    if (status >= 0) result->residual = algsurf_i_polynomial_unscaled(&p, result->residual);
+    if (status < 0) return status;
+    result->residual = algsurf_i_polynomial_unscaled(&p, result->residual);
+    if (set.r) result->lo = fmin(result->lo, span.lo), result->hi = fmax(result->hi, span.hi);
     return status;
 }
 
-algsurf_status algsurf_refine_poly(const double *c, int degree, double lo, double hi,
+algsurf_status algsurf_refine_poly(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_refine_options *options, algsurf_refined_root *result) {
     if (!c || !result || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    const algsurf_i_polynomial p = {.given = {c, NULL, degree}, .c = c};
-    algsurf_status status = refine_poly(p, lo, hi, options, result);
+    const algsurf_i_coefficients set = {c, r, degree};
+    algsurf_status status = refine_poly(set, lo, hi, options, result);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -164,7 +164,7 @@ static void check_roots(void) {
     r.observer = NULL;
     {
         algsurf_refined_root root;
-        CHECK(algsurf_refine_poly(c, 2, 1, 2, at_edge(&r, sizeof r), &root) == ALGSURF_OK);
+        CHECK(algsurf_refine_poly(c, NULL, 2, 1, 2, at_edge(&r, sizeof r), &root) == ALGSURF_OK);
         CHECK(near(root.root, sqrt(2)) && root.converged == 1);
     }
     BLANK(algsurf_zero_options, z);
