@@ -268,7 +268,7 @@ static void the_interface(void **state) {
     }
     for (int i = 0; i < MANY; i++) p[i] = random_problem(5, PLAIN, 1);
     set_batch(&b, p, 1);
-    b.packet.r = (algsurf_table){spread, 0, 1};
+    b.packet.radii = (algsurf_table){spread, 0, 1};
     assert_int_equal(algsurf_complex_roots_batch(&b.packet, NULL, roots, found), ALGSURF_OK);
     for (int i = 0; i < MANY; i++) {
         for (int k = 0; k <= 5; k++) radii[k] = spread[i];

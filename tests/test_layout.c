@@ -77,7 +77,7 @@ static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and
     GROWS(algsurf_complex_batch, 96),
     AT(algsurf_complex_batch, size, 0), AT(algsurf_complex_batch, count, 8),
     AT(algsurf_complex_batch, degree, 16), AT(algsurf_complex_batch, re, 24),
-    AT(algsurf_complex_batch, im, 48), AT(algsurf_complex_batch, r, 72),
+    AT(algsurf_complex_batch, im, 48), AT(algsurf_complex_batch, radii, 72),
     GROWS(algsurf_zero_options, 24),
     AT(algsurf_zero_options, size, 0), AT(algsurf_zero_options, relative_step, 8),
     AT(algsurf_zero_options, max_steps, 16), AT(algsurf_zero_options, max_inflations, 20),

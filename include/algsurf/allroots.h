@@ -62,12 +62,12 @@ ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const 
 
 /* Polynomials of one degree with complex or real coefficients. */
 typedef struct algsurf_complex_batch {
-    size_t size;      /* sizeof(algsurf_complex_batch) */
-    size_t count;     /* of polynomials; pointers may be null when it is 0 */
-    int degree;       /* a bound, 1..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
-    algsurf_table re; /* real parts of the coefficients */
-    algsurf_table im; /* imaginary parts; at null: the coefficients are real */
-    algsurf_table r;  /* radii of the coefficients; at null: they are exact */
+    size_t size;         /* sizeof(algsurf_complex_batch) */
+    size_t count;        /* of polynomials; pointers may be null when it is 0 */
+    int degree;          /* a bound, 1..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
+    algsurf_table re;    /* real parts of the coefficients */
+    algsurf_table im;    /* imaginary parts; at null: the coefficients are real */
+    algsurf_table radii; /* of the coefficients; at null: they are exact */
 } algsurf_complex_batch;
 
 /* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (no
@@ -78,8 +78,8 @@ typedef struct algsurf_complex_batch {
  *            negative algsurf_status: its entries mean nothing then
  * Neither may overlap the input.
  * Returns the first of these errors: all other answers stand.
- * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel): nothing is written; else those of
- * the single call.
+ * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel, a relative_tolerance): nothing is
+ * written; else those of the single call.
  * Guarantee: verified, as algsurf_complex_roots.
  * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
  * those that are not proved that way one by one, as are all others.

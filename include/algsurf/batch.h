@@ -59,12 +59,14 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
 /* All real roots of each polynomial in its interval, as algsurf_real_roots gives them, bit for bit.
  *   batch    without radii
  *   options  null: all defaults
- *   roots    room for `degree`, at least 1, for each polynomial: those of number i, in increasing order, from
- *            i * degree on; what is behind them there may be overwritten
- *   count    how many, for each polynomial; -1: it is zero throughout, or there was no memory
- * Neither may overlap the input.
+ *   roots    room for m = max(degree, 1) of each polynomial: those of polynomial i start at roots[i * m], in
+ *            increasing order; what is behind them there may be overwritten
+ *   count    for each polynomial how many; or, where the single call fails, its error, a negative
+ *            algsurf_status: E_ZERO, E_NO_MEMORY
+ * Neither may overlap the input.  Returns the first of these errors: all other answers stand.
  * Guarantee: all are found, each with its multiplicity: verified.
- * Errors: as above, and E_ARGUMENT for radii.  E_NO_MEMORY: for want of memory, at least one count is -1.
+ * Errors: as above, E_ARGUMENT also for radii or a relative_tolerance: nothing is written then; those of
+ * count.
  * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
  * more.  A polynomial that doubles leave in doubt costs as much as in algsurf_real_roots; so do all above
  * degree 20.

@@ -81,9 +81,9 @@ static ALGSURF_NOINLINE algsurf_status solve_member(const algsurf_i_allroots_ker
                                                     const algsurf_complex_batch *p, size_t i,
                                                     algsurf_complex_root *roots, int *count) {
     algsurf_complex c[ALGSURF_MAX_POLY_DEGREE + 1];
-    double re[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->r.at ? r : NULL;
+    double re[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], *radii = p->radii.at ? r : NULL;
     algsurf_i_table_row(&p->re, p->degree, i, re);
-    if (radii) algsurf_i_table_row(&p->r, p->degree, i, r);
+    if (radii) algsurf_i_table_row(&p->radii, p->degree, i, r);
     if (!p->im.at) return solve_real(kernel, re, radii, p->degree, roots, count);
     for (int k = 0; k <= p->degree; k++) c[k] = (algsurf_complex){re[k], algsurf_i_table_entry(&p->im, k, i)};
     return solve(kernel, c, radii, p->degree, roots, count);
@@ -93,7 +93,7 @@ static ALGSURF_NOINLINE algsurf_status solve_batch(const algsurf_i_allroots_kern
                                                    const algsurf_complex_batch *p,
                                                    algsurf_complex_root *roots, int *count) {
     algsurf_status first = ALGSURF_OK;
-    int in_lanes = !p->r.at && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
+    int in_lanes = !p->radii.at && p->degree <= ALGSURF_MOST_ROOTS_IN_LANES;
     if (in_lanes) kernel->many(&p->re, &p->im, p->degree, p->count, roots, count);
     for (size_t i = 0; i < p->count; i++) {
         if (in_lanes && count[i] >= 0) continue;

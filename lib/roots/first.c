@@ -149,16 +149,16 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
     return status;
 }
 
-/* All roots of one polynomial alone: OK or E_NO_MEMORY. */
+/* All roots of one polynomial alone: OK, or the error that is its count. */
 static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
     int room = p->degree > 0 ? p->degree : 1;
     algsurf_i_table_row(&p->coefficients, p->degree, i, c);
-    count[i] = -1;
     algsurf_status status = algsurf_real_roots(c, p->degree, begin_of(p, i), end_of(p, i),
                                                roots + i * (size_t)room, room, count + i);
-    return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
+    if (status < 0) count[i] = status;
+    return status;
 }
 
 static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *batch,
@@ -177,7 +177,7 @@ static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *batch,
     for (size_t i = 0; i < p->count; i++) {
         if (has_kernel(p->degree) && count[i] >= 0) continue;
         algsurf_status alone = find_alone(p, i, roots, count);
-        if (alone != ALGSURF_OK) status = alone;
+        if (status == ALGSURF_OK) status = alone;
     }
     return status;
 }

@@ -151,7 +151,7 @@ static void check_packet(const question *q, algsurf_status status, const algsurf
                                           .degree = q->degree,
                                           .re = {re[0], COPIES, 1},
                                           .im = {real ? NULL : im[0], COPIES, 1},
-                                          .r = {q->flags & RADII ? r[0] : NULL, COPIES, 1}};
+                                          .radii = {q->flags & RADII ? r[0] : NULL, COPIES, 1}};
     for (int j = 0; q->degree > 0 && (kernel = algsurf_kernel_name(j)); j++) {
         const algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
         fuzz_check(algsurf_complex_roots_batch(&packet, &options, found, counts) == status);
