@@ -15,7 +15,7 @@ static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent,
     algsurf_intersect_options how = *asked;
     algsurf_hit hit;
     how.tier = ALGSURF_TIER_BOUNDED;
-    how.doubt = ALGSURF_DOUBT_REPORT;
+    how.undecided_as = ALGSURF_AS_UNDECIDED;
     how.observer = &observer;
     if (algsurf_intersect_first(surface, extent, ray, &how, &hit) != ALGSURF_OK ||
         hit.state == ALGSURF_UNDECIDED)

@@ -165,18 +165,18 @@ static void random_rays(void **state) {
 }
 
 /* In the bounded tier; in the certified one nothing is left open, whatever is to become of it. */
-static void what_becomes_of_doubt(void **state) {
+static void what_becomes_of_undecided(void **state) {
     static const struct {
-        int doubt;
+        int as;
         int state;
-    } cases[] = {{ALGSURF_DOUBT_REPORT, ALGSURF_UNDECIDED},
-                 {ALGSURF_DOUBT_HIT, ALGSURF_HIT},
-                 {ALGSURF_DOUBT_MISS, ALGSURF_MISS}};
+    } cases[] = {{ALGSURF_AS_UNDECIDED, ALGSURF_UNDECIDED},
+                 {ALGSURF_AS_HIT, ALGSURF_HIT},
+                 {ALGSURF_AS_MISS, ALGSURF_MISS}};
     (void)state;
     intersect_equation(&c, "(3x - 1)^2 - y^2");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        algsurf_intersect_options o = {.size = sizeof o, .doubt = cases[i].doubt};
+        algsurf_intersect_options o = {.size = sizeof o, .undecided_as = cases[i].as};
         intersect_judge(&c, &o, &answer);
         assert_true(answer.count == 1 && answer.first.multiplicity == 2);
         o.tier = ALGSURF_TIER_BOUNDED;
@@ -199,7 +199,7 @@ static void bad_options(void **state) {
     intersect_equation(&c, "x - 1");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
-    o.tier = ALGSURF_TIER_CERTIFIED, o.doubt = 3;
+    o.tier = ALGSURF_TIER_CERTIFIED, o.undecided_as = 3;
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
     algsurf_surface_free(c.surface);
 }
@@ -238,7 +238,7 @@ int main(void) {
                                        cmocka_unit_test(exactly),
                                        cmocka_unit_test(roots_of_all_sizes),
                                        cmocka_unit_test(random_rays),
-                                       cmocka_unit_test(what_becomes_of_doubt),
+                                       cmocka_unit_test(what_becomes_of_undecided),
                                        cmocka_unit_test(touching_rays),
                                        cmocka_unit_test(bad_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);

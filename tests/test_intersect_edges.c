@@ -327,7 +327,7 @@ static void ends_of_parts(void **state) {
         }
 }
 
-/* ---- the tiers without integers, and what becomes of doubt ---- */
+/* ---- the tiers without integers, and what becomes of the undecided ---- */
 
 /* Is the root inside of, or outside of, both a little smaller and a little larger extents?  Else 0. */
 static int surely(const edge_case *e, const mpq_t root) {
@@ -364,16 +364,16 @@ static const char *judge_first(const edge_case *e, int tier, const algsurf_hit *
 static void judge_tier(const edge_case *e, int round, int tier, int *undecided) {
     static const int becomes[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     intersect_answer report, a;
-    for (int doubt = ALGSURF_DOUBT_REPORT; doubt <= ALGSURF_DOUBT_MISS; doubt++) {
-        const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = doubt};
+    for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
+        const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .undecided_as = as};
         intersect_ask(&e->c, &e->extent, &how, &a);
-        if (doubt == ALGSURF_DOUBT_REPORT) report = a;
+        if (as == ALGSURF_AS_UNDECIDED) report = a;
         const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);
-        if (!wrong && doubt == ALGSURF_DOUBT_REPORT) wrong = judge_first(e, tier, &a.first);
+        if (!wrong && as == ALGSURF_AS_UNDECIDED) wrong = judge_first(e, tier, &a.first);
         int open = report.first.state == ALGSURF_UNDECIDED;
-        if (a.first.state != (open ? becomes[doubt] : report.first.state)) wrong = "what becomes of doubt";
+        if (a.first.state != (open ? becomes[as] : report.first.state)) wrong = "what becomes of the undecided";
         open = report.occluded == ALGSURF_UNDECIDED;
-        if ((int)a.occluded != (open ? becomes[doubt] : (int)report.occluded)) wrong = "occluded in doubt";
+        if ((int)a.occluded != (open ? becomes[as] : (int)report.occluded)) wrong = "occluded, undecided";
         if (wrong) refuse(e, &a, wrong, round);
     }
     *undecided += report.first.state == ALGSURF_UNDECIDED;

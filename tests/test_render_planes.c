@@ -131,7 +131,7 @@ static void nearest_sample(void **state) {
 
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
 static void undecided(void **state) {
-    static const int doubts[] = {ALGSURF_DOUBT_REPORT, ALGSURF_DOUBT_HIT, ALGSURF_DOUBT_MISS};
+    static const int as[] = {ALGSURF_AS_UNDECIDED, ALGSURF_AS_HIT, ALGSURF_AS_MISS};
     static const int told[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
@@ -139,7 +139,7 @@ static void undecided(void **state) {
     for (int n = 1; n <= 2; n++)
         for (int d = 0; d < 3; d++) {
             const algsurf_intersect_options how = {
-                .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .doubt = doubts[d]};
+                .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as[d]};
             algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_PREVIEW, n);
             assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
             assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);

@@ -159,7 +159,7 @@ static void for_rays(void (*call)(const algsurf_surface *, const algsurf_extent 
                     algsurf_intersect_options o = {.size = sizeof o};
                     if (way == 1) o.tier = ALGSURF_TIER_FAST;
                     if (way == 2) o.method = ALGSURF_METHOD_BRENT;
-                    if (way == 3) o.doubt = ALGSURF_DOUBT_MISS;
+                    if (way == 3) o.undecided_as = ALGSURF_AS_MISS;
                     call(surfaces[s], extents + e, rays + i, &o);
                 }
 }

@@ -134,7 +134,8 @@ static void values(void **state) {
 static void draw(const algsurf_surface *s, double off, int tier, double *t, uint64_t *undecided) {
     const double eye[3] = {off + 3, off - 4, 2}, at[3] = {off + 0.05, off + 0.03, 0.02}, up[3] = {0, 0, 1};
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {off, off, 0}, {2.5, 0, 0}};
-    const algsurf_intersect_options how = {.size = sizeof how, .tier = tier, .doubt = ALGSURF_DOUBT_REPORT};
+    const algsurf_intersect_options how = {
+        .size = sizeof how, .tier = tier, .undecided_as = ALGSURF_AS_UNDECIDED};
     const algsurf_render_options o = {.size = sizeof o, .width = SIDE, .height = SIDE};
     static uint8_t bytes[3 * SIDE * SIDE];
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = t};

@@ -26,7 +26,7 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
                                                 algsurf_intersect_options *options) {
     static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if ((unsigned)options->tier > ALGSURF_TIER_FAST || (unsigned)options->doubt > ALGSURF_DOUBT_MISS)
+    if ((unsigned)options->tier > ALGSURF_TIER_FAST || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
         return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
@@ -232,13 +232,13 @@ static void hit_undecided(const algsurf_extent *extent, const algsurf_ray *ray, 
 }
 
 /* What becomes of undecided places is the caller's choice. */
-static void settle_undecided(int doubt, algsurf_hit *hits, int *count) {
+static void settle_undecided(int as, algsurf_hit *hits, int *count) {
     int kept = 0;
     for (int i = 0; i < *count; i++) {
         int undecided = hits[i].state == ALGSURF_UNDECIDED;
-        if (undecided && doubt == ALGSURF_DOUBT_MISS) continue;
+        if (undecided && as == ALGSURF_AS_MISS) continue;
         hits[kept] = hits[i];
-        if (undecided && doubt == ALGSURF_DOUBT_HIT) hits[kept].state = ALGSURF_HIT;
+        if (undecided && as == ALGSURF_AS_HIT) hits[kept].state = ALGSURF_HIT;
         kept++;
     }
     *count = kept;
@@ -257,7 +257,7 @@ static algsurf_status decide(const algsurf_surface *surface, const algsurf_exten
     else
         status = hits_exact(surface, extent, ray, eye, options, want, hits, count);
     if (status != ALGSURF_OK) return status;
-    settle_undecided(options->doubt, hits, count);
+    settle_undecided(options->undecided_as, hits, count);
     for (int i = 0; options->tier == ALGSURF_TIER_FAST && i < *count; i++)
         hits[i].t_lo = hits[i].t_hi = hits[i].t;
     return ALGSURF_OK;

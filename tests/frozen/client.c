@@ -70,7 +70,7 @@ static void check_rays(const algsurf_surface *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
-    o.absolute_tolerance = 1e-9, o.kernel = NULL, o.doubt = ALGSURF_DOUBT_HIT, o.max_memory = 1 << 20;
+    o.absolute_tolerance = 1e-9, o.kernel = NULL, o.undecided_as = ALGSURF_AS_HIT, o.max_memory = 1 << 20;
     o.observer = NULL;
     {
         algsurf_hit hit, hits[2];

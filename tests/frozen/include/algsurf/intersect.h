@@ -28,12 +28,12 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_FAST = 2
 } algsurf_tier;
 
-/* What becomes of an undecided place. */
-typedef enum algsurf_doubt {
-    ALGSURF_DOUBT_REPORT = 0, /* it is reported, as ALGSURF_UNDECIDED */
-    ALGSURF_DOUBT_HIT = 1,    /* it counts as a hit; its `reason` still tells why it was in doubt */
-    ALGSURF_DOUBT_MISS = 2    /* it is passed over */
-} algsurf_doubt;
+/* What an undecided place is reported as. */
+typedef enum algsurf_undecided_as {
+    ALGSURF_AS_UNDECIDED = 0, /* as what it is: ALGSURF_UNDECIDED */
+    ALGSURF_AS_HIT = 1,       /* as a hit; its `reason` still tells why it is undecided */
+    ALGSURF_AS_MISS = 2       /* not at all: the next hit counts, or the ray misses */
+} algsurf_undecided_as;
 
 /* What is known of a hit. */
 typedef enum algsurf_hit_state {
@@ -71,7 +71,7 @@ typedef struct algsurf_intersect_options {
                                   the final Newton step on P at the point itself */
     const char *kernel;        /* the packet code to use for packets and pictures, by a name that
                                   algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
-    int doubt;                 /* an algsurf_doubt: what becomes of an undecided place */
+    int undecided_as;          /* an algsurf_undecided_as: what an undecided place is reported as */
     size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                           answer is E_NO_MEMORY */
     algsurf_observer *observer; /* null: nobody watches; else it is told the cells and points of the one ray,
