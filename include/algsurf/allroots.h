@@ -45,8 +45,8 @@ typedef struct algsurf_complex_root {
  * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE).
  * Cost: O(degree^2) times some 10 iterations; with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16)
  * where roots are simple and apart, 1 to 20 otherwise.
- * Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  A real polynomial without radii that
- * has a cluster may need more than 16 KiB of the stack for its integers, and then up to 1 GiB.  All is freed.
+ * Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  For a multiple root of a real
+ * polynomial without radii, integers: up to 1 GiB where 16 KiB of the stack do not suffice.  All is freed.
  * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
  * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  64 KiB of stack.
  * Since 1.0. */
@@ -90,6 +90,8 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
                                                        algsurf_complex_root *roots, int *count);
 
 /* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
+
+/* Names are the papers': p the polynomial, z a root, q the deflated polynomial, Z and Q their enclosures. */
 
 /* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {

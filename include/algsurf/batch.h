@@ -1,7 +1,7 @@
 /* algsurf/batch.h - the first roots, or all roots, of many real polynomials of one degree, side by side.
  *
  * What isolate.h and refine.h do for one polynomial, the SIMD code of this processor does here for
- * several at once.  A polynomial that it would have to doubt is decided alone. */
+ * several at once.  A polynomial that it leaves undecided is decided alone. */
 #ifndef ALGSURF_BATCH_H
 #define ALGSURF_BATCH_H
 #include <stddef.h>
@@ -30,7 +30,7 @@ typedef enum algsurf_first_root_state {
     ALGSURF_FIRST_ROOT_NONE = 0,  /* no root in the interval: verified; root is +inf */
     ALGSURF_FIRST_ROOT_FOUND = 1, /* there is one: verified */
     /* Not the same for all polynomials within the radii, or zero throughout, or no memory.  root is a point
-     * of the place in doubt, and no root lies before that place (+inf without memory). */
+     * of the undecided place, and no root lies before that place (+inf without memory). */
     ALGSURF_FIRST_ROOT_UNDECIDED = 2
 } algsurf_first_root_state;
 
@@ -48,10 +48,12 @@ typedef enum algsurf_first_root_state {
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
  * relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad
  * one deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of
- * memory; the other answers stand. Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and
- * batches of 100 or more; one that is decided alone takes 1 to 20 microseconds; so do all above degree 20.
- * Integers allocate what they need, 1 GiB at most, and give it back. Source: Taylor shift, Descartes' rule
- * (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of stack.  Since 1.0. */
+ * memory; the other answers stand.
+ * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
+ * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
+ * 1 GiB at most, and give it back.
+ * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of
+ * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
                                                      unsigned char *state, double *root);
@@ -68,7 +70,7 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
  * Errors: as above, E_ARGUMENT also for radii or a relative_tolerance: nothing is written then; those of
  * count.
  * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
- * more.  A polynomial that doubles leave in doubt costs as much as in algsurf_real_roots; so do all above
+ * more.  A polynomial that doubles leave undecided costs as much as in algsurf_real_roots; so do all above
  * degree 20.
  * Source: as above; signs beside the roots by the compensated Horner scheme (Graillat, Langlois, Louvet
  * 2005).  92 KiB of stack.  Since 1.0. */

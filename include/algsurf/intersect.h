@@ -49,10 +49,10 @@ typedef struct algsurf_hit {
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
                          where the ray lies in the surface, of a miss, and of an undecided place */
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
-    double t;         /* approximate, along the ray as given; undecided: where it is in doubt */
+    double t;         /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses this hit, and none is before t_lo.  Integers decided: t alone, or
-                           neighbouring doubles.  Doubles did: the error of rounding P, some 100 units in the
-                           last place for moderate surfaces, or else the interval that isolates the hit.
+                           neighbouring doubles.  Doubles did: the error of rounding P, as a rule some 100
+                           units in the last place, or else the interval that isolates the hit.
                            Undecided: whether there is a hit in [t_lo, t_hi] is open.  Fast tier: both are t,
                            and nothing is proved */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
@@ -63,14 +63,14 @@ typedef struct algsurf_hit {
 
 /* How rays are intersected. */
 typedef struct algsurf_intersect_options {
-    size_t size;               /* sizeof(algsurf_intersect_options) */
-    int tier;                  /* an algsurf_tier: how much is to be known about an answer */
-    int method;                /* an algsurf_method: how brackets are refined */
-    int max_iterations;        /* of the refinement, 0: 1000; at the limit the best point so far counts */
+    size_t size;        /* sizeof(algsurf_intersect_options) */
+    int tier;           /* an algsurf_tier: how much is to be known about an answer */
+    int method;         /* an algsurf_method: how brackets are refined */
+    int max_iterations; /* of the refinement, >= 0; 0: 1000; at the limit the best point so far counts */
     double absolute_tolerance; /* wanted error of t, in the unit of t, >= 0; 0: all a double can tell, with
                                   the final Newton step on P at the point itself */
-    const char *kernel;        /* the packet code to use for packets and pictures, by a name that
-                                  algsurf_kernel_name gives; null: the fastest.  Any other is E_ARGUMENT */
+    const char *kernel;        /* the SIMD code, by a name that algsurf_kernel_name gives; null: the fastest
+                                  that runs here.  All of them give the same bits */
     int undecided_as;          /* an algsurf_undecided_as: what an undecided place is reported as */
     size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                           answer is E_NO_MEMORY */
@@ -176,7 +176,7 @@ ALGSURF_API algsurf_status algsurf_occluded_packet(const algsurf_surface *surfac
                                                    const algsurf_intersect_options *options,
                                                    unsigned char *state);
 
-/* What of complex space is seen. */
+/* The visible part of complex space. */
 typedef struct algsurf_complex_space {
     size_t size;                              /* sizeof(algsurf_complex_space) */
     algsurf_sector sector;                    /* of the arguments of t that count */
@@ -197,6 +197,7 @@ typedef struct algsurf_complex_space {
  *          the time, not the answer
  *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
  *          is missing is NaN
+ * There are no options: none of algsurf_intersect_options would play a part.
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
  * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,

@@ -32,7 +32,7 @@ typedef enum algsurf_method {
 typedef struct algsurf_refine_options {
     size_t size;                /* sizeof(algsurf_refine_options) */
     int method;                 /* an algsurf_method, 0: default */
-    int max_iterations;         /* 0: 1000 */
+    int max_iterations;         /* points that the method may choose, >= 0; 0: 1000 */
     double absolute_tolerance;  /* wanted error of the root, in the unit of the abscissa, >= 0: the width at
                                    which the bracket is narrow enough.  For rounding, 2^-50 max(|root|,
                                    smallest normal double) is always added to it; by the default method for

@@ -84,7 +84,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
  * kernel, then play no part, and full quality is drawn like standard quality: which points of complex space
  * belong to the surface depends on the eye, and a light would see others, so that there are no shadows to
  * speak of.  Errors: as algsurf_intersect_complex for the space.  Cost: 70 ns a pixel in degree 4, 300 ns in
- * degree 10, with AVX-512; what rows leave in doubt, an algsurf_intersect_complex each.  Since 1.0. */
+ * degree 10, with AVX-512; what rows leave undecided, one algsurf_intersect_complex each.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_complex_space(algsurf_scene *scene,
                                                            const algsurf_complex_space *space);
 /* Whether the roots of rays in complex space are found from those of their neighbours: some 40 per cent
@@ -124,7 +124,7 @@ typedef struct algsurf_render_stats {
     double total_s;       /* wall time */
     int threads;          /* used, the caller's among them */
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
-    uint64_t single_rays; /* rays solved one by one: what rows left in doubt, or all */
+    uint64_t single_rays; /* rays solved one by one: what rows left undecided, or all */
     double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
     double point_s;       /* seconds spent in positions and normals of what packets found */
     double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
@@ -148,8 +148,7 @@ typedef enum algsurf_pixel_format {
  * of the pixel, the nearest.  That is the one of least t among those that show the surface or an undecided
  * place; of several, the first, row by row.  The ray of sample (j,k) of n x n is that of algsurf_camera_ray
  * at (x + (j+0.5)/n, y + (k+0.5)/n).  Where a threshold of antialiasing leaves a pixel its middle alone, n
- * is 1.
- */
+ * is 1. */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* colours: the average of the samples' clamped colours, rounded to nearest */
@@ -157,17 +156,17 @@ typedef struct algsurf_picture {
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  |t - exact| is within what
-                              rounding the ray, t and P can change, and 2^-36 of the extent's radius */
+                              rounding the ray, t and P can change, plus 2^-36 of the extent's radius */
     float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
                               viewer; all 0 where that is, and where no sample shows anything */
-    unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the place in
-                              doubt; MISS where no sample shows anything */
+    unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the
+                              undecided place; MISS where no sample shows anything */
 } algsurf_picture;
 
 /* Draws rows row_begin .. row_end-1 of the picture.
  *   picture  where to.  The rows drawn are rows 0 .. row_end-row_begin-1 of its planes
  *   stats    null, or receives counts and times
- * Undecided samples are drawn as hits at the place of doubt and counted; an undecided shadow ray counts
+ * Undecided samples are drawn as hits at that place and counted; an undecided shadow ray counts
  * as occluded.
  * Full quality: one shadow ray for each light sample, from 1e-6 of the shown size above the
  * surface, in real space; in preview, depth runs along the view through the extent.
@@ -178,8 +177,8 @@ typedef struct algsurf_picture {
  * locks to be had).
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
- * in doubt, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  t, normals and
- * state: 1 to 4 nanoseconds a pixel.
+ * undecided, and all of other scenes, cost an intersection each.  A shadow ray a light sample.  t, normals
+ * and state: 1 to 4 nanoseconds a pixel.
  * Memory: some 200 bytes for each thread and pixel of a row, with a threshold of antialiasing 200 more, in
  * complex space 32 more for each degree, allocated once.  59 KiB of stack.
  * Source: P in camera axes once a frame and by rows; Descartes' rule on Bernstein coefficients for

@@ -52,8 +52,8 @@ ALGSURF_API algsurf_status algsurf_shade(const algsurf_material *material, const
                                          int count, const double *visible, const double point[3],
                                          const double normal[3], const double direction[3], double colour[3]);
 
-/* The colour without any illumination model: the base colour of the side seen, darker with the depth
- * (0: nearest .. 1: farthest end of the extent, 0.3 as bright).
+/* The colour without any illumination model: the base colour of the side seen, darker with the depth.
+ *   depth  from 0, the end of the extent nearest to the viewer, to 1, the farthest: 0.3 as bright there
  * Errors: E_ARGUMENT (also a depth outside 0..1), E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_shade_preview(const algsurf_material *material, const double normal[3],
                                                  const double direction[3], double depth, double colour[3]);

@@ -13,6 +13,10 @@
  *                otherwise, and the code says why.
  *
  * Conventions common to all functions, unless their comment says otherwise.
+ *   names           comments leave the prefix of a status out: OK, E_RANGE, UNDECIDED_END.  u is 2^-53, the
+ *                   largest relative error of one rounding;
+ *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last, the data
+ *                   of a callback last, too;
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
  *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
  *                   saved and restored;

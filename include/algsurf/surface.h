@@ -61,8 +61,8 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * E_DEGREE (a product or power above degree 64, even if it would cancel: at its operator), E_RANGE (a
  * number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
  * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26
- * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 100 is E_SYNTAX.  96
- * KiB of stack.  Since 1.0. */
+ * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 100 is E_SYNTAX.
+ * 96 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,
                                                          algsurf_parse_error *error);
@@ -82,8 +82,8 @@ ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
  * algsurf_surface_rounding tells, answers are about the equation instead of its rounded coefficients.
  *   error        0 <= error < 1; 0 for exact coefficients
  *   approximate  receives the new surface; free it with algsurf_surface_free
- * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.  38 KiB
- * of stack.  Since 1.0. */
+ * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.
+ * 38 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
                                                       algsurf_surface **approximate);
 

@@ -32,8 +32,9 @@ ALGSURF_API algsurf_status algsurf_camera_orthographic(const double eye[3], cons
                                                        const double up[3], double height,
                                                        algsurf_camera *camera);
 
-/* The ray through the point (x,y) of a width x height picture: t_min = 0, t_max = +inf, direction of
- * unit length up to rounding, so that t is the distance from the eye (pinhole) or from the plane.
+/* The ray through the point (x,y), inside or not, of a width x height picture: t_min = 0, t_max = +inf,
+ * direction of unit length up to rounding, so that t is the distance from the eye (pinhole) or from the
+ * plane.
  * Errors: E_ARGUMENT (null, width or height < 1), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x,
                                               double y, algsurf_ray *ray);

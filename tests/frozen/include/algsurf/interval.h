@@ -11,9 +11,8 @@
  * untouched on failure.  Operands that are not intervals (lo > hi, NaN, lo = +inf, hi = -inf) are the
  * caller's error: E_ARGUMENT where there is a status, else an unspecified result, maybe no interval.
  * Check with algsurf_interval_make where values come from outside.
- * Ends: 0 times an infinite end is 0, a finite number divided by one is 0: it stands for arbitrarily large
- * numbers.
- * An end that is zero comes out as +0.
+ * An infinite end stands for arbitrarily large numbers: 0 times it is 0, and a finite number divided by it is
+ * 0.  An end that is zero comes out as +0.
  * Cost: 5 to 20 ns for a real operation, 0.1 us for a complex product, modulus or argument, 0.4 us for a
  * complex quotient.  Source: Dekker 1971, error-free transforms, instead of switched rounding modes.
  */
@@ -83,8 +82,8 @@ ALGSURF_API int algsurf_interval_inside(algsurf_interval a, algsurf_interval b);
 /* 1 if a is a subset of the interior of b (an end at infinity is no boundary), else 0. */
 ALGSURF_API int algsurf_interval_interior(algsurf_interval a, algsurf_interval b);
 /* sum c_k x^k, degree+1 coefficients, lowest first; Horner's scheme.  Encloses the values of every polynomial
- * with coefficients in c.  Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, no
- * interval).  Cost: about 30 ns times degree. */
+ * with coefficients in c.  Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, an
+ * operand that is no interval).  Cost: about 30 ns times degree. */
 ALGSURF_API algsurf_status algsurf_interval_poly(const algsurf_interval *c, int degree, algsurf_interval x,
                                                  algsurf_interval *result);
 /* The same by the centred form p(m) + q(x) (x - m), m the middle of x, q the quotient of p - p(m) by x - m,

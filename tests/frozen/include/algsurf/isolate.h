@@ -41,8 +41,8 @@ typedef struct algsurf_real_root {
 } algsurf_real_root;
 
 /* The real roots in [lo,hi], lo <= hi, either may be infinite; in increasing order, each once with its
- * multiplicity, all of them: verified.  These are final; algsurf_isolate_all gives brackets, and takes radii
- * and an observer.
+ * multiplicity, all of them: verified.  Nothing is left to refine.  algsurf_isolate_all, which leaves that to
+ * the caller, takes radii and an observer.
  *   c                 degree+1 coefficients, power basis, lowest first
  *   roots, capacity   room for the answer; the degree, at least 1, always suffices
  *   count             how many were written
@@ -128,10 +128,10 @@ ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r,
                                                double hi, const algsurf_isolate_options *options,
                                                algsurf_bracket *brackets, int capacity, int *count);
 
-/* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii; otherwise undecided
- * places count as none.  Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of
- * it where signs of coefficients, a discriminant or a short Sturm chain tell.  40 KiB of stack.  Since 1.0.
- */
+/* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii.  With radii the
+ * answer may be positive, as that of algsurf_isolate_all; undecided places then count as none.
+ * Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of it where signs of
+ * coefficients, a discriminant or a short Sturm chain tell.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
 

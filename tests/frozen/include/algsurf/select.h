@@ -27,8 +27,8 @@ typedef enum algsurf_selected {
     ALGSURF_SELECTED_UNDECIDED = 2 /* index is the least root that may be in the sector */
 } algsurf_selected;
 
-/* 1: every root of the box is in the sector or its conjugate; 0: none is; 2: undecided.  The root 0 has
- * argument 0; a box proved real has argument exactly 0 or pi.
+/* Are the roots of a box in the sector?  The root 0 has argument 0, a box proved real exactly 0 or pi.
+ *   holds  1: every one is, in the sector or in its conjugate; 0: none is; 2: undecided
  * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
                                                 const algsurf_complex_root *root, int *holds);
@@ -40,7 +40,8 @@ ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
  *   index         which; untouched if NONE
  * Nothing is assumed of the polynomial: two boxes whose magnitudes overlap leave open which root is smaller,
  * also where the boxes are mirror images of each other.
- * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument is in doubt.  Since 1.0. */
+ * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument has to be computed.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select(const algsurf_complex_root *roots, int count,
                                           const algsurf_sector *sector, double lo, double hi, int *selected,
                                           int *index);
