@@ -108,6 +108,8 @@ enum part {
     STATES,
     ONE_RAY,
     ROW,
+    TILES,
+    SHEETS,
     POINTS,
     COLOURS,
     COMPLEX_ROW,
@@ -207,10 +209,23 @@ static void break_ray(void) {
 static void break_picture(void);
 TABLE(picture)
 
-static void wrong_row(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state) {
-    real_picture->solve_row(job, begin, end, depth, state);
-    for (int x = begin; x < end; x++)
-        if (state[x] == ALGSURF_LANE_HIT) state[x] = ALGSURF_LANE_MISS;
+static void wrong_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
+                      uint8_t *state) {
+    real_picture->solve_row(job, pixels, depth, state);
+    for (int i = 0; i < pixels->count; i++)
+        if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
+}
+
+static void wrong_tiles(algsurf_i_tile_job *job) {
+    int before = job->tile_count;
+    real_picture->search_tiles(job);
+    for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0;
+}
+
+static void wrong_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
+                               int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+    real_picture->sheet_points(job, pixel, depth, count, sheets, points);
+    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
 }
 
 static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
@@ -241,6 +256,8 @@ static void wrong_complex_points(const algsurf_i_complex_job *job, const algsurf
 
 static void break_picture(void) {
     if (broken == ROW) wrong_picture.solve_row = wrong_row;
+    if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
+    if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
     if (broken == POINTS) wrong_picture.points = wrong_points;
     if (broken == COLOURS) wrong_picture.colours = wrong_colours;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;

@@ -62,7 +62,7 @@ INLINE void set_polynomials(const algsurf_i_complex_job *job, const sight *s, in
 
 INLINE sight sight_of(const algsurf_i_row_job *row, int x, int end) {
     lanes pixel = smaller(x + numbered(), all_lanes(end - 1));
-    sight s = {.v = row->row->v, .b = row->slope};
+    sight s = {.v = all_lanes(row->row->v), .b = all_lanes(row->slope)};
     s.u = row->u0 + row->du * ((pixel + row->offset) * row->pixel);
     s.a = row->view->alpha * s.u + row->view->beta[0];
     return s;
@@ -129,7 +129,7 @@ INLINE int solve_open(const algsurf_i_complex_job *job, const sight *s, const ch
 INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int count, int end, int n) {
     sight s = sight_of(job->row, x, end);
     mask open, given = less(numbered(), all_lanes(count));
-    chord c = clip(job->row, &s, &open);
+    chord c = clip(job->row, &s, all_lanes(job->row->near), &open);
     complex_depths d = {no_lane(), c.doubtful, all_lanes(0), all_lanes(0)};
     int corrections = 0;
     if (any(open & given))

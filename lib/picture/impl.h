@@ -7,6 +7,8 @@
  *     antialias.c        which of its pixels get all samples, and what the others show
  *     view.c             camera and extent in the units of packets
  *     pixel_range.c      the pixels of a row that may meet the extent
+ *     tiles.c            which tiles of pixels are empty, which see one sheet of the surface
+ *     tiled.c            the hits of a row by its tiles
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     shadow.c           which share of a light reaches a point
@@ -46,6 +48,32 @@ typedef struct algsurf_i_line {
     algsurf_i_shown shown;
 } algsurf_i_line;
 
+#define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
+
+/* The tiles of a band of rows. */
+typedef struct algsurf_i_band {
+    int number;  /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
+    int bounded; /* 0: its rays reach beyond the bounds of forms, and there are no tiles */
+    int *cell;   /* as in algsurf_i_tile_job */
+    algsurf_i_tile *tiles;
+} algsurf_i_band;
+
+/* A picture's bands, as a worker gets to them, and its memory for making them. */
+typedef struct algsurf_i_tiling {
+    algsurf_i_band band[2]; /* band b is at b % 2 */
+    algsurf_i_beam_row beam;
+    double *square; /* (degree+1)^2 */
+    int *at;        /* of two levels of tiles that are to be searched: */
+    double *from;   /* as in algsurf_i_tile_job */
+    /* of a row in the making: the sheets of the line's entries, */
+    double *low, *high, *enough;
+    uint8_t *sure;
+    /* and the pixels of leaves */
+    int leaves, *leaf;
+    double *leaf_low, *leaf_depth;
+    uint8_t *leaf_state;
+} algsurf_i_tiling;
+
 /* What packets need to know of a picture. */
 typedef struct algsurf_i_packets {
     algsurf_i_frame_form frame;
@@ -53,6 +81,7 @@ typedef struct algsurf_i_packets {
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
+    double *beams;                      /* in a tiled picture: algsurf_i_beam_expand's g */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
@@ -97,6 +126,7 @@ typedef struct algsurf_i_middles {
 typedef struct algsurf_i_worker {
     algsurf_i_line line;
     algsurf_i_row_form form; /* of the row in the making */
+    algsurf_i_tiling tiling;
     algsurf_i_trail trail;
     algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */
@@ -116,6 +146,7 @@ typedef struct algsurf_i_picture {
     const algsurf_i_kernel *kernel;
     const algsurf_i_picture_kernel *code; /* for that kernel */
     algsurf_i_packets *packets;           /* null: every ray by itself */
+    int tiled;                            /* 1: there are packets, and tiles of them */
     algsurf_picture planes;
     int channels;    /* of a pixel of the pixels plane */
     int selective;   /* 1: only some pixels get all samples */
@@ -172,6 +203,24 @@ void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin
  * what is shown.  0: there are none, or they reach beyond the bounds of forms. */
 int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job, int *begin, int *end);
+
+/* The row's job, without its form's coefficients. */
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job);
+
+/* Is this a picture for tiles, as far as one can tell beforehand? */
+int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
+
+/* The tiles of the band that the row lies in; null: there are none. */
+const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling);
+
+/* As algsurf_i_render_packets, for a row of a band that has tiles. */
+algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
+                                      double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+/* The rays of doubtful pixels, begin <= x < end, as packets: their points go to the line. */
+algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                        int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
 /* The points of a row seen through offset (sx,sy) in each pixel. */
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,

@@ -5,6 +5,7 @@
 
 #include "../complex/edges.h"
 #include "../simd/kernel.h"
+#include "../surface/beam.h"
 #include "../surface/view.h"
 #include "algsurf/ray.h"
 #include "algsurf/shade.h"
@@ -22,6 +23,42 @@ typedef struct algsurf_i_row_job {
     double tolerance;                    /* wanted error of the depth; 0: all that the coefficients tell */
 } algsurf_i_row_job;
 
+/* Pixels of a row: those that follow `first`; or, if `at` is there, any, with no root before their depth in
+ * `low`. */
+typedef struct algsurf_i_pixels {
+    int first, count;
+    const int *at;
+    const double *low;
+} algsurf_i_pixels;
+
+#define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
+
+/* A tile of pixels that is not empty.  A sheet: along each ray through it there is one root with low < z <
+ * high in the view's unit, none before, and P is monotone between; where |P| <= enough it is ALGSURF_I_NEAR
+ * at most to the root.  A leaf: enough = 0, the first root of each ray, if there is one, has low <= z <=
+ * high, as far as chords allow. */
+typedef struct algsurf_i_tile {
+    double x, y, inverse; /* its middle in pixels, one over half its side */
+    double depth[6];      /* of a sheet, about: with powers 1, xi, eta, xi^2, xi eta, eta^2 */
+    double low, high, enough;
+} algsurf_i_tile;
+
+#define ALGSURF_I_NEAR 0x1p-16 /* in the view's unit: Newton's method does the rest */
+
+/* Tiles of one size in a row of them. */
+typedef struct algsurf_i_tile_job {
+    const algsurf_i_row_job *row; /* but for its v, slope, row: offset is that of a pixel's left edge */
+    const algsurf_i_beam_row *beam;
+    int y, size;           /* of the first pixels; a power of two */
+    int count, *at;        /* the tiles' first pixels, */
+    double *from;          /* there is nothing before these depths */
+    double noise;          /* bound on rounding of P as the points' kernel evaluates it */
+    int *cell;             /* of each leaf's place, at (y / 4) stride + x / 4: 0 empty, else its tile + 1 */
+    int stride, from_y;    /* y of the first places */
+    algsurf_i_tile *tiles; /* room for as many as there are places */
+    int tile_count;
+} algsurf_i_tile_job;
+
 /* N points of the surface, or rays that reach them: structure of arrays. */
 typedef struct algsurf_i_points {
     double *t, *position[3], *normal[3], *direction[3];
@@ -32,6 +69,12 @@ typedef struct algsurf_i_point_job {
     const algsurf_surface *surface;
     const algsurf_i_row_job *row;
 } algsurf_i_point_job;
+
+/* What algsurf_i_tile tells of the sheet of each entry. */
+typedef struct algsurf_i_sheets {
+    const double *low, *high, *enough;
+    uint8_t *sure; /* 1: the root of the sheet was found */
+} algsurf_i_sheets;
 
 /* A row in complex space.  Arrays have an entry for each pixel of the row; root i of pixel x is at
  * i stride + x. */
@@ -53,12 +96,19 @@ typedef struct algsurf_i_colour_job {
 } algsurf_i_colour_job;
 
 typedef struct algsurf_i_picture_kernel {
-    /* depth[x], state[x] for begin <= x < end: the first root along each ray. */
-    void (*solve_row)(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state);
+    /* depth[i], state[i] of pixel i: the first root along its ray. */
+    void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
+                      uint8_t *state);
+    /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
+     * are leaves. */
+    void (*search_tiles)(algsurf_i_tile_job *job);
     /* Entry i of points from depth[i] at pixel[i]: after one Newton step on P itself, t along the unit ray
      * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units. */
     void (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                    const algsurf_i_points *points);
+    /* The same from where the root of a sheet may be. */
+    void (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
     /* colour[3 i ..] of entry i, as algsurf_shade; visible: null or light_count for each entry. */
     void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
                     const double *visible, double *colour);

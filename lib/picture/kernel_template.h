@@ -6,9 +6,12 @@
 #include "kernel.h"
 #include "points_template.h"
 #include "row_template.h"
+#include "tiles_template.h"
 
 const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
+                                                            .search_tiles = search_tiles,
                                                             .points = find_points,
+                                                            .sheet_points = find_sheet_points,
                                                             .colours = find_colours,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};

@@ -11,9 +11,8 @@ enum { GROUP = 16 }; /* doubtful pixels that are solved together */
 
 #define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
 
-/* The row's job, and the pixels whose rays may meet what is shown; 0 when there are none. */
-static int make_job(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
-                    algsurf_i_row_job *job, int *begin, int *end) {
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job) {
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_view *view = &p->frame.view;
     form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
@@ -30,8 +29,6 @@ static int make_job(const algsurf_i_picture *picture, double y, double sx, algsu
                                .near = p->near,
                                .bounded = picture->scene->intersect.tier != ALGSURF_TIER_FAST,
                                .tolerance = p->tolerance};
-    algsurf_i_packets_range(job, picture->width, begin, end);
-    return *begin < *end;
 }
 
 /* The error bounds hold for rays that stay within 4 of the view's centre in x and y. */
@@ -45,7 +42,9 @@ static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
 
 int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job, int *begin, int *end) {
-    if (!make_job(picture, y, sx, form, job, begin, end) || !within_bounds(job, *begin, *end)) return 0;
+    algsurf_i_make_row(picture, y, sx, form, job);
+    algsurf_i_packets_range(job, picture->width, begin, end);
+    if (*begin >= *end || !within_bounds(job, *begin, *end)) return 0;
     algsurf_i_row_expand(&picture->packets->frame, form->v, form);
     return 1;
 }
@@ -54,7 +53,8 @@ int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, a
 static void solve_run(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int begin, int end,
                       algsurf_i_worker *worker, algsurf_i_tally *tally) {
     if (!picture->scene->complex) {
-        picture->code->solve_row(job, begin, end, worker->line.depth, worker->line.state);
+        const algsurf_i_pixels pixels = {.first = begin, .count = end - begin};
+        picture->code->solve_row(job, &pixels, worker->line.depth + begin, worker->line.state + begin);
         return;
     }
     const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);
@@ -133,8 +133,8 @@ static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pix
     return ALGSURF_OK;
 }
 
-static algsurf_status solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
-                                     int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                        int end, algsurf_i_line *line, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
     doubtful_pixels d = {.count = 0};
     algsurf_status status = ALGSURF_OK;
@@ -192,6 +192,11 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     algsurf_i_row_job job;
     int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
+    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, &worker->tiling) : NULL;
+    if (band) {
+        tally->solve_s += algsurf_i_render_clock() - begun;
+        return algsurf_i_render_tiled(picture, band, row, sx, sy, worker, tally);
+    }
     tally->rays += (uint64_t)line->wanted_count;
     if (complex) algsurf_i_complex_begin_row(picture, row, worker);
     int expanded = algsurf_i_begin_row(picture, row + sy, sx, &worker->form, &job, &begin, &end);
@@ -211,7 +216,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     if (complex) algsurf_i_complex_end_row(picture, row, expanded ? begin : 0, expanded ? end : 0, worker);
     int hits = line->count;
     algsurf_status status =
-        doubtful ? solve_doubtful(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
+        doubtful ? algsurf_i_solve_doubtful(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
     double solved = algsurf_i_render_clock();
     tally->solve_s += solved - solving;
     if (hits > 0) find_points(picture, &job, hits, worker);
@@ -226,7 +231,7 @@ algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, 
     for (int x = 0; x < width; x++)
         line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
     tally->rays += (uint64_t)line->wanted_count;
-    algsurf_status status = solve_doubtful(picture, row + sy, sx, 0, width, line, tally);
+    algsurf_status status = algsurf_i_solve_doubtful(picture, row + sy, sx, 0, width, line, tally);
     tally->solve_s += algsurf_i_render_clock() - begun;
     return status;
 }

@@ -8,10 +8,11 @@
 #include "kernel.h"
 
 #define FARTHEST_STEP                                                                                        \
-    0x1p-16               /* of a Newton step, in the view's unit: a longer one is not to the same root      \
-                           */
-#define LAST_STEP 0x1p-26 /* longer ones leave too much: another follows */
-#define MOST_ROUNDS 4     /* of steps; one is usual */
+    0x1p-16 /* of a Newton step, in the view's unit: a longer one is not to the same root                    \
+             */
+#define FARTHEST_ON_SHEET 0x1p-3 /* the same on a sheet, which has one only */
+#define LAST_STEP 0x1p-26        /* longer ones leave too much: another follows */
+#define MOST_ROUNDS 4            /* of steps; one is usual */
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */
@@ -56,9 +57,21 @@ INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
 }
 
 /* Newton's steps from where P and its gradient were taken; 0 where that is no step to the same root. */
-INLINE lanes step_to(const row_rays *s, const packet_rays *r, const jets *p, int w) {
+INLINE lanes step_to(const packet_rays *r, const jets *p, int w, double farthest) {
     lanes gradient[3] = {p->x[w], p->y[w], p->z[w]}, step = -p->v[w] / dot(gradient, r->along);
-    return choose(at_most(absolute(step), all_lanes(FARTHEST_STEP * s->size)), step, all_lanes(0));
+    return choose(at_most(absolute(step), all_lanes(farthest)), step, all_lanes(0));
+}
+
+/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and the last step a short one? */
+INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, lanes step,
+                        const algsurf_i_sheets *sheets, int first, int count) {
+    lanes z = r->z * (1 / s->size);
+    mask sure = at_most(absolute(value), load_some(sheets->enough + first, count)) &
+                less(load_some(sheets->low + first, count), z) &
+                less(z, load_some(sheets->high + first, count)) &
+                at_most(absolute(step), all_lanes(LAST_STEP * s->size));
+    unsigned which = bits(sure);
+    for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
 }
 
 /* Sets the entries from `first` on: the points at z, the unit normals. */
@@ -74,10 +87,11 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
     }
 }
 
-/* Entries from `first` on: so many packets, the last one of `count` entries. */
+/* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
+ * sets what was found to be the root. */
 INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, const int *pixel,
-                         const double *depth, const algsurf_i_points *points, int first, int packets,
-                         int count) {
+                         const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
+                         int first, int packets, int count) {
     packet_rays r[PAIR];
     lanes at[PAIR][3], step[PAIR];
     jets p;
@@ -91,7 +105,7 @@ INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, cons
             for (int i = 0; i < 3; i++) at[w][i] = r[w].foot[i] + r[w].z * r[w].along[i];
         p = surface_jets(surface, at, packets);
         for (int w = 0; w < packets; w++) {
-            step[w] = step_to(s, &r[w], &p, w);
+            step[w] = step_to(&r[w], &p, w, s->size * (sheets ? FARTHEST_ON_SHEET : FARTHEST_STEP));
             far |= less(all_lanes(LAST_STEP * s->size), absolute(step[w]));
         }
         if (round == MOST_ROUNDS || !any(far)) break;
@@ -101,18 +115,29 @@ INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, cons
     }
     for (int w = 0; w < packets; w++) {
         lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
+        if (sheets) tell_sheets(s, &r[w], p.v[w], step[w], sheets, first + w * LANES, count);
         finish_packet(s, &r[w], r[w].z + step[w], normal, points, first + w * LANES, count);
     }
 }
 
-static void find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                        const algsurf_i_points *points) {
+INLINE void find_all(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                     const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
     const row_rays s = rays_of_row(job);
     int first = 0;
     for (; first + PAIR * LANES <= count; first += PAIR * LANES)
-        find_packets(job->surface, &s, pixel, depth, points, first, PAIR, LANES);
+        find_packets(job->surface, &s, pixel, depth, sheets, points, first, PAIR, LANES);
     for (; first < count; first += LANES)
-        find_packets(job->surface, &s, pixel, depth, points, first, 1, count - first);
+        find_packets(job->surface, &s, pixel, depth, sheets, points, first, 1, count - first);
+}
+
+static void find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_points *points) {
+    find_all(job, pixel, depth, count, NULL, points);
+}
+
+static void find_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
+                              int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+    find_all(job, pixel, depth, count, sheets, points);
 }
 
 #endif

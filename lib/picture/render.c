@@ -84,6 +84,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
+    picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -133,6 +134,12 @@ static double *take(double **from, size_t count) {
     return taken;
 }
 
+static int *take_ints(int **from, size_t count) {
+    int *taken = *from;
+    *from += count;
+    return taken;
+}
+
 static uint8_t *take_bytes(uint8_t **from, size_t count) {
     uint8_t *taken = *from;
     *from += count;
@@ -146,6 +153,12 @@ static void lay_out_shown(algsurf_i_shown *shown, size_t width, const algsurf_pi
     shown->nearest = take(doubles, width + APART);
     shown->normal = planes->normals ? take(doubles, 3 * (width + APART)) : NULL;
     shown->state = planes->state ? take_bytes(bytes, width) : NULL;
+}
+
+/* Places of leaves in a band. */
+static size_t places_of(const algsurf_i_picture *picture) {
+    size_t across = ((size_t)picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    return across * (ALGSURF_I_TILES / ALGSURF_I_LEAF);
 }
 
 static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
@@ -170,6 +183,32 @@ static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algs
     middles->wanted = take_bytes(bytes, width);
 }
 
+#define TILE_DOUBLES (sizeof(algsurf_i_tile) / sizeof(double))
+#define TILING_DOUBLES 5 /* for each pixel of a row */
+#define TILING_BYTES 2   /* likewise */
+
+/* Two bands, two levels of lists; side: degree + 1. */
+static void lay_out_tiling(algsurf_i_tiling *tiling, size_t width, size_t places, size_t side,
+                           double **doubles, int **ints, uint8_t **bytes) {
+    for (int b = 0; b < 2; b++) {
+        tiling->band[b].number = -1;
+        tiling->band[b].cell = take_ints(ints, places);
+        tiling->band[b].tiles = (algsurf_i_tile *)(void *)take(doubles, places * TILE_DOUBLES);
+    }
+    tiling->beam.c = take(doubles, side * side * side);
+    tiling->square = take(doubles, side * side);
+    tiling->from = take(doubles, 2 * places);
+    tiling->at = take_ints(ints, 2 * places);
+    tiling->low = take(doubles, width);
+    tiling->high = take(doubles, width);
+    tiling->enough = take(doubles, width);
+    tiling->leaf_low = take(doubles, width);
+    tiling->leaf_depth = take(doubles, width);
+    tiling->leaf = take_ints(ints, width);
+    tiling->sure = take_bytes(bytes, width);
+    tiling->leaf_state = take_bytes(bytes, width);
+}
+
 static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
     frame->q = take(doubles, side * side * side);
     frame->basis = take(doubles, side * side);
@@ -189,24 +228,31 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
     size_t doubles_each = LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
                           (roots > 0) + 2 * roots;
+    size_t tiled = picture->tiled ? 1 : 0, places = tiled * places_of(picture),
+           cube = tiled * side * side * side;
+    size_t tile_doubles =
+        places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
     memory->workers = calloc(count, sizeof *memory->workers);
     memory->doubles =
-        calloc(count * (width + APART) * doubles_each + frame + 3 * samples, sizeof *memory->doubles);
-    memory->ints = calloc(count * width, sizeof *memory->ints);
+        calloc(count * ((width + APART) * doubles_each + tile_doubles) + frame + 3 * samples + cube,
+               sizeof *memory->doubles);
+    memory->ints = calloc(count * (width + tiled * width + 4 * places), sizeof *memory->ints);
     memory->counts = calloc(count * width * rows, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES);
+    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES);
     if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes) return 0;
     double *doubles = memory->doubles;
+    int *ints = memory->ints;
     uint8_t *bytes = memory->bytes;
     for (size_t i = 0; i < count; i++) {
         algsurf_i_worker *worker = &memory->workers[i];
-        worker->line.pixel = memory->ints + i * width;
+        worker->line.pixel = take_ints(&ints, width);
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         lay_out_line(&worker->line, width, lights, &doubles);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)
             lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
+        if (tiled) lay_out_tiling(&worker->tiling, width, places, side, &doubles, &ints, &bytes);
         if (roots == 0) continue;
         worker->line.imaginary = take(&doubles, width + APART);
         worker->trail.x = take(&doubles, roots * width);
@@ -214,6 +260,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     }
     for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
+    if (tiled) picture->packets->beams = take(&doubles, cube);
     return 1;
 }
 
@@ -233,6 +280,8 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     if (!memory) return ALGSURF_E_NO_MEMORY;
     if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
     free(memory);
+    if (picture->packets && picture->tiled)
+        algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
     return ALGSURF_OK;
 }
 

@@ -22,8 +22,7 @@
 
 /* Lines of sight: across u, v at depth 0, with slopes a, b. */
 typedef struct sight {
-    lanes u, a;
-    double v, b;
+    lanes u, a, v, b;
 } sight;
 
 /* Depths where the chord begins and ends, and their error. */
@@ -67,12 +66,12 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
     return c;
 }
 
-/* The part of each line of sight that is shown, in front of the eye, and the lanes where there is one. */
-INLINE chord clip(const algsurf_i_row_job *job, const sight *s, mask *open) {
+/* The part of each line of sight that is shown, from depth `near` on, and the lanes where there is one. */
+INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask *open) {
     double e = 0x1p-44 + 4 * job->view->noise;
     chord c =
         job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
-    c.near = larger(c.near, all_lanes(job->near));
+    c.near = larger(c.near, near);
     lanes unsure = 8 * c.blur + 0x1p-38;
     c.doubtful |= at_most(absolute(c.far - c.near), unsure);
     c.doubtful &= less(c.near - unsure, c.far);
@@ -113,17 +112,27 @@ INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
     }
 }
 
-/* Lines of sight, chords and their range; returns 0 when there are no chords. */
-INLINE int begin_segment(const algsurf_i_row_job *job, int begin, int end, segment *s) {
+/* The LANES of them from i on; the last one or the first is repeated behind the end. */
+INLINE lanes pixels_from(const algsurf_i_pixels *p, int i) {
+    if (p->at) return load_some_integers(p->at + i, p->count - i);
+    return smaller(p->first + i + numbered(), all_lanes(p->first + p->count - 1));
+}
+
+INLINE lanes nearest_from(const algsurf_i_row_job *job, const algsurf_i_pixels *p, int i) {
+    lanes near = all_lanes(job->near);
+    return p->low ? larger(load_some(p->low + i, p->count - i), near) : near;
+}
+
+/* Lines of sight of pixels from i on, chords and their range; returns 0 when there are no chords. */
+INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p, int first, segment *s) {
     lanes lo = all_lanes(1), hi = all_lanes(-1);
-    for (int i = 0; i < SEGMENT / LANES; i++) {
-        lanes pixel = smaller(begin + i * LANES + numbered(), all_lanes(end - 1));
+    for (int i = 0; i < SEGMENT / LANES && first + i * LANES < p->count; i++) {
         sight *at = s->sights + i;
-        at->v = job->row->v;
-        at->b = job->slope;
-        at->u = job->u0 + job->du * ((pixel + job->offset) * job->pixel);
+        at->v = all_lanes(job->row->v);
+        at->b = all_lanes(job->slope);
+        at->u = job->u0 + job->du * ((pixels_from(p, first + i * LANES) + job->offset) * job->pixel);
         at->a = job->view->alpha * at->u + job->view->beta[0];
-        s->chords[i] = clip(job, at, s->open + i);
+        s->chords[i] = clip(job, at, nearest_from(job, p, first + i * LANES), s->open + i);
         lanes blur = 2 * s->chords[i].blur;
         lo = choose(s->open[i], smaller(lo, s->chords[i].near - blur), lo);
         hi = choose(s->open[i], larger(hi, s->chords[i].far + blur), hi);
@@ -199,7 +208,7 @@ INLINE void cuts_in_segment(const segment *s, const cuts *depths, cuts *c) {
     }
 }
 
-/* The pixels from x on, packet i of the segment; the cuts of its last pixel go to cut. */
+/* The pixels from number x on, packet i of the segment; the cuts of its last pixel go to cut. */
 INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const trail *t, int x,
                          int end, double *depth, uint8_t *state, cuts *cut, int n) {
     double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
@@ -243,31 +252,33 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
     for (int l = 0; hits && l < LANES && x + l < end; l++) depth[x + l] = z[l];
 }
 
-INLINE void solve_row_n(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state,
-                        int n) {
+/* Guesses are for pixels that follow each other. */
+INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
+                        uint8_t *state, int n) {
     if (n < 1) __builtin_unreachable();
     trail t = {0};
-    for (int x = begin; x < end; x += SEGMENT) {
+    for (int first = 0; first < p->count; first += SEGMENT) {
         segment s;
         cuts cut = {0};
-        int stop = x + SEGMENT < end ? x + SEGMENT : end;
-        if (begin_segment(job, x, end, &s)) {
+        int stop = first + SEGMENT < p->count ? first + SEGMENT : p->count;
+        if (begin_segment(job, p, first, &s)) {
             expand_segment(job, &s, n);
         } else {
             s.length = 1;
         }
-        for (int i = 0; x + i * LANES < stop; i++) {
-            int at = x + i * LANES;
+        for (int i = 0; first + i * LANES < stop; i++) {
+            int at = first + i * LANES;
             solve_packet(job, &s, i, &t, at, stop, depth, state, &cut, n);
-            if ((i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* behind a short block is none */
+            if (p->at || (i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* a short block */
             set_trail(&t, depth, state, at + LANES);
             t.empty = cut;
         }
     }
 }
 
-static void solve_row(const algsurf_i_row_job *job, int begin, int end, double *depth, uint8_t *state) {
-    FOR_DEGREE(job->row->degree, solve_row_n(job, begin, end, depth, state, N))
+static void solve_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
+                      uint8_t *state) {
+    FOR_DEGREE(job->row->degree, solve_row_n(job, pixels, depth, state, N))
 }
 
 #endif

@@ -3,8 +3,8 @@
  * Two questions.  Operations: those that the rooms share (base/rounding.h), as compiled without and with each
  * instruction set that runs here.  Answers: a few polynomials, rays and pixels by each kernel, chosen so that
  * each part of its code is used: packets that are full and one that is not, roots, no roots, roots close
- * together, both shapes of extent, normals, shadows, complex space.  Their bits must be those of "baseline",
- * and so must those of single calls, which have code of their own.
+ * together, both shapes of extent, tiles, normals, shadows, complex space.  Their bits must be those of
+ * "baseline", and so must those of single calls, which have code of their own.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
 #include "../base/arithmetic.h"
@@ -24,7 +24,7 @@
 #include "../simd/operations.h"
 
 /* 9 of each: one more than the widest packet has. */
-enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2 };
+enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2, PICTURES = 3, HIGH = 600 };
 
 typedef struct problem {
     double c[DEGREE + 1][COUNT], im[DEGREE + 1][COUNT], lo[COUNT], hi[COUNT];
@@ -40,10 +40,10 @@ typedef struct answers {
     int count[3][COUNT];
     double t[3][COUNT], position[3][COUNT], normal[3][COUNT];
     unsigned char state[2][COUNT], occluded[2][COUNT];
-    uint8_t pixels[2][ROWS * WIDTH * 3];
-    double hits[2][ROWS * WIDTH];
-    float normals[2][3 * ROWS * WIDTH];
-    unsigned char states[2][ROWS * WIDTH];
+    uint8_t pixels[PICTURES][ROWS * WIDTH * 3];
+    double hits[PICTURES][ROWS * WIDTH];
+    float normals[PICTURES][3 * ROWS * WIDTH];
+    unsigned char states[PICTURES][ROWS * WIDTH];
 } answers;
 
 /* ---- the problem ---- */
@@ -146,21 +146,26 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
     return status;
 }
 
-/* Real space, then complex space. */
+/* Real space by rows, then by tiles, of which there are in pictures of many rows; complex space. */
 static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
-    const algsurf_render_options size = {.size = sizeof size, .width = WIDTH, .height = ROWS, .threads = 1};
     algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
-    for (int which = 0; which < 2 && status == ALGSURF_OK; which++) {
-        status = algsurf_scene_set_complex_space(p->scene, which ? &space : NULL);
-        if (status != ALGSURF_OK) break;
+    for (int which = 0; which < PICTURES && status == ALGSURF_OK; which++) {
+        int rows = which == 1 ? HIGH : ROWS, begin = (rows - ROWS) / 2;
+        const algsurf_render_options size = {.size = sizeof size,
+                                             .width = WIDTH,
+                                             .height = rows,
+                                             .row_begin = begin,
+                                             .row_end = begin + ROWS,
+                                             .threads = 1};
         const algsurf_picture picture = {.size = sizeof picture,
                                          .pixels = a->pixels[which],
                                          .t = a->hits[which],
                                          .normals = a->normals[which],
                                          .state = a->states[which]};
-        status = algsurf_render(p->scene, &size, &picture, NULL);
+        status = algsurf_scene_set_complex_space(p->scene, which == 2 ? &space : NULL);
+        if (status == ALGSURF_OK) status = algsurf_render(p->scene, &size, &picture, NULL);
     }
     return status;
 }

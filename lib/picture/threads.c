@@ -63,6 +63,7 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
 
 static int batch_of(const algsurf_i_picture *picture) {
     const algsurf_scene *scene = picture->scene;
+    if (picture->tiled) return ALGSURF_I_TILES;
     if (picture->selective) return SELECTIVE_BATCH;
     return scene->complex && scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS ? ALGSURF_I_BAND : 1;
 }

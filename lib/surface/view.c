@@ -168,14 +168,15 @@ static void take_magnitudes(linear world[3]) {
 int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame, void *memory) {
     const algsurf_i_view *view = &frame->view;
     int n = s->degree, side = n + 1;
-    double reach[3];
+    double reach[3], shown[3];
     linear world[3];
     for (int axis = 0; axis < 3; axis++) {
         world[axis].c[0] = algsurf_dd_from(view->centre[axis]);
-        reach[axis] = fabs(view->centre[axis]);
+        reach[axis] = shown[axis] = fabs(view->centre[axis]);
         for (int k = 0; k < 3; k++) {
             world[axis].c[k + 1] = algsurf_two_prod(view->size, view->axis[k][axis]);
             reach[axis] += 4 * fabs(world[axis].c[k + 1].hi);
+            shown[axis] += fabs(world[axis].c[k + 1].hi) * (1 + 0x1p-20);
         }
     }
     solid p = in_view_axes(s, plain, world, memory);
@@ -188,6 +189,7 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
                 if (!isfinite(p.q[at].hi)) return 0;
                 frame->q[at] = p.q[at].hi;
             }
+    frame->value_error = (16 * (n + 1) * ALGSURF_U + s->error) * magnitude(s, shown);
     frame->error = 0x1p-90 * magnitude(s, reach) + 0x1p-900;
     set_basis(frame->basis, n);
     frame->spread = s->error;
@@ -220,15 +222,14 @@ static void fix_v(const algsurf_i_frame_form *frame, double v, int stride, doubl
     }
 }
 
-/* radius[i]: the share of x^i in the bound; y = |v| + |slope|. */
-static void set_radius(const algsurf_i_frame_form *frame, double y, double *radius) {
+void algsurf_i_view_radius(const algsurf_i_frame_form *frame, double y, int each, int all, double *radius) {
     int n = frame->degree, side = n + 1;
     double noise = frame->view.noise * (1 + 0x1p-20), across = 0; /* sum of |q_ijk| y^j for i + 1 */
     for (int i = n; i >= 0; i--) {
         double total = 0, size = 0, power = 1, below = 0; /* y^j, y^(j-1) */
         for (int j = 0; j <= n - i; j++) {
             double q = frame->sizes[i * side + j],
-                   weight = (5 * (i + j) + 4 * n + 8) * ALGSURF_U + frame->spread;
+                   weight = (each * (i + j) + all) * ALGSURF_U + frame->spread;
             total += power * (weight * q + noise * frame->along[i * side + j]) + noise * j * below * q;
             size += power * q;
             below = power;
@@ -246,5 +247,6 @@ void algsurf_i_row_expand(const algsurf_i_frame_form *frame, double v, algsurf_i
     row->v = v;
     row->stride = (frame->degree + 8) / 8 * 8;
     fix_v(frame, v, row->stride, row->c);
-    set_radius(frame, fabs(v) + fabs(view->alpha * v) + fabs(view->beta[1]) + view->noise, row->radius);
+    algsurf_i_view_radius(frame, fabs(v) + fabs(view->alpha * v) + fabs(view->beta[1]) + view->noise, 5,
+                          4 * frame->degree + 8, row->radius);
 }

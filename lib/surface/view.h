@@ -29,10 +29,11 @@ typedef struct algsurf_i_frame_form {
     double *q;     /* (degree+1)^3: q_ijk at (i (degree+1) + j) (degree+1) + k */
     double *basis; /* (degree+1)^2: Bernstein coefficient j of z^k over [-1,1] at j (degree+1) + k */
     /* With Q_ijk = |q_ijk|; where the surface's coefficients have an error, its magnitudes in their stead: */
-    double *sizes; /* (degree+1)^2: sum_k Q_ijk at i (degree+1) + j */
-    double *along; /* (degree+1)^2: sum_k k Q_ijk */
-    double spread; /* relative error of the surface's coefficients */
-    double error;  /* bound on the polynomial's error for |x|, |y|, |z| <= 4, but for u |q_ijk| each */
+    double *sizes;      /* (degree+1)^2: sum_k Q_ijk at i (degree+1) + j */
+    double *along;      /* (degree+1)^2: sum_k k Q_ijk */
+    double spread;      /* relative error of the surface's coefficients */
+    double value_error; /* bound on that of P in doubles, anywhere in |x|, |y|, |z| <= 1 */
+    double error;       /* bound on the polynomial's error for |x|, |y|, |z| <= 4, but for u |q_ijk| each */
 } algsurf_i_frame_form;
 
 /* Fills the arrays of a frame of degree at most ALGSURF_MAX_VIEW_DEGREE with the help of `memory`, of
@@ -55,5 +56,9 @@ typedef struct algsurf_i_row_form {
 
 /* For |v| + |alpha v + beta[1]| <= 4.  Cost: some 2 degree^3 operations. */
 void algsurf_i_row_expand(const algsurf_i_frame_form *frame, double v, algsurf_i_row_form *row);
+
+/* radius[i]: the share of x^i in a bound on the error of a coefficient that q_ijk x^i y^j z^k reaches with
+ * each (i + j) + all roundings; y = |v| + |slope| + noise at most. */
+void algsurf_i_view_radius(const algsurf_i_frame_form *frame, double y, int each, int all, double *radius);
 
 #endif

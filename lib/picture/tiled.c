@@ -1,0 +1,152 @@
+/* tiled.c - the points of a row whose tiles are known.
+ *
+ * Pixels of empty tiles miss.  Those of sheets have a root in the sheet, found by Newton's method from the
+ * tile's series and proved to be it (algsurf_i_tile); the few where that fails, and the pixels of leaves, are
+ * solved as rays of a row, from the depth on before which their tile has nothing.  What is in doubt then goes
+ * the way of all rows. */
+#include "../base/arithmetic.h"
+#include "impl.h"
+
+#include <string.h>
+
+/* A pixel on its way to a point of a sheet. */
+static void add_sheet(const algsurf_i_tile *tile, int x, double depth, algsurf_i_line *line,
+                      algsurf_i_tiling *t) {
+    int i = line->count++;
+    line->pixel[i] = x;
+    line->depth[i] = depth;
+    t->low[i] = tile->low;
+    t->high[i] = tile->high;
+    t->enough[i] = tile->enough;
+}
+
+static void add_leaf(algsurf_i_tiling *t, int x, double low) {
+    t->leaf[t->leaves] = x;
+    t->leaf_low[t->leaves++] = low;
+}
+
+/* Pixels from first to end - 1 of one tile. */
+static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
+                         algsurf_i_line *line, algsurf_i_tiling *t) {
+    const double *c = tile->depth;
+    double eta = (y - tile->y) * tile->inverse, at_zero = c[0] + eta * (c[2] + eta * c[5]);
+    double slope = c[1] + eta * c[4];
+    for (int x = first; x < end; x++) {
+        double xi = (x + sx - tile->x) * tile->inverse;
+        if (line->wanted && !line->wanted[x]) continue;
+        if (tile->enough > 0)
+            add_sheet(tile, x, at_zero + xi * (slope + xi * c[3]), line, t);
+        else
+            add_leaf(t, x, tile->low);
+    }
+}
+
+/* The row's pixels, by what their tiles are. */
+static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
+                    algsurf_i_worker *worker) {
+    int width = picture->width, places = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
+    worker->tiling.leaves = 0;
+    for (int first = 0, end; first < places; first = end) {
+        for (end = first + 1; end < places && cell[end] == cell[first];) end++;
+        if (cell[first] == 0) continue;
+        int x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
+        collect_tile(band->tiles + cell[first] - 1, first * ALGSURF_I_LEAF, x_end, y, sx, &worker->line,
+                     &worker->tiling);
+    }
+}
+
+static void move_point(const algsurf_i_points *p, int from, int to) {
+    p->t[to] = p->t[from];
+    for (int k = 0; k < 3; k++) {
+        p->position[k][to] = p->position[k][from];
+        p->normal[k][to] = p->normal[k][from];
+        p->direction[k][to] = p->direction[k][from];
+    }
+}
+
+/* Pixels whose root was not found become leaves. */
+static void keep_sure(algsurf_i_line *line, algsurf_i_tiling *t) {
+    int kept = 0;
+    for (int i = 0; i < line->count; i++) {
+        int x = line->pixel[i];
+        if (!t->sure[i]) {
+            add_leaf(t, x, t->low[i]);
+            continue;
+        }
+        if (kept < i) move_point(&line->points, i, kept);
+        line->pixel[kept++] = x;
+        line->state[x] = ALGSURF_LANE_HIT;
+    }
+    line->count = kept;
+}
+
+static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
+                        algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_sheets sheets = {t->low, t->high, t->enough, t->sure};
+    picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &line->points);
+    keep_sure(line, t);
+}
+
+/* Depths of the leaves' pixels that are hit, after the line's points; returns whether some are doubtful. */
+static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
+                        algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_pixels leaves = {.count = t->leaves, .at = t->leaf, .low = t->leaf_low};
+    int doubtful = 0;
+    algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
+    picture->code->solve_row(job, &leaves, t->leaf_depth, t->leaf_state);
+    for (int i = 0; i < t->leaves; i++) {
+        int x = t->leaf[i];
+        line->state[x] = t->leaf_state[i];
+        doubtful |= t->leaf_state[i] == ALGSURF_LANE_DOUBTFUL;
+        if (t->leaf_state[i] != ALGSURF_LANE_HIT) continue;
+        line->pixel[line->count] = x;
+        line->depth[line->count++] = t->leaf_depth[i];
+    }
+    return doubtful;
+}
+
+static algsurf_i_points points_from(const algsurf_i_points *p, int first) {
+    algsurf_i_points rest = {.t = p->t + first};
+    for (int k = 0; k < 3; k++) {
+        rest.position[k] = p->position[k] + first;
+        rest.normal[k] = p->normal[k] + first;
+        rest.direction[k] = p->direction[k] + first;
+    }
+    return rest;
+}
+
+algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
+                                      double sx, double sy, algsurf_i_worker *worker,
+                                      algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_i_row_job job;
+    const algsurf_i_point_job points = {.surface = picture->scene->surface, .row = &job};
+    double begun = algsurf_i_render_clock();
+    tally->rays += (uint64_t)line->wanted_count;
+    memset(line->state, ALGSURF_LANE_MISS, (size_t)picture->width);
+    algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
+    collect(picture, band, row + sy, sx, worker);
+    double collected = algsurf_i_render_clock();
+    if (line->count > 0) find_sheets(picture, &points, worker);
+    double found = algsurf_i_render_clock();
+    int sheets = line->count;
+    int doubtful = worker->tiling.leaves > 0 && solve_leaves(picture, &job, worker);
+    double solved = algsurf_i_render_clock();
+    if (line->count > sheets) {
+        const algsurf_i_points rest = points_from(&line->points, sheets);
+        picture->code->points(&points, line->pixel + sheets, line->depth + sheets, line->count - sheets,
+                              &rest);
+    }
+    tally->hits += (uint64_t)line->count;
+    double pointed = algsurf_i_render_clock();
+    algsurf_status status = ALGSURF_OK;
+    if (doubtful) status = algsurf_i_solve_doubtful(picture, row + sy, sx, 0, picture->width, line, tally);
+    tally->point_s += (found - collected) + (pointed - solved);
+    tally->solve_s += (collected - begun) + (solved - found) + (algsurf_i_render_clock() - pointed);
+    return status;
+}

@@ -1,0 +1,136 @@
+/* tiles.c - the tiles of a band of rows, level by level.
+ *
+ * A band is ALGSURF_I_TILES rows of the whole picture, from a multiple of that on, and its tiles lie at
+ * multiples of their size: so they are the same for each slice, thread and kernel.  Tiles that are neither
+ * empty nor sheets (tiles_template.h) are halved in both directions; each level is searched row by row, since
+ * the tiles of a row share what depends on v.  A beam is made anew on each level: what is left out of it is
+ * of the fourth order in its size, and of the third of its ends.
+ *
+ * Tiles pay where pixels are many for what there is to be seen: an outline as long as the degree squared,
+ * over pixels.  Rows of pixels are as fast at FEW and faster beyond. */
+#include "../base/arithmetic.h"
+#include "impl.h"
+
+#include <math.h>
+#include <string.h>
+
+#define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
+#define WIDER 0x1p-42 /* added to half sizes, for the rounding of u and v */
+#define FEW 0.13      /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
+
+/* Tiles in a row of them that are to be searched. */
+typedef struct tile_list {
+    int count, *at;
+    double *from;
+} tile_list;
+
+int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *p) {
+    const algsurf_scene *scene = picture->scene;
+    int n = scene->surface->degree, samples = picture->selective ? 1 : scene->antialias;
+    double side = fabs(p->per_slope) * p->pixel / samples;
+    return !scene->complex && n <= ALGSURF_MAX_BEAM_DEGREE && side * n * n <= FEW;
+}
+
+static int stride_of(const algsurf_i_picture *picture) {
+    return (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+}
+
+/* The lists of a level, in their part of the memory. */
+static void lay_out_lists(const algsurf_i_tiling *t, int level, int rows, int stride, tile_list *lists) {
+    int room = stride * (LEVELS_ROWS / rows), offset = level % 2 * stride * LEVELS_ROWS;
+    for (int r = 0; r < rows; r++) {
+        lists[r].at = t->at + offset + r * room;
+        lists[r].from = t->from + offset + r * room;
+    }
+}
+
+static void take_all(int size, int width, tile_list *list) {
+    list->count = 0;
+    for (int x = 0; x < width; x += size) {
+        list->at[list->count] = x;
+        list->from[list->count++] = -1;
+    }
+}
+
+/* One of the two rows of tiles of that size that make up a row of larger ones. */
+static void take_halves(const tile_list *large, int size, int width, tile_list *list) {
+    list->count = 0;
+    for (int i = 0; i < 2 * large->count; i++) {
+        int x = large->at[i / 2] + i % 2 * size;
+        if (x >= width) continue;
+        list->at[list->count] = x;
+        list->from[list->count++] = large->from[i / 2];
+    }
+}
+
+/* Searches the tiles of a list, of which those not decided are left. */
+static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, tile_list *list,
+                        algsurf_i_tile_job *job) {
+    const algsurf_i_packets *p = picture->packets;
+    double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
+    double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
+    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(WIDER, h), t->square, &t->beam);
+    job->count = list->count;
+    job->at = list->at;
+    job->from = list->from;
+    picture->code->search_tiles(job);
+    list->count = job->count;
+}
+
+/* Are all rays of the band, and of tiles that reach beyond the picture, within the bounds of forms? */
+static int within_bounds(const algsurf_i_picture *picture, int y) {
+    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_view *view = &p->frame.view;
+    double side = fabs(p->per_slope) * p->pixel, spread = 1 + fabs(view->alpha);
+    double up = fabs(0.5 * picture->height - y), down = fabs(0.5 * picture->height - y - ALGSURF_I_TILES);
+    double u = fabs(p->origin[0]) + side * (0.5 * picture->width + ALGSURF_I_TILES);
+    double v = fabs(p->origin[1]) + side * (up > down ? up : down);
+    return u * spread + fabs(view->beta[0]) < 4 && v * spread + fabs(view->beta[1]) < 4;
+}
+
+static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
+    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_row_job rays = {.view = &p->frame.view,
+                                    .offset = -0.5 * picture->width,
+                                    .pixel = p->pixel,
+                                    .u0 = p->origin[0],
+                                    .du = p->per_slope,
+                                    .extent = &picture->scene->extent,
+                                    .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                                    .near = p->near};
+    algsurf_i_tile_job job = {.row = &rays,
+                              .beam = &t->beam,
+                              .noise = p->frame.value_error,
+                              .cell = band->cell,
+                              .stride = stride_of(picture),
+                              .from_y = band->number * ALGSURF_I_TILES,
+                              .tiles = band->tiles};
+    tile_list lists[2][LEVELS_ROWS];
+    memset(band->cell, 0, (size_t)(job.stride * LEVELS_ROWS) * sizeof *band->cell);
+    job.size = ALGSURF_I_TILES;
+    for (int level = 0; job.size >= ALGSURF_I_LEAF; level++, job.size /= 2) {
+        int rows = ALGSURF_I_TILES / job.size;
+        tile_list *list = lists[level % 2], *larger = lists[(level + 1) % 2];
+        lay_out_lists(t, level, rows, job.stride, list);
+        for (int r = 0; r < rows; r++) {
+            job.y = job.from_y + r * job.size;
+            if (level == 0)
+                take_all(job.size, picture->width, &list[r]);
+            else
+                take_halves(&larger[r / 2], job.size, picture->width, &list[r]);
+            if (job.y >= picture->height) list[r].count = 0;
+            if (list[r].count > 0) search_list(picture, t, &list[r], &job);
+        }
+    }
+}
+
+const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling) {
+    int number = row / ALGSURF_I_TILES;
+    algsurf_i_band *band = &tiling->band[number % 2];
+    if (band->number != number) {
+        band->number = number;
+        band->bounded = within_bounds(picture, number * ALGSURF_I_TILES);
+        if (band->bounded) search_band(picture, tiling, band);
+    }
+    return band->bounded ? band : NULL;
+}

@@ -1,0 +1,400 @@
+/* tiles_template.h - tiles of pixels: which are empty, which see one sheet of the surface.
+ *
+ * The rays of a tile share one polynomial in depth (surface/beam.h).  Its terms in xi and eta up to the third
+ * order are kept; the others become a radius, `rest`.  LANES tiles of a row are searched side by side; none
+ * of them depends on its neighbours.
+ *
+ * Chords.  Points of two rays of a tile at one depth are at most
+ *     d = sqrt(h_u^2 + h_v^2) (1 + |alpha|)
+ * apart, if one of the rays is the middle one.  So each ray's chord is inside that of the middle ray with an
+ * extent larger by d in each direction, and holds that of the middle ray with an extent smaller by d.
+ *
+ * Range.  With xi^2 = 1/2 +- 1/2 and likewise eta^2,
+ *     |b_k - (T_00 + T_20/2 + T_02/2)| <= |T_10| + |T_01| + |T_20|/2 + |T_02|/2 + |T_11| + rest,
+ * where rest holds the third order from the cut to the tile's chords on.  A cut in z is a sum with positive
+ * weights that add up to 1, of each T; so what bounds a term's size before bounds it after.
+ *
+ * Empty: the cells from the first depth to the last have no variation of sign, whatever the coefficients in
+ * their range (descartes_template.h).  So no ray of the tile has a root on its chord.
+ *
+ * Sheet: cells without a variation, then one with one variation: along each ray one root in it, none before.
+ * The middle ray's root and its series in xi and eta, by implicit differentiation, tell where to look; what
+ * they say is a guess.  Proved is a narrower cell [low,high]: the signs at its ends are sure and differ, and
+ * all differences b_k - b_(k+1) have one sign, whatever the coefficients, with a size of m > 0 at least.
+ * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
+ * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
+ *
+ * Differences of the rest.  Over the tile's depths they are at most 2 max rest; n times that bounds the
+ * derivative, and so in a part of a share s of these depths differences are at most 2 s max rest.  Rounding
+ * has no derivative: it counts twice in full. */
+#ifndef ALGSURF_TILES_TEMPLATE_H
+#define ALGSURF_TILES_TEMPLATE_H
+#include "kernel.h"
+#include "row_template.h"
+
+#define TILE_DEGREE ALGSURF_MAX_BEAM_DEGREE
+#define TURNS 4             /* cells that a tile is searched in, besides the first */
+#define SHORTEST 0x1p-11    /* of them */
+#define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
+#define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
+#define WIDER 0x1p-42       /* added to half sizes, for the rounding of u and v */
+
+/* Terms of a tile, in this order. */
+enum { T00, T10, T01, T20, T11, T02, LOW_TERMS, T30 = LOW_TERMS, T21, T12, T03, TERMS };
+
+static const signed char term_at[4][4] = {
+    {T00, T01, T02, T03}, {T10, T11, T12, TERMS}, {T20, T21, TERMS, TERMS}, {T30, TERMS, TERMS, TERMS}};
+
+/* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
+typedef struct tile_packet {
+    lanes t[TERMS][TILE_DEGREE + 1]; /* Bernstein coefficients over [-1,1] */
+    lanes lo, hi;                    /* places: all chords are between */
+    lanes least, most;               /* places: each chord reaches from least to most; most < least: none */
+    lanes rest, rounding;            /* bounds, of each coefficient, on the terms left out and the errors */
+    lanes x, u;                      /* the first pixel, the middle ray */
+    double y, v, hu, hv;             /* the same for all; half sizes */
+    mask open;
+} tile_packet;
+
+/* P over the tiles to first order, the rest as a radius. */
+typedef struct tile_range {
+    lanes t[LOW_TERMS][TILE_DEGREE + 1], rest[TILE_DEGREE + 1];
+} tile_range;
+
+/* ---- making tiles ---- */
+
+INLINE chord chord_in(const algsurf_i_row_job *job, const sight *s) {
+    double e = 0x1p-44 + 4 * job->view->noise;
+    return job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
+}
+
+/* The row's extent, larger by so much in each direction; returns whether something is left. */
+INLINE int widen_extent(algsurf_i_row_job *job, double by) {
+    int directions = job->extent->kind == ALGSURF_EXTENT_SPHERE ? 1 : 3, some = 1;
+    for (int i = 0; i < directions; i++) {
+        job->extent_size[i] += by;
+        some &= job->extent_size[i] > 0;
+    }
+    return some;
+}
+
+/* Depths of the chords, from those on that the caller knows to be of interest.  Closes tiles without any. */
+INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g) {
+    const algsurf_i_view *view = job->row->view;
+    algsurf_i_row_job wide = *job->row, narrow = *job->row;
+    double apart = sqrt(g->hu * g->hu + g->hv * g->hv) * (1 + fabs(view->alpha)) + 0x1p-30;
+    const sight s = {.u = g->u,
+                     .v = all_lanes(g->v),
+                     .a = view->alpha * g->u + view->beta[0],
+                     .b = all_lanes(view->alpha * g->v + view->beta[1])};
+    (void)widen_extent(&wide, apart);
+    chord c = chord_in(&wide, &s);
+    lanes slack = 4 * c.blur + SLACK;
+    g->open &= less(c.near - slack, c.far + slack);
+    lanes lo = larger(larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK)), from);
+    lanes hi = larger(c.near, c.far) + slack;
+    g->lo = larger(floor40(0.5 * lo + 0.5), all_lanes(0));
+    g->hi = smaller(-floor40(-0.5 * hi - 0.5), all_lanes(1));
+    g->open &= less(g->lo, g->hi);
+    g->least = all_lanes(2);
+    g->most = all_lanes(-2);
+    if (!widen_extent(&narrow, -apart)) return;
+    c = chord_in(&narrow, &s);
+    slack = 4 * c.blur + SLACK;
+    mask sure = ~c.doubtful & less(c.near, c.far);
+    lanes near = larger(c.near + slack, all_lanes(job->row->near + SLACK));
+    g->least = choose(sure, 0.5 * near + 0.5, g->least);
+    g->most = choose(sure, 0.5 * (c.far - slack) + 0.5, g->most);
+}
+
+INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n) {
+    const algsurf_i_beam_row *row = job->beam;
+    const algsurf_i_view *view = job->row->view;
+    lanes rest = all_lanes(0), reach = absolute(g->u) + fabs(g->hu);
+    lanes x = reach + fabs(view->alpha) * reach + (fabs(view->beta[0]) + view->noise), radius = all_lanes(0);
+    for (int k = 0; k <= n; k++) {
+        lanes sum = all_lanes(0);
+        for (int j = 0; j <= n; j++) {
+            const double *c = row->c + (k * (n + 1) + j) * (n + 1);
+            lanes p[TILE_DEGREE + 1];
+            double power = 1;
+            for (int i = 0; i + j <= n; i++) p[i] = all_lanes(c[i]);
+            UNROLLED
+            for (int m = 0; m + j < n; m++) {
+                UNROLLED
+                for (int i = n - j - 1; i >= m; i--) p[i] += g->u * p[i + 1];
+            }
+            for (int i = 0; i + j <= n; i++) {
+                lanes term = power * p[i];
+                if (i + j <= 3)
+                    g->t[term_at[i][j]][k] = term;
+                else
+                    sum += absolute(term);
+                power *= g->hu;
+            }
+        }
+        rest = larger(rest, sum);
+        for (int i = 0; i <= 3; i++)
+            for (int j = 0; i + j <= 3; j++)
+                if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
+    }
+    for (int i = n; i >= 0; i--) radius = radius * x + row->radius[i];
+    g->rest = rest * (1 + 0x1p-20);
+    g->rounding = radius * (1 + 0x1p-20);
+}
+
+/* ---- deciding them ---- */
+
+/* The part [from,to] of [0,1]. */
+INLINE void cut_part(const lanes *whole, lanes *part, int n, lanes from, lanes to) {
+    lanes w[TILE_DEGREE + 1];
+    for (int j = 0; j <= n; j++) w[j] = whole[j];
+    split_shares(w, part, n, from, 1 - from);
+    split_shares(w, part, n, to - from, 1 - to);
+}
+
+/* Over the chords of the tiles. */
+INLINE void range_of(const tile_packet *g, tile_range *r, int n) {
+    lanes from = choose(g->open, g->lo, all_lanes(0)), to = choose(g->open, g->hi, all_lanes(1));
+    for (int k = 0; k <= n; k++) r->rest[k] = g->rest;
+    for (int i = 0; i < TERMS; i++) {
+        lanes part[TILE_DEGREE + 1];
+        cut_part(g->t[i], part, n, from, to);
+        for (int k = 0; k <= n; k++) {
+            if (i < LOW_TERMS)
+                r->t[i][k] = part[k];
+            else
+                r->rest[k] += absolute(part[k]);
+        }
+    }
+}
+
+/* The part [from,to] of a range's [0,1]. */
+INLINE void cut_range(const tile_range *whole, tile_range *part, int n, lanes from, lanes to) {
+    for (int i = 0; i < LOW_TERMS; i++) cut_part(whole->t[i], part->t[i], n, from, to);
+    cut_part(whole->rest, part->rest, n, from, to);
+}
+
+/* The part from p to at, and that from at to q. */
+INLINE void split_range(tile_range *behind, tile_range *before, int n, lanes p, lanes at, lanes q) {
+    for (int i = 0; i < LOW_TERMS; i++) split(behind->t[i], before->t[i], n, at - p, q - at);
+    split(behind->rest, before->rest, n, at - p, q - at);
+}
+
+INLINE void choose_range(mask where, const tile_range *a, tile_range *b, int n) {
+    for (int k = 0; k <= n; k++) {
+        for (int i = 0; i < LOW_TERMS; i++) b->t[i][k] = choose(where, a->t[i][k], b->t[i][k]);
+        b->rest[k] = choose(where, a->rest[k], b->rest[k]);
+    }
+}
+
+/* As a cell: w[0] positive, a radius for each coefficient. */
+INLINE void cell_of(const tile_range *r, lanes rounding, cell *c, int n) {
+    for (int k = 0; k <= n; k++) {
+        lanes radius = r->rest[k] + rounding;
+        c->w[k] = r->t[T00][k] + 0.5 * (r->t[T20][k] + r->t[T02][k]);
+        for (int i = 1; i < LOW_TERMS; i++) radius += (i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
+        c->e[k] = radius;
+    }
+    c->side = take_sign(c->w, n, ~no_lane());
+}
+
+/* What is known of the tiles: empty; one root in [p,q], after none; or none before p. */
+typedef struct verdict {
+    mask empty, one;
+    lanes p, q, guess;
+    words side; /* of P at p: its sign bit */
+} verdict;
+
+/* The count of a cell whose first sign is known, nothing of others. */
+INLINE signs count_range(const tile_range *part, lanes rounding, cell *c, mask *known, int n) {
+    cell_of(part, rounding, c, n);
+    *known = less(c->e[0], absolute(c->w[0]));
+    signs s = count_signs(c->w, c->e, n, 1);
+    return (signs){s.none & *known, s.one & *known};
+}
+
+INLINE verdict search_n(const tile_packet *g, const tile_range *whole, int n) {
+    tile_range part = *whole;
+    cell c = {.p = all_lanes(0), .q = all_lanes(1)};
+    verdict v = {no_lane(), no_lane(), c.p, c.q, c.p, (words)c.p};
+    mask open = g->open, known;
+    signs s = count_range(&part, g->rounding, &c, &known, n);
+    for (int turn = 0;; turn++) {
+        mask one = open & s.one, none = open & s.none, last = none & at_most(all_lanes(1), c.q);
+        lanes chord_root = c.p + (c.q - c.p) * (c.w[0] / (c.w[0] - c.w[n]));
+        v.empty |= last;
+        v.one |= one;
+        v.p = choose(open, choose(none, c.q, c.p), v.p);
+        v.q = choose(one, c.q, v.q);
+        v.guess = choose(one, chord_root, v.guess);
+        v.side = (words)choose(one, (lanes)c.side, (lanes)v.side);
+        open &= known & ~(last | one) & less(all_lanes(SHORTEST), c.q - c.p);
+        if (turn == TURNS || !any(open)) return v;
+        const mask again = open & none, on = open & ~none;
+        tile_range other;
+        if (any(on)) {
+            lanes at = split_point(&c, n, turn);
+            split_range(&part, &other, n, c.p, at, c.q);
+            mask right = on & count_range(&other, g->rounding, &c, &known, n).none;
+            c.p = choose(right, at, c.p);
+            c.q = choose(on & ~right, at, c.q);
+            choose_range(~right, &other, &part, n);
+        }
+        if (any(again)) {
+            cut_range(whole, &other, n, choose(again, c.q, all_lanes(0)), all_lanes(1));
+            choose_range(again, &other, &part, n);
+            c.p = choose(again, c.q, c.p);
+            c.q = choose(again, all_lanes(1), c.q);
+        }
+        s = count_range(&part, g->rounding, &c, &known, n);
+    }
+}
+
+#define SERIES_ROUNDS 4
+
+/* The series of the middle ray's root: Newton's method between p and q, where P has different signs. */
+INLINE void series_n(const tile_range *g, lanes x, lanes p, lanes q, words side, lanes z[6], int n) {
+    for (int round = 0; round < SERIES_ROUNDS; round++) {
+        jet f = jet_at(g->t[T00], n, x);
+        mask before = ~negative((words)f.f ^ side);
+        p = choose(before, x, p);
+        q = choose(before, q, x);
+        lanes next = x - f.f / f.slope;
+        x = choose(less(p, next) & less(next, q), next, 0.5 * (p + q));
+    }
+    jet f = jet_at(g->t[T00], n, x), fx = jet_at(g->t[T10], n, x), fy = jet_at(g->t[T01], n, x);
+    lanes inverse = -1 / f.slope, a = fx.f * inverse, b = fy.f * inverse;
+    z[0] = x + f.f * inverse;
+    z[1] = a;
+    z[2] = b;
+    z[3] = (jet_at(g->t[T20], n, x).f + fx.slope * a + f.bend * a * a) * inverse;
+    z[4] = (jet_at(g->t[T11], n, x).f + fx.slope * b + fy.slope * a + 2 * f.bend * a * b) * inverse;
+    z[5] = (jet_at(g->t[T02], n, x).f + fy.slope * b + f.bend * b * b) * inverse;
+}
+
+/* Is that a sheet?  Narrows [p,q] to its cell; steep: n m / (high - low). */
+INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const tile_range *whole,
+                       const lanes z[6], lanes *p, lanes *q, lanes *steep, int n) {
+    tile_range part;
+    cell c;
+    lanes first = absolute(z[1]) + absolute(z[2]);
+    lanes reach = 1.25 * first + 2 * (absolute(z[3]) + absolute(z[4]) + absolute(z[5])) + LEAST_WIDTH;
+    lanes from = larger(floor40(z[0] - reach), *p), to = smaller(floor40(z[0] + reach), *q);
+    lanes length = g->hi - g->lo;
+    mask sound = less(from + 0x1p-20, to) & at_most(g->least, g->lo + from * length) &
+                 at_most(g->lo + to * length, g->most);
+    *p = from = choose(sound, from, all_lanes(0));
+    *q = to = choose(sound, to, all_lanes(1));
+    cut_range(whole, &part, n, from, to);
+    cell_of(&part, g->rounding, &c, n);
+    sound &= less(c.e[0], c.w[0]) & less(c.e[n], -c.w[n]);
+    lanes m = all_lanes(HUGE_VAL), rest = whole->rest[0];
+    for (int k = 1; k <= n; k++) rest = larger(rest, whole->rest[k]);
+    rest = 2 * ((to - from) * rest + g->rounding);
+    for (int k = 0; k < n; k++) {
+        lanes spread = rest;
+        for (int i = 1; i < LOW_TERMS; i++)
+            spread += (i == T20 || i == T02 ? 0.5 : 1) * absolute(part.t[i][k] - part.t[i][k + 1]);
+        m = smaller(m, c.w[k] - c.w[k + 1] - spread);
+    }
+    *steep = n * m / (2 * (to - from) * length) * (1 - 0x1p-20);
+    return sound & less(all_lanes(2 * job->noise / ALGSURF_I_NEAR), *steep);
+}
+
+/* ---- recording them ---- */
+
+/* A tile of the job's size: the places from x on. */
+static void record(algsurf_i_tile_job *job, const algsurf_i_tile *tile, int x) {
+    int first = x / ALGSURF_I_LEAF, size = job->size / ALGSURF_I_LEAF;
+    int row = (job->y - job->from_y) / ALGSURF_I_LEAF, end = row + size;
+    int end_x = first + size < job->stride ? first + size : job->stride;
+    job->tiles[job->tile_count++] = *tile;
+    for (; row < end; row++)
+        for (int i = first; i < end_x; i++) job->cell[row * job->stride + i] = job->tile_count;
+}
+
+/* Of a place between lo and hi. */
+INLINE double depth_at(const tile_packet *g, int l, double place) {
+    return 2 * (g->lo[l] + place * (g->hi[l] - g->lo[l])) - 1;
+}
+
+INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *g, int l, lanes from,
+                              lanes to) {
+    double half = 0.5 * job->size;
+    return (algsurf_i_tile){.x = g->x[l] + half,
+                            .y = job->y + half,
+                            .inverse = 1 / half,
+                            .low = depth_at(g, l, from[l]),
+                            .high = depth_at(g, l, to[l])};
+}
+
+/* Tells of each tile what it is, and returns those that are not decided; p: no root before. */
+INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
+    tile_range whole;
+    expand_tiles_n(job, g, n);
+    range_of(g, &whole, n);
+    verdict v = search_n(g, &whole, n);
+    mask sheets = g->open & v.one;
+    *p = v.p;
+    if (any(sheets)) {
+        lanes z[6], from = v.p, to = v.q, steep;
+        series_n(&whole, v.guess, from, to, v.side, z, n);
+        sheets &= is_sheet_n(job, g, &whole, z, &from, &to, &steep, n);
+        unsigned which = bits(sheets);
+        for (int l = 0; l < LANES; l++) {
+            if (!(which >> l & 1)) continue;
+            algsurf_i_tile tile = tile_of(job, g, l, from, to);
+            tile.depth[0] = depth_at(g, l, z[0][l]);
+            for (int i = 1; i < 6; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
+            tile.enough = 0.5 * ALGSURF_I_NEAR * steep[l];
+            record(job, &tile, (int)g->x[l]);
+        }
+    }
+    return g->open & ~v.empty & ~sheets;
+}
+
+APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
+    mask open = no_lane();
+    FOR_DEGREE(n, open = decide_n(job, g, p, N))
+    return open;
+}
+
+/* The next tiles of the job, so many.  Those that are not decided become the first of the list, but for
+ * leaves. */
+INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open_count) {
+    const algsurf_i_row_job *row = job->row;
+    double half = 0.5 * job->size;
+    tile_packet g = {.y = job->y, .v = job->beam->v, .hv = job->beam->h};
+    lanes p;
+    g.hu = row->du * row->pixel * half;
+    g.hu += copysign(WIDER, g.hu);
+    g.x = load_some_integers(job->at + first, count);
+    g.u = row->u0 + row->du * ((g.x + half + row->offset) * row->pixel);
+    g.open = less(numbered(), all_lanes(count));
+    clip_tiles(job, load_some(job->from + first, count), &g);
+    if (!any(g.open)) return open_count;
+    unsigned open = bits(decide(job, &g, &p, job->beam->degree));
+    for (int l = 0; l < LANES; l++) {
+        if (!(open >> l & 1)) continue;
+        if (job->size == ALGSURF_I_LEAF) {
+            const algsurf_i_tile leaf = tile_of(job, &g, l, p, all_lanes(1));
+            record(job, &leaf, (int)g.x[l]);
+        } else {
+            job->at[open_count] = (int)g.x[l];
+            job->from[open_count++] = depth_at(&g, l, p[l]);
+        }
+    }
+    return open_count;
+}
+
+static void search_tiles(algsurf_i_tile_job *job) {
+    int open = 0;
+    for (int first = 0; first < job->count; first += LANES) {
+        int count = job->count - first < LANES ? job->count - first : LANES;
+        open = search_packet(job, first, count, open);
+    }
+    job->count = open;
+}
+
+#endif

@@ -1,0 +1,95 @@
+/* beam.c - P in (u,v,z) once a frame, and about a row of tiles.
+ *
+ * Frame.  With x = u (1 + alpha z) + beta_0 z and y likewise, q_ij(z) x^i y^j is made in three steps:
+ * Taylor's shift by beta_0 z in x and by beta_1 z in y, a factor (1 + alpha z)^(i+j), and Bernstein's basis
+ * over -1 <= z <= 1.  A row of tiles is a shift by v_c in v and a factor h_v^j.
+ *
+ * Errors.  Take absolute values everywhere, as for a row of pixels (view.c): what q_ijk x^i y^j z^k
+ * contributes to a coefficient b_k of a ray of the tile, however it is split up on its way, is at most
+ * |q_ijk| X^i Y^j with X = U (1 + |alpha|) + |beta_0|, U the largest |u| of the tile, and Y likewise.  On
+ * that way it meets 1            rounding of q, 2n + 2n      in the shifts by beta z (n products and n sums
+ * each), 2n           in the factors 1 + alpha z, a product and a sum each, i + j <= n of them, n + 2 in the
+ * basis: its entry, the product, n sums, 2n + n       for v: the shift, and the powers of h_v, 2n + n for u,
+ *     6n           in a tile's cut to its chords,
+ *     4 (5n + 1)   in up to four cells within cells,
+ *     6n           in a cell cut from the tile for itself,
+ *     9            in the sums that make a range of the T:
+ * less than 45 n + 16, each of relative size u.  A depth is recorded but for 2^-51 of where the cut was made,
+ * up to six times, which moves b_k by at most n 2^-51 of the same bound, as |dp/dz| <= n max|b_k|.  The
+ * weight 96 (n + 1) takes all that in, with its higher orders.  Half sizes are taken a little too large
+ * (picture/tiles.c), which takes in the rounding of u and v.
+ *
+ * Noise and errors of the surface's coefficients are those of a row of pixels, for the tile's X and Y.
+ */
+#include "../base/arithmetic.h"
+#include "beam.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIDE = ALGSURF_MAX_VIEW_DEGREE + 1 };
+
+/* to += factor from, for so many coefficients. */
+static void add_multiple(double *to, const double *from, double factor, int count) {
+    for (int k = 0; k < count; k++) to[k] += factor * from[k];
+}
+
+/* p_0 .. p_count, polynomials in z at multiples of `apart`, as coefficients of powers of x, become those of
+ * powers of x - beta z; p_i has degree length - i at most. */
+static void shift_by_depth(double *p, size_t apart, int count, int length, double beta) {
+    if (beta == 0) return;
+    for (int m = 0; m < count; m++)
+        for (int i = count - 1; i >= m; i--)
+            add_multiple(p + (size_t)i * apart + 1, p + (size_t)(i + 1) * apart, beta, length - i);
+}
+
+/* Powers of z, times (1 + alpha z)^times, to Bernstein's basis. */
+static void finish_depth(const algsurf_i_frame_form *frame, int times, double *g) {
+    int n = frame->degree;
+    double power[SIDE];
+    for (int t = 0; t < times; t++)
+        for (int k = n; k > 0; k--) g[k] += frame->view.alpha * g[k - 1];
+    memcpy(power, g, (size_t)(n + 1) * sizeof *power);
+    for (int j = 0; j <= n; j++) {
+        double sum = power[0];
+        for (int k = 1; k <= n; k++) sum += frame->basis[j * (n + 1) + k] * power[k];
+        g[j] = sum;
+    }
+}
+
+void algsurf_i_beam_expand(const algsurf_i_frame_form *frame, double *g) {
+    int n = frame->degree;
+    size_t side = (size_t)n + 1;
+    memcpy(g, frame->q, side * side * side * sizeof *g);
+    for (int j = 0; j <= n; j++)
+        shift_by_depth(g + (size_t)j * side, side * side, n - j, n - j, frame->view.beta[0]);
+    for (int i = 0; i <= n; i++)
+        shift_by_depth(g + (size_t)i * side * side, side, n - i, n - i, frame->view.beta[1]);
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; i + j <= n; j++)
+            finish_depth(frame, i + j, g + ((size_t)i * side + (size_t)j) * side);
+}
+
+void algsurf_i_beam_row_expand(const algsurf_i_frame_form *frame, const double *g, double v, double h,
+                               double *memory, algsurf_i_beam_row *row) {
+    int n = frame->degree;
+    size_t side = (size_t)n + 1;
+    const algsurf_i_view *view = &frame->view;
+    row->degree = n;
+    row->v = v;
+    row->h = h;
+    for (int i = 0; i <= n; i++) {
+        double power = 1;
+        memcpy(memory, g + (size_t)i * side * side, side * side * sizeof *memory);
+        for (int m = 0; m < n - i; m++)
+            for (int j = n - i - 1; j >= m; j--)
+                add_multiple(memory + (size_t)j * side, memory + (size_t)(j + 1) * side, v, n + 1);
+        for (int j = 0; i + j <= n; j++, power *= h)
+            for (int k = 0; k <= n; k++)
+                row->c[((size_t)k * side + (size_t)j) * side + (size_t)i] =
+                    power * memory[(size_t)j * side + (size_t)k];
+    }
+    double most = fabs(v) + fabs(h);
+    algsurf_i_view_radius(frame, most + fabs(view->alpha) * most + fabs(view->beta[1]) + view->noise, 0,
+                          96 * (n + 1), row->radius);
+}
