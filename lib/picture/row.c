@@ -3,8 +3,8 @@
  * A row is drawn in n x n passes, one for each sample of the pixels' grid: first all rays of the pass
  * meet the surface, then all hits are shaded, if colours are asked for.  So the buffer holds one row of one
  * sample, however many samples a pixel has, and solving and shading can be timed with two clock readings a
- * pass.  In a selective picture the passes are for the wanted pixels, and the others show their middles
- * (antialias.c).
+ * pass.  A single sample's points are written as they are; those of several are added up.  In a selective
+ * picture the passes are for the wanted pixels, and the others show their middles (antialias.c).
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
@@ -120,6 +120,14 @@ static void add_pass(const algsurf_i_line *line) {
 
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
+/* What a row shows where it has no points. */
+static void fill_background(const algsurf_i_picture *picture, int channels, uint8_t *bytes) {
+    size_t length = (size_t)channels * (size_t)picture->width, done = (size_t)channels;
+    for (int k = 0; k < 3; k++) bytes[k] = byte_of(clamped(picture->scene->background[k]));
+    if (channels == 4) bytes[3] = picture->scene->transparent ? 0 : 255;
+    for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
+}
+
 /* Averages over all samples; those without a point show the background.  Where there is none, alpha is the
  * share of the others, and the average is over them.  With a known number of channels it is faster. */
 static inline void store_averages(const algsurf_i_shown *shown, int all, const double sky[3], int transparent,
@@ -140,14 +148,9 @@ static inline void store_averages(const algsurf_i_shown *shown, int all, const d
 void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
                              int channels, uint8_t *bytes) {
     int transparent = picture->scene->transparent, width = picture->width;
-    size_t length = (size_t)channels * (size_t)width, done = (size_t)channels;
     double sky[3];
-    for (int k = 0; k < 3; k++) {
-        sky[k] = clamped(picture->scene->background[k]);
-        bytes[k] = byte_of(sky[k]);
-    }
-    if (channels == 4) bytes[3] = transparent ? 0 : 255;
-    for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
+    for (int k = 0; k < 3; k++) sky[k] = clamped(picture->scene->background[k]);
+    fill_background(picture, channels, bytes);
     if (channels == 4)
         store_averages(shown, all, sky, transparent, 4, width, bytes);
     else
@@ -168,19 +171,48 @@ static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown 
     }
 }
 
-algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                     algsurf_i_worker *worker, algsurf_i_tally *tally) {
+/* The line's points, seen through offset (sx,sy) in each wanted pixel, and their colours. */
+static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, double sy,
+                          algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
-    if (status == ALGSURF_OK && line->coloured) status = shade_line(picture, line, tally);
+    return status == ALGSURF_OK && line->coloured ? shade_line(picture, line, tally) : status;
+}
+
+algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                     algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_status status = see(picture, row, sx, sy, worker, tally);
     if (status == ALGSURF_OK) {
-        keep_nearest(line);
-        add_pass(line);
+        keep_nearest(&worker->line);
+        add_pass(&worker->line);
     }
     return status;
+}
+
+/* One sample a pixel: the row's points as they are, with the bytes that their average would have. */
+static void store_points(const algsurf_i_picture *picture, const algsurf_i_line *line, size_t index) {
+    const algsurf_picture *planes = &picture->planes;
+    const algsurf_i_points *p = &line->points;
+    int channels = picture->channels, width = picture->width;
+    size_t first = index * (size_t)width;
+    uint8_t *bytes = planes->pixels ? planes->pixels + index * planes->stride : NULL;
+    if (bytes) fill_background(picture, channels, bytes);
+    for (int x = 0; planes->t && x < width; x++) planes->t[first + (size_t)x] = INFINITY;
+    if (planes->state) memset(planes->state + first, ALGSURF_MISS, (size_t)width);
+    if (planes->normals) memset(planes->normals + 3 * first, 0, 3 * (size_t)width * sizeof *planes->normals);
+    for (int i = 0; i < line->count; i++) {
+        size_t x = (size_t)line->pixel[i];
+        for (int k = 0; bytes && k < 3; k++)
+            bytes[(size_t)channels * x + (size_t)k] = byte_of(clamped(line->colour[3 * i + k]));
+        if (bytes && channels == 4) bytes[4 * x + 3] = 255;
+        if (planes->t) planes->t[first + x] = p->t[i];
+        if (planes->state) planes->state[first + x] = line->state[x];
+        for (int k = 0; planes->normals && k < 3; k++)
+            planes->normals[3 * (first + x) + (size_t)k] = (float)p->normal[k][i];
+    }
 }
 
 static void store_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
@@ -197,13 +229,12 @@ static void store_row(const algsurf_i_picture *picture, int row, algsurf_i_worke
     store_geometry(planes, shown, index * (size_t)picture->width, picture->width);
 }
 
-algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
-                                    algsurf_i_tally *tally) {
+/* n x n samples a pixel. */
+static algsurf_status render_samples(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                     algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_status status = ALGSURF_OK;
     int n = picture->scene->antialias;
-    line->wanted = NULL;
-    line->wanted_count = picture->width;
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
     line->coloured = picture->planes.pixels != NULL;
     memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
@@ -214,5 +245,17 @@ algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, a
             status = algsurf_i_render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
     }
     if (status == ALGSURF_OK) store_row(picture, row, worker);
+    return status;
+}
+
+algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                    algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    line->wanted = NULL;
+    line->wanted_count = picture->width;
+    if (picture->scene->antialias > 1) return render_samples(picture, row, worker, tally);
+    line->coloured = picture->planes.pixels != NULL;
+    algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
+    if (status == ALGSURF_OK) store_points(picture, line, (size_t)(row - picture->row_begin));
     return status;
 }
