@@ -25,16 +25,7 @@ INLINE void enclose_some(const algsurf_i_polys_job *job, poly_block *block, size
     approaches all;
     enclosure e[PAIR];
     approach_hits(job, block, i, n, &all);
-    for (int w = 0; w < all.packets; w++)
-        enclose_hits(job, &block->hits, at, i + w * LANES, all.id[w], all.a + w, e + w, n);
-    for (int point = 0; point < MOST_POINTS; point++) {
-        mask open = no_lane();
-        for (int w = 0; w < all.packets; w++) {
-            newton(e + w, n);
-            open |= e[w].open;
-        }
-        if (!any(open)) break;
-    }
+    enclose_hits(job, &block->hits, at, i, &all, n, e);
     for (int w = 0; w < all.packets; w++)
         for (int l = 0; l < at_most_of(block->hits.count - i - w * LANES, LANES); l++) {
             size_t to = at + (size_t)all.id[w][l];
@@ -45,7 +36,7 @@ INLINE void enclose_some(const algsurf_i_polys_job *job, poly_block *block, size
         }
 }
 
-INLINE void enclose_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int n) {
+static void enclose_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int n) {
     for (int i = 0; i < block->hits.count; i += PAIR * LANES) enclose_some(job, block, at, i, n);
     block->hits.count = 0;
 }
@@ -61,7 +52,7 @@ INLINE void keep_part(poly_block *block, cell *part, lanes id, lanes cut_error, 
 }
 
 /* Splits the last cells of the stack. */
-INLINE void split_last(poly_block *block, int n, int turn) {
+INLINE void split_last_n(poly_block *block, int n, int turn) {
     cells *all = &block->open;
     cell left, right;
     int i = all->count > LANES ? all->count - LANES : 0;
@@ -86,10 +77,13 @@ INLINE void split_last(poly_block *block, int n, int turn) {
     keep_part(block, &left, id, cut_error, room & ~doubts, n);
 }
 
-INLINE void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
-    block->open.count = block->hits.count = 0;
-    for (int i = 0; i < count; i += LANES)
-        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+APART void split_last(poly_block *block, int n, int turn) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, split_last_n(block, N, turn))
+}
+
+static void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    classify_all(job, block, at, count, n);
     for (int i = 0; i < count; i++) job->found[at + (size_t)i] = 0;
     for (int turn = 0; block->open.count > 0; turn++) {
         if (block->hits.count > POLYS_OF(n) - 2 * LANES) enclose_all(job, block, at, n);
@@ -102,18 +96,12 @@ INLINE void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_
         if (block->v[i] == IN_DOUBT) job->found[at + (size_t)i] = -1;
 }
 
-INLINE void solve_all_n(const algsurf_i_polys_job *job, size_t count, int n) {
-    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
-    poly_block block;
-    set_basis(&block.basis, n);
-    for (int i = 0; i < ROW; i++) block.open.id[i] = block.hits.id[i] = 0;
-    const size_t batch = (size_t)BATCH_OF(n);
-    for (size_t at = 0; at < count; at += batch)
-        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), n);
-}
-
 static void solve_all(const algsurf_i_polys_job *job, size_t count) {
-    FOR_DEGREE(job->degree, solve_all_n(job, count, N))
+    poly_block block;
+    begin_block(&block, job->degree);
+    const size_t batch = (size_t)BATCH_OF(job->degree);
+    for (size_t at = 0; at < count; at += batch)
+        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->degree);
 }
 
 const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {

@@ -84,7 +84,6 @@ INLINE void split(lanes *w, lanes *left, int n, lanes before, lanes behind) {
     left[0] = w[0];
     UNROLLED
     for (int i = 1; i <= n; i++) {
-        UNROLLED
         for (int j = 0; j <= n - i; j++) w[j] += quotient * w[j + 1];
         w[n - i + 1] *= unit;
         unit *= share;

@@ -12,9 +12,10 @@
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "closed_template.h"
+#include "degrees.h"
+#include "descartes_template.h"
 #include "enclose_template.h"
 #include "halley_template.h"
-#include "packet_template.h"
 
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
@@ -144,8 +145,21 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     add_cells(&block->open, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
 }
 
-/* The cells of `which` lanes become what is left to search of the whole interval. */
-INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, mask which, int n) {
+INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
+
+INLINE void classify_all_n(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    for (int i = 0; i < count; i += LANES)
+        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+}
+
+/* The first `count` polynomials from `at` on. */
+APART void classify_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    block->open.count = block->hits.count = 0;
+    FOR_DEGREE(n, classify_all_n(job, block, at, count, N))
+}
+
+INLINE void go_on_n(const poly_block *block, cell *s, lanes id, lanes cut_error, mask which, int n) {
     lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
     int index[LANES];
     to_index(id, index);
@@ -153,6 +167,13 @@ INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, m
     radius = gather(block->radius, 1, index);
     centred_to_bernstein(&block->basis, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
+}
+
+/* The cells of `which` lanes become what is left to search of the whole interval. */
+APART void go_on(const poly_block *block, cell *s, const lanes *id, const lanes *cut_error, const mask *which,
+                 int n) {
+    if (n < 3 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, go_on_n(block, s, *id, *cut_error, *which, N))
 }
 
 /* Splits the cells of `which` lanes and keeps the first part that may hold a root; returns what is still
@@ -165,7 +186,7 @@ INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_erro
         divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c, NULL);
     mask again = c.none & less(s->q, s->limit);
     if (bits(again) & which) {
-        go_on(block, s, id, cut_error, again, n);
+        go_on(block, s, &id, &cut_error, &again, n);
         unsure |= again & ~ends_known(s->w, s->e, n, 0, all_lanes(0));
         c = count_signs(s->w, s->e, n, 0);
     }
@@ -187,8 +208,7 @@ INLINE void take_cells(const cells *all, int i, cell *s, lanes *id, lanes *cut_e
     for (int j = 0; j <= n; j++) s->w[j] = load(all->w + j * ROW_OF(CELLS_OF(n)) + i);
 }
 
-/* Splits each cell once. */
-INLINE void divide_cells(poly_block *block, int n, int turn) {
+INLINE void divide_cells_n(poly_block *block, int n, int turn) {
     cells *all = &block->open;
     int waiting = all->count;
     all->count = 0;
@@ -201,8 +221,13 @@ INLINE void divide_cells(poly_block *block, int n, int turn) {
     }
 }
 
-/* The same until no cell is open: one packet, which stays where it is. */
-INLINE void divide_last_cells(poly_block *block, int n, int turn) {
+/* Splits each cell once. */
+APART void divide_cells(poly_block *block, int n, int turn) {
+    if (n < 3 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, divide_cells_n(block, N, turn))
+}
+
+INLINE void divide_last_cells_n(poly_block *block, int n, int turn) {
     cell s;
     lanes id, cut_error;
     unsigned open = first_lanes(block->open.count);
@@ -211,9 +236,15 @@ INLINE void divide_last_cells(poly_block *block, int n, int turn) {
     leave_in_doubt(block, id, open);
 }
 
+/* The same until no cell is open: one packet, which stays where it is. */
+APART void divide_last_cells(poly_block *block, int n, int turn) {
+    if (n < 3 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, divide_last_cells_n(block, N, turn))
+}
+
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
-INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half,
-                      double x) {
+INLINE
+double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half, double x) {
     double near = 0, far = 0, m = fabs(middle);
     for (int k = n; k >= 0; k--) {
         double c = fabs(algsurf_i_table_entry(&job->c, k, at));
@@ -231,8 +262,8 @@ typedef struct approaches {
 } approaches;
 
 /* Halley's method on them.  The sign bit of a bracket's id is that of its polynomial before the root. */
-INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
-                          approaches *to) {
+INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                            approaches *to) {
     const brackets *b = &block->hits;
     approach *a = to->a;
     lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
@@ -266,48 +297,71 @@ INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *bloc
     }
 }
 
-/* Brackets i, i+1 .. that have been approached, on their way to neighbouring doubles. */
-INLINE void enclose_hits(const algsurf_i_polys_job *job, const brackets *b, size_t at, int i, const int *id,
-                         const approach *a, enclosure *e, int n) {
-    mask open = less(numbered(), all_lanes(b->count - i)) & ~a->moving;
-    begin_enclosure(job, at, id, load(b->begin + i), load(b->end + i), a->x, open, e, n);
+APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                         approaches *to) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
-/* Ill-conditioned roots, without radii, by values that are better than doubles. */
-INLINE void enclose_doubts(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, const int *id,
-                           const approach *a, unsigned doubts, int n) {
-    enclosure e;
-    enclose_hits(job, &block->hits, at, i, id, a, &e, n);
-    for (int point = 0; point < MOST_POINTS && (bits(e.open) & doubts); point++) newton(&e, n);
-    for (int l = 0; doubts >> l; l++)
-        if (doubts & bits(e.found) & 1u << l) {
-            block->v[id[l]] = ENCLOSED;
-            block->t[id[l]] = e.value[l];
-        }
-}
-
-/* Roots in these brackets. */
-INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
-    approaches all;
-    approach *a = all.a;
-    approach_hits(job, block, i, n, &all);
-    for (int w = 0; w < all.packets; w++) {
-        mask blurred = less(BLURRED * absolute(a[w].slope), all.noise[w]);
-        unsigned doubts = bits(a[w].moving | (a[w].stuck & blurred)), flat = bits(blurred);
-        for (int l = 0; l < LANES && i + w * LANES + l < block->hits.count; l++) {
-            double x = a[w].x[l];
-            if (flat >> l & 1) {
-                size_t to = at + (size_t)all.id[w][l];
-                ptrdiff_t which = (ptrdiff_t)to * job->interval;
-                double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
-                       half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
-                double blur = all.noise[w][l] * part_at(job, to, n, middle, half, x);
-                doubts |= (unsigned)!(blur <= BLURRED * fabs(a[w].slope[l])) << l;
-            }
-            block->v[all.id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
-        }
-        if (doubts && !job->r.at) enclose_doubts(job, block, at, i + w * LANES, all.id[w], a + w, doubts, n);
+/* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
+ * each step of the compensated scheme waits for the one before. */
+APART void enclose_hits(const algsurf_i_polys_job *job, const brackets *b, size_t at, int i,
+                        const approaches *all, int n, enclosure *e) {
+    for (int w = 0; w < all->packets; w++) {
+        int first = i + w * LANES;
+        mask open = less(numbered(), all_lanes(b->count - first)) & ~all->a[w].moving;
+        begin_enclosure(job, at, all->id[w], load(b->begin + first), load(b->end + first), all->a[w].x, open,
+                        e + w, n);
     }
+    for (int point = 0; point < MOST_POINTS; point++) {
+        mask open = no_lane();
+        for (int w = 0; w < all->packets; w++) {
+            newton(e + w, n);
+            open |= e[w].open;
+        }
+        if (!any(open)) break;
+    }
+}
+
+/* Are answers lost in rounding errors?  Such bits; the root in [-1,1] of all others is known. */
+INLINE unsigned blurred_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
+                             const approaches *all, int w) {
+    const approach *a = all->a + w;
+    mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
+    unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
+    for (int l = 0; l < LANES && l < count; l++) {
+        int id = all->id[w][l];
+        double x = a->x[l];
+        if (flat >> l & 1) {
+            size_t to = at + (size_t)id;
+            ptrdiff_t which = (ptrdiff_t)to * job->interval;
+            double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
+                   half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
+            double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
+            doubts |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
+        }
+        block->v[id] = doubts >> l & 1 ? IN_DOUBT : x;
+    }
+    return doubts;
+}
+
+/* Roots in brackets i, i+1 ..  Ill-conditioned ones, without radii, by values that are better than doubles.
+ */
+APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    approaches all;
+    enclosure e[PAIR];
+    unsigned doubts[PAIR] = {0}, some = 0;
+    approach_hits(job, block, i, n, &all);
+    for (int w = 0; w < all.packets; w++)
+        some |= doubts[w] = blurred_hits(job, block, at, block->hits.count - i - w * LANES, n, &all, w);
+    if (!some || job->r.at) return;
+    enclose_hits(job, &block->hits, at, i, &all, n, e);
+    for (int w = 0; w < all.packets; w++)
+        for (int l = 0; doubts[w] >> l; l++)
+            if (doubts[w] & bits(e[w].found) & 1u << l) {
+                block->v[all.id[w][l]] = ENCLOSED;
+                block->t[all.id[w][l]] = e[w].value[l];
+            }
 }
 
 /* The answers of polynomials i .. of the block; returns whether some are in doubt. */
@@ -324,13 +378,9 @@ INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_
     return any(doubtful);
 }
 
-INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
-
 INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
     int turn = 0, doubts = 0;
-    block->open.count = block->hits.count = 0;
-    for (int i = 0; i < count; i += LANES)
-        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+    classify_all(job, block, at, count, n);
     for (; block->open.count > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
     for (int i = LANES; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
     if (block->open.count > 0) divide_last_cells(block, n, turn);
@@ -353,27 +403,29 @@ INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, in
     return any(doubtful);
 }
 
-INLINE int solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
+/* Degrees 1 and 2. */
+INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
     int doubts = 0;
-    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
-    if (n <= 2) {
-        for (size_t at = 0; at < count; at += LANES)
-            doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
-        return doubts;
-    }
-    poly_block block;
-    set_basis(&block.basis, n);
-    for (int i = 0; i < ROW; i++)
-        block.open.id[i] = block.hits.id[i] = 0; /* lanes behind the last name one too */
-    const size_t together = (size_t)POLYS_OF(n);
-    for (size_t at = 0; at < count; at += together)
-        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
+    for (size_t at = 0; at < count; at += LANES)
+        doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
     return doubts;
 }
 
+static void begin_block(poly_block *block, int n) {
+    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
+    FOR_DEGREE(n, set_basis(&block->basis, N))
+    for (int i = 0; i < ROW; i++)
+        block->open.id[i] = block->hits.id[i] = 0; /* lanes behind the last name one too */
+}
+
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
-    int doubts = 0;
-    FOR_DEGREE(job->degree, doubts = solve_polys_n(job, count, N))
+    int doubts = 0, n = job->degree;
+    if (n <= 2) return n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1);
+    poly_block block;
+    begin_block(&block, n);
+    const size_t together = (size_t)POLYS_OF(n);
+    for (size_t at = 0; at < count; at += together)
+        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
     return doubts;
 }
 
