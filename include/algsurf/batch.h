@@ -52,7 +52,7 @@ typedef enum algsurf_first_root_state {
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
  * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
  * 1 GiB at most, and give it back.
- * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of
+ * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  54 KiB of
  * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
@@ -71,7 +71,7 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
  * more.  A polynomial that doubles leave in doubt costs as much as in algsurf_real_roots; so do all above
  * degree 20.
  * Source: as above; signs beside the roots by the compensated Horner scheme (Graillat, Langlois, Louvet
- * 2005).  92 KiB of stack.  Since 1.0. */
+ * 2005).  54 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch,
                                                     const algsurf_batch_options *options,
                                                     algsurf_real_root *roots, int *count);

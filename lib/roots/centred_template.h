@@ -101,15 +101,15 @@ typedef struct bernstein_basis {
 
 INLINE void set_basis(bernstein_basis *basis, int n) {
     double binomial = 1, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, inverse[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
-    for (int k = 1; k <= n; k++) {
+    UNROLLED for (int k = 1; k <= n; k++) {
         binomial = binomial * (n - k + 1) / k;
         inverse[k] = 1 / binomial;
         g[k] = k % 2 ? -binomial : binomial;
     }
     UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        for (int k = 0; k <= n; k++) basis->at[j][k] = g[k] * inverse[k];
-        for (int k = 1; k <= n; k++) g[k] += g[k - 1]; /* g / (1-x) */
-        for (int k = n; k >= 1; k--) g[k] += g[k - 1]; /* g (1+x) */
+        UNROLLED_IF_KNOWN(n, for (int k = 0; k <= n; k++), basis->at[j][k] = g[k] * inverse[k])
+        UNROLLED_IF_KNOWN(n, for (int k = 1; k <= n; k++), g[k] += g[k - 1]) /* g / (1-x) */
+        UNROLLED_IF_KNOWN(n, for (int k = n; k >= 1; k--), g[k] += g[k - 1]) /* g (1+x) */
     }
 }
 

@@ -37,6 +37,11 @@ int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, doubl
 int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
                               algsurf_real_root *roots, int *count);
 
+/* real_roots.c: what algsurf_real_roots says, where lo <= hi.  Room for `degree` roots suffices; there may be
+ * numbers behind those found, or instead of them where the status is not OK. */
+algsurf_status algsurf_i_real_roots(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *roots, int *count);
+
 /* real_roots.c: simple roots in brackets, between neighbouring doubles; multiplicity 0: not known. */
 void algsurf_i_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
                       algsurf_real_root *roots);

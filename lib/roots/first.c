@@ -153,11 +153,11 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
 static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    int room = p->degree > 0 ? p->degree : 1;
+    int room = p->degree > 0 ? p->degree : 1, found = 0;
     algsurf_i_table_row(&p->coefficients, p->degree, i, c);
-    count[i] = -1;
-    algsurf_status status = algsurf_real_roots(c, p->degree, begin_of(p, i), end_of(p, i),
-                                               roots + i * (size_t)room, room, count + i);
+    algsurf_status status =
+        algsurf_i_real_roots(c, p->degree, begin_of(p, i), end_of(p, i), roots + i * (size_t)room, &found);
+    count[i] = status == ALGSURF_OK ? found : -1;
     return status == ALGSURF_E_ZERO ? ALGSURF_OK : status;
 }
 
