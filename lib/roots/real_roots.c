@@ -91,21 +91,22 @@ static int find_in_doubles(question *q, int first_only, int halvings, algsurf_re
     return 1;
 }
 
-int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
-                              algsurf_real_root *roots, int *count) {
-    while (degree > 0 && c[degree] == 0) degree--;
-    question q = {c, NULL, degree, lo, hi};
-    return find_in_doubles(&q, first_only, algsurf_i_halvings_at_first(degree), roots, count);
-}
-
-/* By integers. */
-static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
+/* By integers: the first `capacity` roots. */
+static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int capacity, int *count) {
     const algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_status status =
-        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, q->degree, count, NULL);
+        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, capacity, count, NULL);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
         roots[i].value = nearer(&p, roots[i].lo, roots[i].hi);
     return status;
+}
+
+algsurf_status algsurf_i_first_root(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *root, int *count) {
+    while (degree > 0 && c[degree] == 0) degree--;
+    question q = {c, NULL, degree, lo, hi};
+    if (find_in_doubles(&q, 1, algsurf_i_halvings_at_first(degree), root, count)) return ALGSURF_OK;
+    return decide_doubles(&q, root, 1, count);
 }
 
 static algsurf_status find_in_part(const question *q, const algsurf_i_part *part, int patient,
@@ -118,7 +119,7 @@ static algsurf_status find_in_part(const question *q, const algsurf_i_part *part
     here.lo = part->lo;
     here.hi = part->hi;
     if (patient && find_in_doubles(&here, 0, ALGSURF_I_HALVINGS, roots, count)) return ALGSURF_OK;
-    return decide_doubles(&here, roots, count);
+    return decide_doubles(&here, roots, here.degree, count);
 }
 
 /* In doubles; else in the parts of the line that may have roots. */
