@@ -10,10 +10,10 @@
 #include "kernel.h"
 #define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
 #define MOST_OWN 0
+#include "../simd/degrees.h"
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "closed_template.h"
-#include "degrees.h"
 #include "descartes_template.h"
 #include "enclose_template.h"
 #include "halley_template.h"

@@ -6,7 +6,7 @@
  * is not known leaves as doubtful, and so does one that does not come to an end. */
 #ifndef ALGSURF_ROOTS_PACKET_TEMPLATE_H
 #define ALGSURF_ROOTS_PACKET_TEMPLATE_H
-#include "degrees.h"
+#include "../simd/degrees.h"
 #include "descartes_template.h"
 
 #define CLOSE_TO_END 0x1p-10 /* no cuts where they tell, for split() */
@@ -275,8 +275,12 @@ APART void refine_watched(packet *k, int n, const guess *g, double tolerance, la
     *at = refine_n(k, n, g, tolerance, k->watch);
 }
 
-/* Single rays and polynomials, which may be watched, go in packets of two. */
-INLINE const algsurf_i_watch *watch_of(const packet *k) { return LANES == 2 ? k->watch : NULL; }
+/* Single rays and polynomials, which may be watched, go in packets of two; the includer may say that none is
+ * watched. */
+#ifndef WATCHED
+#define WATCHED (LANES == 2)
+#endif
+INLINE const algsurf_i_watch *watch_of(const packet *k) { return WATCHED ? k->watch : NULL; }
 
 /* One radius. */
 APART void isolate(packet *k, int n, cuts *last) {
