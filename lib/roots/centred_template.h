@@ -99,6 +99,14 @@ typedef struct bernstein_basis {
     double at[ALGSURF_MAX_POLYS_DEGREE / 2 + 1][ALGSURF_MAX_POLYS_DEGREE + 1];
 } bernstein_basis;
 
+/* The inner loops of set_basis: where the compiler does not know n, UNROLLED would only repeat them. */
+#define UNROLLED_IF_KNOWN(n, loop, statement)                                                                \
+    if (__builtin_constant_p(n)) {                                                                           \
+        UNROLLED loop statement;                                                                             \
+    } else {                                                                                                 \
+        loop statement;                                                                                      \
+    }
+
 INLINE void set_basis(bernstein_basis *basis, int n) {
     double binomial = 1, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, inverse[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
     UNROLLED for (int k = 1; k <= n; k++) {

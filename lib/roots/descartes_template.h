@@ -89,7 +89,8 @@ INLINE void split(lanes *w, lanes *left, int n, lanes before, lanes behind) {
     left[0] = w[0];
     UNROLLED
     for (int i = 1; i <= n; i++) {
-        UNROLLED_IF_KNOWN(n, for (int j = 0; j <= n - i; j++), w[j] += quotient * w[j + 1])
+        UNROLLED
+        for (int j = 0; j <= n - i; j++) w[j] += quotient * w[j + 1];
         w[n - i + 1] *= unit;
         unit *= share;
         left[i] = unit * w[0];

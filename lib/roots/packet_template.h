@@ -160,7 +160,8 @@ INLINE jet jet_at(const lanes *w, int n, lanes x) {
     for (int j = 0; j <= n; j++) b[j] = w[j];
     UNROLLED
     for (int i = 1; i <= n - 2; i++) {
-        UNROLLED_IF_KNOWN(n, for (int j = 0; j <= n - i; j++), b[j] = rest * b[j] + x * b[j + 1])
+        UNROLLED
+        for (int j = 0; j <= n - i; j++) b[j] = rest * b[j] + x * b[j + 1];
     }
     lanes bend = all_lanes(0);
     if (n > 1) {

@@ -28,14 +28,6 @@
 #define UNROLLED _Pragma("GCC unroll 32")
 #endif
 
-/* An inner loop of such a pair, whose length is known where n is.  Elsewhere gcc would repeat it 32 times. */
-#define UNROLLED_IF_KNOWN(n, loop, statement)                                                                \
-    if (__builtin_constant_p(n)) {                                                                           \
-        UNROLLED loop statement;                                                                             \
-    } else {                                                                                                 \
-        loop statement;                                                                                      \
-    }
-
 /* Packets that go through a loop side by side, where that shares loads and hides latencies. */
 #define PAIR 2
 
