@@ -395,6 +395,40 @@ static void test_radii(void **unused) {
     }
 }
 
+/* One end, the other, or both: the single calls' answers, and those in finite intervals beside them as they
+ * were. */
+static void test_infinite_ends(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 17;
+    EACH_DEGREE(n) {
+        int seen[3] = {0, 0, 0};
+        answers finite, a;
+        put_random(n, &random);
+        for (int k = 0; k <= n; k++) c[k][5] = 0;
+        solve(n, 0, MOST, 0, NULL, &finite);
+        for (int i = 0; i < MOST; i++) {
+            if (i % 4 & 1) lo[i] = -(double)INFINITY;
+            if (i % 4 & 2) hi[i] = (double)INFINITY;
+        }
+        check(n, MOST, 0, &a, seen);
+        for (int i = 0; i < MOST; i++) {
+            double first = i % 4 == 0      ? finite.root[i]
+                           : counts[i] > 0 ? all_roots[i * n].value
+                           : counts[i] < 0 ? a.root[i]
+                                           : (double)INFINITY;
+            if (a.root[i] != first || !(a.state[i] == ALGSURF_FIRST_ROOT_NONE || isfinite(a.root[i])))
+                complain("another root than the single call's", n, i, &a, counts[i]);
+        }
+        assert_true(seen[0] >= 4 && seen[1] >= MOST / 4 && seen[2] == 1);
+        for (int i = 0; i < MOST; i++)
+            for (int k = 0; k <= n; k++) r[k][i] = 0x1p-30 * fabs(c[k][i]);
+        check(n, MOST, 1, &a, seen);
+        for (int i = 0; i < MOST; i++)
+            if (a.state[i] != ALGSURF_FIRST_ROOT_NONE && !isfinite(a.root[i]))
+                complain("no point", n, i, &a, a.state[i]);
+    }
+}
+
 /* Neither the number of polynomials nor their neighbours matter, nor does what is behind get written. */
 static void test_counts(void **unused) {
     (void)unused;
@@ -555,7 +589,7 @@ static void test_errors(void **unused) {
     (void)unused;
     uint64_t random = SEED + 9;
     algsurf_batch_options options = {.size = sizeof options};
-    double *const place[] = {&c[0][17], &c[3][0], &lo[130], &hi[64], &r[2][129]};
+    double *const place[] = {&c[0][17], &c[3][0], &r[2][129], &lo[130], &hi[64]};
     answers a;
     put_random(3, &random);
     memset(r, 0, sizeof r);
@@ -563,8 +597,8 @@ static void test_errors(void **unused) {
     for (int i = 0; i < 5; i++)
         for (int j = 0; j < 2; j++) {
             double was = *place[i];
-            *place[i] = j ? (double)NAN : (double)INFINITY;
-            expect_error(&good, NULL, ALGSURF_E_NOT_FINITE);
+            *place[i] = j ? (double)NAN : i < 4 ? (double)INFINITY : -(double)INFINITY;
+            expect_error(&good, NULL, i < 3 ? ALGSURF_E_NOT_FINITE : ALGSURF_E_ARGUMENT);
             *place[i] = was;
         }
     r[1][130] = -1;
@@ -687,7 +721,7 @@ int main(void) {
         cmocka_unit_test(test_environment),     cmocka_unit_test(test_flat),
         cmocka_unit_test(test_touching),        cmocka_unit_test(test_wide_intervals),
         cmocka_unit_test(test_layouts),         cmocka_unit_test(test_kernels_find_all),
-        cmocka_unit_test(test_kernels_enclose),
+        cmocka_unit_test(test_kernels_enclose), cmocka_unit_test(test_infinite_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

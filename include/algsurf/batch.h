@@ -14,14 +14,14 @@
 extern "C" {
 #endif
 
-/* Polynomials of one degree, each with an interval [lo, hi], both ends included. */
+/* Polynomials of one degree, each with an interval [lo, hi], both ends included; either may be infinite. */
 typedef struct algsurf_real_batch {
     size_t size;                /* sizeof(algsurf_real_batch) */
     size_t count;               /* of polynomials; pointers may be null when it is 0 */
     int degree;                 /* a bound, 0..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
     algsurf_table coefficients; /* in the power basis */
     algsurf_table radii;        /* of the coefficients; at null: they are exact */
-    const double *lo, *hi;      /* polynomial i: lo[i * interval_step] < hi[i * interval_step], finite */
+    const double *lo, *hi;      /* polynomial i: lo[i * interval_step] < hi[i * interval_step] */
     ptrdiff_t interval_step;    /* 0: one interval for all; 1: one for each */
 } algsurf_real_batch;
 
@@ -43,16 +43,17 @@ typedef enum algsurf_first_root_state {
  * radii, one may be verified where the single call stays undecided.)  Without radii, only a polynomial that
  * is zero throughout is UNDECIDED.  Multiple roots are found like others.  A root lies in a bracket that
  * isolates the first one; its place there is approximate: to 1e-12 of the interval, by default, and the
- * rounding of the root; of an ill-conditioned root, it is one of the two doubles around it.  The bits of an
- * answer depend on its polynomial only, not on the kernel, the other polynomials or their number.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, negative radius, bad size,
- * relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii, ends), for any polynomial, the first bad
- * one deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of
- * memory; the other answers stand.
+ * rounding of the root; of an ill-conditioned root, and in an interval with an infinite end, it is the root
+ * that algsurf_real_roots gives.  The bits of an answer depend on its polynomial only, not on the kernel, the
+ * other polynomials or their number.
+ * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, NaN as an end, negative
+ * radius, bad size, relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii), for any polynomial,
+ * the first bad one deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for
+ * want of memory; the other answers stand.
  * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
- * is decided alone takes 1 to 20 microseconds; so do all above degree 20.  Integers allocate what they need,
- * 1 GiB at most, and give it back.
- * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  110 KiB of
+ * is decided alone takes 1 to 20 microseconds; so do all above degree 20 and in infinite intervals.  Integers
+ * allocate what they need, 1 GiB at most, and give it back.
+ * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  54 KiB of
  * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                                      const algsurf_batch_options *options,
@@ -71,9 +72,9 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
  * count.
  * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
  * more.  A polynomial that doubles leave undecided costs as much as in algsurf_real_roots; so do all above
- * degree 20.
+ * degree 20 and in infinite intervals.
  * Source: as above; signs beside the roots by the compensated Horner scheme (Graillat, Langlois, Louvet
- * 2005).  92 KiB of stack.  Since 1.0. */
+ * 2005).  54 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch,
                                                     const algsurf_batch_options *options,
                                                     algsurf_real_root *roots, int *count);

@@ -101,7 +101,7 @@ ALGSURF_API const char *algsurf_version(void);
  *
  * Guarantee: E_BUILD means that something failed; OK, that nothing of what was tried did: it is a test, and
  * no proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 100 microseconds for each kernel; allocates 100 KB at most.
- * 115 KiB of stack.  Since 1.0. */
+ * 60 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_self_test(void);
 
 #ifdef __cplusplus

@@ -2,11 +2,13 @@
 #ifndef ALGSURF_COMPLEX_PACKET_TEMPLATE_H
 #define ALGSURF_COMPLEX_PACKET_TEMPLATE_H
 #include "../poly/table_template.h"
+#include "../simd/degrees.h"
 #include "kernel.h"
 #include "quadratic_template.h"
 
-#define FOR_DEGREE(n, statement)                                                                             \
-    switch (n) {                                                                                             \
+/* The statement with N = n, a constant where it is common. */
+#define FOR_ROOTS(n, statement)                                                                              \
+    switch (DEGREES_EVERYWHERE ? (n) : 0) {                                                                  \
         FOR_ONE_DEGREE(3, statement)                                                                         \
         FOR_ONE_DEGREE(4, statement)                                                                         \
         FOR_ONE_DEGREE(6, statement)                                                                         \
@@ -17,12 +19,6 @@
         statement;                                                                                           \
     }                                                                                                        \
     }
-#define FOR_ONE_DEGREE(n, statement)                                                                         \
-    case n: {                                                                                                \
-        enum { N = n };                                                                                      \
-        statement;                                                                                           \
-        break;                                                                                               \
-    }
 
 #define APART static __attribute__((noinline))
 
@@ -31,7 +27,7 @@ APART int solve_one_real(const double *re, int stride, int n, algsurf_complex_ro
     p.real = 1;
     for (int k = 0; k <= n; k++) p.re[k] = all_lanes(re[k * stride]), p.im[k] = all_lanes(0);
     if (n == 2) return solve_quadratics(&p, 1, roots, 0) != 0;
-    FOR_DEGREE(n, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
+    FOR_ROOTS(n, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
 }
 
 APART int solve_one_complex(const double *re, const double *im, int stride, int n,
@@ -46,7 +42,7 @@ APART int solve_one_complex(const double *re, const double *im, int stride, int 
 APART unsigned solve_real(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {
     p->real = 1;
     if (n == 2) return solve_quadratics(p, wanted, roots, 2);
-    FOR_DEGREE(n, return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N))
+    FOR_ROOTS(n, return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N))
 }
 
 APART unsigned solve_complex(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {

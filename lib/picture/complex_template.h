@@ -155,7 +155,8 @@ INLINE uint64_t solve_complex_n(const algsurf_i_complex_job *job, int begin, int
 
 static uint64_t solve_complex(const algsurf_i_complex_job *job, int begin, int end) {
     uint64_t corrections = 0;
-    FOR_DEGREE(job->row->row->degree, corrections = solve_complex_n(job, begin, end, N))
+    FOR_DEGREE_IF(DEGREES_EVERYWHERE, job->row->row->degree,
+                  corrections = solve_complex_n(job, begin, end, N))
     return corrections;
 }
 

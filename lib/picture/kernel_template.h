@@ -1,6 +1,8 @@
 /* kernel_template.h - all the packet code of pictures, as one kernel. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
+#define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#define WATCHED 0
 #include "colours_template.h"
 #include "complex_template.h"
 #include "kernel.h"

@@ -1,6 +1,7 @@
-/* packet_baseline.c - rays in packets of two, for every processor. */
+/* packet_baseline.c - rays in packets of two, single ones, too, for every processor. */
 #include "../base/arithmetic.h"
 #include "kernel.h"
 
 #include "../simd/baseline.h"
 #include "kernel_template.h"
+#include "single_template.h"

@@ -225,7 +225,7 @@ APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf
         solve_rays_n(job, count, hits, n, 0);
         return;
     }
-    switch (INSTRUMENTED ? 0 : n) {
+    switch (COMMON_DEGREES ? n : 0) {
     case 2:
         solve_rays_n(job, count, hits, 2, 3);
         break;

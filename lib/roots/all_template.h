@@ -9,7 +9,7 @@
 #include "first_template.h"
 #include "good_template.h"
 
-/* Of polynomials; n/2 cells of each may wait where LANES of them are split. */
+/* Of polynomials: more cells than polynomials may wait. */
 #define BATCH_OF(n) (POLYS_OF(n) / 2)
 
 /* The root of a lane among those of its polynomial, in increasing order. */
@@ -25,29 +25,20 @@ INLINE void enclose_some(const algsurf_i_polys_job *job, poly_block *block, size
     approaches all;
     enclosure e[PAIR];
     approach_hits(job, block, i, n, &all);
+    enclose_hits(job, block, at, i, &all, n, e);
     for (int w = 0; w < all.packets; w++)
-        enclose_hits(job, &block->hits, at, i + w * LANES, all.id[w], all.a + w, e + w, n);
-    for (int point = 0; point < MOST_POINTS; point++) {
-        mask open = no_lane();
-        for (int w = 0; w < all.packets; w++) {
-            newton(e + w, n);
-            open |= e[w].open;
-        }
-        if (!any(open)) break;
-    }
-    for (int w = 0; w < all.packets; w++)
-        for (int l = 0; l < at_most_of(block->hits.count - i - w * LANES, LANES); l++) {
+        for (int l = 0; l < at_most_of(block->hits - i - w * LANES, LANES); l++) {
             size_t to = at + (size_t)all.id[w][l];
             if (bits(e[w].found) >> l & 1)
                 add_root(job->roots + to * (size_t)n, job->found[to]++, e + w, l);
             else
-                block->v[all.id[w][l]] = IN_DOUBT;
+                *in_row(block, PLACE, all.id[w][l], n) = IN_DOUBT;
         }
 }
 
-INLINE void enclose_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int n) {
-    for (int i = 0; i < block->hits.count; i += PAIR * LANES) enclose_some(job, block, at, i, n);
-    block->hits.count = 0;
+static void enclose_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int n) {
+    for (int i = 0; i < block->hits; i += PAIR * LANES) enclose_some(job, block, at, i, n);
+    block->hits = 0;
 }
 
 /* What may hold roots of part of a cell: a bracket, or a cell to be split. */
@@ -55,23 +46,21 @@ INLINE void keep_part(poly_block *block, cell *part, lanes id, lanes cut_error, 
     signs c = count_signs(part->w, part->e, n, 0);
     unsigned one = bits(c.one) & which;
     id = (lanes)((words)id ^ part->side);
-    if (one) add_brackets(&block->hits, part, id, one, n);
+    if (one) add_brackets(block, part, id, one, n);
     which &= ~one & ~bits(c.none);
-    if (which) add_cells(&block->open, part, id, cut_error, which, n);
+    if (which) add_cells(block, part, id, cut_error, which, n);
 }
 
 /* Splits the last cells of the stack. */
-INLINE void split_last(poly_block *block, int n, int turn) {
-    cells *all = &block->open;
+INLINE void split_last_n(poly_block *block, int n, int turn) {
     cell left, right;
-    int i = all->count > LANES ? all->count - LANES : 0;
-    unsigned room = first_lanes(all->count - i);
-    lanes id = load(all->id + i), cut_error = load(all->cut_error + i);
-    right.p = load(all->p + i);
-    right.q = left.limit = right.limit = load(all->q + i);
-    right.e[0] = left.e[0] = load(all->error + i) + cut_error;
-    for (int j = 0; j <= n; j++) right.w[j] = load(all->w + j * ROW_OF(CELLS_OF(n)) + i);
-    all->count = i;
+    lanes id, cut_error;
+    int i = block->cells > LANES ? block->cells - LANES : 0;
+    unsigned room = first_lanes(block->cells - i);
+    take_cells(block, i, &right, &id, &cut_error, n);
+    left.limit = right.limit = right.q;
+    left.e[0] = right.e[0] += cut_error;
+    block->cells = i;
     lanes at = split_point(&right, n, turn);
     mask unsure = at_most(right.q - right.p, all_lanes(NARROWEST));
     split(right.w, left.w, n, at - right.p, right.q - at);
@@ -81,39 +70,36 @@ INLINE void split_last(poly_block *block, int n, int turn) {
     left.side = (words)all_lanes(0);
     right.side = take_sign(right.w, n, ~no_lane());
     unsigned doubts = bits(unsure) & room;
-    if (doubts) leave_in_doubt(block, absolute(id), doubts);
+    if (doubts) leave_in_doubt(block, absolute(id), doubts, n);
     keep_part(block, &right, id, cut_error, room & ~doubts, n);
     keep_part(block, &left, id, cut_error, room & ~doubts, n);
 }
 
-INLINE void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
-    block->open.count = block->hits.count = 0;
-    for (int i = 0; i < count; i += LANES)
-        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
-    for (int i = 0; i < count; i++) job->found[at + (size_t)i] = 0;
-    for (int turn = 0; block->open.count > 0; turn++) {
-        if (block->hits.count > POLYS_OF(n) - 2 * LANES) enclose_all(job, block, at, n);
-        if (block->open.count > CELLS_OF(n) - LANES || turn > MOST_TURNS * BATCH_OF(n)) break;
-        split_last(block, n, turn);
-    }
-    for (int i = 0; i < block->open.count; i++) block->v[(int)fabs(block->open.id[i])] = IN_DOUBT;
-    enclose_all(job, block, at, n);
-    for (int i = 0; i < count; i++)
-        if (block->v[i] == IN_DOUBT) job->found[at + (size_t)i] = -1;
+APART void split_last(poly_block *block, int n, int turn) {
+    if (n < 1) __builtin_unreachable();
+    FOR_DEGREE(n, split_last_n(block, N, turn))
 }
 
-INLINE void solve_all_n(const algsurf_i_polys_job *job, size_t count, int n) {
-    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
-    poly_block block;
-    set_basis(&block.basis, n);
-    for (int i = 0; i < ROW; i++) block.open.id[i] = block.hits.id[i] = 0;
-    const size_t batch = (size_t)BATCH_OF(n);
-    for (size_t at = 0; at < count; at += batch)
-        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), n);
+static void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    classify_all(job, block, at, count, n);
+    for (int i = 0; i < count; i++) job->found[at + (size_t)i] = 0;
+    for (int turn = 0; block->cells > 0; turn++) {
+        if (block->hits > POLYS_OF(n) - 2 * LANES) enclose_all(job, block, at, n);
+        if (block->cells > POLYS_OF(n) - LANES || turn > MOST_TURNS * BATCH_OF(n)) break;
+        split_last(block, n, turn);
+    }
+    for (int i = 0; i < block->cells; i++) leave_in_doubt(block, absolute(load_row(block, ID, i, n)), 1, n);
+    enclose_all(job, block, at, n);
+    for (int i = 0; i < count; i++)
+        if (*in_row(block, PLACE, i, n) == IN_DOUBT) job->found[at + (size_t)i] = -1;
 }
 
 static void solve_all(const algsurf_i_polys_job *job, size_t count) {
-    FOR_DEGREE(job->degree, solve_all_n(job, count, N))
+    poly_block block;
+    begin_block(&block, job->degree);
+    const size_t batch = (size_t)BATCH_OF(job->degree);
+    for (size_t at = 0; at < count; at += batch)
+        solve_batch(job, &block, at, (int)(count - at < batch ? count - at : batch), job->degree);
 }
 
 const algsurf_i_roots_kernel KERNEL(algsurf_i_roots) = {

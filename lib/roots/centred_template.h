@@ -99,6 +99,14 @@ typedef struct bernstein_basis {
     double at[ALGSURF_MAX_POLYS_DEGREE / 2 + 1][ALGSURF_MAX_POLYS_DEGREE + 1];
 } bernstein_basis;
 
+/* The inner loops of set_basis: where the compiler does not know n, UNROLLED would only repeat them. */
+#define UNROLLED_IF_KNOWN(n, loop, statement)                                                                \
+    if (__builtin_constant_p(n)) {                                                                           \
+        UNROLLED loop statement;                                                                             \
+    } else {                                                                                                 \
+        loop statement;                                                                                      \
+    }
+
 INLINE void set_basis(bernstein_basis *basis, int n) {
     double binomial = 1, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, inverse[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
     UNROLLED for (int k = 1; k <= n; k++) {
@@ -107,9 +115,9 @@ INLINE void set_basis(bernstein_basis *basis, int n) {
         g[k] = k % 2 ? -binomial : binomial;
     }
     UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        UNROLLED for (int k = 0; k <= n; k++) basis->at[j][k] = g[k] * inverse[k];
-        UNROLLED for (int k = 1; k <= n; k++) g[k] += g[k - 1]; /* g / (1-x) */
-        UNROLLED for (int k = n; k >= 1; k--) g[k] += g[k - 1]; /* g (1+x) */
+        UNROLLED_IF_KNOWN(n, for (int k = 0; k <= n; k++), basis->at[j][k] = g[k] * inverse[k])
+        UNROLLED_IF_KNOWN(n, for (int k = 1; k <= n; k++), g[k] += g[k - 1]) /* g / (1-x) */
+        UNROLLED_IF_KNOWN(n, for (int k = n; k >= 1; k--), g[k] += g[k - 1]) /* g (1+x) */
     }
 }
 

@@ -32,10 +32,15 @@ algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, d
 int algsurf_i_isolate_in_lane(const algsurf_i_coefficients *p, double *lo, double *hi, int first_only,
                               int halvings, algsurf_bracket *brackets, int *count);
 
-/* real_roots.c: algsurf_i_decide_roots where doubles tell all roots that are wanted, simple ones, apart;
- * returns 0 where they do not. */
-int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
-                              algsurf_real_root *roots, int *count);
+/* real_roots.c: what algsurf_real_roots says, where lo <= hi.  Room for `degree` roots suffices; there may be
+ * numbers behind those found, or instead of them where the status is not OK. */
+algsurf_status algsurf_i_real_roots(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *roots, int *count);
+
+/* real_roots.c: the first of them; *count: 0 or 1.  c is finite and not zero throughout; OK or E_NO_MEMORY.
+ */
+algsurf_status algsurf_i_first_root(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *root, int *count);
 
 /* real_roots.c: simple roots in brackets, between neighbouring doubles; multiplicity 0: not known. */
 void algsurf_i_settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,

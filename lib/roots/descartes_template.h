@@ -27,7 +27,8 @@
  * that may be positive follows one that may be negative: then every choice of the open signs has the same
  * number of variations.
  *
- * The includer may define MOST_DEGREE: cells are as large as that, and they live on the stack. */
+ * The includer may define MOST_DEGREE, and MOST_OWN as 0 where there are no radii of their own: cells are as
+ * large as that, and they live on the stack. */
 #ifndef ALGSURF_DESCARTES_TEMPLATE_H
 #define ALGSURF_DESCARTES_TEMPLATE_H
 #include "../simd/lanes.h"
@@ -40,13 +41,17 @@
 #define MOST_DEGREE ALGSURF_MAX_DEGREE
 #endif
 
+#ifndef MOST_OWN
+#define MOST_OWN MOST_DEGREE
+#endif
+
 #define MOST_TURNS 120
 #define NARROWEST 0x1p-36 /* cells */
 
 typedef struct cell {
     lanes p, q;
     lanes limit; /* right of it there is nothing to be found */
-    lanes w[MOST_DEGREE + 1], e[MOST_DEGREE + 1];
+    lanes w[MOST_DEGREE + 1], e[MOST_OWN + 1];
     words side; /* the sign bit that was taken from all of w, so that w[0] is positive */
 } cell;
 
@@ -185,7 +190,7 @@ APART void tell_cell(const algsurf_i_watch *watch, double p, double q, const lan
  * blur. Returns the lanes where the sign at the split is not known.  watch: of the first lane, or null. */
 INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes start, lanes blur, lanes stop,
                    int turn, signs *s, const algsurf_i_watch *watch) {
-    lanes left[MOST_DEGREE + 1], left_e[MOST_DEGREE + 1], right[MOST_DEGREE + 1], right_e[MOST_DEGREE + 1],
+    lanes left[MOST_DEGREE + 1], left_e[MOST_OWN + 1], right[MOST_DEGREE + 1], right_e[MOST_OWN + 1],
         at = split_point(c, n, turn), before = at - c->p, behind = c->q - at;
     for (int j = 0; j <= n; j++) right[j] = c->w[j];
     for (int j = 0; j <= (own ? n : 0); j++) right_e[j] = c->e[j];

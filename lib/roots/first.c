@@ -2,7 +2,8 @@
  *
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
  * ALGSURF_LANE_DOUBTFUL as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
- * radius for each coefficient or in integers. */
+ * radius for each coefficient or in integers.  So are polynomials in intervals with an infinite end, which
+ * the packets find unsound (centred_template.h). */
 #include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
@@ -29,7 +30,6 @@ static double begin_of(const algsurf_real_batch *p, size_t i) {
 static double end_of(const algsurf_real_batch *p, size_t i) { return p->hi[(ptrdiff_t)i * p->interval_step]; }
 
 static algsurf_status check_one(const algsurf_real_batch *p, size_t i) {
-    if (!isfinite(begin_of(p, i)) || !isfinite(end_of(p, i))) return ALGSURF_E_NOT_FINITE;
     if (!(begin_of(p, i) < end_of(p, i))) return ALGSURF_E_ARGUMENT;
     for (int k = 0; k <= p->degree; k++) {
         double r = p->radii.at ? algsurf_i_table_entry(&p->radii, k, i) : 0;
@@ -57,6 +57,15 @@ static algsurf_status prepare(query *q, const algsurf_real_batch *batch,
     return check_shape(&q->polys);
 }
 
+/* lo, unless it is infinite. */
+static double finite_point(double lo, double hi) { return isfinite(lo) ? lo : isfinite(hi) ? hi : 0; }
+
+/* The middle of a place that is finite. */
+static double point_of(const algsurf_bracket *b) {
+    int finite = isfinite(b->lo) && isfinite(b->hi);
+    return finite ? 0.5 * b->lo + 0.5 * b->hi : finite_point(b->lo, b->hi);
+}
+
 /* The set of polynomials within the radii: its first place with roots. */
 static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, double hi, unsigned char *state,
                                 double *where) {
@@ -66,15 +75,15 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     if (status < 0 && status != ALGSURF_E_ZERO) return status;
     if (status == ALGSURF_E_ZERO || (found && b[0].kind == ALGSURF_BRACKET_UNDECIDED)) {
         *state = ALGSURF_FIRST_ROOT_UNDECIDED;
-        *where = found ? 0.5 * b[0].lo + 0.5 * b[0].hi : lo;
+        *where = found ? point_of(b) : finite_point(lo, hi);
         return ALGSURF_OK;
     }
     *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
     if (!found) return ALGSURF_OK;
-    *where = 0.5 * b[0].lo + 0.5 * b[0].hi;
+    *where = point_of(b);
     status = algsurf_i_decide_ranges(p, b[0].lo, b[0].hi, b + 1, 1, &found,
                                      NULL); /* as narrow as the radii allow */
-    if (found) *where = 0.5 * b[1].lo + 0.5 * b[1].hi;
+    if (found) *where = point_of(b + 1);
     return status;
 }
 
@@ -94,10 +103,9 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
         algsurf_i_table_row(&polys->radii, p.degree, i, r);
         status = solve_set(&p, lo, hi, state + i, &where);
     } else if (zero) {
-        where = lo;
+        where = finite_point(lo, hi);
     } else {
-        if (!algsurf_i_find_in_doubles(c, p.degree, lo, hi, 1, &first, &found))
-            status = algsurf_i_decide_roots(c, p.degree, lo, hi, &first, 1, &found, NULL);
+        status = algsurf_i_first_root(c, p.degree, lo, hi, &first, &found);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
         if (found) where = first.root;
     }
@@ -153,11 +161,11 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
 static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    int room = p->degree > 0 ? p->degree : 1;
+    int room = p->degree > 0 ? p->degree : 1, found = 0;
     algsurf_i_table_row(&p->coefficients, p->degree, i, c);
-    algsurf_status status = algsurf_real_roots(c, p->degree, begin_of(p, i), end_of(p, i),
-                                               roots + i * (size_t)room, room, count + i);
-    if (status < 0) count[i] = status;
+    algsurf_status status =
+        algsurf_i_real_roots(c, p->degree, begin_of(p, i), end_of(p, i), roots + i * (size_t)room, &found);
+    count[i] = status == ALGSURF_OK ? found : (int)status;
     return status;
 }
 

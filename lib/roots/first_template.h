@@ -9,12 +9,14 @@
 #include "../poly/table.h"
 #include "kernel.h"
 #define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
+#define MOST_OWN 0
+#include "../simd/degrees.h"
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "closed_template.h"
+#include "descartes_template.h"
 #include "enclose_template.h"
 #include "halley_template.h"
-#include "packet_template.h"
 
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
@@ -42,55 +44,71 @@ INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
     }
 }
 
+/* Rows of numbers, one for each polynomial, cell or bracket, of those that are solved together. */
+enum {
+    ID, /* a cell of descartes_template.h that is to be split: its polynomial, and what it is */
+    CELL_P,
+    CELL_Q,
+    LIMIT,
+    ERROR,     /* its one radius */
+    CUT_ERROR, /* what a cut adds to it */
+    HIT_ID,    /* a part [begin,end] of [-1,1] with one root, which is about `near` */
+    BEGIN,
+    END,
+    NEAR,
+    RADIUS, /* polynomial number id, in column id */
+    PLACE,  /* its root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED */
+    VALUE,  /* which is then here */
+    D       /* its n + 1 coefficients about the middle */
+};
+#define CELL_W(n) (D + (n) + 1) /* those of a cell */
+#define ROWS_OF(n) (CELL_W(n) + (n) + 1)
+
 /* So many polynomials of degree n are solved together, and so many of their cells may wait: more share
- * packets better, fewer need less stack.  Rows of numbers, one for each, have room for what store_chosen
- * writes behind them; there are n + 1 rows in d and in w. */
-#define POLYS_OF(n) ((n) <= 10 ? 128 : 64)
-#define CELLS_OF(n) ((n) <= 10 ? 128 : 96)
-#define ROW_OF(many) ((many) + 8)
-#define ROW ROW_OF(POLYS_OF(1)) /* the longest */
-#define MOST_IN_D ((ALGSURF_MAX_POLYS_DEGREE + 1) * ROW_OF(POLYS_OF(ALGSURF_MAX_POLYS_DEGREE)))
-#define MOST_IN_W ((ALGSURF_MAX_POLYS_DEGREE + 1) * ROW_OF(CELLS_OF(ALGSURF_MAX_POLYS_DEGREE)))
+ * packets better, fewer need less stack and stay in a cache of 48 KiB.  Each row has room for what
+ * store_chosen writes behind the last one. */
+#define POLYS_OF(n) ((n) <= 10 ? 128 : 80)
+#define ROW_OF(n) (POLYS_OF(n) + 8)
 
-/* Cells of descartes_template.h to be split, with one radius; cut_error is what a cut adds to it. */
-typedef struct cells {
-    int count;
-    double id[ROW], p[ROW], q[ROW], limit[ROW], error[ROW], cut_error[ROW];
-    double w[MOST_IN_W];
-} cells;
-
-/* Parts [begin,end] of [-1,1] with one root. */
-typedef struct brackets {
-    int count;
-    double id[ROW], begin[ROW], end[ROW], near[ROW];
-} brackets;
+#define ROOM (ROWS_OF(ALGSURF_MAX_POLYS_DEGREE) * ROW_OF(ALGSURF_MAX_POLYS_DEGREE))
+_Static_assert(ROWS_OF(10) * ROW_OF(10) <= ROOM, "rows");
 
 #define NOWHERE 4.0
 #define IN_DOUBT 2.0
 #define ENCLOSED 1.5
 
-/* Polynomials, number `id` in column id of the rows, and what was found. */
+/* Polynomials and what was found. */
 typedef struct poly_block {
+    int degree, cells, hits; /* how many */
     bernstein_basis basis;
-    double d[MOST_IN_D], radius[ROW];
-    double v[ROW]; /* the root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED, and then it is t */
-    double t[ROW];
-    cells open;
-    brackets hits;
+    double rows[ROOM];
 } poly_block;
+
+/* From place i of a row on. */
+INLINE double *in_row(poly_block *block, int row, int i, int n) { return block->rows + row * ROW_OF(n) + i; }
+
+INLINE lanes load_row(const poly_block *block, int row, int i, int n) {
+    return load(block->rows + row * ROW_OF(n) + i);
+}
+
+/* Of polynomials `id`. */
+INLINE lanes gather_row(const poly_block *block, int row, const int *id, int n) {
+    return gather(block->rows + row * ROW_OF(n), 1, id);
+}
 
 INLINE unsigned first_lanes(int count) { return count >= LANES ? (1u << LANES) - 1 : (1u << count) - 1; }
 
-INLINE void add_cells(cells *to, const cell *s, lanes id, lanes cut_error, unsigned chosen, int n) {
-    int i = to->count;
-    store_chosen(to->id + i, id, chosen);
-    store_chosen(to->p + i, s->p, chosen);
-    store_chosen(to->q + i, s->q, chosen);
-    store_chosen(to->limit + i, s->limit, chosen);
-    store_chosen(to->error + i, s->e[0], chosen);
-    store_chosen(to->cut_error + i, cut_error, chosen);
-    for (int j = 0; j <= n; j++) store_chosen(to->w + j * ROW_OF(CELLS_OF(n)) + i, s->w[j], chosen);
-    to->count += __builtin_popcount(chosen);
+INLINE void add_cells(poly_block *block, const cell *s, lanes id, lanes cut_error, unsigned chosen, int n) {
+    double *to = in_row(block, 0, block->cells, n);
+    const int row = ROW_OF(n);
+    store_chosen(to + ID * row, id, chosen);
+    store_chosen(to + CELL_P * row, s->p, chosen);
+    store_chosen(to + CELL_Q * row, s->q, chosen);
+    store_chosen(to + LIMIT * row, s->limit, chosen);
+    store_chosen(to + ERROR * row, s->e[0], chosen);
+    store_chosen(to + CUT_ERROR * row, cut_error, chosen);
+    for (int j = 0; j <= n; j++) store_chosen(to + (CELL_W(n) + j) * row, s->w[j], chosen);
+    block->cells += __builtin_popcount(chosen);
 }
 
 /* Where the control polygon of one variation crosses zero. */
@@ -105,18 +123,18 @@ INLINE lanes crossing(const lanes *w, int n) {
     return (place + before / (before - after)) * (1.0 / n);
 }
 
-INLINE void add_brackets(brackets *to, const cell *s, lanes id, unsigned chosen, int n) {
-    int i = to->count;
-    store_chosen(to->id + i, id, chosen);
-    store_chosen(to->begin + i, 2 * s->p - 1, chosen);
-    store_chosen(to->end + i, 2 * s->q - 1, chosen);
-    store_chosen(to->near + i, 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
-    to->count += __builtin_popcount(chosen);
+INLINE void add_brackets(poly_block *block, const cell *s, lanes id, unsigned chosen, int n) {
+    int i = block->hits;
+    store_chosen(in_row(block, HIT_ID, i, n), id, chosen);
+    store_chosen(in_row(block, BEGIN, i, n), 2 * s->p - 1, chosen);
+    store_chosen(in_row(block, END, i, n), 2 * s->q - 1, chosen);
+    store_chosen(in_row(block, NEAR, i, n), 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
+    block->hits += __builtin_popcount(chosen);
 }
 
-INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which) {
+INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which, int n) {
     for (int l = 0; which >> l; l++)
-        if (which >> l & 1) block->v[(int)id[l]] = IN_DOUBT;
+        if (which >> l & 1) *in_row(block, PLACE, (int)id[l], n) = IN_DOUBT;
 }
 
 /* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
@@ -129,31 +147,48 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     centred_to_bernstein(&block->basis, p.d, s.w, n);
     s.side = take_sign(s.w, n, ~no_lane());
     for (int k = 0; k <= n; k++) {
-        store(block->d + k * ROW_OF(POLYS_OF(n)) + i, (lanes)((words)p.d[k] ^ s.side));
+        store(in_row(block, D + k, i, n), (lanes)((words)p.d[k] ^ s.side));
         largest = larger(largest, absolute(s.w[k]));
     }
-    store(block->radius + i, p.radius);
+    store(in_row(block, RADIUS, i, n), p.radius);
     s.e[0] = p.radius;
     s.p = all_lanes(0);
     s.q = s.limit = all_lanes(1);
     mask ends = p.sound & ends_known(s.w, s.e, n, 0, s.p);
     signs whole = count_signs(s.w, s.e, n, 0);
-    store(block->v + i, choose(ends, all_lanes(NOWHERE), all_lanes(IN_DOUBT)));
+    store(in_row(block, PLACE, i, n), choose(ends, all_lanes(NOWHERE), all_lanes(IN_DOUBT)));
     unsigned some = bits(ends & ~whole.none) & first_lanes(room), one = bits(whole.one) & some;
-    if (one) add_brackets(&block->hits, &s, id, one, n);
-    add_cells(&block->open, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
+    if (one) add_brackets(block, &s, id, one, n);
+    add_cells(block, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
 }
 
-/* The cells of `which` lanes become what is left to search of the whole interval. */
-INLINE void go_on(const poly_block *block, cell *s, lanes id, lanes cut_error, mask which, int n) {
+INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
+
+INLINE void classify_all_n(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    for (int i = 0; i < count; i += LANES)
+        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+}
+
+/* The first `count` polynomials from `at` on. */
+APART void classify_all(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
+    if (n < 1) __builtin_unreachable();
+    block->cells = block->hits = 0;
+    FOR_DEGREE(n, classify_all_n(job, block, at, count, N))
+}
+
+INLINE void go_on_n(const poly_block *block, cell *s, lanes id, lanes cut_error, mask which, int n) {
     lanes d[ALGSURF_MAX_POLYS_DEGREE + 1], b[ALGSURF_MAX_POLYS_DEGREE + 1], radius;
     int index[LANES];
     to_index(id, index);
-    for (int k = 0; k <= n; k++) d[k] = gather(block->d + k * ROW_OF(POLYS_OF(n)), 1, index);
-    radius = gather(block->radius, 1, index);
+    for (int k = 0; k <= n; k++) d[k] = gather_row(block, D + k, index, n);
+    radius = gather_row(block, RADIUS, index, n);
     centred_to_bernstein(&block->basis, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
 }
+
+/* The cells of `which` lanes become what is left to search of the whole interval. */
+APART void go_on(const poly_block *block, cell *s, const lanes *id, const lanes *cut_error,
+                 const mask *which){FOR_DEGREE(block->degree, go_on_n(block, s, *id, *cut_error, *which, N))}
 
 /* Splits the cells of `which` lanes and keeps the first part that may hold a root; returns what is still
  * open. */
@@ -165,55 +200,64 @@ INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_erro
         divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c, NULL);
     mask again = c.none & less(s->q, s->limit);
     if (bits(again) & which) {
-        go_on(block, s, id, cut_error, again, n);
+        go_on(block, s, &id, &cut_error, &again);
         unsure |= again & ~ends_known(s->w, s->e, n, 0, all_lanes(0));
         c = count_signs(s->w, s->e, n, 0);
     }
     unsigned doubts = bits(unsure) & which, hits = bits(c.one) & which & ~doubts;
-    if (doubts) leave_in_doubt(block, id, doubts);
-    if (hits) add_brackets(&block->hits, s, id, hits, n);
+    if (doubts) leave_in_doubt(block, id, doubts, n);
+    if (hits) add_brackets(block, s, id, hits, n);
     return which & ~bits(c.none) & ~hits & ~doubts;
 }
 
 /* Waiting cells i, i+1 .. */
-INLINE void take_cells(const cells *all, int i, cell *s, lanes *id, lanes *cut_error, int n) {
-    *id = load(all->id + i);
-    *cut_error = load(all->cut_error + i);
-    s->p = load(all->p + i);
-    s->q = load(all->q + i);
-    s->limit = load(all->limit + i);
-    s->e[0] = load(all->error + i);
+INLINE void take_cells(const poly_block *block, int i, cell *s, lanes *id, lanes *cut_error, int n) {
+    *id = load_row(block, ID, i, n);
+    *cut_error = load_row(block, CUT_ERROR, i, n);
+    s->p = load_row(block, CELL_P, i, n);
+    s->q = load_row(block, CELL_Q, i, n);
+    s->limit = load_row(block, LIMIT, i, n);
+    s->e[0] = load_row(block, ERROR, i, n);
     s->side = (words)all_lanes(0);
-    for (int j = 0; j <= n; j++) s->w[j] = load(all->w + j * ROW_OF(CELLS_OF(n)) + i);
+    for (int j = 0; j <= n; j++) s->w[j] = load_row(block, CELL_W(n) + j, i, n);
 }
 
-/* Splits each cell once. */
-INLINE void divide_cells(poly_block *block, int n, int turn) {
-    cells *all = &block->open;
-    int waiting = all->count;
-    all->count = 0;
+INLINE void divide_cells_n(poly_block *block, int n, int turn) {
+    int waiting = block->cells;
+    block->cells = 0;
     for (int i = 0; i < waiting; i += LANES) {
         cell s;
         lanes id, cut_error;
-        take_cells(all, i, &s, &id, &cut_error, n);
+        take_cells(block, i, &s, &id, &cut_error, n);
         unsigned open = divide_some(block, &s, id, cut_error, first_lanes(waiting - i), n, turn);
-        add_cells(all, &s, id, cut_error, open, n);
+        add_cells(block, &s, id, cut_error, open, n);
     }
 }
 
-/* The same until no cell is open: one packet, which stays where it is. */
-INLINE void divide_last_cells(poly_block *block, int n, int turn) {
+/* Splits each cell once. */
+APART void divide_cells(poly_block *block, int n, int turn) {
+    if (n < 3) __builtin_unreachable();
+    FOR_DEGREE(n, divide_cells_n(block, N, turn))
+}
+
+INLINE void divide_last_cells_n(poly_block *block, int n, int turn) {
     cell s;
     lanes id, cut_error;
-    unsigned open = first_lanes(block->open.count);
-    take_cells(&block->open, 0, &s, &id, &cut_error, n);
+    unsigned open = first_lanes(block->cells);
+    take_cells(block, 0, &s, &id, &cut_error, n);
     for (; open && turn < MOST_TURNS; turn++) open = divide_some(block, &s, id, cut_error, open, n, turn);
-    leave_in_doubt(block, id, open);
+    leave_in_doubt(block, id, open, n);
+}
+
+/* The same until no cell is open: one packet, which stays where it is. */
+APART void divide_last_cells(poly_block *block, int n, int turn) {
+    if (n < 3) __builtin_unreachable();
+    FOR_DEGREE(n, divide_last_cells_n(block, N, turn))
 }
 
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
-INLINE double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half,
-                      double x) {
+INLINE
+double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half, double x) {
     double near = 0, far = 0, m = fabs(middle);
     for (int k = n; k >= 0; k--) {
         double c = fabs(algsurf_i_table_entry(&job->c, k, at));
@@ -231,30 +275,28 @@ typedef struct approaches {
 } approaches;
 
 /* Halley's method on them.  The sign bit of a bracket's id is that of its polynomial before the root. */
-INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
-                          approaches *to) {
-    const brackets *b = &block->hits;
+INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                            approaches *to) {
     approach *a = to->a;
     lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
     double wanted = job->tolerance > 0 ? 2 * job->tolerance : USUAL_ROOT_STEP,
            tolerance = wanted > LEAST_ROOT_STEP ? wanted : LEAST_ROOT_STEP;
-    to->packets = b->count - i > LANES ? 2 : 1;
+    to->packets = block->hits - i > LANES ? 2 : 1;
     for (int w = 0; w < to->packets; w++) {
         int first = i + w * LANES, *id = to->id[w];
-        lanes number = load(b->id + first);
+        lanes number = load_row(block, HIT_ID, first, n);
         words side = (words)number & (words)all_lanes(-0.0);
         to_index(absolute(number), id);
-        for (int l = b->count - first; l < LANES; l++) id[l] = id[0];
-        for (int k = 0; k <= n; k++)
-            d[w][k] = (lanes)((words)gather(block->d + k * ROW_OF(POLYS_OF(n)), 1, id) ^ side);
-        a[w].begin = load(b->begin + first);
-        a[w].end = load(b->end + first);
-        a[w].x = load(b->near + first);
+        for (int l = block->hits - first; l < LANES; l++) id[l] = id[0];
+        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather_row(block, D + k, id, n) ^ side);
+        a[w].begin = load_row(block, BEGIN, first, n);
+        a[w].end = load_row(block, END, first, n);
+        a[w].x = load_row(block, NEAR, first, n);
         a[w].last = all_lanes(0);
-        a[w].moving = less(numbered(), all_lanes(b->count - first));
+        a[w].moving = less(numbered(), all_lanes(block->hits - first));
         a[w].slope = a[w].last;
         a[w].stuck = no_lane();
-        to->noise[w] = gather(block->radius, 1, id) * (1.0 / (6 * n + 10));
+        to->noise[w] = gather_row(block, RADIUS, id, n) * (1.0 / (6 * n + 10));
     }
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();
@@ -266,78 +308,99 @@ INLINE void approach_hits(const algsurf_i_polys_job *job, const poly_block *bloc
     }
 }
 
-/* Brackets i, i+1 .. that have been approached, on their way to neighbouring doubles. */
-INLINE void enclose_hits(const algsurf_i_polys_job *job, const brackets *b, size_t at, int i, const int *id,
-                         const approach *a, enclosure *e, int n) {
-    mask open = less(numbered(), all_lanes(b->count - i)) & ~a->moving;
-    begin_enclosure(job, at, id, load(b->begin + i), load(b->end + i), a->x, open, e, n);
+APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                         approaches *to) {
+    if (n < 1) __builtin_unreachable();
+    FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
-/* Ill-conditioned roots, without radii, by values that are better than doubles. */
-INLINE void enclose_doubts(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, const int *id,
-                           const approach *a, unsigned doubts, int n) {
-    enclosure e;
-    enclose_hits(job, &block->hits, at, i, id, a, &e, n);
-    for (int point = 0; point < MOST_POINTS && (bits(e.open) & doubts); point++) newton(&e, n);
-    for (int l = 0; doubts >> l; l++)
-        if (doubts & bits(e.found) & 1u << l) {
-            block->v[id[l]] = ENCLOSED;
-            block->t[id[l]] = e.value[l];
+/* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
+ * each step of the compensated scheme waits for the one before. */
+APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
+                        const approaches *all, int n, enclosure *e) {
+    for (int w = 0; w < all->packets; w++) {
+        int first = i + w * LANES;
+        mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
+        begin_enclosure(job, at, all->id[w], load_row(block, BEGIN, first, n), load_row(block, END, first, n),
+                        all->a[w].x, open, e + w, n);
+    }
+    for (int point = 0; point < MOST_POINTS; point++) {
+        mask open = no_lane();
+        for (int w = 0; w < all->packets; w++) {
+            newton(e + w, n);
+            open |= e[w].open;
         }
-}
-
-/* Roots in these brackets. */
-INLINE void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
-    approaches all;
-    approach *a = all.a;
-    approach_hits(job, block, i, n, &all);
-    for (int w = 0; w < all.packets; w++) {
-        mask blurred = less(BLURRED * absolute(a[w].slope), all.noise[w]);
-        unsigned doubts = bits(a[w].moving | (a[w].stuck & blurred)), flat = bits(blurred);
-        for (int l = 0; l < LANES && i + w * LANES + l < block->hits.count; l++) {
-            double x = a[w].x[l];
-            if (flat >> l & 1) {
-                size_t to = at + (size_t)all.id[w][l];
-                ptrdiff_t which = (ptrdiff_t)to * job->interval;
-                double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
-                       half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
-                double blur = all.noise[w][l] * part_at(job, to, n, middle, half, x);
-                doubts |= (unsigned)!(blur <= BLURRED * fabs(a[w].slope[l])) << l;
-            }
-            block->v[all.id[w][l]] = doubts >> l & 1 ? IN_DOUBT : x;
-        }
-        if (doubts && !job->r.at) enclose_doubts(job, block, at, i + w * LANES, all.id[w], a + w, doubts, n);
+        if (!any(open)) break;
     }
 }
 
+/* Are answers lost in rounding errors?  Such bits; the root in [-1,1] of all others is known. */
+INLINE unsigned blurred_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
+                             const approaches *all, int w) {
+    const approach *a = all->a + w;
+    mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
+    unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
+    for (int l = 0; l < LANES && l < count; l++) {
+        int id = all->id[w][l];
+        double x = a->x[l];
+        if (flat >> l & 1) {
+            size_t to = at + (size_t)id;
+            ptrdiff_t which = (ptrdiff_t)to * job->interval;
+            double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
+                   half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
+            double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
+            doubts |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
+        }
+        *in_row(block, PLACE, id, n) = doubts >> l & 1 ? IN_DOUBT : x;
+    }
+    return doubts;
+}
+
+/* Roots in brackets i, i+1 ..  Ill-conditioned ones, without radii, by values that are better than doubles.
+ */
+APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    approaches all;
+    enclosure e[PAIR];
+    unsigned doubts[PAIR] = {0}, some = 0;
+    approach_hits(job, block, i, n, &all);
+    for (int w = 0; w < all.packets; w++)
+        some |= doubts[w] = blurred_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
+    if (!some || job->r.at) return;
+    enclose_hits(job, block, at, i, &all, n, e);
+    for (int w = 0; w < all.packets; w++)
+        for (int l = 0; doubts[w] >> l; l++)
+            if (doubts[w] & bits(e[w].found) & 1u << l) {
+                *in_row(block, PLACE, all.id[w][l], n) = ENCLOSED;
+                *in_row(block, VALUE, all.id[w][l], n) = e[w].value[l];
+            }
+}
+
 /* The answers of polynomials i .. of the block; returns whether some are in doubt. */
-INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room) {
-    lanes v = load(block->v + i);
+INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room,
+                  int n) {
+    lanes v = load_row(block, PLACE, i, n);
     mask hit = less(v, all_lanes(IN_DOUBT)), doubtful = at_most(v, all_lanes(IN_DOUBT)) & ~hit;
     store_states(job->state + at, hit, doubtful, room);
     if (!job->root) return any(doubtful);
     lanes lo, hi;
     load_interval(job, at, room, &lo, &hi);
     lanes t = 0.5 * lo + 0.5 * hi + v * (0.5 * hi - 0.5 * lo);
-    t = choose(at_most(absolute(v - ENCLOSED), all_lanes(0)), load(block->t + i), t);
+    t = choose(at_most(absolute(v - ENCLOSED), all_lanes(0)), load_row(block, VALUE, i, n), t);
     store_some(job->root + at, choose(hit, smaller(larger(t, lo), hi), all_lanes(HUGE_VAL)), room);
     return any(doubtful);
 }
 
-INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
-
 INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
     int turn = 0, doubts = 0;
-    block->open.count = block->hits.count = 0;
+    classify_all(job, block, at, count, n);
+    for (; block->cells > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
+    for (int i = LANES; i < block->cells; i++) leave_in_doubt(block, load_row(block, ID, i, n), 1, n);
+    if (block->cells > 0) divide_last_cells(block, n, turn);
+    for (int i = 0; i < block->hits && !job->root; i++)
+        *in_row(block, PLACE, (int)*in_row(block, HIT_ID, i, n), n) = 0;
+    for (int i = 0; i < block->hits && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
     for (int i = 0; i < count; i += LANES)
-        classify(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
-    for (; block->open.count > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
-    for (int i = LANES; i < block->open.count; i++) block->v[(int)block->open.id[i]] = IN_DOUBT;
-    if (block->open.count > 0) divide_last_cells(block, n, turn);
-    for (int i = 0; i < block->hits.count && !job->root; i++) block->v[(int)block->hits.id[i]] = 0;
-    for (int i = 0; i < block->hits.count && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
-    for (int i = 0; i < count; i += LANES)
-        doubts |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES));
+        doubts |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
     return doubts;
 }
 
@@ -353,27 +416,30 @@ INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, in
     return any(doubtful);
 }
 
-INLINE int solve_polys_n(const algsurf_i_polys_job *job, size_t count, int n) {
+/* Degrees 1 and 2. */
+INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
     int doubts = 0;
-    if (n < 1 || n > ALGSURF_MAX_POLYS_DEGREE) __builtin_unreachable();
-    if (n <= 2) {
-        for (size_t at = 0; at < count; at += LANES)
-            doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
-        return doubts;
-    }
-    poly_block block;
-    set_basis(&block.basis, n);
-    for (int i = 0; i < ROW; i++)
-        block.open.id[i] = block.hits.id[i] = 0; /* lanes behind the last name one too */
-    const size_t together = (size_t)POLYS_OF(n);
-    for (size_t at = 0; at < count; at += together)
-        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
+    for (size_t at = 0; at < count; at += LANES)
+        doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
     return doubts;
 }
 
+static void begin_block(poly_block *block, int n) {
+    if (n < 1) __builtin_unreachable();
+    FOR_DEGREE(n, set_basis(&block->basis, N))
+    block->degree = n;
+    for (int i = 0; i < ROW_OF(n); i++)
+        *in_row(block, ID, i, n) = *in_row(block, HIT_ID, i, n) = 0; /* lanes behind the last name one too */
+}
+
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
-    int doubts = 0;
-    FOR_DEGREE(job->degree, doubts = solve_polys_n(job, count, N))
+    int doubts = 0, n = job->degree;
+    if (n <= 2) return n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1);
+    poly_block block;
+    begin_block(&block, n);
+    const size_t together = (size_t)POLYS_OF(n);
+    for (size_t at = 0; at < count; at += together)
+        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
     return doubts;
 }
 

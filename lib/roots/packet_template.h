@@ -6,6 +6,7 @@
  * is not known leaves as doubtful, and so does one that does not come to an end. */
 #ifndef ALGSURF_ROOTS_PACKET_TEMPLATE_H
 #define ALGSURF_ROOTS_PACKET_TEMPLATE_H
+#include "../simd/degrees.h"
 #include "descartes_template.h"
 
 #define CLOSE_TO_END 0x1p-10 /* no cuts where they tell, for split() */
@@ -257,41 +258,6 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const 
 
 /* ---- the steps, compiled for the most common degrees and for all others ---- */
 
-/* A sanitizer needs minutes for the code of each degree; there the code for all of them must do. */
-#if defined(__SANITIZE_ADDRESS__)
-#define INSTRUMENTED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define INSTRUMENTED 1
-#endif
-#endif
-#ifndef INSTRUMENTED
-#define INSTRUMENTED 0
-#endif
-
-/* The statement with N = n, a constant for common degrees. */
-#define FOR_DEGREE(n, statement)                                                                             \
-    switch (INSTRUMENTED ? 0 : (n)) {                                                                        \
-        FOR_ONE_DEGREE(2, statement)                                                                         \
-        FOR_ONE_DEGREE(3, statement)                                                                         \
-        FOR_ONE_DEGREE(4, statement)                                                                         \
-        FOR_ONE_DEGREE(5, statement)                                                                         \
-        FOR_ONE_DEGREE(6, statement)                                                                         \
-        FOR_ONE_DEGREE(8, statement)                                                                         \
-        FOR_ONE_DEGREE(10, statement)                                                                        \
-    default: {                                                                                               \
-        const int N = (n);                                                                                   \
-        if (N < 1) __builtin_unreachable();                                                                  \
-        statement;                                                                                           \
-    }                                                                                                        \
-    }
-#define FOR_ONE_DEGREE(n, statement)                                                                         \
-    case n: {                                                                                                \
-        enum { N = n };                                                                                      \
-        statement;                                                                                           \
-        break;                                                                                               \
-    }
-
 APART void follow(packet *k, int n, const guess *g){FOR_DEGREE(n, follow_n(k, N, g))}
 
 APART void skirt(packet *k, int n, const cuts *c){FOR_DEGREE(n, skirt_n(k, N, c))}
@@ -310,8 +276,12 @@ APART void refine_watched(packet *k, int n, const guess *g, double tolerance, la
     *at = refine_n(k, n, g, tolerance, k->watch);
 }
 
-/* Single rays and polynomials, which may be watched, go in packets of two. */
-INLINE const algsurf_i_watch *watch_of(const packet *k) { return LANES == 2 ? k->watch : NULL; }
+/* Single rays and polynomials, which may be watched, go in packets of two; the includer may say that none is
+ * watched. */
+#ifndef WATCHED
+#define WATCHED (LANES == 2)
+#endif
+INLINE const algsurf_i_watch *watch_of(const packet *k) { return WATCHED ? k->watch : NULL; }
 
 /* One radius. */
 APART void isolate(packet *k, int n, cuts *last) {

@@ -91,21 +91,22 @@ static int find_in_doubles(question *q, int first_only, int halvings, algsurf_re
     return 1;
 }
 
-int algsurf_i_find_in_doubles(const double *c, int degree, double lo, double hi, int first_only,
-                              algsurf_real_root *roots, int *count) {
-    while (degree > 0 && c[degree] == 0) degree--;
-    question q = {c, NULL, degree, lo, hi};
-    return find_in_doubles(&q, first_only, algsurf_i_halvings_at_first(degree), roots, count);
-}
-
-/* By integers. */
-static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int *count) {
+/* By integers: the first `capacity` roots. */
+static algsurf_status decide_doubles(const question *q, algsurf_real_root *roots, int capacity, int *count) {
     const algsurf_i_coefficients p = {q->c, NULL, q->degree};
     algsurf_status status =
-        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, q->degree, count, NULL);
+        algsurf_i_decide_roots(q->c, q->degree, q->lo, q->hi, roots, capacity, count, NULL);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++)
         roots[i].root = nearer(&p, roots[i].lo, roots[i].hi);
     return status;
+}
+
+algsurf_status algsurf_i_first_root(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *root, int *count) {
+    while (degree > 0 && c[degree] == 0) degree--;
+    question q = {c, NULL, degree, lo, hi};
+    if (find_in_doubles(&q, 1, algsurf_i_halvings_at_first(degree), root, count)) return ALGSURF_OK;
+    return decide_doubles(&q, root, 1, count);
 }
 
 static algsurf_status find_in_part(const question *q, const algsurf_i_part *part, int patient,
@@ -118,7 +119,7 @@ static algsurf_status find_in_part(const question *q, const algsurf_i_part *part
     here.lo = part->lo;
     here.hi = part->hi;
     if (patient && find_in_doubles(&here, 0, ALGSURF_I_HALVINGS, roots, count)) return ALGSURF_OK;
-    return decide_doubles(&here, roots, count);
+    return decide_doubles(&here, roots, here.degree, count);
 }
 
 /* In doubles; else in the parts of the line that may have roots. */
@@ -141,36 +142,56 @@ static algsurf_status find_itself(question q, algsurf_real_root *roots, int *cou
     return ALGSURF_OK;
 }
 
-/* By the roots of a polynomial of lower degree; returns 0 where that will not do. */
-static int find_by_power(const question *q, algsurf_real_root *roots, int *count) {
-    algsurf_i_coefficients p = {q->c, NULL, q->degree};
-    algsurf_i_power w;
+/* Roots of q in p(t) = t^m q(t^k) become those of p; returns 0 where that will not do. */
+static ALGSURF_NOINLINE int from_power(const algsurf_i_power *w, const algsurf_i_coefficients *p, double lo,
+                                       double hi, algsurf_real_root *roots, int *count) {
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE];
-    while (p.c[p.degree] == 0) p.degree--;
-    if (!algsurf_i_power_of(p.c, p.degree, &w)) return 0;
-    question inner = {w.q, NULL, w.degree, 0, 0};
-    algsurf_i_power_interval(&w, q->lo, q->hi, &inner.lo, &inner.hi);
-    if (w.degree > 0 && find_itself(inner, roots, count) != ALGSURF_OK) return 0;
     for (int i = 0; i < *count; i++)
         b[i] = (algsurf_bracket){.lo = roots[i].lo,
                                  .hi = roots[i].hi,
                                  .sign = roots[i].sign,
                                  .multiplicity = roots[i].multiplicity};
-    if (!algsurf_i_power_roots(&w, p.c, q->lo, q->hi, b, count)) return 0;
+    if (!algsurf_i_power_roots(w, p->c, lo, hi, b, count)) return 0;
     for (int i = 0; i < *count; i++)
         roots[i] =
-            (algsurf_real_root){nearer(&p, b[i].lo, b[i].hi), b[i].lo, b[i].hi, b[i].multiplicity, b[i].sign};
+            (algsurf_real_root){nearer(p, b[i].lo, b[i].hi), b[i].lo, b[i].hi, b[i].multiplicity, b[i].sign};
     return 1;
 }
 
-static ALGSURF_NOINLINE algsurf_status find(const question *q, algsurf_real_root *roots, int capacity,
-                                            int *count) {
+/* By the roots of a polynomial of lower degree; returns 0 where that will not do. */
+static int find_by_power(const question *q, algsurf_real_root *roots, int *count) {
+    algsurf_i_coefficients p = {q->c, NULL, q->degree};
+    algsurf_i_power w;
+    while (p.c[p.degree] == 0) p.degree--;
+    if (!algsurf_i_power_of(p.c, p.degree, &w)) return 0;
+    question inner = {w.q, NULL, w.degree, 0, 0};
+    algsurf_i_power_interval(&w, q->lo, q->hi, &inner.lo, &inner.hi);
+    *count = 0;
+    if (w.degree > 0 && find_itself(inner, roots, count) != ALGSURF_OK) return 0;
+    return from_power(&w, &p, q->lo, q->hi, roots, count);
+}
+
+/* Room for as many roots as the degree says. */
+static algsurf_status find(const question *q, algsurf_real_root *roots, int *count) {
+    algsurf_status status = q->c ? check_doubles(q) : check_integers(q);
+    if (status == ALGSURF_OK && !(q->c && find_by_power(q, roots, count)))
+        status = find_itself(*q, roots, count);
+    return status;
+}
+
+algsurf_status algsurf_i_real_roots(const double *c, int degree, double lo, double hi,
+                                    algsurf_real_root *roots, int *count) {
+    const question q = {c, NULL, degree, lo, hi};
+    return find(&q, roots, count);
+}
+
+static ALGSURF_NOINLINE algsurf_status find_some(const question *q, algsurf_real_root *roots, int capacity,
+                                                 int *count) {
     algsurf_real_root found[ALGSURF_MAX_POLY_DEGREE];
     int n = 0;
     if ((!q->c && !q->z) || q->degree < 0 || q->degree > ALGSURF_MAX_POLY_DEGREE || !(q->lo <= q->hi))
         return ALGSURF_E_ARGUMENT;
-    algsurf_status status = q->c ? check_doubles(q) : check_integers(q);
-    if (status == ALGSURF_OK && !(q->c && find_by_power(q, found, &n))) status = find_itself(*q, found, &n);
+    algsurf_status status = find(q, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(roots, found, (size_t)n * sizeof *roots);
@@ -182,7 +203,7 @@ static algsurf_status answer(const question *q, algsurf_real_root *roots, int ca
     if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find(q, roots, capacity, count);
+    algsurf_status status = find_some(q, roots, capacity, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }

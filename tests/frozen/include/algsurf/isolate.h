@@ -51,7 +51,7 @@ typedef struct algsurf_real_root {
  * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
  * 20, in integers of some hundred bits; these are allocated where they are larger, 1 GiB at most.
  * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
- * greatest common divisors (Yun 1976).  72 KiB of stack.  Since 1.0. */
+ * greatest common divisors (Yun 1976).  56 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
 
@@ -68,7 +68,7 @@ typedef struct algsurf_integer {
 /* algsurf_real_roots for integer coefficients; rational and decimal ones become integers when all are
  * multiplied by one number.  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS limbs or null
  * ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20, 15 for degree
- * 8 and 1000 bits.  82 KiB of stack.  Since 1.0. */
+ * 8 and 1000 bits.  62 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
