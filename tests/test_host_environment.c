@@ -70,6 +70,10 @@ static int host_leave(host entered) {
     host now = host_now();
 #if defined(__SSE2__)
     _mm_setcsr(0x1f80u);
+#if ENVIRONMENT_X87
+    const unsigned short word = 0x37f; /* no traps, which threads would inherit */
+    __asm__ volatile("fldcw %0" ::"m"(word));
+#endif
 #endif
     environment_set(0);
     return now.control == entered.control && now.flags == entered.flags;

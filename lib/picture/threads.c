@@ -11,6 +11,7 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 
+#include <stdlib.h>
 #include <time.h>
 
 #include "../base/fpenv.h"

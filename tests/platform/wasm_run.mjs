@@ -15,5 +15,6 @@ const wasi = new WASI({
     preopens: { ".": ".", ...Object.fromEntries(folders.map((folder) => [folder, folder])) },
     returnOnExit: true,
 });
-const { instance } = await WebAssembly.instantiate(await readFile(program), wasi.getImportObject());
+const imports = { wasi_snapshot_preview1: wasi.wasiImport }; // getImportObject() is not there before node 19.8
+const { instance } = await WebAssembly.instantiate(await readFile(program), imports);
 process.exitCode = wasi.start(instance);
