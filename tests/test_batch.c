@@ -413,7 +413,7 @@ static void test_infinite_ends(void **unused) {
         check(n, MOST, 0, &a, seen);
         for (int i = 0; i < MOST; i++) {
             double first = i % 4 == 0      ? finite.root[i]
-                           : counts[i] > 0 ? all_roots[i * n].value
+                           : counts[i] > 0 ? all_roots[i * n].root
                            : counts[i] < 0 ? a.root[i]
                                            : (double)INFINITY;
             if (a.root[i] != first || !(a.state[i] == ALGSURF_FIRST_ROOT_NONE || isfinite(a.root[i])))
