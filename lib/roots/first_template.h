@@ -334,9 +334,10 @@ APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block,
     }
 }
 
-/* Are answers lost in rounding errors?  Such bits; the root in [-1,1] of all others is known. */
-INLINE unsigned blurred_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
-                             const approaches *all, int w) {
+/* Stores the roots that a packet's brackets led to; returns the lanes in doubt, those that did not come to an
+ * end or whose root may be off by more than BLURRED. */
+INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
+                           const approaches *all, int w) {
     const approach *a = all->a + w;
     mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
     unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
@@ -364,7 +365,7 @@ APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t
     unsigned doubts[PAIR] = {0}, some = 0;
     approach_hits(job, block, i, n, &all);
     for (int w = 0; w < all.packets; w++)
-        some |= doubts[w] = blurred_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
+        some |= doubts[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
     if (!some || job->r.at) return;
     enclose_hits(job, block, at, i, &all, n, e);
     for (int w = 0; w < all.packets; w++)
