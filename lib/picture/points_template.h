@@ -7,12 +7,13 @@
 #include "../surface/jets_template.h"
 #include "kernel.h"
 
-#define FARTHEST_STEP                                                                                        \
-    0x1p-16 /* of a Newton step, in the view's unit: a longer one is not to the same root                    \
-             */
-#define FARTHEST_ON_SHEET 0x1p-3 /* the same on a sheet, which has one only */
+/* Of Newton steps, in the view's unit. */
+#define FARTHEST_STEP 0x1p-16    /* a longer one is not to the same root, */
+#define FARTHEST_ON_SHEET 0x1p-3 /* but on a sheet, which has one only */
 #define LAST_STEP 0x1p-26        /* longer ones leave too much: another follows */
-#define MOST_ROUNDS 4            /* of steps; one is usual */
+#define LEFT_OVER 0x1p-52        /* on a sheet: what may be left after a step s that followed r, s (s/r)^2, */
+#define STEP_BEFORE 0x1p-20      /* taking this for r before the first one */
+#define MOST_ROUNDS 4            /* of steps; one is usual, on a sheet two */
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */
@@ -62,14 +63,20 @@ INLINE lanes step_to(const packet_rays *r, const jets *p, int w, double farthest
     return choose(at_most(absolute(step), all_lanes(farthest)), step, all_lanes(0));
 }
 
-/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and the last step a short one? */
-INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, lanes step,
+/* Does a step leave too much to be the last one?  `before`: the one before. */
+INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
+    lanes ratio = step / before;
+    return less(all_lanes(LAST_STEP * s->size), absolute(step)) |
+           less(all_lanes(LEFT_OVER * s->size), absolute(step * ratio * ratio));
+}
+
+/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and does the last step leave little? */
+INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
                         const algsurf_i_sheets *sheets, int first, int count) {
     lanes z = r->z * (1 / s->size);
     mask sure = at_most(absolute(value), load_some(sheets->enough + first, count)) &
                 less(load_some(sheets->low + first, count), z) &
-                less(z, load_some(sheets->high + first, count)) &
-                at_most(absolute(step), all_lanes(LAST_STEP * s->size));
+                less(z, load_some(sheets->high + first, count)) & ~much;
     unsigned which = bits(sure);
     for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
 }
@@ -93,29 +100,33 @@ INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, cons
                          const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
                          int first, int packets, int count) {
     packet_rays r[PAIR];
-    lanes at[PAIR][3], step[PAIR];
+    lanes at[PAIR][3], step[PAIR], before[PAIR];
+    mask much[PAIR];
     jets p;
     for (int w = 0; w < packets; w++) {
         int from = first + w * LANES;
         r[w] = rays_of_packet(s, load_some_integers(pixel + from, count), load_some(depth + from, count));
+        before[w] = all_lanes(sheets ? STEP_BEFORE * s->size : HUGE_VAL);
     }
     for (int round = 1;; round++) {
-        mask far = no_lane();
+        mask more = no_lane();
         for (int w = 0; w < packets; w++)
             for (int i = 0; i < 3; i++) at[w][i] = r[w].foot[i] + r[w].z * r[w].along[i];
         p = surface_jets(surface, at, packets);
         for (int w = 0; w < packets; w++) {
             step[w] = step_to(&r[w], &p, w, s->size * (sheets ? FARTHEST_ON_SHEET : FARTHEST_STEP));
-            far |= less(all_lanes(LAST_STEP * s->size), absolute(step[w]));
+            much[w] = leaves_much(s, step[w], before[w]);
+            more |= much[w];
         }
-        if (round == MOST_ROUNDS || !any(far)) break;
-        for (int w = 0; w < packets; w++)
-            r[w].z =
-                choose(less(all_lanes(LAST_STEP * s->size), absolute(step[w])), r[w].z + step[w], r[w].z);
+        if (round == MOST_ROUNDS || !any(more)) break;
+        for (int w = 0; w < packets; w++) {
+            r[w].z = choose(much[w], r[w].z + step[w], r[w].z);
+            if (sheets) before[w] = choose(much[w], step[w], before[w]);
+        }
     }
     for (int w = 0; w < packets; w++) {
         lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
-        if (sheets) tell_sheets(s, &r[w], p.v[w], step[w], sheets, first + w * LANES, count);
+        if (sheets) tell_sheets(s, &r[w], p.v[w], much[w], sheets, first + w * LANES, count);
         finish_packet(s, &r[w], r[w].z + step[w], normal, points, first + w * LANES, count);
     }
 }

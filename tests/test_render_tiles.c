@@ -1,0 +1,198 @@
+/* test_render_tiles.c - pictures by tiles against pictures ray by ray, for all named surfaces.
+ *
+ * Slices of high pictures: there pixels are small enough for tiles up to degree 10.  The reference is the
+ * same scene with another method of refinement, which takes every ray through algsurf_intersect_first.  No
+ * pixel may differ, nor its t by more than 1e-12, unless it is a zero of P as far as P can be evaluated
+ * there; and neither slices, threads nor kernels may change a byte, with one sample a pixel or more.
+ *
+ *     test_render_tiles [views [seed]]
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "catalogue.h"
+#include "exact.h"
+#include "algsurf/algsurf.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { WIDTH = 250, HEIGHT = 2000, ROWS = 37, TILED_DEGREE = 10 };
+
+static int views = 9;
+static uint64_t first_seed = 20261124;
+
+typedef struct slice {
+    uint8_t bytes[ROWS * WIDTH * 4];
+    double t[ROWS * WIDTH];
+    float normals[ROWS * WIDTH * 3];
+    unsigned char states[ROWS * WIDTH];
+} slice;
+
+typedef struct view {
+    const catalogue_entry *entry;
+    int number, row;
+    algsurf_surface *surface;
+    algsurf_extent extent;
+    algsurf_camera camera;
+    uint64_t seed;
+} view;
+
+/* Near, far and inside; parallel and not; balls and boxes; at the centre, past it, and close to it. */
+static void set_view(view *v) {
+    static const double distances[] = {0.6, 2, 4, 40, 1e4};
+    double radius = v->entry->extent.size[0], far = distances[v->number % 5] * radius, eye[3], look[3], up[3],
+           length = 0, zoom = v->number % 4 == 2 ? 0.05 : 1;
+    v->extent = v->entry->extent;
+    for (int i = 0; i < 3; i++) {
+        eye[i] = exact_random_unit(&v->seed);
+        up[i] = exact_random_unit(&v->seed);
+        length += eye[i] * eye[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        look[i] = v->extent.centre[i] + (v->number % 3 ? 0.6 * radius * exact_random_unit(&v->seed) : 0);
+        eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
+    }
+    if (v->number % 3 == 1) {
+        v->extent.kind = ALGSURF_EXTENT_BOX;
+        for (int i = 0; i < 3; i++) v->extent.size[i] = radius * (0.5 + 0.1 * i);
+    }
+    if (v->number % 2)
+        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2.2 * zoom * radius, &v->camera),
+                         ALGSURF_OK);
+    else
+        assert_int_equal(algsurf_camera_pinhole(
+                             eye, look, up, 2 * atan(zoom * fmin(1.1 * radius / far, 1)) * 57.3, &v->camera),
+                         ALGSURF_OK);
+    v->row = HEIGHT / 2 - ROWS + exact_random_int(&v->seed, ROWS);
+}
+
+static algsurf_scene *scene_of(const view *v, const algsurf_intersect_options *how, int antialias,
+                               double threshold) {
+    algsurf_scene *scene = NULL;
+    assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
+    if (threshold > 0) assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    return scene;
+}
+
+/* Rows from `begin` to end - 1 of the slice. */
+static void draw(const view *v, const algsurf_scene *scene, int begin, int end, int threads, slice *s) {
+    size_t first = (size_t)begin * WIDTH;
+    const algsurf_picture planes = {.size = sizeof planes,
+                                    .pixels = s->bytes + 4 * first,
+                                    .format = ALGSURF_RGBA8,
+                                    .t = s->t + first,
+                                    .normals = s->normals + 3 * first,
+                                    .state = s->states + first};
+    const algsurf_render_options o = {.size = sizeof o,
+                                      .width = WIDTH,
+                                      .height = HEIGHT,
+                                      .row_begin = v->row + begin,
+                                      .row_end = v->row + end,
+                                      .threads = threads};
+    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+}
+
+/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
+static int is_zero(const view *v, const algsurf_ray *ray, double t) {
+    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
+    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
+    assert_int_equal(algsurf_surface_gradient(v->surface, point, &value, gradient, &bound, gradient_bound),
+                     ALGSURF_OK);
+    for (int i = 0; i < 3; i++)
+        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
+    return fabs(value) <= 32 * bound + slack;
+}
+
+static long hits, misses;
+
+static void check_pixel(const view *v, int i, const slice *tiles, const slice *rays) {
+    algsurf_ray ray;
+    double t = tiles->t[i];
+    int same = tiles->states[i] == rays->states[i];
+    assert_int_equal(
+        algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, i % WIDTH + 0.5, v->row + i / WIDTH + 0.5, &ray),
+        ALGSURF_OK);
+    hits += isfinite(t), misses += isinf(t) != 0;
+    double apart = same && isfinite(t) ? fabs(t - rays->t[i]) : 0;
+    if (apart > 1e-12 * t) same = is_zero(v, &ray, t) && apart < 1e-6 * t;
+    if (!same)
+        fail_msg("%s, view %d (seed %#llx), pixel %d,%d: state %d, not %d; t = %a, not %a", v->entry->name,
+                 v->number, (unsigned long long)first_seed, i % WIDTH, v->row + i / WIDTH, tiles->states[i],
+                 rays->states[i], t, rays->t[i]);
+}
+
+static void compare_with_rays(view *v) {
+    static slice tiles, rays;
+    const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
+    algsurf_scene *scene = scene_of(v, NULL, 1, 0), *other = scene_of(v, &by_rays, 1, 0);
+    draw(v, scene, 0, ROWS, 1, &tiles);
+    draw(v, other, 0, ROWS, 1, &rays);
+    for (int i = 0; i < ROWS * WIDTH; i++) check_pixel(v, i, &tiles, &rays);
+    algsurf_scene_free(scene), algsurf_scene_free(other);
+}
+
+/* One sample, all pixels with several, edges only: by slices, threads and kernels. */
+static void compare_with_others(view *v) {
+    static slice whole, other;
+    for (int way = 0; way < 3; way++) {
+        algsurf_scene *scene = scene_of(v, NULL, way ? 3 : 1, way == 2 ? 0.05 : 0);
+        memset(&whole, 0, sizeof whole), memset(&other, 0, sizeof other);
+        draw(v, scene, 0, ROWS, 1, &whole);
+        int cut = 1 + exact_random_int(&v->seed, ROWS - 1);
+        draw(v, scene, 0, cut, 1, &other), draw(v, scene, cut, ROWS, 1, &other);
+        assert_memory_equal(&whole, &other, sizeof whole);
+        draw(v, scene, 0, ROWS, 3, &other);
+        assert_memory_equal(&whole, &other, sizeof whole);
+        algsurf_scene_free(scene);
+        for (int i = 0; algsurf_kernel_name(i); i++) {
+            const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
+            scene = scene_of(v, &how, way ? 3 : 1, way == 2 ? 0.05 : 0);
+            draw(v, scene, 0, ROWS, 1, &other);
+            assert_memory_equal(&whole, &other, sizeof whole);
+            algsurf_scene_free(scene);
+        }
+    }
+}
+
+/* Of every named surface that is drawn by tiles. */
+static void for_each_view(void (*check)(view *v), int count) {
+    for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
+        view v = {.entry = entry, .seed = first_seed + (uint64_t)(entry - catalogue)};
+        if (entry->degree > TILED_DEGREE || catalogue_first_of(entry) != entry) continue;
+        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &v.surface, NULL),
+                         ALGSURF_OK);
+        for (v.number = 0; v.number < count; v.number++) {
+            set_view(&v);
+            check(&v);
+        }
+        algsurf_surface_free(v.surface);
+    }
+}
+
+static void hits_as_by_rays(void **state) {
+    (void)state;
+    for_each_view(compare_with_rays, views);
+    printf("%ld hits, %ld misses\n", hits, misses);
+    assert_true(hits * 4 > misses && misses * 10 > hits);
+}
+
+static void nothing_changes_a_byte(void **state) {
+    (void)state;
+    for_each_view(compare_with_others, (views + 2) / 3);
+}
+
+int main(int argc, char **argv) {
+    if (argc > 1) views = atoi(argv[1]);
+    if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(hits_as_by_rays),
+                                       cmocka_unit_test(nothing_changes_a_byte)};
+    return cmocka_run_group_tests_name("tiles", tests, NULL, NULL);
+}
