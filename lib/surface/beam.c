@@ -7,17 +7,21 @@
  * Errors.  Take absolute values everywhere, as for a row of pixels (view.c): what q_ijk x^i y^j z^k
  * contributes to a coefficient b_k of a ray of the tile, however it is split up on its way, is at most
  * |q_ijk| X^i Y^j with X = U (1 + |alpha|) + |beta_0|, U the largest |u| of the tile, and Y likewise.  On
- * that way it meets 1            rounding of q, 2n + 2n      in the shifts by beta z (n products and n sums
- * each), 2n           in the factors 1 + alpha z, a product and a sum each, i + j <= n of them, n + 2 in the
- * basis: its entry, the product, n sums, 2n + n       for v: the shift, and the powers of h_v, 2n + n for u,
- *     6n           in a tile's cut to its chords,
- *     4 (5n + 1)   in up to four cells within cells,
- *     6n           in a cell cut from the tile for itself,
- *     9            in the sums that make a range of the T:
- * less than 45 n + 16, each of relative size u.  A depth is recorded but for 2^-51 of where the cut was made,
- * up to six times, which moves b_k by at most n 2^-51 of the same bound, as |dp/dz| <= n max|b_k|.  The
- * weight 96 (n + 1) takes all that in, with its higher orders.  Half sizes are taken a little too large
- * (picture/tiles.c), which takes in the rounding of u and v.
+ * that way it meets these roundings:
+ * - 1 of q;
+ * - 2n + 2n in the shifts by beta z, n products and n sums each;
+ * - 2n in the factors 1 + alpha z, a product and a sum each, i + j <= n of them;
+ * - n + 2 in the basis: its entry, the product, n sums;
+ * - 2n + n for v, the shift and the powers of h_v; 2n + n for u;
+ * - 6n in a tile's cut to its chords;
+ * - 4 (5n + 1) in up to four cells within cells;
+ * - 6n in a cell cut from the tile for itself;
+ * - 9 in the sums that make a range of the T.
+ * Together less than 45 n + 16, each of relative size u.  Sizes of terms that become radii meet the same cuts
+ * and sums once more, 26 n + 13, and are at most that bound themselves.  A depth is recorded but for 2^-51 of
+ * where the cut was made, up to six times, which moves b_k by at most n 2^-51 of the bound each time, as
+ * |dp/dz| <= n max|b_k|: 24 n.  The weight 96 (n + 1) takes all that in, with its higher orders.  Half sizes
+ * are taken a little too large (picture/tiles.c), which takes in the rounding of u and v.
  *
  * Noise and errors of the surface's coefficients are those of a row of pixels, for the tile's X and Y.
  */
