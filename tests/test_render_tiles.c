@@ -2,8 +2,9 @@
  *
  * Slices of high pictures: there pixels are small enough for tiles up to degree 10.  The reference is the
  * same scene with another method of refinement, which takes every ray through algsurf_intersect_first.  No
- * pixel may differ, nor its t by more than 1e-12, unless it is a zero of P as far as P can be evaluated
- * there; and neither slices, threads nor kernels may change a byte, with one sample a pixel or more.
+ * pixel may differ, nor its t by more than render.h allows: 2^-36 of the extent's radius, or what rounding
+ * makes of a zero of P there; and neither slices, threads nor kernels may change a byte, with one sample a
+ * pixel or more.
  *
  *     test_render_tiles [views [seed]]
  */
@@ -122,7 +123,7 @@ static void check_pixel(const view *v, int i, const slice *tiles, const slice *r
         ALGSURF_OK);
     hits += isfinite(t), misses += isinf(t) != 0;
     double apart = same && isfinite(t) ? fabs(t - rays->t[i]) : 0;
-    if (apart > 1e-12 * t) same = is_zero(v, &ray, t) && apart < 1e-6 * t;
+    if (apart > 0x1p-36 * v->entry->extent.size[0]) same = is_zero(v, &ray, t) && apart < 1e-6 * t;
     if (!same)
         fail_msg("%s, view %d (seed %#llx), pixel %d,%d: state %d, not %d; t = %a, not %a", v->entry->name,
                  v->number, (unsigned long long)first_seed, i % WIDTH, v->row + i / WIDTH, tiles->states[i],
