@@ -250,7 +250,7 @@ static void search_band(test_band *b, test_view *t, const algsurf_i_picture_kern
         job.count = 0, job.at = at, job.from = from;
         for (int x = 0; x < PIXELS; x += b->size) at[job.count] = x, from[job.count++] = -1;
         algsurf_i_beam_row_expand(&t->frame, t->g, b->v0 - b->side * (job.y + half),
-                                  -(b->side * half + 0x1p-42), t->square, &row);
+                                  -(b->side * half + ALGSURF_I_WIDER), t->square, &row);
         code->search_tiles(&job);
         if (b->size == ALGSURF_I_LEAF) continue;
         for (int i = 0; i < job.count; i++) /* what is left is nothing that is said */

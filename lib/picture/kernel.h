@@ -33,6 +33,8 @@ typedef struct algsurf_i_pixels {
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
 
+#define ALGSURF_I_WIDER 0x1p-42 /* added to half sizes of tiles, for the rounding of u and v */
+
 /* A tile of pixels that is not empty.  A sheet: along each ray through it there is one root with low < z <
  * high in the view's unit, none before, and P is monotone between; where |P| <= enough it is ALGSURF_I_NEAR
  * at most to the root.  A leaf: enough = 0, the first root of each ray, if there is one, has low <= z <=

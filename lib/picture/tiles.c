@@ -15,8 +15,7 @@
 #include <string.h>
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
-#define WIDER 0x1p-42 /* added to half sizes, for the rounding of u and v */
-#define FEW 0.13      /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
+#define FEW 0.13 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
 
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
@@ -69,7 +68,7 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     const algsurf_i_packets *p = picture->packets;
     double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
-    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(WIDER, h), t->square, &t->beam);
+    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h), t->square, &t->beam);
     job->count = list->count;
     job->at = list->at;
     job->from = list->from;

@@ -37,7 +37,6 @@
 #define SHORTEST 0x1p-11    /* of them */
 #define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
 #define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
-#define WIDER 0x1p-42       /* added to half sizes, for the rounding of u and v */
 
 /* Terms of a tile, in this order. */
 enum { T00, T10, T01, T20, T11, T02, LOW_TERMS, T30 = LOW_TERMS, T21, T12, T03, TERMS };
@@ -368,7 +367,7 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
     tile_packet g = {.y = job->y, .v = job->beam->v, .hv = job->beam->h};
     lanes p;
     g.hu = row->du * row->pixel * half;
-    g.hu += copysign(WIDER, g.hu);
+    g.hu += copysign(ALGSURF_I_WIDER, g.hu);
     g.x = load_some_integers(job->at + first, count);
     g.u = row->u0 + row->du * ((g.x + half + row->offset) * row->pixel);
     g.open = less(numbered(), all_lanes(count));
