@@ -9,13 +9,10 @@
  * apart, if one of the rays is the middle one.  So each ray's chord is inside that of the middle ray with an
  * extent larger by d in each direction, and holds that of the middle ray with an extent smaller by d.
  *
- * Range.  With xi^2 = 1/2 +- 1/2 and likewise eta^2,
- *     |b_k - (T_00 + T_20/2 + T_02/2)| <= |T_10| + |T_01| + |T_20|/2 + |T_02|/2 + |T_11| + rest,
- * where rest holds the third order from the cut to the tile's chords on.  A cut in z is a sum with positive
- * weights that add up to 1, of each T; so what bounds a term's size before bounds it after.
+ * Range.  From the cut to the tile's chords on, the third order belongs to the rest, too (search_template.h).
  *
- * Empty: the cells from the first depth to the last have no variation of sign, whatever the coefficients in
- * their range (descartes_template.h).  So no ray of the tile has a root on its chord.
+ * Empty: the cells from the first depth to the last have no variation of sign, so that no ray of the tile has
+ * a root on its chord.
  *
  * Sheet: cells without a variation, then one with one variation: along each ray one root in it, none before.
  * The middle ray's root and its series in xi and eta, by implicit differentiation, tell where to look; what
@@ -31,22 +28,14 @@
 #define ALGSURF_TILES_TEMPLATE_H
 #include "kernel.h"
 #include "row_template.h"
+#include "search_template.h"
 
-#define TILE_DEGREE ALGSURF_MAX_BEAM_DEGREE
-#define TURNS 4             /* cells that a tile is searched in, besides the first */
-#define SHORTEST 0x1p-11    /* of them */
 #define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
 #define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
 
-/* Terms of a tile, in this order. */
-enum { T00, T10, T01, T20, T11, T02, LOW_TERMS, T30 = LOW_TERMS, T21, T12, T03, TERMS };
-
-static const signed char term_at[4][4] = {
-    {T00, T01, T02, T03}, {T10, T11, T12, TERMS}, {T20, T21, TERMS, TERMS}, {T30, TERMS, TERMS, TERMS}};
-
 /* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
 typedef struct tile_packet {
-    lanes t[TERMS][TILE_DEGREE + 1]; /* Bernstein coefficients over [-1,1] */
+    lanes t[TERMS][BEAM_DEGREE + 1]; /* Bernstein coefficients over [-1,1] */
     lanes lo, hi;                    /* places: all chords are between */
     lanes least, most;               /* places: each chord reaches from least to most; most < least: none */
     lanes rest, rounding;            /* bounds, of each coefficient, on the terms left out and the errors */
@@ -54,11 +43,6 @@ typedef struct tile_packet {
     double y, v, hu, hv;             /* the same for all; half sizes */
     mask open;
 } tile_packet;
-
-/* P over the tiles to first order, the rest as a radius. */
-typedef struct tile_range {
-    lanes t[LOW_TERMS][TILE_DEGREE + 1], rest[TILE_DEGREE + 1];
-} tile_range;
 
 /* ---- making tiles ---- */
 
@@ -115,7 +99,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
         lanes sum = all_lanes(0);
         for (int j = 0; j <= n; j++) {
             const double *c = row->c + (k * (n + 1) + j) * (n + 1);
-            lanes p[TILE_DEGREE + 1];
+            lanes p[BEAM_DEGREE + 1];
             double power = 1;
             for (int i = 0; i + j <= n; i++) p[i] = all_lanes(c[i]);
             UNROLLED
@@ -144,20 +128,12 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
 
 /* ---- deciding them ---- */
 
-/* The part [from,to] of [0,1]. */
-INLINE void cut_part(const lanes *whole, lanes *part, int n, lanes from, lanes to) {
-    lanes w[TILE_DEGREE + 1];
-    for (int j = 0; j <= n; j++) w[j] = whole[j];
-    split_shares(w, part, n, from, 1 - from);
-    split_shares(w, part, n, to - from, 1 - to);
-}
-
 /* Over the chords of the tiles. */
-INLINE void range_of(const tile_packet *g, tile_range *r, int n) {
+INLINE void range_of(const tile_packet *g, beam *r, int n) {
     lanes from = choose(g->open, g->lo, all_lanes(0)), to = choose(g->open, g->hi, all_lanes(1));
     for (int k = 0; k <= n; k++) r->rest[k] = g->rest;
     for (int i = 0; i < TERMS; i++) {
-        lanes part[TILE_DEGREE + 1];
+        lanes part[BEAM_DEGREE + 1];
         cut_part(g->t[i], part, n, from, to);
         for (int k = 0; k <= n; k++) {
             if (i < LOW_TERMS)
@@ -168,92 +144,10 @@ INLINE void range_of(const tile_packet *g, tile_range *r, int n) {
     }
 }
 
-/* The part [from,to] of a range's [0,1]. */
-INLINE void cut_range(const tile_range *whole, tile_range *part, int n, lanes from, lanes to) {
-    for (int i = 0; i < LOW_TERMS; i++) cut_part(whole->t[i], part->t[i], n, from, to);
-    cut_part(whole->rest, part->rest, n, from, to);
-}
-
-/* The part from p to at, and that from at to q. */
-INLINE void split_range(tile_range *behind, tile_range *before, int n, lanes p, lanes at, lanes q) {
-    for (int i = 0; i < LOW_TERMS; i++) split(behind->t[i], before->t[i], n, at - p, q - at);
-    split(behind->rest, before->rest, n, at - p, q - at);
-}
-
-INLINE void choose_range(mask where, const tile_range *a, tile_range *b, int n) {
-    for (int k = 0; k <= n; k++) {
-        for (int i = 0; i < LOW_TERMS; i++) b->t[i][k] = choose(where, a->t[i][k], b->t[i][k]);
-        b->rest[k] = choose(where, a->rest[k], b->rest[k]);
-    }
-}
-
-/* As a cell: w[0] positive, a radius for each coefficient. */
-INLINE void cell_of(const tile_range *r, lanes rounding, cell *c, int n) {
-    for (int k = 0; k <= n; k++) {
-        lanes radius = r->rest[k] + rounding;
-        c->w[k] = r->t[T00][k] + 0.5 * (r->t[T20][k] + r->t[T02][k]);
-        for (int i = 1; i < LOW_TERMS; i++) radius += (i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
-        c->e[k] = radius;
-    }
-    c->side = take_sign(c->w, n, ~no_lane());
-}
-
-/* What is known of the tiles: empty; one root in [p,q], after none; or none before p. */
-typedef struct verdict {
-    mask empty, one;
-    lanes p, q, guess;
-    words side; /* of P at p: its sign bit */
-} verdict;
-
-/* The count of a cell whose first sign is known, nothing of others. */
-INLINE signs count_range(const tile_range *part, lanes rounding, cell *c, mask *known, int n) {
-    cell_of(part, rounding, c, n);
-    *known = less(c->e[0], absolute(c->w[0]));
-    signs s = count_signs(c->w, c->e, n, 1);
-    return (signs){s.none & *known, s.one & *known};
-}
-
-INLINE verdict search_n(const tile_packet *g, const tile_range *whole, int n) {
-    tile_range part = *whole;
-    cell c = {.p = all_lanes(0), .q = all_lanes(1)};
-    verdict v = {no_lane(), no_lane(), c.p, c.q, c.p, (words)c.p};
-    mask open = g->open, known;
-    signs s = count_range(&part, g->rounding, &c, &known, n);
-    for (int turn = 0;; turn++) {
-        mask one = open & s.one, none = open & s.none, last = none & at_most(all_lanes(1), c.q);
-        lanes chord_root = c.p + (c.q - c.p) * (c.w[0] / (c.w[0] - c.w[n]));
-        v.empty |= last;
-        v.one |= one;
-        v.p = choose(open, choose(none, c.q, c.p), v.p);
-        v.q = choose(one, c.q, v.q);
-        v.guess = choose(one, chord_root, v.guess);
-        v.side = (words)choose(one, (lanes)c.side, (lanes)v.side);
-        open &= known & ~(last | one) & less(all_lanes(SHORTEST), c.q - c.p);
-        if (turn == TURNS || !any(open)) return v;
-        const mask again = open & none, on = open & ~none;
-        tile_range other;
-        if (any(on)) {
-            lanes at = split_point(&c, n, turn);
-            split_range(&part, &other, n, c.p, at, c.q);
-            mask right = on & count_range(&other, g->rounding, &c, &known, n).none;
-            c.p = choose(right, at, c.p);
-            c.q = choose(on & ~right, at, c.q);
-            choose_range(~right, &other, &part, n);
-        }
-        if (any(again)) {
-            cut_range(whole, &other, n, choose(again, c.q, all_lanes(0)), all_lanes(1));
-            choose_range(again, &other, &part, n);
-            c.p = choose(again, c.q, c.p);
-            c.q = choose(again, all_lanes(1), c.q);
-        }
-        s = count_range(&part, g->rounding, &c, &known, n);
-    }
-}
-
 #define SERIES_ROUNDS 4
 
 /* The series of the middle ray's root: Newton's method between p and q, where P has different signs. */
-INLINE void series_n(const tile_range *g, lanes x, lanes p, lanes q, words side, lanes z[6], int n) {
+INLINE void series_n(const beam *g, lanes x, lanes p, lanes q, words side, lanes z[6], int n) {
     for (int round = 0; round < SERIES_ROUNDS; round++) {
         jet f = jet_at(g->t[T00], n, x);
         mask before = ~negative((words)f.f ^ side);
@@ -273,9 +167,9 @@ INLINE void series_n(const tile_range *g, lanes x, lanes p, lanes q, words side,
 }
 
 /* Is that a sheet?  Narrows [p,q] to its cell; steep: n m / (high - low). */
-INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const tile_range *whole,
+INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const beam *whole,
                        const lanes z[6], lanes *p, lanes *q, lanes *steep, int n) {
-    tile_range part;
+    beam part;
     cell c;
     lanes first = absolute(z[1]) + absolute(z[2]);
     lanes reach = 1.25 * first + 2 * (absolute(z[3]) + absolute(z[4]) + absolute(z[5])) + LEAST_WIDTH;
@@ -285,7 +179,7 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
                  at_most(g->lo + to * length, g->most);
     *p = from = choose(sound, from, all_lanes(0));
     *q = to = choose(sound, to, all_lanes(1));
-    cut_range(whole, &part, n, from, to);
+    cut_beam(whole, &part, n, from, to);
     cell_of(&part, g->rounding, &c, n);
     sound &= less(c.e[0], c.w[0]) & less(c.e[n], -c.w[n]);
     lanes m = all_lanes(HUGE_VAL), rest = whole->rest[0];
@@ -330,10 +224,11 @@ INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *
 
 /* Tells of each tile what it is, and returns those that are not decided; p: no root before. */
 INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
-    tile_range whole;
+    beam whole;
     expand_tiles_n(job, g, n);
     range_of(g, &whole, n);
-    verdict v = search_n(g, &whole, n);
+    verdict v;
+    search(&whole, g->rounding, g->open, n, &v);
     mask sheets = g->open & v.one;
     *p = v.p;
     if (any(sheets)) {
