@@ -22,7 +22,8 @@ typedef struct run {
     algsurf_scene *scene;
     int rows; /* drawn: all, or the slice */
     uint8_t *pixels;
-    double *hits; /* null when not wanted */
+    double *hits;  /* null when not wanted */
+    uint8_t *ways; /* likewise */
     progress bar;
 } run;
 
@@ -85,10 +86,12 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
         "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nsingle_rays\t%" PRIu64
-        "\nshadow_rays\t%" PRIu64 "\niterations\t%" PRIu64
+        "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64 "\nshadow_rays\t%" PRIu64
+        "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64 "\nsheet_tiles\t%" PRIu64
+        "\nleaf_tiles\t%" PRIu64
         "\nexpand_s\t%.17g\nsolve_s\t%.17g\npoint_s\t%.17g\nshadow_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\n"
         "version\t%s\n";
-    enum { NUMBERS = 24 * 32 }; /* room for what the format's fields become */
+    enum { NUMBERS = 32 * 32 }; /* room for what the format's fields become */
     int is_complex = r->options->space.is_complex;
     char *surface = surface_text(&r->options->surface);
     size_t room = sizeof format + strlen(surface) + NUMBERS;
@@ -98,8 +101,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
              r->options->view.height, render_quality_name(r->options->quality),
              is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
              stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->single_rays,
-             stats->shadow_rays, stats->iterations, stats->expand_s, stats->solve_s, stats->point_s,
-             stats->shadow_s, stats->shade_s, stats->total_s, algsurf_version());
+             stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays, stats->iterations,
+             stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles, stats->expand_s,
+             stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
+             algsurf_version());
     output_text(set, path, text);
     free(text);
     free(surface);
@@ -107,7 +112,8 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
 
 static void write_heatmap(output_set *set, const char *path, run *r, const algsurf_extent *extent,
                           const algsurf_camera *camera) {
-    render_heatmap map = render_make_heatmap(r->options, r->surface, extent, camera, &r->bar);
+    render_heatmap map =
+        render_make_heatmap(r->options, r->surface, extent, camera, r->pixels, r->ways, &r->bar);
     output_image(set, path, r->options->heatmap_format, map.width, map.height, map.pixels);
     free(map.pixels);
 }
@@ -153,7 +159,7 @@ static void draw_picture(run *r, const view *shown, int picture) {
     algsurf_render_options how = {
         sizeof how,       options->view.width, options->view.height, options->row_begin,
         options->row_end, options->threads,    progress_rows,        &r->bar};
-    const algsurf_picture planes = {.size = sizeof planes, .pixels = r->pixels, .t = r->hits};
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = r->pixels, .t = r->hits, .way = r->ways};
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = options->frame > 0 ? 1 : picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
@@ -184,7 +190,8 @@ static void draw(const render_options *options, const algsurf_surface *surface,
     size_t count = (size_t)options->view.width * (size_t)r.rows;
     r.pixels = malloc(3 * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
-    if (!r.pixels || (options->hits && !r.hits)) cli_no_memory();
+    if (options->heatmap) r.ways = malloc(count);
+    if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
     int first = options->frame > 0 ? options->frame - 1 : 0;
     int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
     progress_begin(&r.bar, options->progress, end - first);
@@ -193,6 +200,7 @@ static void draw(const render_options *options, const algsurf_surface *surface,
     algsurf_scene_free(r.scene);
     free(r.pixels);
     free(r.hits);
+    free(r.ways);
 }
 
 int main(int argc, char **argv) {

@@ -1,7 +1,7 @@
 /* render_legend.c - see render_legend.h.
  *
  * The colours of costs are viridis (van der Walt and Smith, 2015): brighter is more, to every eye, and no
- * red, which is left to what doubles leave open.
+ * red, which is left to what doubles leave open, nor brown, which is left to sheets.
  */
 #include "render_legend.h"
 
@@ -10,7 +10,8 @@
 
 #include "canvas.h"
 
-const legend_colour legend_no_chord = {{224, 224, 224}}, legend_left_open = {{230, 0, 60}};
+const legend_colour legend_empty = {{222, 234, 244}}, legend_sheet = {{238, 190, 140}},
+                    legend_no_chord = {{224, 224, 224}}, legend_left_open = {{230, 0, 60}};
 
 static const uint8_t viridis[10][3] = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142},
                                        {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {109, 205, 89},
@@ -69,6 +70,9 @@ void render_draw_legend(const render_legend *legend, uint8_t *pixels, int width,
     y += EDGE;
     canvas_write(&c, EDGE, y, "intervals + evaluations a ray");
     draw_bar(&c, y + LINE, legend->top);
-    int x = draw_swatch(&c, EDGE, y + 3 * LINE - 2, legend_no_chord, "no chord");
-    draw_swatch(&c, x, y + 3 * LINE - 2, legend_left_open, text);
+    y += 3 * LINE - 2;
+    int x = draw_swatch(&c, EDGE, y, legend_no_chord, "no chord");
+    x = draw_swatch(&c, x, y, legend_empty, "empty tile");
+    draw_swatch(&c, x, y, legend_sheet, "sheet");
+    draw_swatch(&c, EDGE, y + LINE, legend_left_open, text);
 }

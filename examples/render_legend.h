@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LEGEND_WIDTH = 400, LEGEND_HEIGHT = 104 }; /* pixels; the strip may be wider */
+enum { LEGEND_WIDTH = 400, LEGEND_HEIGHT = 128 }; /* pixels; the strip may be wider */
 
 typedef struct legend_colour {
     uint8_t rgb[3];
@@ -15,7 +15,7 @@ typedef struct render_legend {
     size_t left_open; /* pixels */
 } render_legend;
 
-extern const legend_colour legend_no_chord, legend_left_open;
+extern const legend_colour legend_empty, legend_sheet, legend_no_chord, legend_left_open;
 
 /* On a logarithmic scale from 1 to top. */
 legend_colour legend_cost(double cost, int top);

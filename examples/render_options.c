@@ -150,15 +150,19 @@ static const cli_option options_table[] = {
      "along the unit ray from the eye, NaN where none",
      cli_set_text, FIELD(hits)},
     {"--heatmap", "FILE",
-     "a second picture, with a legend: what the ray through the middle of each\n"
-     "pixel costs (intervals looked at, and evaluations, counted for single\n"
+     "a second picture, with a legend: which tiles of pixels were proved empty, or\n"
+     "to see one sheet of the surface; of the other pixels, what the ray through\n"
+     "the middle costs (intervals looked at, and evaluations, counted for single\n"
      "rays on one thread), and which rays doubles leave open; names as --output",
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
      "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
      "rays: samples of the picture; hits, uncertain: of them; single_rays: of them,\n"
-     "those not solved together with their row; shadow_rays: to lights;\n"
+     "those not solved together with their row; exact_rays: of these, decided by\n"
+     "integers; empty_rays, sheet_rays: decided by tiles; shadow_rays: to lights;\n"
      "iterations: corrections of roots in complex space, 0 for a real surface;\n"
+     "tiles: of pixels, that were searched; empty_tiles, sheet_tiles: of them,\n"
+     "that decide all of their rays; leaf_tiles: of them, the smallest that do not;\n"
      "expand_s, solve_s, point_s, shadow_s, shade_s: seconds for the surface in the\n"
      "view, for roots, positions and normals, shadows, colours, each summed over\n"
      "threads; total_s: seconds by the clock, without reading and writing files",

@@ -16,7 +16,7 @@ typedef struct picture {
     uint8_t bytes[H * STRIDE];
     double hits[H * W];
     float normals[H * W * 3];
-    unsigned char states[H * W];
+    unsigned char states[H * W], ways[H * W];
     algsurf_render_stats stats;
 } picture;
 
@@ -28,7 +28,8 @@ static inline algsurf_picture planes_of(picture *p, int row) {
                              .stride = STRIDE,
                              .t = p->hits + first * W,
                              .normals = p->normals + first * W * 3,
-                             .state = p->states + first * W};
+                             .state = p->states + first * W,
+                             .way = p->ways + first * W};
 }
 
 static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
@@ -91,6 +92,7 @@ static inline void assert_same_row(const picture *a, const picture *b, int row) 
     assert_memory_equal(a->hits + first * W, b->hits + first * W, W * sizeof *a->hits);
     assert_memory_equal(a->normals + first * W * 3, b->normals + first * W * 3, 3 * W * sizeof *a->normals);
     assert_memory_equal(a->states + first * W, b->states + first * W, W);
+    assert_memory_equal(a->ways + first * W, b->ways + first * W, W);
 }
 
 static inline void assert_same_picture(const picture *a, const picture *b) {
@@ -98,6 +100,7 @@ static inline void assert_same_picture(const picture *a, const picture *b) {
     assert_memory_equal(a->hits, b->hits, sizeof a->hits);
     assert_memory_equal(a->normals, b->normals, sizeof a->normals);
     assert_memory_equal(a->states, b->states, sizeof a->states);
+    assert_memory_equal(a->ways, b->ways, sizeof a->ways);
 }
 
 #endif

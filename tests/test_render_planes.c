@@ -243,7 +243,7 @@ static void alpha(void **state) {
 /* Each choice of planes gets the bytes of a picture with all of them, the others stay as they were; so do
  * those of a transparent picture, with and without a threshold of antialiasing, of any kernel. */
 static void check_choices(const algsurf_scene *scene, const picture *whole, int shaded) {
-    for (int choice = 0; choice < 16; choice++) {
+    for (int choice = 0; choice < 32; choice++) {
         picture p, expected;
         const algsurf_render_options o = options_for(2);
         algsurf_picture planes = planes_of(&p, 0);
@@ -252,10 +252,12 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
         if (choice & 2) memcpy(expected.hits, whole->hits, sizeof p.hits);
         if (choice & 4) memcpy(expected.normals, whole->normals, sizeof p.normals);
         if (choice & 8) memcpy(expected.states, whole->states, sizeof p.states);
+        if (choice & 16) memcpy(expected.ways, whole->ways, sizeof p.ways);
         if (!(choice & 1)) planes.pixels = NULL, planes.stride = 1, planes.format = 77;
         if (!(choice & 2)) planes.t = NULL;
         if (!(choice & 4)) planes.normals = NULL;
         if (!(choice & 8)) planes.state = NULL;
+        if (!(choice & 16)) planes.way = NULL;
         assert_int_equal(algsurf_render(scene, &o, &planes, &p.stats), ALGSURF_OK);
         assert_same_picture(&p, &expected);
         assert_true(p.stats.rays == whole->stats.rays && p.stats.hits == whole->stats.hits);

@@ -30,7 +30,7 @@ typedef struct slice {
     uint8_t bytes[ROWS * WIDTH * 4];
     double t[ROWS * WIDTH];
     float normals[ROWS * WIDTH * 3];
-    unsigned char states[ROWS * WIDTH];
+    unsigned char states[ROWS * WIDTH], ways[ROWS * WIDTH];
 } slice;
 
 typedef struct view {
@@ -91,7 +91,8 @@ static void draw(const view *v, const algsurf_scene *scene, int begin, int end, 
                                     .format = ALGSURF_RGBA8,
                                     .t = s->t + first,
                                     .normals = s->normals + 3 * first,
-                                    .state = s->states + first};
+                                    .state = s->states + first,
+                                    .way = s->ways + first};
     const algsurf_render_options o = {.size = sizeof o,
                                       .width = WIDTH,
                                       .height = HEIGHT,

@@ -129,6 +129,16 @@ typedef struct algsurf_render_stats {
     double point_s;       /* seconds spent in positions and normals of what packets found */
     double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
     const char *kernel;   /* the SIMD code's name (algsurf_kernel_name) */
+    uint64_t tiles;       /* of pixels that were searched, 16, 8 and 4 to a side: some are empty, some are
+                             sheets (algsurf_way), of the others those of 4 are leaves, larger ones were
+                             quartered.  A band of 16 rows that several slices share is searched, and
+                             counted, by each of them; else tiles are the same for any slices and threads */
+    uint64_t empty_tiles; /* of them */
+    uint64_t sheet_tiles; /* of them */
+    uint64_t leaf_tiles;  /* of them */
+    uint64_t empty_rays;  /* of all rays: those in empty tiles */
+    uint64_t sheet_rays;  /* of all rays: those whose hit is their tile's sheet */
+    uint64_t exact_rays;  /* of the single rays: those that integers decided */
 } algsurf_render_stats;
 
 /* How the pixels of a picture lie in memory, 8 bits a channel. */
@@ -139,6 +149,15 @@ typedef enum algsurf_pixel_format {
      * multiplied by alpha; both are 0 where there are none. */
     ALGSURF_RGBA8 = 1
 } algsurf_pixel_format;
+
+/* How a ray of a picture was decided. */
+typedef enum algsurf_way {
+    ALGSURF_WAY_EMPTY = 0, /* with its tile: a proof that no ray of the tile hits */
+    ALGSURF_WAY_SHEET = 1, /* with its tile: each ray has one first root in a proved bracket, which Newton's
+                              method finds */
+    ALGSURF_WAY_ROW = 2,   /* by its own polynomial, side by side with others of its row */
+    ALGSURF_WAY_SINGLE = 3 /* as a ray by itself */
+} algsurf_way;
 
 /* Where a picture goes: planes of the caller's memory, which do not overlap.  A null plane is not asked for;
  * without pixels nothing is shaded.  Each plane has an entry for each pixel of the rows drawn, top row first,
@@ -161,6 +180,9 @@ typedef struct algsurf_picture {
                               viewer; all 0 where that is, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the
                               undecided place; MISS where no sample shows anything */
+    unsigned char *way;    /* way & 3: the largest algsurf_way of the pixel's samples; way & ~3: the side, 16,
+                              8 or 4, of the tile that it lies in, 0 where there are no tiles.  A tile's first
+                              pixel is at multiples of its side in the whole picture */
 } algsurf_picture;
 
 /* Draws rows row_begin .. row_end-1 of the picture.

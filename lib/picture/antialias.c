@@ -24,7 +24,7 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     const algsurf_i_shown own = line->shown, *shown = &middles->shown[row % 3];
     algsurf_i_tally *counts = &middles->counts[row % 3];
     *counts = (algsurf_i_tally){0};
-    memset(shown->samples, 0, (size_t)picture->width * sizeof *shown->samples);
+    algsurf_i_begin_shown(shown, picture->width);
     worker->trail.row = -1;
     line->coloured = 1;
     line->shown = *shown;

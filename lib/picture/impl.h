@@ -17,6 +17,7 @@
 #define ALGSURF_RENDER_IMPL_H
 #include <stdatomic.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "kernel.h"
 #include "scene_impl.h"
@@ -30,6 +31,7 @@ typedef struct algsurf_i_shown {
     double *nearest;   /* their smallest t */
     double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
     uint8_t *state;    /* the int there, or null likewise */
+    uint8_t *way;      /* the largest algsurf_picture.way of all samples, or null likewise */
 } algsurf_i_shown;
 
 /* The points of a row that are seen through one sample of its pixels, and what the pixels show. */
@@ -45,16 +47,23 @@ typedef struct algsurf_i_line {
     double *depth;     /* of each pixel: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
     uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    uint8_t *way;      /* of each pixel: as algsurf_picture.way; null: it is not asked for */
     algsurf_i_shown shown;
 } algsurf_i_line;
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 
+/* Tiles that were searched, and what they were found to be; the others were quartered. */
+typedef struct algsurf_i_tile_counts {
+    uint64_t all, empty, sheets, leaves;
+} algsurf_i_tile_counts;
+
 /* The tiles of a band of rows. */
 typedef struct algsurf_i_band {
     int number;  /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
     int bounded; /* 0: its rays reach beyond the bounds of forms, and there are no tiles */
-    int *cell;   /* as in algsurf_i_tile_job */
+    algsurf_i_tile_counts counts;
+    int *cell; /* as in algsurf_i_tile_job */
     algsurf_i_tile *tiles;
 } algsurf_i_band;
 
@@ -108,6 +117,8 @@ typedef struct algsurf_i_trail {
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
     uint64_t rays, hits, undecided, shadow_rays, iterations, single_rays;
+    uint64_t empty_rays, sheet_rays, exact_rays;
+    algsurf_i_tile_counts tiles;
     uint64_t without_memory; /* packets of rays of which some could not be decided for want of memory */
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
@@ -163,6 +174,12 @@ algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, a
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_worker *worker, algsurf_i_tally *tally);
 
+/* No sample has been drawn yet. */
+static inline void algsurf_i_begin_shown(const algsurf_i_shown *shown, int width) {
+    memset(shown->samples, 0, (size_t)width * sizeof *shown->samples);
+    if (shown->way) memset(shown->way, 0, (size_t)width);
+}
+
 /* Is t less than that of each sample of pixel x so far? */
 static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
     return shown->samples[x] == 0 || t < shown->nearest[x];
@@ -214,6 +231,10 @@ int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packet
 /* The tiles of the band that the row lies in; null: there are none. */
 const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling);
 
+/* Counts the band that the row lies in, if it is the first row of it that is drawn. */
+void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
+                           algsurf_i_tally *tally);
+
 /* As algsurf_i_render_packets, for a row of a band that has tiles. */
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
@@ -230,7 +251,8 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
 algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_line *line, algsurf_i_tally *tally);
 
-/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and counts it. */
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
+ * counts it. */
 void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
                         algsurf_i_tally *tally);
 

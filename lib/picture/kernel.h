@@ -55,7 +55,8 @@ typedef struct algsurf_i_tile_job {
     int count, *at;        /* the tiles' first pixels, */
     double *from;          /* there is nothing before these depths */
     double noise;          /* bound on rounding of P as the points' kernel evaluates it */
-    int *cell;             /* of each leaf's place, at (y / 4) stride + x / 4: 0 empty, else its tile + 1 */
+    int *cell;             /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is
+                              empty, -side, as the caller has set it */
     int stride, from_y;    /* y of the first places */
     algsurf_i_tile *tiles; /* room for as many as there are places */
     int tile_count;

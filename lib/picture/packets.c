@@ -6,6 +6,7 @@
 
 #include "camera_impl.h"
 #include "impl.h"
+#include "../rays/intersect_impl.h"
 
 enum { GROUP = 16 }; /* doubtful pixels that are solved together */
 
@@ -115,8 +116,8 @@ static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pix
         .position = {position[0], position[1], position[2]},
         .normal = {normal[0], normal[1], normal[2]},
     };
-    algsurf_status status =
-        algsurf_intersect_packet(scene->surface, &scene->extent, &rays, &scene->intersect, &hits);
+    algsurf_status status = algsurf_i_intersect_packet(scene->surface, &scene->extent, &rays,
+                                                       &scene->intersect, &hits, &tally->exact_rays);
     if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
     tally->without_memory += status < 0;
     for (size_t i = 0; i < d->count; i++) {

@@ -108,7 +108,14 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
                                  .expand_s = total->expand_s,
                                  .point_s = total->point_s,
                                  .shadow_s = total->shadow_s,
-                                 .kernel = kernel};
+                                 .kernel = kernel,
+                                 .tiles = total->tiles.all,
+                                 .empty_tiles = total->tiles.empty,
+                                 .sheet_tiles = total->tiles.sheets,
+                                 .leaf_tiles = total->tiles.leaves,
+                                 .empty_rays = total->empty_rays,
+                                 .sheet_rays = total->sheet_rays,
+                                 .exact_rays = total->exact_rays};
     algsurf_options_write(stats, &ours, sizeof ours);
 }
 
@@ -153,6 +160,7 @@ static void lay_out_shown(algsurf_i_shown *shown, size_t width, const algsurf_pi
     shown->nearest = take(doubles, width + APART);
     shown->normal = planes->normals ? take(doubles, 3 * (width + APART)) : NULL;
     shown->state = planes->state ? take_bytes(bytes, width) : NULL;
+    shown->way = planes->way ? take_bytes(bytes, width) : NULL;
 }
 
 /* Places of leaves in a band. */
@@ -238,7 +246,8 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
                sizeof *memory->doubles);
     memory->ints = calloc(count * (width + tiled * width + 4 * places), sizeof *memory->ints);
     memory->counts = calloc(count * width * rows, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES);
+    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES +
+                                              (planes->way ? 1 + rows : 0));
     if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes) return 0;
     double *doubles = memory->doubles;
     int *ints = memory->ints;
@@ -248,6 +257,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->line.pixel = take_ints(&ints, width);
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
+        worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
         lay_out_line(&worker->line, width, lights, &doubles);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)

@@ -35,6 +35,7 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
     const algsurf_i_points *points = &line->points;
     int i = line->count;
     line->state[x] = (uint8_t)hit->state;
+    if (line->way) line->way[x] |= ALGSURF_WAY_SINGLE;
     tally->hits += hit->state == ALGSURF_HIT;
     tally->undecided += hit->state == ALGSURF_UNDECIDED;
     if (hit->state == ALGSURF_MISS) return;
@@ -109,6 +110,11 @@ static void keep_nearest(const algsurf_i_line *line) {
     }
 }
 
+static void raise_ways(uint8_t *way, const uint8_t *other, int width) {
+    for (int x = 0; way && x < width; x++)
+        if (way[x] < other[x]) way[x] = other[x];
+}
+
 /* Adds a pass's points to what the pixels show. */
 static void add_pass(const algsurf_i_line *line) {
     for (int i = 0; i < line->count; i++) {
@@ -165,6 +171,7 @@ static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown 
         planes->t[first + (size_t)x] = samples[x] > 0 ? shown->nearest[x] : INFINITY;
     for (int x = 0; planes->state && x < width; x++)
         planes->state[first + (size_t)x] = samples[x] > 0 ? shown->state[x] : ALGSURF_MISS;
+    if (planes->way) memcpy(planes->way + first, shown->way, (size_t)width);
     for (int x = 0; planes->normals && x < width; x++) {
         float *normal = planes->normals + 3 * (first + (size_t)x);
         for (int k = 0; k < 3; k++) normal[k] = samples[x] > 0 ? (float)shown->normal[3 * x + k] : 0;
@@ -177,6 +184,7 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     algsurf_i_line *line = &worker->line;
     line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
+    if (line->way) memset(line->way, ALGSURF_WAY_ROW, (size_t)picture->width);
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     return status == ALGSURF_OK && line->coloured ? shade_line(picture, line, tally) : status;
@@ -187,6 +195,7 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     algsurf_status status = see(picture, row, sx, sy, worker, tally);
     if (status == ALGSURF_OK) {
         keep_nearest(&worker->line);
+        raise_ways(worker->line.shown.way, worker->line.way, picture->width);
         add_pass(&worker->line);
     }
     return status;
@@ -202,6 +211,7 @@ static void store_points(const algsurf_i_picture *picture, const algsurf_i_line 
     if (bytes) fill_background(picture, channels, bytes);
     for (int x = 0; planes->t && x < width; x++) planes->t[first + (size_t)x] = INFINITY;
     if (planes->state) memset(planes->state + first, ALGSURF_MISS, (size_t)width);
+    if (planes->way) memcpy(planes->way + first, line->way, (size_t)width);
     if (planes->normals) memset(planes->normals + 3 * first, 0, 3 * (size_t)width * sizeof *planes->normals);
     for (int i = 0; i < line->count; i++) {
         size_t x = (size_t)line->pixel[i];
@@ -225,7 +235,10 @@ static void store_row(const algsurf_i_picture *picture, int row, algsurf_i_worke
         algsurf_i_store_colours(picture, shown, n * n, picture->channels, bytes);
         if (picture->selective) algsurf_i_store_middles(picture, row, worker, bytes);
     }
-    if (picture->selective) algsurf_i_add_middles(picture, row, 0, worker);
+    if (picture->selective) {
+        algsurf_i_add_middles(picture, row, 0, worker);
+        raise_ways(shown->way, worker->middles.shown[row % 3].way, picture->width);
+    }
     store_geometry(planes, shown, index * (size_t)picture->width, picture->width);
 }
 
@@ -237,7 +250,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     int n = picture->scene->antialias;
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
     line->coloured = picture->planes.pixels != NULL;
-    memset(line->shown.samples, 0, (size_t)picture->width * sizeof *line->shown.samples);
+    algsurf_i_begin_shown(&line->shown, picture->width);
     for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
         if (picture->selective && 2 * k + 1 == n * n)
             algsurf_i_add_middles(picture, row, 1, worker);
@@ -248,14 +261,22 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     return status;
 }
 
+/* One sample a pixel. */
+static algsurf_status render_points(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                    algsurf_i_tally *tally) {
+    worker->line.coloured = picture->planes.pixels != NULL;
+    algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
+    if (status == ALGSURF_OK) store_points(picture, &worker->line, (size_t)(row - picture->row_begin));
+    return status;
+}
+
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     line->wanted = NULL;
     line->wanted_count = picture->width;
-    if (picture->scene->antialias > 1) return render_samples(picture, row, worker, tally);
-    line->coloured = picture->planes.pixels != NULL;
-    algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
-    if (status == ALGSURF_OK) store_points(picture, line, (size_t)(row - picture->row_begin));
+    algsurf_status status = picture->scene->antialias > 1 ? render_samples(picture, row, worker, tally)
+                                                          : render_points(picture, row, worker, tally);
+    if (picture->tiled) algsurf_i_count_tiles(picture, row, &worker->tiling, tally);
     return status;
 }

@@ -54,6 +54,13 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->shadow_rays += more->shadow_rays;
     total->iterations += more->iterations;
     total->single_rays += more->single_rays;
+    total->empty_rays += more->empty_rays;
+    total->sheet_rays += more->sheet_rays;
+    total->exact_rays += more->exact_rays;
+    total->tiles.all += more->tiles.all;
+    total->tiles.empty += more->tiles.empty;
+    total->tiles.sheets += more->tiles.sheets;
+    total->tiles.leaves += more->tiles.leaves;
     total->without_memory += more->without_memory;
     total->expand_s += more->expand_s;
     total->solve_s += more->solve_s;

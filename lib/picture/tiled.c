@@ -25,12 +25,18 @@ static void add_leaf(algsurf_i_tiling *t, int x, double low) {
     t->leaf_low[t->leaves++] = low;
 }
 
+static void set_ways(algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
+    if (line->way) memset(line->way + first, side + (int)way, (size_t)(end - first));
+}
+
 /* Pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
                          algsurf_i_line *line, algsurf_i_tiling *t) {
     const double *c = tile->depth;
     double eta = (y - tile->y) * tile->inverse, at_zero = c[0] + eta * (c[2] + eta * c[5]);
     double slope = c[1] + eta * c[4];
+    set_ways(line, first, end, (int)(2 / tile->inverse),
+             tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
     for (int x = first; x < end; x++) {
         double xi = (x + sx - tile->x) * tile->inverse;
         if (line->wanted && !line->wanted[x]) continue;
@@ -49,10 +55,11 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
     worker->tiling.leaves = 0;
     for (int first = 0, end; first < places; first = end) {
         for (end = first + 1; end < places && cell[end] == cell[first];) end++;
-        if (cell[first] == 0) continue;
-        int x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
-        collect_tile(band->tiles + cell[first] - 1, first * ALGSURF_I_LEAF, x_end, y, sx, &worker->line,
-                     &worker->tiling);
+        int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
+        if (cell[first] < 0)
+            set_ways(&worker->line, x, x_end, -cell[first], ALGSURF_WAY_EMPTY);
+        else
+            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling);
     }
 }
 
@@ -72,6 +79,7 @@ static void keep_sure(algsurf_i_line *line, algsurf_i_tiling *t) {
         int x = line->pixel[i];
         if (!t->sure[i]) {
             add_leaf(t, x, t->low[i]);
+            if (line->way) line->way[x] += ALGSURF_WAY_ROW - ALGSURF_WAY_SHEET;
             continue;
         }
         if (kept < i) move_point(&line->points, i, kept);
@@ -131,10 +139,12 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     memset(line->state, ALGSURF_LANE_MISS, (size_t)picture->width);
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     collect(picture, band, row + sy, sx, worker);
+    tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
     double collected = algsurf_i_render_clock();
     if (line->count > 0) find_sheets(picture, &points, worker);
     double found = algsurf_i_render_clock();
     int sheets = line->count;
+    tally->sheet_rays += (uint64_t)sheets;
     int doubtful = worker->tiling.leaves > 0 && solve_leaves(picture, &job, worker);
     double solved = algsurf_i_render_clock();
     if (line->count > sheets) {

@@ -12,7 +12,6 @@
 #include "impl.h"
 
 #include <math.h>
-#include <string.h>
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
 #define FEW 0.13 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
@@ -62,6 +61,17 @@ static void take_halves(const tile_list *large, int size, int width, tile_list *
     }
 }
 
+/* Their places as those of empty tiles, until they are found to be others. */
+static void set_empty(const algsurf_i_tile_job *job, const tile_list *list) {
+    int side = job->size / ALGSURF_I_LEAF, row = (job->y - job->from_y) / ALGSURF_I_LEAF;
+    for (int i = 0; i < list->count; i++) {
+        int first = list->at[i] / ALGSURF_I_LEAF;
+        int end = first + side < job->stride ? first + side : job->stride;
+        for (int r = row; r < row + side; r++)
+            for (int x = first; x < end; x++) job->cell[r * job->stride + x] = -job->size;
+    }
+}
+
 /* Searches the tiles of a list, of which those not decided are left. */
 static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, tile_list *list,
                         algsurf_i_tile_job *job) {
@@ -69,11 +79,19 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h), t->square, &t->beam);
+    set_empty(job, list);
     job->count = list->count;
     job->at = list->at;
     job->from = list->from;
     picture->code->search_tiles(job);
     list->count = job->count;
+}
+
+static algsurf_i_tile_counts count_tiles(const algsurf_i_tile_job *job, uint64_t all, uint64_t quartered) {
+    algsurf_i_tile_counts counts = {.all = all, .empty = all - quartered - (uint64_t)job->tile_count};
+    for (int i = 0; i < job->tile_count; i++) counts.sheets += job->tiles[i].enough > 0;
+    counts.leaves = (uint64_t)job->tile_count - counts.sheets;
+    return counts;
 }
 
 /* Are all rays of the band, and of tiles that reach beyond the picture, within the bounds of forms? */
@@ -105,7 +123,7 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
                               .from_y = band->number * ALGSURF_I_TILES,
                               .tiles = band->tiles};
     tile_list lists[2][LEVELS_ROWS];
-    memset(band->cell, 0, (size_t)(job.stride * LEVELS_ROWS) * sizeof *band->cell);
+    uint64_t all = 0, quartered = 0;
     job.size = ALGSURF_I_TILES;
     for (int level = 0; job.size >= ALGSURF_I_LEAF; level++, job.size /= 2) {
         int rows = ALGSURF_I_TILES / job.size;
@@ -118,9 +136,12 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
             else
                 take_halves(&larger[r / 2], job.size, picture->width, &list[r]);
             if (job.y >= picture->height) list[r].count = 0;
+            all += (uint64_t)list[r].count;
             if (list[r].count > 0) search_list(picture, t, &list[r], &job);
+            if (job.size > ALGSURF_I_LEAF) quartered += (uint64_t)list[r].count;
         }
     }
+    band->counts = count_tiles(&job, all, quartered);
 }
 
 const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling) {
@@ -129,7 +150,16 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
     if (band->number != number) {
         band->number = number;
         band->bounded = within_bounds(picture, number * ALGSURF_I_TILES);
+        band->counts = (algsurf_i_tile_counts){0};
         if (band->bounded) search_band(picture, tiling, band);
     }
     return band->bounded ? band : NULL;
+}
+
+void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
+                           algsurf_i_tally *tally) {
+    int number = row / ALGSURF_I_TILES;
+    const algsurf_i_band *band = &tiling->band[number % 2];
+    if (row % ALGSURF_I_TILES != 0 && row != picture->row_begin) return;
+    if (band->number == number) algsurf_i_tally_add(tally, &(algsurf_i_tally){.tiles = band->counts});
 }

@@ -265,12 +265,16 @@ static algsurf_status decide(const algsurf_surface *surface, const algsurf_exten
 
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
                                          const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                         const algsurf_intersect_options *options, algsurf_hit *hit) {
+                                         const algsurf_intersect_options *options, algsurf_hit *hit,
+                                         uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
     int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, found) : -1;
-    if (count < 0) status = decide(surface, extent, ray, eye, options, ALGSURF_WANT_FIRST, found, &count);
+    if (count < 0) {
+        *exact += options->tier != ALGSURF_TIER_BOUNDED;
+        status = decide(surface, extent, ray, eye, options, ALGSURF_WANT_FIRST, found, &count);
+    }
     if (status != ALGSURF_OK) return status;
     if (count)
         *hit = found[0];

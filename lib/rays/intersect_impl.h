@@ -23,11 +23,20 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
 /* Can the lanes square what is shown, in the surface's unit? */
 int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_extent *extent);
 
+/* algsurf_intersect_packet, in the standard floating-point environment; exact: the rays that integers decided
+ * are added to it. */
+algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,
+                                          const algsurf_ray_packet *rays,
+                                          const algsurf_intersect_options *options,
+                                          const algsurf_hit_packet *hits, uint64_t *exact);
+
 /* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
- * floating-point environment: OK or E_NO_MEMORY.  eye: null, or P about the origin (exact.h). */
+ * floating-point environment: OK or E_NO_MEMORY.  eye: null, or P about the origin (exact.h).  exact: 1 is
+ * added where integers decide. */
 algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
                                          const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                         const algsurf_intersect_options *options, algsurf_hit *hit);
+                                         const algsurf_intersect_options *options, algsurf_hit *hit,
+                                         uint64_t *exact);
 algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
                                   int *state);

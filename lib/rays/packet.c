@@ -190,7 +190,7 @@ static const algsurf_i_exact_eye *make_eye(const query *q, const unsigned char *
 /* The rays that packets leave undecided, one by one; and what packets do not write. */
 static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surface *surface,
                                               const algsurf_extent *extent, const algsurf_i_rays_hits *hits,
-                                              const algsurf_hit_packet *known) {
+                                              const algsurf_hit_packet *known, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     algsurf_limb block[EYE_WORDS];
     algsurf_memory memory;
@@ -205,7 +205,8 @@ static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surf
         }
         algsurf_ray ray = ray_of(&q->rays, i);
         algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(surface, extent, &ray, shared, &q->options, &hit);
+        algsurf_status one =
+            algsurf_i_intersect_first(surface, extent, &ray, shared, &q->options, &hit, exact);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -217,10 +218,11 @@ static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surf
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                             const algsurf_ray_packet *rays,
-                                             const algsurf_intersect_options *options,
-                                             const algsurf_hit_packet *to) {
+ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface,
+                                                           const algsurf_extent *extent,
+                                                           const algsurf_ray_packet *rays,
+                                                           const algsurf_intersect_options *options,
+                                                           const algsurf_hit_packet *to, uint64_t *exact) {
     query q;
     algsurf_hit_packet known;
     if (!to || !algsurf_options_read(&known, sizeof known, to)) return ALGSURF_E_ARGUMENT;
@@ -238,7 +240,7 @@ static ALGSURF_NOINLINE algsurf_status first(const algsurf_surface *surface, con
         .normal = {known.normal[0], known.normal[1], known.normal[2]},
     };
     solve_together(&q, 0, 0, &hits);
-    return finish(&q, surface, extent, &hits, &known);
+    return finish(&q, surface, extent, &hits, &known, exact);
 }
 
 static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
@@ -259,6 +261,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     algsurf_hit found;
     unsigned char state;
     int8_t side = 0;
+    uint64_t exact = 0;
     const algsurf_ray_packet rays = packet_of(ray);
     algsurf_status status = prepare(&q, surface, extent, &rays, options);
     if (status != ALGSURF_OK) return status;
@@ -273,7 +276,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     };
     solve_together(&q, 0, 1, &hits);
     if (state == ALGSURF_LANE_DOUBTFUL)
-        return algsurf_i_intersect_first(surface, extent, ray, NULL, &q.options, hit);
+        return algsurf_i_intersect_first(surface, extent, ray, NULL, &q.options, hit, &exact);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;
@@ -298,8 +301,9 @@ algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const al
                                         const algsurf_intersect_options *options,
                                         const algsurf_hit_packet *hits) {
     algsurf_fpenv saved;
+    uint64_t exact = 0;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = first(surface, extent, rays, options, hits);
+    algsurf_status status = algsurf_i_intersect_packet(surface, extent, rays, options, hits, &exact);
     algsurf_fpenv_leave(&saved);
     return status;
 }

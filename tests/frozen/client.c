@@ -203,7 +203,7 @@ static int count_rows(int rows_done, int rows_total, void *data) {
 
 static void check_picture(const algsurf_surface *s) {
     enum { W = 16, H = 12, MIDDLE = W * H / 2 + W / 2 };
-    static unsigned char pixels[3 * W * H], state[W * H];
+    static unsigned char pixels[3 * W * H], state[W * H], way[W * H];
     static double t[W * H];
     static float normals[3 * W * H];
     const double eye[3] = {0, 0, 4}, look_at[3] = {0, 0, 0}, up[3] = {0, 1, 0}, black[3] = {0, 0, 0};
@@ -225,7 +225,7 @@ static void check_picture(const algsurf_surface *s) {
     BLANK(algsurf_render_stats, stats);
     BLANK(algsurf_picture, planes);
     planes.size = sizeof planes, planes.pixels = pixels, planes.stride = 3 * W, planes.format = ALGSURF_RGB8;
-    planes.t = t, planes.normals = normals, planes.state = state;
+    planes.t = t, planes.normals = normals, planes.state = state, planes.way = way;
     o.width = W, o.height = H, o.row_begin = 0, o.row_end = H, o.threads = 2;
     o.progress = count_rows, o.progress_data = &rows;
     CHECK(algsurf_render(scene, at_edge(&o, sizeof o), at_edge(&planes, sizeof planes), NULL) == ALGSURF_OK);
@@ -238,6 +238,7 @@ static void check_picture(const algsurf_surface *s) {
     }
     CHECK(pixels[0] == 0 && pixels[3 * MIDDLE] > 100);
     CHECK(state[0] == ALGSURF_MISS && isinf(t[0]) && normals[2] == 0);
+    CHECK(way[0] <= ALGSURF_WAY_SINGLE);
     CHECK(state[MIDDLE] == ALGSURF_HIT && t[MIDDLE] > 2 && t[MIDDLE] < 4 && normals[3 * MIDDLE + 2] > 0.9F);
     algsurf_scene_free(scene);
 }

@@ -1,0 +1,332 @@
+/* test_render_ways.c - how each pixel of a picture was decided, and what was counted: the plane of ways
+ * against the states, the counts against the plane, and both by slices and threads.
+ *
+ * Breaks tried, each caught by the test named:
+ *   an empty tile told with the side of its quarters, or of the one it is a quarter of   tiles
+ *   a sheet told where Newton's method gave up, a leaf told as a sheet                   counts
+ *   tiles beyond the picture's right edge counted, or those quartered counted as empty   counts
+ *   a band counted by each of its rows, by no slice that begins inside it, or by each
+ *   worker that draws its middles                                                        slices
+ *   the way of the sample drawn last; of pixels that get one sample, none                samples
+ *   single rays all counted as exact, or those of the bounded tier                       exact
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "catalogue.h"
+#include "algsurf/algsurf.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { WIDTH = 347, HEIGHT = 331, LARGEST = 16, SMALLEST = 4, KIND = 3 };
+
+typedef struct drawn {
+    unsigned char ways[HEIGHT * WIDTH], states[HEIGHT * WIDTH];
+    algsurf_render_stats stats;
+} drawn;
+
+static algsurf_camera camera_of(const algsurf_extent *extent) {
+    const double eye[3] = {2.2 * extent->size[0], -3.3 * extent->size[0], 1.1 * extent->size[0]},
+                 up[3] = {0, 0, 1};
+    algsurf_camera camera;
+    assert_int_equal(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera), ALGSURF_OK);
+    return camera;
+}
+
+static algsurf_surface *surface_of(const char *equation) {
+    algsurf_surface *surface = NULL;
+    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    return surface;
+}
+
+static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
+                               const algsurf_intersect_options *how) {
+    const algsurf_camera camera = camera_of(extent);
+    algsurf_scene *scene = NULL;
+    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+    return scene;
+}
+
+/* Rows from `begin` to end - 1 of d. */
+static void draw(const algsurf_scene *scene, int begin, int end, int threads, drawn *d) {
+    const algsurf_picture planes = {.size = sizeof planes,
+                                    .way = d->ways + (size_t)begin * WIDTH,
+                                    .state = d->states + (size_t)begin * WIDTH};
+    const algsurf_render_options o = {.size = sizeof o,
+                                      .width = WIDTH,
+                                      .height = HEIGHT,
+                                      .row_begin = begin,
+                                      .row_end = end,
+                                      .threads = threads};
+    d->stats.size = sizeof d->stats;
+    assert_int_equal(algsurf_render(scene, &o, &planes, &d->stats), ALGSURF_OK);
+}
+
+static int side_of(const drawn *d, int x, int y) { return d->ways[y * WIDTH + x] & ~KIND; }
+
+/* How many pixels were decided so, in tiles of that side; -1: of any. */
+static uint64_t count(const drawn *d, algsurf_way way, int side) {
+    uint64_t n = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        n += (d->ways[i] & KIND) == (int)way && (side < 0 || (d->ways[i] & ~KIND) == side);
+    return n;
+}
+
+/* The scenes drawn here: one without singular points, one with double lines. */
+static void for_each_scene(void (*check)(const algsurf_scene *scene, const algsurf_surface *surface,
+                                         const algsurf_extent *extent)) {
+    static const char *const names[] = {"torus", "steiner"};
+    for (int i = 0; i < 2; i++) {
+        const catalogue_entry *entry = catalogue_find(names[i]);
+        algsurf_surface *surface = surface_of(entry->equation);
+        algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+        check(scene, surface, &entry->extent);
+        algsurf_scene_free(scene);
+        algsurf_surface_free(surface);
+    }
+}
+
+/* ---- the plane ---- */
+
+/* All pixels of a tile have its side, and all of an empty one are empty. */
+static void check_tile_of(const drawn *d, int x, int y) {
+    int side = side_of(d, x, y), i = y * WIDTH + x, first = (y - y % side) * WIDTH + x - x % side;
+    int empty = (d->ways[i] & KIND) == ALGSURF_WAY_EMPTY, sheet = (d->ways[i] & KIND) == ALGSURF_WAY_SHEET;
+    assert_true(side == 16 || side == 8 || side == 4);
+    assert_int_equal(d->ways[first] & ~KIND, side);
+    assert_int_equal((d->ways[first] & KIND) == ALGSURF_WAY_EMPTY, empty);
+    if (empty) assert_int_equal(d->states[i], ALGSURF_MISS);
+    if (sheet) assert_int_equal(d->states[i], ALGSURF_HIT);
+}
+
+static void check_tiles(const algsurf_scene *scene, const algsurf_surface *surface,
+                        const algsurf_extent *extent) {
+    static drawn d;
+    (void)surface, (void)extent;
+    draw(scene, 0, HEIGHT, 1, &d);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) check_tile_of(&d, x, y);
+    for (int side = SMALLEST; side <= LARGEST; side *= 2)
+        assert_true(count(&d, ALGSURF_WAY_EMPTY, side) > 500 && count(&d, ALGSURF_WAY_SHEET, side) > 500);
+    assert_true(count(&d, ALGSURF_WAY_ROW, SMALLEST) > 500);
+}
+
+static void tiles(void **state) {
+    (void)state;
+    for_each_scene(check_tiles);
+}
+
+/* ---- the counts ---- */
+
+/* Tiles by their first pixels: those that were searched at a size, and what the smallest, or the decided,
+ * are. A sheet's tile shows the sheet somewhere. */
+static void count_tiles(const drawn *d, uint64_t *searched, uint64_t *empty, uint64_t *sheets) {
+    *searched = *empty = *sheets = 0;
+    for (int side = SMALLEST; side <= LARGEST; side *= 2)
+        for (int y = 0; y < HEIGHT; y += side)
+            for (int x = 0; x < WIDTH; x += side) {
+                int some = 0;
+                *searched += side_of(d, x, y) <= side;
+                if (side_of(d, x, y) != side) continue;
+                for (int j = y; j < y + side && j < HEIGHT; j++)
+                    for (int i = x; i < x + side && i < WIDTH; i++)
+                        some |= (d->ways[j * WIDTH + i] & KIND) == ALGSURF_WAY_SHEET;
+                *sheets += some != 0;
+                *empty += (d->ways[y * WIDTH + x] & KIND) == ALGSURF_WAY_EMPTY;
+            }
+}
+
+static void check_counts(const algsurf_scene *scene, const algsurf_surface *surface,
+                         const algsurf_extent *extent) {
+    static drawn d;
+    uint64_t searched, empty, sheets, quartered = 0;
+    (void)surface, (void)extent;
+    draw(scene, 0, HEIGHT, 1, &d);
+    count_tiles(&d, &searched, &empty, &sheets);
+    for (int side = 2 * SMALLEST; side <= LARGEST; side *= 2)
+        for (int y = 0; y < HEIGHT; y += side)
+            for (int x = 0; x < WIDTH; x += side) quartered += side_of(&d, x, y) < side;
+    assert_int_equal(d.stats.tiles, searched);
+    assert_int_equal(d.stats.empty_tiles, empty);
+    assert_int_equal(d.stats.sheet_tiles, sheets);
+    assert_int_equal(d.stats.leaf_tiles, searched - quartered - empty - sheets);
+    assert_int_equal(d.stats.empty_rays, count(&d, ALGSURF_WAY_EMPTY, -1));
+    assert_int_equal(d.stats.sheet_rays, count(&d, ALGSURF_WAY_SHEET, -1));
+    assert_int_equal(d.stats.single_rays, count(&d, ALGSURF_WAY_SINGLE, -1));
+}
+
+static void counts(void **state) {
+    (void)state;
+    for_each_scene(check_counts);
+}
+
+/* ---- slices, threads, samples ---- */
+
+static void add_counts(uint64_t sum[8], const algsurf_render_stats *s) {
+    const uint64_t more[8] = {s->tiles,      s->empty_tiles, s->sheet_tiles, s->leaf_tiles,
+                              s->empty_rays, s->sheet_rays,  s->single_rays, s->exact_rays};
+    for (int i = 0; i < 8; i++) sum[i] += more[i];
+}
+
+/* Cut between two bands, and inside one: then its tiles count twice. */
+static void check_slices(const algsurf_scene *scene, const algsurf_surface *surface,
+                         const algsurf_extent *extent) {
+    static drawn whole, parts;
+    static const int cut_at[] = {160, 173};
+    (void)surface, (void)extent;
+    draw(scene, 0, HEIGHT, 1, &whole);
+    for (int c = 0; c < 2; c++) {
+        uint64_t sum[8] = {0}, all[8] = {0};
+        draw(scene, 0, cut_at[c], 1, &parts), add_counts(sum, &parts.stats);
+        draw(scene, cut_at[c], HEIGHT, 2, &parts), add_counts(sum, &parts.stats);
+        assert_memory_equal(parts.ways, whole.ways, sizeof whole.ways);
+        add_counts(all, &whole.stats);
+        if (c == 1) {
+            uint64_t again[8] = {0};
+            draw(scene, 160, 176, 1, &parts), add_counts(again, &parts.stats);
+            assert_true(again[0] > 0);
+            for (int i = 0; i < 4; i++) all[i] += again[i];
+        }
+        assert_memory_equal(sum, all, sizeof sum);
+    }
+}
+
+static void check_threads(const algsurf_scene *scene) {
+    static drawn one, more;
+    uint64_t a[8] = {0}, b[8] = {0};
+    draw(scene, 0, HEIGHT, 1, &one), add_counts(a, &one.stats);
+    draw(scene, 0, HEIGHT, 3, &more), add_counts(b, &more.stats);
+    assert_memory_equal(a, b, sizeof a);
+    assert_memory_equal(one.ways, more.ways, sizeof one.ways);
+}
+
+static void slices(void **state) {
+    const catalogue_entry *entry = catalogue_find("torus");
+    algsurf_surface *surface = surface_of(entry->equation);
+    algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+    (void)state;
+    for_each_scene(check_slices);
+    for (int way = 0; way < 3; way++) {
+        assert_int_equal(algsurf_scene_set_antialias(scene, way ? 3 : 1), ALGSURF_OK);
+        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0), ALGSURF_OK);
+        check_threads(scene);
+    }
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+/* The middle is one of 3 x 3 samples; chosen pixels get all of them. */
+static void samples(void **state) {
+    static drawn one, some, all, none;
+    const catalogue_entry *entry = catalogue_find("steiner");
+    algsurf_surface *surface = surface_of(entry->equation);
+    algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+    int raised = 0, kept = 0;
+    (void)state;
+    draw(scene, 0, HEIGHT, 1, &one);
+    assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
+    draw(scene, 0, HEIGHT, 1, &all);
+    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.1), ALGSURF_OK);
+    draw(scene, 0, HEIGHT, 1, &some);
+    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 1), ALGSURF_OK);
+    draw(scene, 0, HEIGHT, 1, &none);
+    assert_memory_equal(none.ways, one.ways, sizeof one.ways);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        assert_int_equal(all.ways[i] & ~KIND, one.ways[i] & ~KIND);
+        assert_true(one.ways[i] <= some.ways[i] && some.ways[i] <= all.ways[i]);
+        assert_true(some.ways[i] == one.ways[i] || some.ways[i] == all.ways[i]);
+        raised += all.ways[i] > one.ways[i];
+        kept += all.ways[i] > some.ways[i];
+    }
+    assert_true(raised > kept && kept > 0);
+    assert_int_equal(all.stats.tiles, one.stats.tiles);
+    assert_int_equal(all.stats.empty_rays, 9 * one.stats.empty_rays);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+/* ---- rays ---- */
+
+/* Whom an observer of the ray through a pixel's middle sees decide. */
+static int engine_of(const algsurf_surface *surface, const algsurf_extent *extent, int x, int y) {
+    const algsurf_camera camera = camera_of(extent);
+    algsurf_observer observer = {.size = sizeof observer};
+    const algsurf_intersect_options how = {.size = sizeof how, .observer = &observer};
+    algsurf_ray ray;
+    algsurf_hit hit;
+    assert_int_equal(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
+    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    return observer.engine;
+}
+
+static void check_exact(const algsurf_scene *scene, const algsurf_surface *surface,
+                        const algsurf_extent *extent) {
+    static drawn d;
+    uint64_t integers = 0;
+    draw(scene, 0, HEIGHT, 1, &d);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        if ((d.ways[i] & KIND) == ALGSURF_WAY_SINGLE)
+            integers += engine_of(surface, extent, i % WIDTH, i / WIDTH) == ALGSURF_ENGINE_INTEGERS;
+    assert_int_equal(d.stats.exact_rays, integers);
+}
+
+/* Every ray that meets a double sphere is for integers. */
+static void exact(void **state) {
+    static drawn d;
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
+    const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
+    algsurf_surface *surface = surface_of("(x^2 + y^2 + z^2 - 1)^2");
+    algsurf_scene *scene = scene_of(surface, &ball, NULL), *other = scene_of(surface, &ball, &bounded);
+    (void)state;
+    for_each_scene(check_exact);
+    check_exact(scene, surface, &ball);
+    draw(scene, 0, HEIGHT, 1, &d);
+    assert_true(d.stats.exact_rays >= d.stats.hits && d.stats.hits > 1000);
+    draw(other, 0, HEIGHT, 1, &d);
+    assert_int_equal(d.stats.exact_rays, 0);
+    assert_true(d.stats.single_rays > 1000);
+    algsurf_scene_free(other);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+/* Pictures that are not drawn by tiles: ray by ray, by rows, in complex space. */
+static void without_tiles(void **state) {
+    static drawn d;
+    const catalogue_entry *torus = catalogue_find("torus"), *decic = catalogue_find("barth-decic");
+    const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
+    algsurf_surface *surface = surface_of(torus->equation), *high = surface_of(decic->equation);
+    algsurf_scene *scene = scene_of(surface, &torus->extent, &by_rays);
+    (void)state;
+    draw(scene, 0, HEIGHT, 2, &d);
+    assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), WIDTH * HEIGHT);
+    assert_int_equal(d.stats.tiles, 0);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    draw(scene, 0, HEIGHT, 2, &d);
+    assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
+    assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
+    algsurf_scene_free(scene);
+    scene = scene_of(high, &decic->extent, NULL);
+    draw(scene, 0, HEIGHT, 2, &d);
+    assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
+    assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
+    assert_int_equal(d.stats.tiles + d.stats.empty_rays + d.stats.sheet_rays, 0);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(high);
+    algsurf_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tiles),  cmocka_unit_test(counts),
+                                       cmocka_unit_test(slices), cmocka_unit_test(samples),
+                                       cmocka_unit_test(exact),  cmocka_unit_test(without_tiles)};
+    return cmocka_run_group_tests_name("ways", tests, NULL, NULL);
+}
