@@ -881,15 +881,15 @@ static void draw(const algsurf_scene *scene, int in_host) {
     uint8_t pixels[3 * WIDTH * HEIGHT] = {0};
     double hits[WIDTH * HEIGHT] = {0};
     float normals[3 * WIDTH * HEIGHT] = {0};
-    unsigned char state[WIDTH * HEIGHT] = {0};
+    unsigned char state[WIDTH * HEIGHT] = {0}, way[WIDTH * HEIGHT] = {0};
     const algsurf_picture picture = {
-        .size = sizeof picture, .pixels = pixels, .t = hits, .normals = normals, .state = state};
+        .size = sizeof picture, .pixels = pixels, .t = hits, .normals = normals, .state = state, .way = way};
     algsurf_status s;
     if (in_host)
         IN_HOST(s = algsurf_render(scene, &options, &picture, NULL));
     else
         s = algsurf_render(scene, &options, &picture, NULL);
-    WRITTEN(s), WRITTEN(pixels), WRITTEN(hits), WRITTEN(normals), WRITTEN(state);
+    WRITTEN(s), WRITTEN(pixels), WRITTEN(hits), WRITTEN(normals), WRITTEN(state), WRITTEN(way);
 }
 
 typedef struct stage {

@@ -13,7 +13,7 @@ typedef struct picture {
     uint8_t bytes[3 * PIXELS];
     double hits[PIXELS];
     float normals[3 * PIXELS];
-    unsigned char states[PIXELS];
+    unsigned char states[PIXELS], ways[PIXELS];
     algsurf_render_stats stats;
 } picture;
 
@@ -55,8 +55,12 @@ static int read_camera(fuzz_numbers *in, algsurf_camera *camera) {
 static algsurf_status draw(const view *v, const char *kernel, picture *p) {
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     const algsurf_render_options o = {.size = sizeof o, .width = SIDE, .height = SIDE, .threads = 1};
-    const algsurf_picture planes = {
-        .size = sizeof planes, .pixels = p->bytes, .t = p->hits, .normals = p->normals, .state = p->states};
+    const algsurf_picture planes = {.size = sizeof planes,
+                                    .pixels = p->bytes,
+                                    .t = p->hits,
+                                    .normals = p->normals,
+                                    .state = p->states,
+                                    .way = p->ways};
     memset(p, 0x5a, sizeof *p);
     p->stats.size = sizeof p->stats;
     fuzz_check(algsurf_scene_set_intersect(v->scene, &how) == ALGSURF_OK);
@@ -86,7 +90,10 @@ static void check_pixels(const view *v, const picture *p) {
     for (int i = 0; i < PIXELS; i++) {
         int state = ALGSURF_MISS;
         double t[2];
+        int way = p->ways[i] & 3;
         fuzz_check(p->hits[i] >= 0 && p->states[i] <= ALGSURF_UNDECIDED);
+        fuzz_check(way != ALGSURF_WAY_EMPTY || p->states[i] == ALGSURF_MISS);
+        fuzz_check(way != ALGSURF_WAY_SHEET || p->states[i] == ALGSURF_HIT);
         if (!answers_around(v, i, &state, t)) continue;
         if (state != p->states[i])
             fprintf(stderr, "pixel %d,%d: %a, single rays say %d at %a\n", i % SIDE, i / SIDE, p->hits[i],
