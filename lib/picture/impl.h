@@ -44,6 +44,7 @@ typedef struct algsurf_i_line {
     int coloured;      /* 1: colours are asked for */
     double *colour;    /* 3 for each point */
     double *visible;   /* light_count for each point, in full quality */
+    double *solids;    /* with fans: room for the polynomials of ALGSURF_I_FANS of them */
     double *depth;     /* of each pixel: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
     uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
@@ -91,6 +92,7 @@ typedef struct algsurf_i_packets {
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
     double *beams;                      /* in a tiled picture: algsurf_i_beam_expand's g */
+    algsurf_i_fan *fans;                /* where shadows are drawn: of each light; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
@@ -275,6 +277,9 @@ algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, doub
 /* Sets light_samples.first; then light_samples.place, for which there is room. */
 void algsurf_i_count_samples(algsurf_i_picture *picture);
 void algsurf_i_place_samples(algsurf_i_picture *picture);
+
+/* The fans of the picture's lights; memory as for algsurf_i_frame_expand. */
+void algsurf_i_make_fans(const algsurf_i_picture *picture, void *memory);
 
 /* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
  * point's colour whatever the share.  The rays shot are added to the tally. */

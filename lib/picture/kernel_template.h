@@ -5,6 +5,7 @@
 #define WATCHED 0
 #include "colours_template.h"
 #include "complex_template.h"
+#include "fans_template.h"
 #include "kernel.h"
 #include "points_template.h"
 #include "row_template.h"
@@ -15,6 +16,8 @@ const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_r
                                                             .points = find_points,
                                                             .sheet_points = find_sheet_points,
                                                             .colours = find_colours,
+                                                            .see_light = see_light,
+                                                            .see_places = see_places,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};
 

@@ -119,13 +119,14 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     algsurf_options_write(stats, &ours, sizeof ours);
 }
 
-/* All the memory of a picture, in five blocks. */
+/* All the memory of a picture, in six blocks. */
 typedef struct work_memory {
     algsurf_i_worker *workers;
-    double *doubles;  /* lines, middles and trails of all workers, the lights' samples, the frame */
-    int *ints;        /* a row for each worker */
-    uint16_t *counts; /* likewise, and of their middles */
-    uint8_t *bytes;   /* likewise */
+    algsurf_i_fan *fans; /* of each light */
+    double *doubles;     /* lines, middles and trails of all workers, the lights' samples, the frames */
+    int *ints;           /* a row for each worker */
+    uint16_t *counts;    /* likewise, and of their middles */
+    uint8_t *bytes;      /* likewise */
 } work_memory;
 
 #define LINE_DOUBLES 18   /* for each pixel, besides normals and a share of each light */
@@ -217,6 +218,13 @@ static void lay_out_tiling(algsurf_i_tiling *tiling, size_t width, size_t places
     tiling->leaf_state = take_bytes(bytes, width);
 }
 
+/* Fans of lights are for degrees that beams are for. */
+static size_t fans_of(const algsurf_i_picture *picture) {
+    int degree = algsurf_surface_degree(picture->scene->surface);
+    int fans = picture->packets && picture->shadows && degree <= ALGSURF_MAX_BEAM_DEGREE;
+    return fans ? (size_t)picture->light_count : 0;
+}
+
 static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
     frame->q = take(doubles, side * side * side);
     frame->basis = take(doubles, side * side);
@@ -238,17 +246,22 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
                           (roots > 0) + 2 * roots;
     size_t tiled = picture->tiled ? 1 : 0, places = tiled * places_of(picture),
            cube = tiled * side * side * side;
+    size_t fans = fans_of(picture);
+    size_t solids = fans > 0 ? 16 * (side * (side + 1) * (side + 2) / 6) : 0;
     size_t tile_doubles =
         places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
     memory->workers = calloc(count, sizeof *memory->workers);
-    memory->doubles =
-        calloc(count * ((width + APART) * doubles_each + tile_doubles) + frame + 3 * samples + cube,
-               sizeof *memory->doubles);
+    memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + solids) +
+                                 frame * (1 + fans) + 3 * samples + cube,
+                             sizeof *memory->doubles);
+    memory->fans = calloc(fans + 1, sizeof *memory->fans);
     memory->ints = calloc(count * (width + tiled * width + 4 * places), sizeof *memory->ints);
     memory->counts = calloc(count * width * rows, sizeof *memory->counts);
     memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES +
                                               (planes->way ? 1 + rows : 0));
-    if (!memory->workers || !memory->doubles || !memory->ints || !memory->counts || !memory->bytes) return 0;
+    if (!memory->fans || !memory->workers || !memory->doubles || !memory->ints || !memory->counts ||
+        !memory->bytes)
+        return 0;
     double *doubles = memory->doubles;
     int *ints = memory->ints;
     uint8_t *bytes = memory->bytes;
@@ -259,6 +272,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
         lay_out_line(&worker->line, width, lights, &doubles);
+        worker->line.solids = take(&doubles, solids);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)
             lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
@@ -271,11 +285,14 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
     if (tiled) picture->packets->beams = take(&doubles, cube);
+    if (picture->packets) picture->packets->fans = fans > 0 ? memory->fans : NULL;
+    for (size_t i = 0; i < fans; i++) lay_out_frame(&memory->fans[i].frame, side, &doubles);
     return 1;
 }
 
 static void release(work_memory *memory) {
     free(memory->workers);
+    free(memory->fans);
     free(memory->doubles);
     free(memory->ints);
     free(memory->counts);
@@ -289,6 +306,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     void *memory = malloc(algsurf_i_frame_memory(surface->degree));
     if (!memory) return ALGSURF_E_NO_MEMORY;
     if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
+    if (picture->packets && picture->packets->fans) algsurf_i_make_fans(picture, memory);
     free(memory);
     if (picture->packets && picture->tiled)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);

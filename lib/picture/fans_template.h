@@ -1,0 +1,344 @@
+/* fans_template.h - points that see a whole light, or nothing of it.
+ *
+ * All segments from a point to a light are a fan (surface/fan.h), searched like a beam (search_template.h).
+ * LANES points are done side by side; none of them depends on its neighbours.
+ *
+ * Ends.  Let l be the length of the rectangle's half diagonal.  Segment and middle segment, at the same part
+ * tau of them, are at most tau l apart.  So all segments are outside of a ball of radius R from the greater
+ * root of |x + tau d| = R + tau l on, and within it up to that of |x + tau d| = R - tau l; for a box the same
+ * holds face by face.  Searched is what comes before the former, or before the light; that is t = 1.
+ *
+ * Lit: no segment has a root before.  Dark: each has one before the latter.  P's sign at the point itself
+ * must be sure: the first coefficient belongs to all segments. */
+#ifndef ALGSURF_FANS_TEMPLATE_H
+#define ALGSURF_FANS_TEMPLATE_H
+#include "../surface/fan.h"
+#include "kernel.h"
+#include "search_template.h"
+
+#define FAN_APART 0.0625
+#define LEAST_ERROR 0x1p-500
+#define END_SLACK 0x1p-30 /* of an extent, relative: far more than the rounding of its ends */
+
+/* From LANES points to one light: in the fan's axes and unit. */
+typedef struct fan_packet {
+    lanes x[3], d[3], half[2], part;
+    lanes least; /* all segments reach t = least within the extent */
+    mask open;
+} fan_packet;
+
+/* ---- where segments end ---- */
+
+/* Parts tau of the middle segment: all segments are inside before `least`, outside from `most` on. */
+typedef struct fan_ends {
+    lanes least, most;
+} fan_ends;
+
+/* The greater root of a tau^2 + 2 b tau + c, a > 0. */
+INLINE lanes greater_root(lanes a, lanes b, lanes c) {
+    return (root(larger(b * b - a * c, all_lanes(0))) - b) / a;
+}
+
+INLINE fan_ends ends_in_sphere(double radius, const lanes x[3], const lanes d[3], double reach) {
+    double wide = radius * (1 + END_SLACK), narrow = radius * (1 - END_SLACK);
+    lanes a = dot(d, d) - reach * reach, b = dot(x, d), square = dot(x, x);
+    mask spread = ~less(all_lanes(0), a), outside = ~less(square, all_lanes(narrow * narrow));
+    fan_ends e = {.least = greater_root(a, b + narrow * reach, square - narrow * narrow),
+                  .most = greater_root(a, b - wide * reach, square - wide * wide)};
+    e.least = choose(spread | outside, all_lanes(0), smaller(e.least, all_lanes(narrow / reach)));
+    e.most = choose(spread, all_lanes(1), e.most);
+    return e;
+}
+
+/* x and d in the box's axes. */
+INLINE fan_ends ends_in_box(const double half[3], const lanes x[3], const lanes d[3], double reach) {
+    fan_ends e = {all_lanes(HUGE_VAL), all_lanes(HUGE_VAL)};
+    for (int i = 0; i < 3; i++) {
+        double wide = half[i] * (1 + END_SLACK), narrow = half[i] * (1 - END_SLACK);
+        lanes speed = absolute(d[i]), ahead = choose(less(d[i], all_lanes(0)), -x[i], x[i]);
+        lanes leaves =
+            choose(less(all_lanes(reach), speed), (wide - ahead) / (speed - reach), all_lanes(HUGE_VAL));
+        e.most = smaller(e.most, leaves);
+        e.least = smaller(e.least, (narrow - absolute(x[i])) / (speed + reach));
+    }
+    e.least = larger(e.least, all_lanes(0));
+    return e;
+}
+
+/* The points from `first` on, in the fan's axes; d and half for the part of segments that is searched. */
+INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3], int first, int count,
+                       fan_packet *g) {
+    const algsurf_i_fan *fan = job->fan;
+    const algsurf_i_view *view = &fan->frame.view;
+    double reach = sqrt(fan->half[0] * fan->half[0] + fan->half[1] * fan->half[1]) * (1 + END_SLACK);
+    lanes from[3], to[3];
+    for (int i = 0; i < 3; i++) {
+        from[i] = (job->unit * load_some(start[i] + first, count) - view->centre[i]) * (1 / view->size);
+        to[i] = job->light[i] - from[i];
+    }
+    for (int k = 0; k < 3; k++) {
+        const lanes axis[3] = {all_lanes(view->axis[k][0]), all_lanes(view->axis[k][1]),
+                               all_lanes(view->axis[k][2])};
+        g->x[k] = dot(from, axis);
+        g->d[k] = fan->light[k] - g->x[k];
+    }
+    fan_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE
+                     ? ends_in_sphere(job->extent_size[0], g->x, g->d, reach)
+                     : ends_in_box(job->extent_size, from, to, reach);
+    lanes part = g->part = smaller(e.most * (1 + END_SLACK), all_lanes(1));
+    g->open = less(numbered(), all_lanes(count)) & less(all_lanes(0), part) &
+              less(dot(g->d, g->d), ALGSURF_I_SLANT * ALGSURF_I_SLANT * (g->d[2] * g->d[2]));
+    g->least = smaller(e.least / part, all_lanes(1)) * (1 - END_SLACK);
+    for (int k = 0; k < 3; k++) {
+        g->d[k] *= part;
+        if (k < 2) g->half[k] = part * (fan->half[k] * (1 + END_SLACK));
+        lanes aside = k < 2 ? g->half[k] : all_lanes(0);
+        g->open &=
+            less(absolute(g->x[k]), all_lanes(4)) & less(absolute(g->x[k] + g->d[k]) + aside, all_lanes(4));
+    }
+}
+
+/* ---- P along them ---- */
+
+/* sum c_k z^k at z = x + t d, as a polynomial in t. */
+INLINE void shift_line(lanes *c, int n, lanes x, lanes d) {
+    lanes power = d;
+    for (int m = 0; m < n; m++)
+        for (int k = n - 1; k >= m; k--) c[k] += x * c[k + 1];
+    for (int k = 1; k <= n; k++, power *= d) c[k] *= power;
+}
+
+/* a += (x + t d) b, of degrees n and n - 1 in t. */
+INLINE void add_line(lanes *a, const lanes *b, int n, lanes x, lanes d) {
+    lanes carried = all_lanes(0);
+    for (int k = 0; k < n; k++) {
+        a[k] += x * b[k] + carried;
+        carried = d * b[k];
+    }
+    a[n] += carried;
+}
+
+/* Powers of t to Bernstein coefficients. */
+INLINE void to_bernstein(const algsurf_i_fan *fan, lanes *c, int n) {
+    for (int k = 1; k < n; k++) c[k] *= fan->inverse[k];
+    for (int m = 1; m <= n; m++)
+        for (int k = n; k >= m; k--) c[k] += c[k - 1];
+}
+
+#define MOST_LINES ((BEAM_DEGREE + 1) * (BEAM_DEGREE + 2) / 2)
+#define MOST_SOLID (MOST_LINES * (BEAM_DEGREE + 3) / 3)
+
+/* r_ij(t) at line[i][j], of degree n - i - j. */
+INLINE void expand_solid(const algsurf_i_fan *fan, const fan_packet *g, lanes *r,
+                         lanes *line[BEAM_DEGREE + 1][BEAM_DEGREE + 1], int n) {
+    const double *q = fan->frame.q;
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; i + j <= n; j++) {
+            line[i][j] = r;
+            for (int k = 0; i + j + k <= n; k++) *r++ = all_lanes(q[(i * (n + 1) + j) * (n + 1) + k]);
+            shift_line(line[i][j], n - i - j, g->x[2], g->d[2]);
+        }
+        for (int m = 0; i + m < n; m++)
+            for (int j = n - i - 1; j >= m; j--)
+                add_line(line[i][j], line[i][j + 1], n - i - j, g->x[1], g->d[1]);
+    }
+    for (int j = 0; j < n; j++)
+        for (int m = 0; j + m < n; m++)
+            for (int i = n - j - 1; i >= m; i--)
+                add_line(line[i][j], line[i + 1][j], n - i - j, g->x[0], g->d[0]);
+}
+
+/* sum |q_ijk| x^i y^j z^k, a little away from where it is wanted (fan.c). */
+INLINE lanes size_of_fan(const algsurf_i_fan *fan, const lanes x[3], int n) {
+    lanes whole = all_lanes(0);
+    for (int i = n; i >= 0; i--) {
+        lanes level = all_lanes(0);
+        for (int j = n - i; j >= 0; j--) {
+            lanes row = all_lanes(0);
+            for (int k = n - i - j; k >= 0; k--)
+                row = row * (x[2] + FAN_APART) + fabs(fan->frame.q[(i * (n + 1) + j) * (n + 1) + k]);
+            level = level * (x[1] + FAN_APART) + row;
+        }
+        whole = whole * (x[0] + FAN_APART) + level;
+    }
+    return whole;
+}
+
+/* Errors of the coefficients: of the first one, P at the point itself, and of the others. */
+INLINE void set_errors(const algsurf_i_fan *fan, const fan_packet *g, lanes error[2], int n) {
+    lanes at[3], along[3];
+    for (int k = 0; k < 3; k++) {
+        at[k] = absolute(g->x[k]);
+        along[k] = larger(at[k], absolute(g->x[k] + g->d[k]) + (k < 2 ? g->half[k] : all_lanes(0)));
+    }
+    lanes missed = g->part * (fan->missed * (2 * (ALGSURF_I_SLANT + 2) / FAN_APART));
+    error[0] = fan->weight * size_of_fan(fan, at, n) + (fan->frame.error + LEAST_ERROR);
+    error[1] = (fan->weight + missed) * size_of_fan(fan, along, n) + (fan->frame.error + LEAST_ERROR);
+}
+
+/* The terms up to the second order; the third as a radius; higher ones by their sizes for each power of t. */
+INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
+                          int n) {
+    lanes *line[BEAM_DEGREE + 1][BEAM_DEGREE + 1], across = all_lanes(1);
+    expand_solid(fan, g, r, line, n);
+    for (int k = 0; k <= n; k++) {
+        b->rest[k] = all_lanes(0);
+        for (int i = 0; i < LOW_TERMS; i++) b->t[i][k] = all_lanes(0);
+    }
+    for (int i = 0; i <= n; i++, across *= g->half[0]) {
+        lanes factor = across;
+        for (int j = 0; i + j <= n; j++, factor *= g->half[1])
+            for (int k = 0; i + j + k <= n; k++) {
+                lanes term = factor * line[i][j][k];
+                if (i + j <= 2)
+                    b->t[term_at[i][j]][i + j + k] = term;
+                else if (i + j > 3)
+                    b->rest[i + j + k] += absolute(term);
+            }
+    }
+    to_bernstein(fan, b->rest, n);
+    for (int i = 0; i < LOW_TERMS; i++) to_bernstein(fan, b->t[i], n);
+    for (int i = 0; i <= 3 && n >= 3; i++) {
+        lanes third[BEAM_DEGREE + 1], factor = all_lanes(1);
+        for (int m = 0; m < 3; m++) factor *= g->half[m < i ? 0 : 1];
+        for (int k = 0; k <= n; k++) third[k] = k < 3 ? all_lanes(0) : factor * line[i][3 - i][k - 3];
+        to_bernstein(fan, third, n);
+        for (int k = 0; k <= n; k++) b->rest[k] += absolute(third[k]);
+    }
+    set_errors(fan, g, error, n);
+    for (int k = 0; k <= n; k++) b->rest[k] += error[k > 0];
+}
+
+APART void expand_fans(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
+                       int n){FOR_DEGREE(n, expand_fans_n(fan, g, r, error, b, N))}
+
+INLINE void keep_point(const fan_packet *g, const lanes *r, const lanes error[2], int l, int count,
+                       algsurf_i_fan_point *point) {
+    for (int k = 0; k < 3; k++) {
+        point->x[k] = g->x[k][l];
+        point->d[k] = g->d[k][l];
+    }
+    point->part = g->part[l];
+    for (int k = 0; k < 2; k++) point->error[k] = error[k][l];
+    for (int i = 0; i < count; i++) point->r[i] = r[i][l];
+}
+
+static void see_light(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
+                      algsurf_i_fan_point *unknown) {
+    int n = job->fan->frame.degree, solid = (n + 1) * (n + 2) * (n + 3) / 6;
+    for (int first = 0; first < count; first += LANES) {
+        int left = count - first < LANES ? count - first : LANES;
+        fan_packet g;
+        beam b;
+        verdict v;
+        lanes r[MOST_SOLID], error[2];
+        begin_fans(job, start, first, left, &g);
+        expand_fans(job->fan, &g, r, error, &b, n);
+        search(&b, all_lanes(0), g.open, n, &v);
+        unsigned open = bits(g.open), lit = bits(v.empty), dark = bits(v.crossed & less(v.beyond, g.least));
+        for (int l = 0; l < left; l++) {
+            how[first + l] = (uint8_t)(ALGSURF_I_LIT * (lit >> l & 1) + ALGSURF_I_DARK * (dark >> l & 1) +
+                                       ALGSURF_I_FAR * (~open >> l & 1));
+            if (how[first + l] == ALGSURF_I_UNKNOWN) keep_point(&g, r, error, l, solid, unknown++);
+        }
+    }
+}
+
+/* ---- single places ---- */
+
+/* P along the segments of a point to LANES places. */
+INLINE void expand_places_n(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes *c,
+                            int n) {
+    for (int k = 0; k <= n; k++) c[k] = all_lanes(0);
+    for (int i = n; i >= 0; i--) {
+        lanes level[BEAM_DEGREE + 1];
+        for (int k = 0; k <= n; k++) level[k] = all_lanes(0);
+        for (int j = n - i; j >= 0; j--) {
+            r -= n - i - j + 1;
+            for (int k = n - i - j; k > 0; k--) level[k] = r[k] + beta * level[k - 1];
+            level[0] = all_lanes(r[0]);
+        }
+        for (int k = n - i; k > 0; k--) c[k] = level[k] + alpha * c[k - 1];
+        c[0] = level[0];
+    }
+    to_bernstein(fan, c, n);
+}
+
+/* And P at t = least, its sign that at 0. */
+INLINE void begin_places_n(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes least,
+                           packet *k, lanes *end, int n) {
+    expand_places_n(fan, r, alpha, beta, k->b, n);
+    begin(k, n, 0);
+    bound_errors(k, n, 0, 1);
+    *end = jet_at(k->at.w, n, least).f;
+}
+
+APART void begin_places(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes least,
+                         packet *k, lanes *end, int n) {
+    FOR_DEGREE(n, begin_places_n(fan, r, alpha, beta, least, k, end, N))
+}
+
+/* Where segments leave the extent, between these. */
+INLINE fan_ends ends_of_places(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3]) {
+    const algsurf_i_view *view = &job->fan->frame.view;
+    lanes from[3], along[3];
+    if (job->extent_kind == ALGSURF_EXTENT_SPHERE) return ends_in_sphere(job->extent_size[0], x, d, 0);
+    for (int i = 0; i < 3; i++) {
+        from[i] = along[i] = all_lanes(0);
+        for (int k = 0; k < 3; k++) {
+            from[i] += view->axis[k][i] * x[k];
+            along[i] += view->axis[k][i] * d[k];
+        }
+    }
+    return ends_in_box(job->extent_size, from, along, 0);
+}
+
+static void see_places(const algsurf_i_fan_job *job, const algsurf_i_fan_point *point,
+                       const double *const place[3], int count, uint8_t *state) {
+    const algsurf_i_fan *fan = job->fan;
+    const algsurf_i_view *view = &fan->frame.view;
+    int n = fan->frame.degree, solid = (n + 1) * (n + 2) * (n + 3) / 6;
+    cuts cut = {0};
+    if (n < 1) __builtin_unreachable();
+    for (int first = 0; first < count; first += LANES) {
+        int left = count - first < LANES ? count - first : LANES;
+        lanes to[3], aside[2], x[3], d[3];
+        for (int i = 0; i < 3; i++)
+            to[i] = (job->unit * load_some(place[i] + first, left) - view->centre[i]) * (1 / view->size) -
+                    job->light[i];
+        for (int k = 0; k < 2; k++)
+            aside[k] = point->part *
+                       (view->axis[k][0] * to[0] + view->axis[k][1] * to[1] + view->axis[k][2] * to[2]);
+        for (int k = 0; k < 3; k++) {
+            x[k] = all_lanes(point->x[k]);
+            d[k] = point->d[k] + (k < 2 ? aside[k] : all_lanes(0));
+        }
+        packet k;
+        fan_ends e = ends_of_places(job, x, d);
+        lanes least = floor40(smaller(e.least, all_lanes(1))), most = smaller(e.most, all_lanes(1)), end;
+        mask whole = at_most(all_lanes(1), e.least);
+        k.watch = NULL;
+        k.open = less(numbered(), all_lanes(left));
+        k.doubtful = no_lane();
+        k.e[0] = all_lanes(point->error[1]);
+        begin_places(fan, point->r + solid, aside[0], aside[1], least, &k, &end, n);
+        leave_undecided(&k, ~less(k.e[0], absolute(k.b[0])));
+        k.open &= ~k.s.none;
+        k.hit = k.open & less(end, -(k.e[0] + 2 * k.cut_error));
+        k.open &= ~k.hit;
+        if (any(k.open)) {
+            k.start = all_lanes(-1);
+            k.stop = choose(whole, all_lanes(2), floor40(most));
+            k.blur = choose(whole, all_lanes(0), most - least + 0x1p-38);
+            leave_undecided(&k, ~ends_known(k.b, k.e, n, 0, all_lanes(0)));
+            if (cut.count > 0 && cut.count <= MOST_CUTS) skirt(&k, n, &cut);
+            if (any(k.open)) isolate(&k, n, &cut);
+        }
+        unsigned hits = bits(k.hit), doubts = bits(k.doubtful);
+        for (int l = 0; l < left; l++)
+            state[first + l] =
+                (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+    }
+}
+
+#endif

@@ -1,0 +1,118 @@
+/* fan.c - P in the axes of a rectangle, once a frame.
+ *
+ * Where a ray goes.  A place of the rectangle that is off by m in each coordinate is one of the rectangle's
+ * plane, seen from a point, that is off by m + |d_1 / d_3| m in x, and likewise in y.  Points from where
+ * |d| > SLANT |d_3| are not for fans; half sizes are larger by (SLANT + 2) m.
+ *
+ * Errors.  What q_ijk x^i y^j z^k contributes to a coefficient b_k of one of the rays, however it is split up
+ * on its way, is at most |q_ijk|, as |x|, |y|, |z| <= 1 on all of them.  On that way it meets these
+ * roundings:
+ * - 1 of q;
+ * - 2n in the shift of z, a product and a sum each, and n + 1 for powers of d_3;
+ * - 3n in that of y, a product and two sums each, 3n in that of x;
+ * - 2n for powers of h_1 and h_2 and products with them;
+ * - n + 2 in the basis: its entry, the product, n sums;
+ * - 4 (5n + 1) in up to four cells within cells, 6n in a cell cut anew, 9 in the sums of the T.
+ * Together less than 38 n + 17; and once more the cuts, for sizes of terms that become radii.  The weight
+ * 96 (n + 1) is that of a tile (beam.c), and more than enough.  Noise is the view's: the axes are orthonormal
+ * to 2^-48, so that coordinates in them are within 2^-44, and so is what rounding makes of t d, |d| <= 4.
+ */
+#include "../base/arithmetic.h"
+#include "fan.h"
+
+#include <math.h>
+
+#include "../base/eft.h"
+#include "../base/vec.h"
+
+#define NOISE 0x1p-48
+#define MOST_DISTANCE 0x1p200 /* of the rectangle, in the view's unit */
+
+/* Takes from v what is along an axis, twice, so that rounding leaves nothing of it; returns 0 if nothing
+ * else is left. */
+static int unit_across(const double v[3], const double axis[3], double unit[3]) {
+    double rest[3] = {v[0], v[1], v[2]}, whole = algsurf_length(v);
+    for (int round = 0; round < 2; round++) {
+        double along = algsurf_dot(rest, axis);
+        for (int i = 0; i < 3; i++) rest[i] -= along * axis[i];
+    }
+    return algsurf_length(rest) > 0x1p-20 * whole && algsurf_unit(rest, unit);
+}
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+    for (int i = 0; i < 3; i++) c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* A unit vector across another. */
+static void some_across(const double axis[3], double unit[3]) {
+    int least = 0;
+    double v[3] = {0, 0, 0};
+    for (int i = 1; i < 3; i++)
+        if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    v[least] = 1;
+    (void)unit_across(v, axis, unit);
+}
+
+/* Two along the sides, the third across.  Where a rectangle has no sides, or one, its plane is that which
+ * faces `towards`. */
+static int set_axes(const double edge_u[3], const double edge_v[3], const double towards[3],
+                    double axis[3][3]) {
+    int u_is_longer = algsurf_length(edge_u) >= algsurf_length(edge_v);
+    const double *longer = u_is_longer ? edge_u : edge_v, *other = u_is_longer ? edge_v : edge_u;
+    if (!algsurf_unit(longer, axis[0])) {
+        if (!algsurf_unit(towards, axis[2])) return 0;
+        some_across(axis[2], axis[0]);
+    }
+    if (!(algsurf_length(other) > 0x1p-20 * algsurf_length(longer)) ||
+        !unit_across(other, axis[0], axis[1])) {
+        double plane[3];
+        if (!unit_across(towards, axis[0], plane)) some_across(axis[0], plane);
+        cross(plane, axis[0], axis[1]);
+        if (!unit_across(axis[1], axis[0], axis[1])) return 0;
+    }
+    cross(axis[0], axis[1], axis[2]);
+    return algsurf_unit(axis[2], axis[2]);
+}
+
+static int orthonormal(double axis[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-51)) return 0;
+        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-51)) return 0;
+    }
+    return 1;
+}
+
+/* 1 / (n over k), from exact integers. */
+static void set_inverses(int n, double *inverse) {
+    double choose = 1;
+    for (int k = 0; k <= n; k++) {
+        inverse[k] = 1 / choose;
+        choose = choose * (n - k) / (k + 1);
+    }
+}
+
+void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], const double edge_u[3],
+                          const double edge_v[3], double places, algsurf_i_fan *fan, void *memory) {
+    algsurf_i_view *view = &fan->frame.view;
+    double towards[3], span = 0;
+    fan->usable = 0;
+    for (int i = 0; i < 3; i++) towards[i] = (position[i] - view->centre[i]) / view->size;
+    if (!(algsurf_max_abs(towards) < MOST_DISTANCE) || !set_axes(edge_u, edge_v, towards, view->axis) ||
+        !orthonormal(view->axis) || s->error > 0)
+        return;
+    for (int k = 0; k < 2; k++) {
+        fan->half[k] = 0.5 *
+                       (fabs(algsurf_dot(edge_u, view->axis[k])) + fabs(algsurf_dot(edge_v, view->axis[k]))) /
+                       view->size;
+        span += fan->half[k];
+    }
+    double missed = fan->missed = places / view->size + 0x1p-46 * (algsurf_length(towards) + span);
+    for (int k = 0; k < 3; k++) fan->light[k] = algsurf_dot(towards, view->axis[k]);
+    for (int k = 0; k < 2; k++) fan->half[k] += (ALGSURF_I_SLANT + 2) * missed;
+    view->alpha = view->beta[0] = view->beta[1] = 0;
+    view->noise = NOISE;
+    fan->usable = algsurf_i_frame_expand(s, &fan->frame, memory);
+    if (!fan->usable) return;
+    fan->weight = 96 * (s->degree + 1) * ALGSURF_U + 48 * NOISE;
+    set_inverses(s->degree, fan->inverse);
+}
