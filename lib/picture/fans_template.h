@@ -16,8 +16,9 @@
 #include "kernel.h"
 #include "search_template.h"
 
-#define FAN_APART 0.0625
-#define LEAST_ERROR 0x1p-500
+#define FAN_DEGREE ALGSURF_MAX_FAN_DEGREE
+#define FAN_LINES ((FAN_DEGREE + 1) * (FAN_DEGREE + 2) / 2)
+#define FAN_SOLID (FAN_LINES * (FAN_DEGREE + 3) / 3)
 #define END_SLACK 0x1p-30 /* of an extent, relative: far more than the rounding of its ends */
 
 /* From LANES points to one light: in the fan's axes and unit. */
@@ -93,8 +94,8 @@ INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3
         g->d[k] *= part;
         if (k < 2) g->half[k] = part * (fan->half[k] * (1 + END_SLACK));
         lanes aside = k < 2 ? g->half[k] : all_lanes(0);
-        g->open &=
-            less(absolute(g->x[k]), all_lanes(4)) & less(absolute(g->x[k] + g->d[k]) + aside, all_lanes(4));
+        g->open &= less(absolute(g->x[k]), all_lanes(1.25)) &
+                   less(absolute(g->x[k] + g->d[k]) + aside, all_lanes(4));
     }
 }
 
@@ -125,12 +126,9 @@ INLINE void to_bernstein(const algsurf_i_fan *fan, lanes *c, int n) {
         for (int k = n; k >= m; k--) c[k] += c[k - 1];
 }
 
-#define MOST_LINES ((BEAM_DEGREE + 1) * (BEAM_DEGREE + 2) / 2)
-#define MOST_SOLID (MOST_LINES * (BEAM_DEGREE + 3) / 3)
-
 /* r_ij(t) at line[i][j], of degree n - i - j. */
 INLINE void expand_solid(const algsurf_i_fan *fan, const fan_packet *g, lanes *r,
-                         lanes *line[BEAM_DEGREE + 1][BEAM_DEGREE + 1], int n) {
+                         lanes *line[FAN_DEGREE + 1][FAN_DEGREE + 1], int n) {
     const double *q = fan->frame.q;
     for (int i = 0; i <= n; i++) {
         for (int j = 0; i + j <= n; j++) {
@@ -148,7 +146,7 @@ INLINE void expand_solid(const algsurf_i_fan *fan, const fan_packet *g, lanes *r
                 add_line(line[i][j], line[i + 1][j], n - i - j, g->x[0], g->d[0]);
 }
 
-/* sum |q_ijk| x^i y^j z^k, a little away from where it is wanted (fan.c). */
+/* S of fan.c, at x + A. */
 INLINE lanes size_of_fan(const algsurf_i_fan *fan, const lanes x[3], int n) {
     lanes whole = all_lanes(0);
     for (int i = n; i >= 0; i--) {
@@ -156,10 +154,11 @@ INLINE lanes size_of_fan(const algsurf_i_fan *fan, const lanes x[3], int n) {
         for (int j = n - i; j >= 0; j--) {
             lanes row = all_lanes(0);
             for (int k = n - i - j; k >= 0; k--)
-                row = row * (x[2] + FAN_APART) + fabs(fan->frame.q[(i * (n + 1) + j) * (n + 1) + k]);
-            level = level * (x[1] + FAN_APART) + row;
+                row =
+                    row * (x[2] + ALGSURF_I_FAN_APART) + fabs(fan->frame.q[(i * (n + 1) + j) * (n + 1) + k]);
+            level = level * (x[1] + ALGSURF_I_FAN_APART) + row;
         }
-        whole = whole * (x[0] + FAN_APART) + level;
+        whole = whole * (x[0] + ALGSURF_I_FAN_APART) + level;
     }
     return whole;
 }
@@ -171,15 +170,15 @@ INLINE void set_errors(const algsurf_i_fan *fan, const fan_packet *g, lanes erro
         at[k] = absolute(g->x[k]);
         along[k] = larger(at[k], absolute(g->x[k] + g->d[k]) + (k < 2 ? g->half[k] : all_lanes(0)));
     }
-    lanes missed = g->part * (fan->missed * (2 * (ALGSURF_I_SLANT + 2) / FAN_APART));
-    error[0] = fan->weight * size_of_fan(fan, at, n) + (fan->frame.error + LEAST_ERROR);
-    error[1] = (fan->weight + missed) * size_of_fan(fan, along, n) + (fan->frame.error + LEAST_ERROR);
+    lanes missed = g->part * (3 * fan->missed / ALGSURF_I_FAN_APART);
+    error[0] = fan->weight * size_of_fan(fan, at, n) + fan->least_error;
+    error[1] = (fan->weight + missed) * size_of_fan(fan, along, n) + fan->least_error;
 }
 
 /* The terms up to the second order; the third as a radius; higher ones by their sizes for each power of t. */
 INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
                           int n) {
-    lanes *line[BEAM_DEGREE + 1][BEAM_DEGREE + 1], across = all_lanes(1);
+    lanes *line[FAN_DEGREE + 1][FAN_DEGREE + 1], across = all_lanes(1);
     expand_solid(fan, g, r, line, n);
     for (int k = 0; k <= n; k++) {
         b->rest[k] = all_lanes(0);
@@ -199,7 +198,7 @@ INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *
     to_bernstein(fan, b->rest, n);
     for (int i = 0; i < LOW_TERMS; i++) to_bernstein(fan, b->t[i], n);
     for (int i = 0; i <= 3 && n >= 3; i++) {
-        lanes third[BEAM_DEGREE + 1], factor = all_lanes(1);
+        lanes third[FAN_DEGREE + 1], factor = all_lanes(1);
         for (int m = 0; m < 3; m++) factor *= g->half[m < i ? 0 : 1];
         for (int k = 0; k <= n; k++) third[k] = k < 3 ? all_lanes(0) : factor * line[i][3 - i][k - 3];
         to_bernstein(fan, third, n);
@@ -210,7 +209,7 @@ INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *
 }
 
 APART void expand_fans(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
-                       int n){FOR_DEGREE(n, expand_fans_n(fan, g, r, error, b, N))}
+                       int n){FOR_LOW_DEGREE(n, expand_fans_n(fan, g, r, error, b, N))}
 
 INLINE void keep_point(const fan_packet *g, const lanes *r, const lanes error[2], int l, int count,
                        algsurf_i_fan_point *point) {
@@ -225,119 +224,23 @@ INLINE void keep_point(const fan_packet *g, const lanes *r, const lanes error[2]
 
 static void see_light(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
                       algsurf_i_fan_point *unknown) {
-    int n = job->fan->frame.degree, solid = (n + 1) * (n + 2) * (n + 3) / 6;
+    int n = job->fan->frame.degree;
     for (int first = 0; first < count; first += LANES) {
         int left = count - first < LANES ? count - first : LANES;
         fan_packet g;
         beam b;
         verdict v;
-        lanes r[MOST_SOLID], error[2];
+        lanes r[FAN_SOLID], error[2];
         begin_fans(job, start, first, left, &g);
         expand_fans(job->fan, &g, r, error, &b, n);
         search(&b, all_lanes(0), g.open, n, &v);
         unsigned open = bits(g.open), lit = bits(v.empty), dark = bits(v.crossed & less(v.beyond, g.least));
         for (int l = 0; l < left; l++) {
             how[first + l] = (uint8_t)(ALGSURF_I_LIT * (lit >> l & 1) + ALGSURF_I_DARK * (dark >> l & 1) +
-                                       ALGSURF_I_FAR * (~open >> l & 1));
-            if (how[first + l] == ALGSURF_I_UNKNOWN) keep_point(&g, r, error, l, solid, unknown++);
+                                       ALGSURF_I_ASIDE * (~open >> l & 1));
+            if (how[first + l] == ALGSURF_I_UNKNOWN)
+                keep_point(&g, r, error, l, ALGSURF_I_FAN_SOLID(n), unknown++);
         }
-    }
-}
-
-/* ---- single places ---- */
-
-/* P along the segments of a point to LANES places. */
-INLINE void expand_places_n(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes *c,
-                            int n) {
-    for (int k = 0; k <= n; k++) c[k] = all_lanes(0);
-    for (int i = n; i >= 0; i--) {
-        lanes level[BEAM_DEGREE + 1];
-        for (int k = 0; k <= n; k++) level[k] = all_lanes(0);
-        for (int j = n - i; j >= 0; j--) {
-            r -= n - i - j + 1;
-            for (int k = n - i - j; k > 0; k--) level[k] = r[k] + beta * level[k - 1];
-            level[0] = all_lanes(r[0]);
-        }
-        for (int k = n - i; k > 0; k--) c[k] = level[k] + alpha * c[k - 1];
-        c[0] = level[0];
-    }
-    to_bernstein(fan, c, n);
-}
-
-/* And P at t = least, its sign that at 0. */
-INLINE void begin_places_n(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes least,
-                           packet *k, lanes *end, int n) {
-    expand_places_n(fan, r, alpha, beta, k->b, n);
-    begin(k, n, 0);
-    bound_errors(k, n, 0, 1);
-    *end = jet_at(k->at.w, n, least).f;
-}
-
-APART void begin_places(const algsurf_i_fan *fan, const double *r, lanes alpha, lanes beta, lanes least,
-                         packet *k, lanes *end, int n) {
-    FOR_DEGREE(n, begin_places_n(fan, r, alpha, beta, least, k, end, N))
-}
-
-/* Where segments leave the extent, between these. */
-INLINE fan_ends ends_of_places(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3]) {
-    const algsurf_i_view *view = &job->fan->frame.view;
-    lanes from[3], along[3];
-    if (job->extent_kind == ALGSURF_EXTENT_SPHERE) return ends_in_sphere(job->extent_size[0], x, d, 0);
-    for (int i = 0; i < 3; i++) {
-        from[i] = along[i] = all_lanes(0);
-        for (int k = 0; k < 3; k++) {
-            from[i] += view->axis[k][i] * x[k];
-            along[i] += view->axis[k][i] * d[k];
-        }
-    }
-    return ends_in_box(job->extent_size, from, along, 0);
-}
-
-static void see_places(const algsurf_i_fan_job *job, const algsurf_i_fan_point *point,
-                       const double *const place[3], int count, uint8_t *state) {
-    const algsurf_i_fan *fan = job->fan;
-    const algsurf_i_view *view = &fan->frame.view;
-    int n = fan->frame.degree, solid = (n + 1) * (n + 2) * (n + 3) / 6;
-    cuts cut = {0};
-    if (n < 1) __builtin_unreachable();
-    for (int first = 0; first < count; first += LANES) {
-        int left = count - first < LANES ? count - first : LANES;
-        lanes to[3], aside[2], x[3], d[3];
-        for (int i = 0; i < 3; i++)
-            to[i] = (job->unit * load_some(place[i] + first, left) - view->centre[i]) * (1 / view->size) -
-                    job->light[i];
-        for (int k = 0; k < 2; k++)
-            aside[k] = point->part *
-                       (view->axis[k][0] * to[0] + view->axis[k][1] * to[1] + view->axis[k][2] * to[2]);
-        for (int k = 0; k < 3; k++) {
-            x[k] = all_lanes(point->x[k]);
-            d[k] = point->d[k] + (k < 2 ? aside[k] : all_lanes(0));
-        }
-        packet k;
-        fan_ends e = ends_of_places(job, x, d);
-        lanes least = floor40(smaller(e.least, all_lanes(1))), most = smaller(e.most, all_lanes(1)), end;
-        mask whole = at_most(all_lanes(1), e.least);
-        k.watch = NULL;
-        k.open = less(numbered(), all_lanes(left));
-        k.doubtful = no_lane();
-        k.e[0] = all_lanes(point->error[1]);
-        begin_places(fan, point->r + solid, aside[0], aside[1], least, &k, &end, n);
-        leave_undecided(&k, ~less(k.e[0], absolute(k.b[0])));
-        k.open &= ~k.s.none;
-        k.hit = k.open & less(end, -(k.e[0] + 2 * k.cut_error));
-        k.open &= ~k.hit;
-        if (any(k.open)) {
-            k.start = all_lanes(-1);
-            k.stop = choose(whole, all_lanes(2), floor40(most));
-            k.blur = choose(whole, all_lanes(0), most - least + 0x1p-38);
-            leave_undecided(&k, ~ends_known(k.b, k.e, n, 0, all_lanes(0)));
-            if (cut.count > 0 && cut.count <= MOST_CUTS) skirt(&k, n, &cut);
-            if (any(k.open)) isolate(&k, n, &cut);
-        }
-        unsigned hits = bits(k.hit), doubts = bits(k.doubtful);
-        for (int l = 0; l < left; l++)
-            state[first + l] =
-                (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
     }
 }
 

@@ -12,6 +12,7 @@
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     shadow.c           which share of a light reaches a point
+ *     shadow_rays.c      rays to lights, by packets
  */
 #ifndef ALGSURF_RENDER_IMPL_H
 #define ALGSURF_RENDER_IMPL_H
@@ -44,13 +45,15 @@ typedef struct algsurf_i_line {
     int coloured;      /* 1: colours are asked for */
     double *colour;    /* 3 for each point */
     double *visible;   /* light_count for each point, in full quality */
-    double *solids;    /* with fans: room for the polynomials of ALGSURF_I_FANS of them */
+    double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
     double *depth;     /* of each pixel: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
     uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
     uint8_t *way;      /* of each pixel: as algsurf_picture.way; null: it is not asked for */
     algsurf_i_shown shown;
 } algsurf_i_line;
+
+#define ALGSURF_I_FANS 16 /* points whose fans are kept at once */
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 
@@ -102,7 +105,7 @@ typedef struct algsurf_i_packets {
 /* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1.
  */
 typedef struct algsurf_i_samples {
-    double *place[3];
+    double *place[3], *aside[2]; /* aside: from the middle of the light, in the axes of its fan */
     int first[ALGSURF_MAX_LIGHTS + 1];
 } algsurf_i_samples;
 

@@ -5,8 +5,8 @@
 #define WATCHED 0
 #include "colours_template.h"
 #include "complex_template.h"
-#include "fans_template.h"
 #include "kernel.h"
+#include "places_template.h"
 #include "points_template.h"
 #include "row_template.h"
 #include "tiles_template.h"

@@ -221,7 +221,7 @@ static void lay_out_tiling(algsurf_i_tiling *tiling, size_t width, size_t places
 /* Fans of lights are for degrees that beams are for. */
 static size_t fans_of(const algsurf_i_picture *picture) {
     int degree = algsurf_surface_degree(picture->scene->surface);
-    int fans = picture->packets && picture->shadows && degree <= ALGSURF_MAX_BEAM_DEGREE;
+    int fans = picture->packets && picture->shadows && degree <= ALGSURF_MAX_FAN_DEGREE;
     return fans ? (size_t)picture->light_count : 0;
 }
 
@@ -247,12 +247,12 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t tiled = picture->tiled ? 1 : 0, places = tiled * places_of(picture),
            cube = tiled * side * side * side;
     size_t fans = fans_of(picture);
-    size_t solids = fans > 0 ? 16 * (side * (side + 1) * (side + 2) / 6) : 0;
+    size_t solids = fans > 0 ? (size_t)(ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(degree)) : 0;
     size_t tile_doubles =
         places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
     memory->workers = calloc(count, sizeof *memory->workers);
     memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + solids) +
-                                 frame * (1 + fans) + 3 * samples + cube,
+                                 frame * (1 + fans) + 5 * samples + cube,
                              sizeof *memory->doubles);
     memory->fans = calloc(fans + 1, sizeof *memory->fans);
     memory->ints = calloc(count * (width + tiled * width + 4 * places), sizeof *memory->ints);
@@ -272,7 +272,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
         lay_out_line(&worker->line, width, lights, &doubles);
-        worker->line.solids = take(&doubles, solids);
+        if (fans > 0) worker->line.solids = take(&doubles, solids);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)
             lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
@@ -283,6 +283,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->trail.y = take(&doubles, roots * width);
     }
     for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
+    for (int k = 0; k < 2; k++) picture->light_samples.aside[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
     if (tiled) picture->packets->beams = take(&doubles, cube);
     if (picture->packets) picture->packets->fans = fans > 0 ? memory->fans : NULL;

@@ -70,13 +70,12 @@ INLINE void cell_of(const beam *r, lanes rounding, cell *c, int n) {
     c->side = take_sign(c->w, n, ~no_lane());
 }
 
-/* What is known of the beams: empty; one root in [p,q], after none; or none before p. */
+/* What is known of the beams: empty; one root in [p,q], after none; or none before p; and, whatever else,
+ * that P has another sign at `beyond` than at 0. */
 typedef struct verdict {
-    mask empty, one;
-    lanes p, q, guess;
+    mask empty, one, crossed;
+    lanes p, q, guess, beyond;
     words side; /* of P at p: its sign bit */
-    mask crossed;
-    lanes beyond;
 } verdict;
 
 /* The count of a cell whose first sign is known, nothing of others. */
@@ -91,14 +90,14 @@ INLINE signs count_beam(const beam *part, lanes rounding, cell *c, mask *known, 
 INLINE verdict search_n(const beam *whole, lanes rounding, mask open, int n) {
     beam part = *whole;
     cell c = {.p = all_lanes(0), .q = all_lanes(1)};
-    verdict v = {no_lane(), no_lane(), c.p, c.q, c.p, (words)c.p, no_lane(), c.q};
+    verdict v = {no_lane(), no_lane(), no_lane(), c.p, c.q, c.p, c.q, (words)c.p};
     mask known;
     signs s = count_beam(&part, rounding, &c, &known, n);
     for (int turn = 0;; turn++) {
         mask one = open & s.one, none = open & s.none, last = none & at_most(all_lanes(1), c.q);
         lanes chord_root = c.p + (c.q - c.p) * (c.w[0] / (c.w[0] - c.w[n]));
         mask crossed = open & known & less(c.e[n], -c.w[n]);
-        v.beyond = choose(crossed, c.q, v.beyond);
+        v.beyond = choose(crossed, smaller(c.q, v.beyond), v.beyond);
         v.crossed |= crossed;
         v.empty |= last;
         v.one |= one;

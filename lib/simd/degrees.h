@@ -32,19 +32,21 @@
 /* The statement with N = n, a constant for common degrees. */
 #define FOR_DEGREE(n, statement) FOR_DEGREE_IF(COMMON_DEGREES, n, statement)
 #define FOR_DEGREE_IF(common, n, statement)                                                                  \
+    FOR_DEGREES(common, n, statement, FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement))
+/* For what is used up to degree 7 only. */
+#define FOR_LOW_DEGREE(n, statement) FOR_DEGREES(COMMON_DEGREES, n, statement, )
+#define FOR_DEGREES(common, n, statement, higher)                                                            \
     switch ((common) ? (n) : 0) {                                                                            \
         FOR_ONE_DEGREE(2, statement)                                                                         \
         FOR_ONE_DEGREE(3, statement)                                                                         \
         FOR_ONE_DEGREE(4, statement)                                                                         \
         FOR_ONE_DEGREE(5, statement)                                                                         \
         FOR_ONE_DEGREE(6, statement)                                                                         \
-        FOR_ONE_DEGREE(8, statement)                                                                         \
-        FOR_ONE_DEGREE(10, statement)                                                                        \
-    default: {                                                                                               \
-        const int N = (n);                                                                                   \
-        if (N < 1) __builtin_unreachable();                                                                  \
-        statement;                                                                                           \
-    }                                                                                                        \
+        higher default : {                                                                                   \
+            const int N = (n);                                                                               \
+            if (N < 1) __builtin_unreachable();                                                              \
+            statement;                                                                                       \
+        }                                                                                                    \
     }
 #define FOR_ONE_DEGREE(n, statement)                                                                         \
     case n: {                                                                                                \

@@ -1,21 +1,25 @@
 /* fan.c - P in the axes of a rectangle, once a frame.
  *
- * Where a ray goes.  A place of the rectangle that is off by m in each coordinate is one of the rectangle's
- * plane, seen from a point, that is off by m + |d_1 / d_3| m in x, and likewise in y.  Points from where
- * |d| > SLANT |d_3| are not for fans; half sizes are larger by (SLANT + 2) m.
+ * Places.  A place of the rectangle that is off by m in each coordinate is one of the rectangle's plane, seen
+ * from a point, that is off by m + |d_1 / d_3| m in x, and likewise in y, but for terms of the order of m^2.
+ * As |d| <= SLANT |d_3|, half sizes larger by (SLANT + 2) m take that in.
  *
- * Errors.  What q_ijk x^i y^j z^k contributes to a coefficient b_k of one of the rays, however it is split up
- * on its way, is at most |q_ijk|, as |x|, |y|, |z| <= 1 on all of them.  On that way it meets these
- * roundings:
+ * Errors.  Let S(x,y,z) = sum |q_ijk| x^i y^j z^k, at the largest |x|, |y|, |z| of the segments.  What q_ijk
+ * x^i y^j z^k contributes to a coefficient of one of them, however it is split up on its way, adds up to S at
+ * most.  On that way it meets these roundings:
  * - 1 of q;
  * - 2n in the shift of z, a product and a sum each, and n + 1 for powers of d_3;
  * - 3n in that of y, a product and two sums each, 3n in that of x;
- * - 2n for powers of h_1 and h_2 and products with them;
+ * - 2n for powers of h_1 and h_2, or of where a place is, and products with them; n + 1 for the end of a
+ * segment;
  * - n + 2 in the basis: its entry, the product, n sums;
  * - 4 (5n + 1) in up to four cells within cells, 6n in a cell cut anew, 9 in the sums of the T.
- * Together less than 38 n + 17; and once more the cuts, for sizes of terms that become radii.  The weight
- * 96 (n + 1) is that of a tile (beam.c), and more than enough.  Noise is the view's: the axes are orthonormal
- * to 2^-48, so that coordinates in them are within 2^-44, and so is what rounding makes of t d, |d| <= 4.
+ * Together less than 39 n + 18; and once more the cuts, for sizes of terms that become radii.  The weight
+ * 96 (n + 1) is that of a tile (beam.c), and more than enough.
+ *     The axes are orthonormal to 2^-49, so that coordinates of points, below 1.25, and t d are within NOISE
+ * = 2^-46 of exact ones, and places within `missed`.  A coordinate that is off by m moves a term by m times
+ * its derivative at most, which is no more than what the term grows by when the coordinate grows by A, over
+ * A: all derivatives grow.  Hence 3 m / A times S at (x + A, y + A, z + A).
  */
 #include "../base/arithmetic.h"
 #include "fan.h"
@@ -25,8 +29,9 @@
 #include "../base/eft.h"
 #include "../base/vec.h"
 
-#define NOISE 0x1p-48
+#define NOISE 0x1p-46
 #define MOST_DISTANCE 0x1p200 /* of the rectangle, in the view's unit */
+#define UNDERFLOW 0x1p-500    /* far more than is lost by it */
 
 /* Takes from v what is along an axis, twice, so that rounding leaves nothing of it; returns 0 if nothing
  * else is left. */
@@ -76,8 +81,8 @@ static int set_axes(const double edge_u[3], const double edge_v[3], const double
 
 static int orthonormal(double axis[3][3]) {
     for (int i = 0; i < 3; i++) {
-        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-51)) return 0;
-        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-51)) return 0;
+        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-49)) return 0;
+        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-49)) return 0;
     }
     return 1;
 }
@@ -97,8 +102,8 @@ void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], co
     double towards[3], span = 0;
     fan->usable = 0;
     for (int i = 0; i < 3; i++) towards[i] = (position[i] - view->centre[i]) / view->size;
-    if (!(algsurf_max_abs(towards) < MOST_DISTANCE) || !set_axes(edge_u, edge_v, towards, view->axis) ||
-        !orthonormal(view->axis) || s->error > 0)
+    if (s->error > 0 || !(algsurf_max_abs(towards) < MOST_DISTANCE) ||
+        !set_axes(edge_u, edge_v, towards, view->axis) || !orthonormal(view->axis))
         return;
     for (int k = 0; k < 2; k++) {
         fan->half[k] = 0.5 *
@@ -113,6 +118,7 @@ void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], co
     view->noise = NOISE;
     fan->usable = algsurf_i_frame_expand(s, &fan->frame, memory);
     if (!fan->usable) return;
-    fan->weight = 96 * (s->degree + 1) * ALGSURF_U + 48 * NOISE;
+    fan->weight = 96 * (s->degree + 1) * ALGSURF_U + 3 * NOISE / ALGSURF_I_FAN_APART;
+    fan->least_error = fan->frame.error + UNDERFLOW;
     set_inverses(s->degree, fan->inverse);
 }
