@@ -51,18 +51,22 @@ INLINE fan_ends ends_in_sphere(double radius, const lanes x[3], const lanes d[3]
     return e;
 }
 
-/* x and d in the box's axes. */
+/* x and d in the box's axes.  Across a face all segments move by speed - reach to speed + reach. */
 INLINE fan_ends ends_in_box(const double half[3], const lanes x[3], const lanes d[3], double reach) {
-    fan_ends e = {all_lanes(HUGE_VAL), all_lanes(HUGE_VAL)};
+    const lanes never = all_lanes(HUGE_VAL);
+    fan_ends e = {never, never};
+    mask inside = ~no_lane();
     for (int i = 0; i < 3; i++) {
         double wide = half[i] * (1 + END_SLACK), narrow = half[i] * (1 - END_SLACK);
         lanes speed = absolute(d[i]), ahead = choose(less(d[i], all_lanes(0)), -x[i], x[i]);
-        lanes leaves =
-            choose(less(all_lanes(reach), speed), (wide - ahead) / (speed - reach), all_lanes(HUGE_VAL));
-        e.most = smaller(e.most, leaves);
-        e.least = smaller(e.least, (narrow - absolute(x[i])) / (speed + reach));
+        mask onward = less(all_lanes(reach), speed), back = less(speed, all_lanes(reach));
+        e.most = smaller(e.most, choose(onward, (wide - ahead) / (speed - reach), never));
+        e.least = smaller(
+            e.least, choose(less(all_lanes(0), speed + reach), (narrow - ahead) / (speed + reach), never));
+        e.least = smaller(e.least, choose(back, (narrow + ahead) / (reach - speed), never));
+        inside &= less(absolute(x[i]), all_lanes(narrow));
     }
-    e.least = larger(e.least, all_lanes(0));
+    e.least = choose(inside, e.least, all_lanes(0));
     return e;
 }
 

@@ -13,7 +13,8 @@
 #define ALGSURF_PLACES_TEMPLATE_H
 #include "fans_template.h"
 
-#define PLACE_TURNS 6 /* cells of a segment, besides the first */
+#define SHORTEST_END 0x1p-60 /* of a segment that begins outside and stays there */
+#define PLACE_TURNS 6        /* cells of a segment, besides the first */
 
 /* P along LANES segments of a fan, as powers of t; `r` ends behind the fan's polynomials. */
 INLINE void expand_places_n(const double *r, const lanes aside[2], lanes *c, int n) {
@@ -115,7 +116,7 @@ static void see_places(const algsurf_i_fan_job *job, const algsurf_i_fan_point *
             if (i < 2) d[i] += k.aside[i] = point->part * load_some(aside[i] + first, left);
         }
         fan_ends e = ends_of_places(job, x, d);
-        k.end = smaller(e.most * (1 + END_SLACK), all_lanes(1));
+        k.end = larger(smaller(e.most * (1 + END_SLACK), all_lanes(1)), all_lanes(SHORTEST_END));
         k.gap = choose(less(k.end, e.least), all_lanes(0), 1 - e.least / k.end + END_SLACK);
         judge_places(job->fan, r, &k, n);
         unsigned hits = bits(k.hit), doubts = bits(k.open);
