@@ -17,7 +17,7 @@ INLINE lanes highlight(lanes square, double shininess) {
     lanes power = all_lanes(1);
     if (!(shininess <= MOST_SQUARED && shininess == (int)shininess)) {
         for (int l = 0; l < LANES; l++)
-            power[l] = square[l] > 0 ? algsurf_i_pow(square[l], 0.5 * shininess) : 0;
+            power[l] = square[l] > 0 ? (real)algsurf_i_pow(square[l], 0.5 * shininess) : 0;
         return power;
     }
     int n = (int)shininess;
@@ -55,7 +55,7 @@ INLINE void begin_canvas(const algsurf_material *material, const algsurf_i_point
         lanes facing = choose(inside, -c->normal[i], c->normal[i]);
         c->normal[i] = choose(singular, -c->direction[i], facing);
         c->base[i] = choose(inside, all_lanes(material->inside[i]), all_lanes(material->outside[i]));
-        c->colour[i] = c->base[i] * material->ambient;
+        c->colour[i] = c->base[i] * all_lanes(material->ambient);
     }
     c->against = choose(singular, all_lanes(1), absolute(along));
 }
@@ -64,7 +64,7 @@ INLINE void begin_canvas(const algsurf_material *material, const algsurf_i_point
 INLINE void aim(const algsurf_light *light, canvas *c) {
     lanes s[3], h[3];
     for (int i = 0; i < 3; i++)
-        s[i] = 0.25 * light->position[i] - 0.25 * c->position[i]; /* cannot overflow */
+        s[i] = all_lanes(0.25 * light->position[i]) - 0.25 * c->position[i]; /* cannot overflow */
     lanes scale = scale_of(s);
     for (int i = 0; i < 3; i++) s[i] *= scale;
     lanes length = root(dot(s, s)), towards = dot(c->normal, s);
@@ -78,16 +78,17 @@ INLINE void aim(const algsurf_light *light, canvas *c) {
 
 /* Adds the light, of which a share reaches each point. */
 INLINE void add_light(const algsurf_material *material, const algsurf_light *light, lanes share, canvas *c) {
-    lanes diffuse = share * material->diffuse * c->cosine;
-    lanes specular = share * material->specular * highlight(c->square, material->shininess);
-    for (int i = 0; i < 3; i++) c->colour[i] += light->colour[i] * (diffuse * c->base[i] + specular);
+    lanes diffuse = share * all_lanes(material->diffuse) * c->cosine;
+    lanes specular = share * all_lanes(material->specular) * highlight(c->square, material->shininess);
+    for (int i = 0; i < 3; i++)
+        c->colour[i] += all_lanes(light->colour[i]) * (diffuse * c->base[i] + specular);
 }
 
 /* visible[light] of each entry, 1 for null. */
 INLINE lanes share_of(const double *visible, int light_count, int light, int count) {
     lanes share = all_lanes(1);
     if (visible)
-        for (int l = 0; l < LANES && l < count; l++) share[l] = visible[l * light_count + light];
+        for (int l = 0; l < LANES && l < count; l++) share[l] = (real)visible[l * light_count + light];
     return share;
 }
 

@@ -11,6 +11,7 @@
  *     tiled.c            the hits of a row by its tiles
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
+ *     single.c           which pictures are drawn in floats
  *     shadow.c           which share of a light reaches a point
  *     shadow_rays.c      rays to lights, by packets
  */
@@ -232,6 +233,9 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
+
+/* Is the picture, whose frame is made, to be drawn in floats? */
+int algsurf_i_single_suits(const algsurf_i_picture *picture);
 
 /* The tiles of the band that the row lies in; null: there are none. */
 const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling);

@@ -156,7 +156,12 @@ typedef struct algsurf_i_picture_kernel {
 extern const algsurf_i_picture_kernel algsurf_i_picture_avx512, algsurf_i_picture_avx2,
     algsurf_i_picture_baseline;
 
+/* The same in floats, twice as many at once, without complex space; no bounds are kept, whatever the job. */
+extern const algsurf_i_picture_kernel algsurf_i_single_avx512, algsurf_i_single_avx2,
+    algsurf_i_single_baseline;
+
 /* The code for a kernel. */
 const algsurf_i_picture_kernel *algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel);
+const algsurf_i_picture_kernel *algsurf_i_single_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

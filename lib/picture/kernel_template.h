@@ -1,24 +1,30 @@
-/* kernel_template.h - all the packet code of pictures, as one kernel. */
+/* kernel_template.h - all the packet code of pictures, as one kernel; of floats what the fast tier needs. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
 #define WATCHED 0
 #include "colours_template.h"
-#include "complex_template.h"
 #include "kernel.h"
-#include "places_template.h"
 #include "points_template.h"
 #include "row_template.h"
 #include "tiles_template.h"
+#if !defined(SINGLE)
+#include "complex_template.h"
+#include "places_template.h"
+#endif
 
-const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
-                                                            .search_tiles = search_tiles,
-                                                            .points = find_points,
-                                                            .sheet_points = find_sheet_points,
-                                                            .colours = find_colours,
-                                                            .see_light = see_light,
+#if defined(SINGLE)
+const algsurf_i_picture_kernel KERNEL(algsurf_i_single) = {
+#else
+const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.see_light = see_light,
                                                             .see_places = see_places,
                                                             .solve_complex = solve_complex,
-                                                            .complex_points = find_complex_points};
+                                                            .complex_points = find_complex_points,
+#endif
+    .solve_row = solve_row,
+    .search_tiles = search_tiles,
+    .points = find_points,
+    .sheet_points = find_sheet_points,
+    .colours = find_colours};
 
 #endif

@@ -8,18 +8,19 @@
 #include "kernel.h"
 
 /* Of Newton steps, in the view's unit. */
-#define FARTHEST_STEP 0x1p-16    /* a longer one is not to the same root, */
-#define FARTHEST_ON_SHEET 0x1p-3 /* but on a sheet, which has one only */
-#define LAST_STEP 0x1p-26        /* longer ones leave too much: another follows */
-#define LEFT_OVER 0x1p-52        /* on a sheet: what may be left after a step s that followed r, s (s/r)^2, */
-#define STEP_BEFORE 0x1p-20      /* taking this for r before the first one */
-#define MOST_ROUNDS 4            /* of steps; one is usual, on a sheet two */
+#define FARTHEST_STEP BY_PRECISION(0x1p-16, 0x1p-6) /* a longer one is not to the same root, */
+#define FARTHEST_ON_SHEET 0x1p-3                    /* but on a sheet, which has one only */
+#define LAST_STEP BY_PRECISION(0x1p-26, 0x1p-11)    /* longer ones leave too much: another follows */
+/* What may be left on a sheet after a step s that followed r, s (s/r)^2, and r for the first one. */
+#define LEFT_OVER BY_PRECISION(0x1p-52, 0x1p-22)
+#define STEP_BEFORE BY_PRECISION(0x1p-20, 0x1p-8)
+#define MOST_ROUNDS 4 /* of steps; one is usual, in doubles on a sheet two */
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */
 typedef struct row_rays {
     double foot[3], across[3], straight[3];
-    double offset, pixel, u0, du, alpha, beta, size, near, unit;
+    double offset, pixel, u0, du, alpha, beta, slope, size, near, unit;
 } row_rays;
 
 static row_rays rays_of_row(const algsurf_i_point_job *job) {
@@ -31,6 +32,7 @@ static row_rays rays_of_row(const algsurf_i_point_job *job) {
                   .du = row->du,
                   .alpha = view->alpha,
                   .beta = view->beta[0],
+                  .slope = row->slope,
                   .size = view->size,
                   .near = view->size * row->near,
                   .unit = ldexp(1, job->surface->unit)};
@@ -42,17 +44,19 @@ static row_rays rays_of_row(const algsurf_i_point_job *job) {
     return s;
 }
 
-/* A packet of rays: X = foot + z along, |along| about 1. */
+/* A packet of rays: X = foot + z along; slope is that of along to the side. */
 typedef struct packet_rays {
-    lanes foot[3], along[3], z;
+    lanes foot[3], along[3], slope, z;
 } packet_rays;
 
 INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
-    packet_rays r = {.z = s->size * depth};
-    lanes u = s->u0 + s->du * ((pixel + s->offset) * s->pixel), slope = s->alpha * u + s->beta;
+    packet_rays r;
+    lanes u = all_lanes(s->u0) + all_lanes(s->du) * ((pixel + all_lanes(s->offset)) * all_lanes(s->pixel));
+    r.z = all_lanes(s->size) * depth;
+    r.slope = all_lanes(s->alpha) * u + all_lanes(s->beta);
     for (int i = 0; i < 3; i++) {
-        r.foot[i] = s->foot[i] + s->size * u * s->across[i];
-        r.along[i] = s->straight[i] + slope * s->across[i];
+        r.foot[i] = all_lanes(s->foot[i]) + all_lanes(s->size) * u * all_lanes(s->across[i]);
+        r.along[i] = all_lanes(s->straight[i]) + r.slope * all_lanes(s->across[i]);
     }
     return r;
 }
@@ -73,7 +77,7 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
 /* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and does the last step leave little? */
 INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
                         const algsurf_i_sheets *sheets, int first, int count) {
-    lanes z = r->z * (1 / s->size);
+    lanes z = r->z * all_lanes(1 / s->size);
     mask sure = at_most(absolute(value), load_some(sheets->enough + first, count)) &
                 less(load_some(sheets->low + first, count), z) &
                 less(z, load_some(sheets->high + first, count)) & ~much;
@@ -81,14 +85,27 @@ INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, ma
     for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
 }
 
+/* t of points at z, of rays as long as that for each unit of z.  With floats, the eye may be too far away
+ * for them, and of the length what exceeds 1 is one. */
+INLINE void store_distances(const row_rays *s, const packet_rays *r, lanes z, lanes length, double *t,
+                            int count) {
+#if defined(SINGLE)
+    lanes more = (r->slope * r->slope + all_lanes(s->slope * s->slope)) / (1 + length);
+    for (int l = 0; l < LANES && l < count; l++) t[l] = (z[l] - s->near) * (1.0 + more[l]) * s->unit;
+#else
+    (void)r;
+    store_some(t, (z - s->near) * length * s->unit, count);
+#endif
+}
+
 /* Sets the entries from `first` on: the points at z, the unit normals. */
 INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
                           const algsurf_i_points *points, int first, int count) {
     lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
     make_unit(normal);
-    store_some(points->t + first, (z - s->near) * length * s->unit, count);
+    store_distances(s, r, z, length, points->t + first, count);
     for (int i = 0; i < 3; i++) {
-        store_some(points->position[i] + first, (r->foot[i] + z * r->along[i]) * s->unit, count);
+        store_some(points->position[i] + first, (r->foot[i] + z * r->along[i]) * all_lanes(s->unit), count);
         store_some(points->normal[i] + first, normal[i], count);
         store_some(points->direction[i] + first, r->along[i] * inverse, count);
     }

@@ -311,6 +311,8 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     free(memory);
     if (picture->packets && picture->tiled)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
+    if (picture->packets && algsurf_i_single_suits(picture))
+        picture->code = algsurf_i_single_kernel_for(picture->kernel);
     return ALGSURF_OK;
 }
 

@@ -18,7 +18,7 @@
 
 #define ON_EDGE 0x1p-26  /* of the squared sine, or of the distance to a face: narrower is doubtful */
 #define PARALLEL 0x1p-20 /* a direction along a face */
-#define ENOUGH 0x1p-30   /* error of a root before the last Newton step, on P itself */
+#define ENOUGH BY_PRECISION(0x1p-30, 0x1p-13) /* error of a root before the last Newton step, on P itself */
 
 /* Lines of sight: across u, v at depth 0, with slopes a, b. */
 typedef struct sight {
@@ -36,12 +36,12 @@ INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, doubl
     double r = job->extent_size[0];
     lanes size = s->a * s->a + (1 + s->b * s->b), along = s->u * s->a + s->v * s->b;
     lanes across = s->u * s->b - s->v * s->a;
-    lanes inside = r * r * size - (s->u * s->u + (s->v * s->v + across * across));
-    lanes edge = (ON_EDGE + 4 * e) * size, half = root(larger(inside, edge));
+    lanes inside = all_lanes(r * r) * size - (s->u * s->u + (s->v * s->v + across * across));
+    lanes edge = all_lanes(ON_EDGE + 4 * e) * size, half = root(larger(inside, edge));
     lanes inverse = 1 / (size * half), over_size = inverse * half;
     c.near = (-along - half) * over_size;
     c.far = (half - along) * over_size;
-    c.blur = e * (size * size) * inverse;
+    c.blur = all_lanes(e) * (size * size) * inverse;
     c.doubtful = at_most(absolute(inside), edge);
     c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: e moves it by 3 e size at most */
     return c;
@@ -51,8 +51,9 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
     const double(*axis)[3] = job->view->axis;
     chord c = {all_lanes(-1), all_lanes(1), all_lanes(e), less(s->u, s->u)};
     for (int k = 0; k < 3; k++) {
-        lanes at = s->u * axis[0][k] + s->v * axis[1][k], h = all_lanes(job->extent_size[k]);
-        lanes d = s->a * axis[0][k] + (s->b * axis[1][k] + axis[2][k]);
+        lanes at = s->u * all_lanes(axis[0][k]) + s->v * all_lanes(axis[1][k]),
+              h = all_lanes(job->extent_size[k]);
+        lanes d = s->a * all_lanes(axis[0][k]) + (s->b * all_lanes(axis[1][k]) + all_lanes(axis[2][k]));
         mask along = at_most(absolute(d), all_lanes(PARALLEL));
         lanes safe = choose(along, all_lanes(1), d), one = (-h - at) / safe, two = (h - at) / safe;
         lanes room = h - absolute(at); /* a line along the faces moves by PARALLEL + e, e < 2 PARALLEL */
@@ -60,7 +61,7 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
         c.far = choose(along, c.far, smaller(c.far, larger(one, two)));
         c.far = choose(along & less(room, all_lanes(-4 * PARALLEL)), c.near - 1, c.far);
         c.doubtful |= along & at_most(absolute(room), all_lanes(4 * PARALLEL));
-        c.blur = choose(along, c.blur, larger(c.blur, e / absolute(safe)));
+        c.blur = choose(along, c.blur, larger(c.blur, all_lanes(e) / absolute(safe)));
     }
     c.doubtful |= at_most(absolute(c.far - c.near), all_lanes(ON_EDGE));
     return c;
@@ -79,8 +80,8 @@ INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask
     return c;
 }
 
-#define BLOCK 8    /* pixels that share a guess, whatever the number of lanes */
-#define SEGMENT 64 /* pixels that share a range of depth */
+#define BLOCK BY_PRECISION(8, 16) /* pixels that share a guess, whatever the number of lanes */
+#define SEGMENT 64                /* pixels that share a range of depth */
 
 /* A range of depth, z = lo + length tau, and the Bernstein coefficients b_j = sum_m b[j ALGSURF_ROW_STRIDE +
  * m] u^m. */
@@ -89,7 +90,7 @@ typedef struct segment {
     sight sights[SEGMENT / LANES];
     chord chords[SEGMENT / LANES];
     mask open[SEGMENT / LANES];
-    double b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
+    real b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
 } segment;
 
 /* Taylor shift to the middle, scaling, change of basis; for LANES powers of u at a time. */
@@ -99,15 +100,15 @@ INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
         lanes c[ALGSURF_MAX_VIEW_DEGREE + 1], power = all_lanes(1);
         for (int k = 0; k <= n; k++) c[k] = load(job->row->c + k * job->row->stride + m);
         for (int i = 0; i < n; i++)
-            for (int k = n - 1; k >= i; k--) c[k] += middle * c[k + 1];
+            for (int k = n - 1; k >= i; k--) c[k] += all_lanes(middle) * c[k + 1];
         for (int k = 1; k <= n; k++) {
-            power *= half;
+            power *= all_lanes(half);
             c[k] *= power;
         }
         for (int j = 0; j <= n; j++) {
             lanes b = c[0];
-            for (int k = 1; k <= n; k++) b += job->basis[j * (n + 1) + k] * c[k];
-            store(s->b + j * ALGSURF_ROW_STRIDE + m, b);
+            for (int k = 1; k <= n; k++) b += all_lanes(job->basis[j * (n + 1) + k]) * c[k];
+            __builtin_memcpy(s->b + j * ALGSURF_ROW_STRIDE + m, &b, sizeof b);
         }
     }
 }
@@ -115,7 +116,7 @@ INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
 /* The LANES of them from i on; the last one or the first is repeated behind the end. */
 INLINE lanes pixels_from(const algsurf_i_pixels *p, int i) {
     if (p->at) return load_some_integers(p->at + i, p->count - i);
-    return smaller(p->first + i + numbered(), all_lanes(p->first + p->count - 1));
+    return smaller(all_lanes(p->first + i) + numbered(), all_lanes(p->first + p->count - 1));
 }
 
 INLINE lanes nearest_from(const algsurf_i_row_job *job, const algsurf_i_pixels *p, int i) {
@@ -130,8 +131,9 @@ INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         sight *at = s->sights + i;
         at->v = all_lanes(job->row->v);
         at->b = all_lanes(job->slope);
-        at->u = job->u0 + job->du * ((pixels_from(p, first + i * LANES) + job->offset) * job->pixel);
-        at->a = job->view->alpha * at->u + job->view->beta[0];
+        lanes place = (pixels_from(p, first + i * LANES) + all_lanes(job->offset)) * all_lanes(job->pixel);
+        at->u = all_lanes(job->u0) + all_lanes(job->du) * place;
+        at->a = all_lanes(job->view->alpha) * at->u + all_lanes(job->view->beta[0]);
         s->chords[i] = clip(job, at, nearest_from(job, p, first + i * LANES), s->open + i);
         lanes blur = 2 * s->chords[i].blur;
         lo = choose(s->open[i], smaller(lo, s->chords[i].near - blur), lo);
@@ -149,23 +151,23 @@ INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p
 
 INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u, packet *k, int n) {
     for (int j = 0; j <= n; j++) {
-        const double *c = s->b + j * ALGSURF_ROW_STRIDE;
+        const real *c = s->b + j * ALGSURF_ROW_STRIDE;
         lanes sum = all_lanes(c[n]);
         for (int m = n - 1; m >= 0; m--) sum = sum * u + c[m];
         k->b[j] = sum;
     }
-    lanes x = absolute(u) + absolute(job->view->alpha * u) + (fabs(job->view->beta[0]) + job->view->noise);
+    lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
+              all_lanes(fabs(job->view->beta[0]) + job->view->noise);
     lanes radius = all_lanes(0);
-    for (int i = n; job->bounded && i >= 0; i--) radius = radius * x + job->row->radius[i];
+    for (int i = n; job->bounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
     k->e[0] = radius;
 }
 
 /* What of the segment's range is the chord. */
 INLINE void search_chord(const segment *s, const chord *c, packet *k) {
-    double scale = 1 / s->length;
-    lanes blur = c->blur * scale + 0x1p-50;
-    k->start = larger(floor40((c->near - s->lo) * scale - blur), all_lanes(0));
-    k->stop = smaller(-floor40(-(c->far - s->lo) * scale - blur), all_lanes(1));
+    lanes scale = all_lanes(1 / s->length), lo = all_lanes(s->lo), blur = c->blur * scale + 0x1p-50;
+    k->start = larger(floor40((c->near - lo) * scale - blur), all_lanes(0));
+    k->stop = smaller(-floor40(-(c->far - lo) * scale - blur), all_lanes(1));
     k->blur = 2 * blur + 0x1p-39;
 }
 
@@ -191,10 +193,10 @@ INLINE void set_trail(trail *t, const double *depth, const uint8_t *state, int e
  * bends at most. */
 INLINE guess guess_from(const trail *t, const segment *s, int ahead) {
     guess g;
-    lanes far = ahead + 1 + numbered();
-    double scale = 1 / s->length;
-    g.near = (t->last + far * t->step + 0.5 * far * (far + 1) * t->bend - s->lo) * scale;
-    g.reach = all_lanes((0x1p-6 + 32 * fabs(t->bend)) * scale);
+    lanes far = all_lanes(ahead + 1) + numbered(), scale = all_lanes(1 / s->length);
+    lanes bend = all_lanes(t->bend), last = all_lanes(t->last);
+    g.near = (last + far * all_lanes(t->step) + 0.5 * far * (far + 1) * bend - all_lanes(s->lo)) * scale;
+    g.reach = all_lanes(0x1p-6 + 32 * fabs(t->bend)) * scale;
     g.known = less(all_lanes(0), all_lanes(t->known));
     return g;
 }
@@ -239,7 +241,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
         if (any(k.open)) isolate(&k, n, cut);
         if (any(k.hit)) {
             refine(&k, n, &g, tolerance, &z);
-            z = s->lo + s->length * z;
+            z = all_lanes(s->lo) + all_lanes(s->length) * z;
         }
         for (int j = 0; j < cut->count && j < MOST_CUTS; j++) cut->at[j] = s->lo + s->length * cut->at[j];
     }

@@ -64,7 +64,8 @@ INLINE void cell_of(const beam *r, lanes rounding, cell *c, int n) {
     for (int k = 0; k <= n; k++) {
         lanes radius = r->rest[k] + rounding;
         c->w[k] = r->t[T00][k] + 0.5 * (r->t[T20][k] + r->t[T02][k]);
-        for (int i = 1; i < LOW_TERMS; i++) radius += (i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
+        for (int i = 1; i < LOW_TERMS; i++)
+            radius += all_lanes(i == T20 || i == T02 ? 0.5 : 1) * absolute(r->t[i][k]);
         c->e[k] = radius;
     }
     c->side = take_sign(c->w, n, ~no_lane());

@@ -114,10 +114,11 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
                                     .du = p->per_slope,
                                     .extent = &picture->scene->extent,
                                     .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
-                                    .near = p->near};
+                                    .near = p->near,
+                                    .bounded = picture->scene->intersect.tier != ALGSURF_TIER_FAST};
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
-                              .noise = p->frame.value_error,
+                              .noise = rays.bounded ? p->frame.value_error : 0,
                               .cell = band->cell,
                               .stride = stride_of(picture),
                               .from_y = band->number * ALGSURF_I_TILES,

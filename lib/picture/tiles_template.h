@@ -32,6 +32,7 @@
 
 #define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
 #define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
+#define NEAR BY_PRECISION(ALGSURF_I_NEAR, 0x1p-8)
 
 /* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
 typedef struct tile_packet {
@@ -68,7 +69,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     double apart = sqrt(g->hu * g->hu + g->hv * g->hv) * (1 + fabs(view->alpha)) + 0x1p-30;
     const sight s = {.u = g->u,
                      .v = all_lanes(g->v),
-                     .a = view->alpha * g->u + view->beta[0],
+                     .a = all_lanes(view->alpha) * g->u + all_lanes(view->beta[0]),
                      .b = all_lanes(view->alpha * g->v + view->beta[1])};
     (void)widen_extent(&wide, apart);
     chord c = chord_in(&wide, &s);
@@ -77,7 +78,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     lanes lo = larger(larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK)), from);
     lanes hi = larger(c.near, c.far) + slack;
     g->lo = larger(floor40(0.5 * lo + 0.5), all_lanes(0));
-    g->hi = smaller(-floor40(-0.5 * hi - 0.5), all_lanes(1));
+    g->hi = smaller(-floor40(all_lanes(-0.5) * hi - 0.5), all_lanes(1));
     g->open &= less(g->lo, g->hi);
     g->least = all_lanes(2);
     g->most = all_lanes(-2);
@@ -93,8 +94,9 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
 INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n) {
     const algsurf_i_beam_row *row = job->beam;
     const algsurf_i_view *view = job->row->view;
-    lanes rest = all_lanes(0), reach = absolute(g->u) + fabs(g->hu);
-    lanes x = reach + fabs(view->alpha) * reach + (fabs(view->beta[0]) + view->noise), radius = all_lanes(0);
+    lanes rest = all_lanes(0), reach = absolute(g->u) + all_lanes(fabs(g->hu));
+    lanes x = reach + all_lanes(fabs(view->alpha)) * reach + all_lanes(fabs(view->beta[0]) + view->noise);
+    lanes radius = all_lanes(0);
     for (int k = 0; k <= n; k++) {
         lanes sum = all_lanes(0);
         for (int j = 0; j <= n; j++) {
@@ -108,7 +110,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
                 for (int i = n - j - 1; i >= m; i--) p[i] += g->u * p[i + 1];
             }
             for (int i = 0; i + j <= n; i++) {
-                lanes term = power * p[i];
+                lanes term = all_lanes(power) * p[i];
                 if (i + j <= 3)
                     g->t[term_at[i][j]][k] = term;
                 else
@@ -121,9 +123,9 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             for (int j = 0; i + j <= 3; j++)
                 if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
     }
-    for (int i = n; i >= 0; i--) radius = radius * x + row->radius[i];
-    g->rest = rest * (1 + 0x1p-20);
-    g->rounding = radius * (1 + 0x1p-20);
+    for (int i = n; job->row->bounded && i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
+    g->rest = rest * all_lanes(1 + 0x1p-20);
+    g->rounding = radius * all_lanes(1 + 0x1p-20);
 }
 
 /* ---- deciding them ---- */
@@ -188,11 +190,11 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
     for (int k = 0; k < n; k++) {
         lanes spread = rest;
         for (int i = 1; i < LOW_TERMS; i++)
-            spread += (i == T20 || i == T02 ? 0.5 : 1) * absolute(part.t[i][k] - part.t[i][k + 1]);
+            spread += all_lanes(i == T20 || i == T02 ? 0.5 : 1) * absolute(part.t[i][k] - part.t[i][k + 1]);
         m = smaller(m, c.w[k] - c.w[k + 1] - spread);
     }
-    *steep = n * m / (2 * (to - from) * length) * (1 - 0x1p-20);
-    return sound & less(all_lanes(2 * job->noise / ALGSURF_I_NEAR), *steep);
+    *steep = all_lanes(n) * m / (2 * (to - from) * length) * all_lanes(1 - 0x1p-20);
+    return sound & less(all_lanes(2 * job->noise / NEAR), *steep);
 }
 
 /* ---- recording them ---- */
@@ -241,7 +243,7 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
             algsurf_i_tile tile = tile_of(job, g, l, from, to);
             tile.depth[0] = depth_at(g, l, z[0][l]);
             for (int i = 1; i < 6; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
-            tile.enough = 0.5 * ALGSURF_I_NEAR * steep[l];
+            tile.enough = 0.5 * NEAR * steep[l];
             record(job, &tile, (int)g->x[l]);
         }
     }
@@ -264,7 +266,8 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
     g.hu = row->du * row->pixel * half;
     g.hu += copysign(ALGSURF_I_WIDER, g.hu);
     g.x = load_some_integers(job->at + first, count);
-    g.u = row->u0 + row->du * ((g.x + half + row->offset) * row->pixel);
+    g.u = all_lanes(row->u0) +
+          all_lanes(row->du) * ((g.x + all_lanes(half + row->offset)) * all_lanes(row->pixel));
     g.open = less(numbered(), all_lanes(count));
     clip_tiles(job, load_some(job->from + first, count), &g);
     if (!any(g.open)) return open_count;

@@ -46,7 +46,7 @@
 #endif
 
 #define MOST_TURNS 120
-#define NARROWEST 0x1p-36 /* cells */
+#define NARROWEST BY_PRECISION(0x1p-36, 0x1p-12) /* cells; of floats: far less than a pixel shows */
 
 typedef struct cell {
     lanes p, q;
@@ -112,7 +112,8 @@ INLINE void split_shares(lanes *w, lanes *left, int n, lanes before, lanes behin
  */
 INLINE void widen(const lanes *w, lanes *e, int n, int own, lanes cut_error) {
     if (!own) e[0] += cut_error;
-    for (int j = 0; own && j <= n; j++) e[j] = (1 + 0x1p-42) * e[j] + 8 * n * 0x1p-53 * absolute(w[j]);
+    for (int j = 0; own && j <= n; j++)
+        e[j] = all_lanes(1 + 0x1p-42) * e[j] + all_lanes(8 * n * 0x1p-53) * absolute(w[j]);
 }
 
 /* Where to split cells, as a place in [0,1]: where the control polygon first dips below zero and turns, at
@@ -128,7 +129,7 @@ INLINE lanes split_point(const cell *c, int n, int turn) {
         after = choose(here, c->w[j + 1], after);
         place = choose(here, all_lanes(j), place);
     }
-    lanes vertex = (place + 0.5 * (before - after) / (before - 2 * dip + after)) * (1.0 / n);
+    lanes vertex = (place + 0.5 * (before - after) / (before - 2 * dip + after)) * all_lanes(1.0 / n);
     return floor40(c->p + vertex * (c->q - c->p));
 }
 

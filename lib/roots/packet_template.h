@@ -51,11 +51,11 @@ INLINE void bound_errors(packet *k, int n, int own, int bounded) {
     for (int j = 1; j <= n; j++) k->largest = larger(k->largest, absolute(k->b[j]));
     for (int j = 1; own && j <= n; j++) radius = larger(radius, k->e[j]);
     k->largest += radius;
-    k->cut_error = (bounded ? 8 * n * 0x1p-53 : 0) * k->largest;
+    k->cut_error = all_lanes(bounded ? 8 * n * 0x1p-53 : 0) * k->largest;
 }
 
 /* What a polynomial can change by within `blur` of a point: |p'| <= 2 n max|b|. */
-INLINE lanes end_error(const packet *k, int n) { return 2 * n * k->blur * k->largest; }
+INLINE lanes end_error(const packet *k, int n) { return all_lanes(2 * n) * k->blur * k->largest; }
 
 /* The cells [from,to] of `which` open lanes, and their count of signs. */
 INLINE void enter(packet *k, int n, int own, mask which, lanes from, lanes to, const algsurf_i_watch *watch) {
@@ -165,10 +165,10 @@ INLINE jet jet_at(const lanes *w, int n, lanes x) {
     }
     lanes bend = all_lanes(0);
     if (n > 1) {
-        bend = 0.5 * n * (n - 1) * (b[2] - b[1] - (b[1] - b[0]));
+        bend = all_lanes(0.5 * n * (n - 1)) * (b[2] - b[1] - (b[1] - b[0]));
         for (int j = 0; j < 2; j++) b[j] = rest * b[j] + x * b[j + 1];
     }
-    return (jet){rest * b[0] + x * b[1], n * (b[1] - b[0]), bend};
+    return (jet){rest * b[0] + x * b[1], all_lanes(n) * (b[1] - b[0]), bend};
 }
 
 /* The first lane goes on from an end of a cell. */

@@ -1,10 +1,12 @@
-/* avx2.h - packets of four for AVX2, or of two if the includer defines PACKETS_OF_TWO, to be included before
- * a template; nothing on other processors.  The includer ends with end.h. */
+/* avx2.h - packets of four for AVX2, to be included before a template; of two if the includer defines
+ * PACKETS_OF_TWO, of eight floats if SINGLE; nothing on other processors.  The includer ends with end.h. */
 #if defined(__x86_64__)
 #include "moves.h"
 
 #if defined(PACKETS_OF_TWO)
 #define LANES 2
+#elif defined(SINGLE)
+#define LANES 8
 #else
 #define LANES 4
 #endif

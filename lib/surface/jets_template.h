@@ -25,7 +25,7 @@ INLINE jets row_jets(const algsurf_surface *s, const algsurf_row *row, const lan
     for (i -= stride; i >= 0; i -= stride)
         for (int w = 0; w < packets; w++) {
             r.x[w] = r.x[w] * x[w] + r.v[w];
-            r.v[w] = r.v[w] * x[w] + c[i];
+            r.v[w] = r.v[w] * x[w] + all_lanes(c[i]);
         }
     return r;
 }
