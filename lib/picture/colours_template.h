@@ -17,7 +17,7 @@ INLINE lanes highlight(lanes square, double shininess) {
     lanes power = all_lanes(1);
     if (!(shininess <= MOST_SQUARED && shininess == (int)shininess)) {
         for (int l = 0; l < LANES; l++)
-            power[l] = square[l] > 0 ? (real)algsurf_i_pow(square[l], 0.5 * shininess) : 0;
+            power[l] = square[l] > 0 ? (scalar)algsurf_i_pow(square[l], 0.5 * shininess) : 0;
         return power;
     }
     int n = (int)shininess;
@@ -88,7 +88,7 @@ INLINE void add_light(const algsurf_material *material, const algsurf_light *lig
 INLINE lanes share_of(const double *visible, int light_count, int light, int count) {
     lanes share = all_lanes(1);
     if (visible)
-        for (int l = 0; l < LANES && l < count; l++) share[l] = (real)visible[l * light_count + light];
+        for (int l = 0; l < LANES && l < count; l++) share[l] = (scalar)visible[l * light_count + light];
     return share;
 }
 
@@ -97,8 +97,18 @@ INLINE void store_colours(const canvas *c, int count, double *colour) {
         for (int i = 0; i < 3; i++) colour[3 * l + i] = c->colour[i][l];
 }
 
+/* As one number each. */
+INLINE void store_bytes(const canvas *c, int count, uint32_t *bytes) {
+    integers all = {0};
+    for (int i = 2; i >= 0; i--) {
+        lanes shown = smaller(larger(c->colour[i], all_lanes(0)), all_lanes(1));
+        all = all << 8 | __builtin_convertvector(255 * shown + 0.5, integers);
+    }
+    for (int l = 0; l < LANES && l < count; l++) bytes[l] = (uint32_t)all[l];
+}
+
 static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                         const double *visible, double *colour) {
+                         const double *visible, double *colour, uint32_t *bytes) {
     const algsurf_material material = *job->material;
     canvas c[PACKETS];
     for (int first = 0; first < count; first += PACKETS * LANES) {
@@ -115,7 +125,10 @@ static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_points
             }
         }
         for (int k = 0; k < packets; k++)
-            store_colours(&c[k], left - k * LANES, colour + 3 * (first + k * LANES));
+            if (colour)
+                store_colours(&c[k], left - k * LANES, colour + 3 * (first + k * LANES));
+            else
+                store_bytes(&c[k], left - k * LANES, bytes + first + k * LANES);
     }
 }
 

@@ -44,7 +44,8 @@ typedef struct algsurf_i_line {
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
     int coloured;      /* 1: colours are asked for */
-    double *colour;    /* 3 for each point */
+    double *colour;    /* 3 for each point; with one sample a pixel the bytes alone: */
+    uint32_t *bytes;   /* of each point: red + 256 green + 65536 blue, or null */
     double *visible;   /* light_count for each point, in full quality */
     double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
     double *depth;     /* of each pixel: where packets found it */

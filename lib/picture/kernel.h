@@ -131,12 +131,13 @@ typedef struct algsurf_i_picture_kernel {
      * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units. */
     void (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                    const algsurf_i_points *points);
-    /* The same from where the root of a sheet may be. */
-    void (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* colour[3 i ..] of entry i, as algsurf_shade; visible: null or light_count for each entry. */
+    /* The same from where the root of a sheet may be; returns whether it is for all. */
+    int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_sheets *sheets, const algsurf_i_points *points);
+    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red + 256 green +
+     * 65536 blue, clamped and rounded.  visible: null or light_count for each entry. */
     void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                    const double *visible, double *colour);
+                    const double *visible, double *colour, uint32_t *bytes);
     /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
      * into `unknown`, one after the other, for which there is room, for each r too. */
     void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,

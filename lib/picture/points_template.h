@@ -3,6 +3,8 @@
  */
 #ifndef ALGSURF_POINTS_TEMPLATE_H
 #define ALGSURF_POINTS_TEMPLATE_H
+#include <string.h>
+
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
 #include "kernel.h"
@@ -74,15 +76,21 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
            less(all_lanes(LEFT_OVER * s->size), absolute(step * ratio * ratio));
 }
 
-/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and does the last step leave little? */
-INLINE void tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
-                        const algsurf_i_sheets *sheets, int first, int count) {
+/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and does the last step leave little?  Returns
+ * whether that holds for all. */
+INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
+                       const algsurf_i_sheets *sheets, int first, int count) {
     lanes z = r->z * all_lanes(1 / s->size);
     mask sure = at_most(absolute(value), load_some(sheets->enough + first, count)) &
                 less(load_some(sheets->low + first, count), z) &
                 less(z, load_some(sheets->high + first, count)) & ~much;
-    unsigned which = bits(sure);
+    unsigned which = bits(sure), all = (1u << (count < LANES ? count : LANES)) - 1;
+    if ((which & all) == all) {
+        memset(sheets->sure + first, 1, (size_t)(count < LANES ? count : LANES));
+        return 1;
+    }
     for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
+    return 0;
 }
 
 /* t of points at z, of rays as long as that for each unit of z.  With floats, the eye may be too far away
@@ -112,14 +120,15 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
 }
 
 /* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
- * sets what was found to be the root. */
-INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, const int *pixel,
-                         const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
-                         int first, int packets, int count) {
+ * sets what was found to be the root, and returns whether all were. */
+INLINE int find_packets(const algsurf_surface *surface, const row_rays *s, const int *pixel,
+                        const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
+                        int first, int packets, int count) {
     packet_rays r[PAIR];
     lanes at[PAIR][3], step[PAIR], before[PAIR];
     mask much[PAIR];
     jets p;
+    int all = 1;
     for (int w = 0; w < packets; w++) {
         int from = first + w * LANES;
         r[w] = rays_of_packet(s, load_some_integers(pixel + from, count), load_some(depth + from, count));
@@ -143,29 +152,31 @@ INLINE void find_packets(const algsurf_surface *surface, const row_rays *s, cons
     }
     for (int w = 0; w < packets; w++) {
         lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
-        if (sheets) tell_sheets(s, &r[w], p.v[w], much[w], sheets, first + w * LANES, count);
+        if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, first + w * LANES, count);
         finish_packet(s, &r[w], r[w].z + step[w], normal, points, first + w * LANES, count);
     }
+    return all;
 }
 
-INLINE void find_all(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                     const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+INLINE int find_all(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                    const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
     const row_rays s = rays_of_row(job);
-    int first = 0;
+    int first = 0, all = 1;
     for (; first + PAIR * LANES <= count; first += PAIR * LANES)
-        find_packets(job->surface, &s, pixel, depth, sheets, points, first, PAIR, LANES);
+        all &= find_packets(job->surface, &s, pixel, depth, sheets, points, first, PAIR, LANES);
     for (; first < count; first += LANES)
-        find_packets(job->surface, &s, pixel, depth, sheets, points, first, 1, count - first);
+        all &= find_packets(job->surface, &s, pixel, depth, sheets, points, first, 1, count - first);
+    return all;
 }
 
 static void find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_points *points) {
-    find_all(job, pixel, depth, count, NULL, points);
+    (void)find_all(job, pixel, depth, count, NULL, points);
 }
 
-static void find_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
-                              int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    find_all(job, pixel, depth, count, sheets, points);
+static int find_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                             const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+    return find_all(job, pixel, depth, count, sheets, points);
 }
 
 #endif

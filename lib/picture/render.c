@@ -255,7 +255,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
                                  frame * (1 + fans) + 5 * samples + cube,
                              sizeof *memory->doubles);
     memory->fans = calloc(fans + 1, sizeof *memory->fans);
-    memory->ints = calloc(count * (width + tiled * width + 4 * places), sizeof *memory->ints);
+    memory->ints = calloc(count * (2 * width + tiled * width + 4 * places), sizeof *memory->ints);
     memory->counts = calloc(count * width * rows, sizeof *memory->counts);
     memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES +
                                               (planes->way ? 1 + rows : 0));
@@ -268,6 +268,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     for (size_t i = 0; i < count; i++) {
         algsurf_i_worker *worker = &memory->workers[i];
         worker->line.pixel = take_ints(&ints, width);
+        if (picture->scene->antialias == 1) worker->line.bytes = (uint32_t *)take_ints(&ints, width);
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;

@@ -71,6 +71,10 @@ static void shade_preview(const algsurf_i_picture *picture, algsurf_i_line *line
     }
 }
 
+static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
+
+static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
+
 /* Colours of the points. */
 static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_line *line,
                                  algsurf_i_tally *tally) {
@@ -85,16 +89,19 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     }
     if (scene->quality == ALGSURF_QUALITY_PREVIEW) {
         shade_preview(picture, line);
+        for (int i = 0; line->bytes && i < line->count; i++) {
+            line->bytes[i] = 0;
+            for (int k = 2; k >= 0; k--)
+                line->bytes[i] = line->bytes[i] << 8 | byte_of(clamped(line->colour[3 * i + k]));
+        }
     } else {
         const algsurf_i_colour_job job = {&scene->material, picture->lights, picture->light_count};
         picture->code->colours(&job, &line->points, line->count, picture->shadows ? line->visible : NULL,
-                               line->colour);
+                               line->bytes ? NULL : line->colour, line->bytes);
     }
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
 }
-
-static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
 
 /* Before a pass's points are added: the normals and states of those that are nearest. */
 static void keep_nearest(const algsurf_i_line *line) {
@@ -123,8 +130,6 @@ static void add_pass(const algsurf_i_line *line) {
         algsurf_i_add_sample(&line->shown, line->pixel[i], shown, line->points.t[i]);
     }
 }
-
-static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
 /* What a row shows where it has no points. */
 static void fill_background(const algsurf_i_picture *picture, int channels, uint8_t *bytes) {
@@ -213,11 +218,13 @@ static void store_points(const algsurf_i_picture *picture, const algsurf_i_line 
     if (planes->state) memset(planes->state + first, ALGSURF_MISS, (size_t)width);
     if (planes->way) memcpy(planes->way + first, line->way, (size_t)width);
     if (planes->normals) memset(planes->normals + 3 * first, 0, 3 * (size_t)width * sizeof *planes->normals);
+    for (int i = 0; bytes && i < line->count; i++) {
+        uint8_t *to = bytes + channels * line->pixel[i];
+        for (int k = 0; k < 3; k++) to[k] = (uint8_t)(line->bytes[i] >> 8 * k);
+        if (channels == 4) to[3] = 255;
+    }
     for (int i = 0; i < line->count; i++) {
         size_t x = (size_t)line->pixel[i];
-        for (int k = 0; bytes && k < 3; k++)
-            bytes[(size_t)channels * x + (size_t)k] = byte_of(clamped(line->colour[3 * i + k]));
-        if (bytes && channels == 4) bytes[4 * x + 3] = 255;
         if (planes->t) planes->t[first + x] = p->t[i];
         if (planes->state) planes->state[first + x] = line->state[x];
         for (int k = 0; planes->normals && k < 3; k++)

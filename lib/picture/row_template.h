@@ -90,7 +90,7 @@ typedef struct segment {
     sight sights[SEGMENT / LANES];
     chord chords[SEGMENT / LANES];
     mask open[SEGMENT / LANES];
-    real b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
+    scalar b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
 } segment;
 
 /* Taylor shift to the middle, scaling, change of basis; for LANES powers of u at a time. */
@@ -151,7 +151,7 @@ INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p
 
 INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u, packet *k, int n) {
     for (int j = 0; j <= n; j++) {
-        const real *c = s->b + j * ALGSURF_ROW_STRIDE;
+        const scalar *c = s->b + j * ALGSURF_ROW_STRIDE;
         lanes sum = all_lanes(c[n]);
         for (int m = n - 1; m >= 0; m--) sum = sum * u + c[m];
         k->b[j] = sum;

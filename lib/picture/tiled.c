@@ -9,15 +9,25 @@
 
 #include <string.h>
 
-/* A pixel on its way to a point of a sheet. */
-static void add_sheet(const algsurf_i_tile *tile, int x, double depth, algsurf_i_line *line,
-                      algsurf_i_tiling *t) {
-    int i = line->count++;
-    line->pixel[i] = x;
-    line->depth[i] = depth;
-    t->low[i] = tile->low;
-    t->high[i] = tile->high;
-    t->enough[i] = tile->enough;
+/* Pixels on their way to points of a sheet, seen at eta from its middle. */
+static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
+                      algsurf_i_line *line, algsurf_i_tiling *t) {
+    const double *c = tile->depth;
+    double at_zero = c[0] + eta * (c[2] + eta * c[5]), slope = c[1] + eta * c[4], bend = c[3];
+    double middle = tile->x, inverse = tile->inverse;
+    int *restrict pixel = line->pixel + line->count;
+    double *restrict depth = line->depth + line->count, *restrict low = t->low + line->count;
+    double *restrict high = t->high + line->count, *restrict enough = t->enough + line->count;
+    for (int i = 0; i < end - first; i++) {
+        double xi = (first + i + sx - middle) * inverse;
+        pixel[i] = first + i;
+        depth[i] = at_zero + xi * (slope + xi * bend);
+        low[i] = tile->low;
+        high[i] = tile->high;
+        enough[i] = tile->enough;
+    }
+    line->count += end - first;
+    memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
 }
 
 static void add_leaf(algsurf_i_tiling *t, int x, double low) {
@@ -32,16 +42,17 @@ static void set_ways(algsurf_i_line *line, int first, int end, int side, algsurf
 /* Pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
                          algsurf_i_line *line, algsurf_i_tiling *t) {
-    const double *c = tile->depth;
-    double eta = (y - tile->y) * tile->inverse, at_zero = c[0] + eta * (c[2] + eta * c[5]);
-    double slope = c[1] + eta * c[4];
+    double eta = (y - tile->y) * tile->inverse;
     set_ways(line, first, end, (int)(2 / tile->inverse),
              tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
+    if (tile->enough > 0 && !line->wanted) {
+        add_sheet(tile, first, end, eta, sx, line, t);
+        return;
+    }
     for (int x = first; x < end; x++) {
-        double xi = (x + sx - tile->x) * tile->inverse;
         if (line->wanted && !line->wanted[x]) continue;
         if (tile->enough > 0)
-            add_sheet(tile, x, at_zero + xi * (slope + xi * c[3]), line, t);
+            add_sheet(tile, x, x + 1, eta, sx, line, t);
         else
             add_leaf(t, x, tile->low);
     }
@@ -84,7 +95,6 @@ static void keep_sure(algsurf_i_line *line, algsurf_i_tiling *t) {
         }
         if (kept < i) move_point(&line->points, i, kept);
         line->pixel[kept++] = x;
-        line->state[x] = ALGSURF_LANE_HIT;
     }
     line->count = kept;
 }
@@ -94,8 +104,8 @@ static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_sheets sheets = {t->low, t->high, t->enough, t->sure};
-    picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &line->points);
-    keep_sure(line, t);
+    if (!picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &line->points))
+        keep_sure(line, t);
 }
 
 /* Depths of the leaves' pixels that are hit, after the line's points; returns whether some are doubtful. */

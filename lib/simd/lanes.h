@@ -46,9 +46,9 @@
 /* Packets that go through a loop side by side, where that shares loads and hides latencies. */
 #define PAIR 2
 
-typedef BY_PRECISION(double, float) real;
+typedef BY_PRECISION(double, float) scalar;
 
-typedef real lanes __attribute__((vector_size(WIDTH / 8)));
+typedef scalar lanes __attribute__((vector_size(WIDTH / 8)));
 
 typedef BY_PRECISION(uint64_t, uint32_t) words __attribute__((vector_size(WIDTH / 8)));
 
@@ -59,7 +59,7 @@ typedef unsigned mask;
 typedef BY_PRECISION(int64_t, int32_t) mask __attribute__((vector_size(WIDTH / 8)));
 #endif
 
-INLINE lanes all_lanes(double a) { return (real)a - (lanes){0}; }
+INLINE lanes all_lanes(double a) { return (scalar)a - (lanes){0}; }
 
 #if X86_WIDTH == 512
 INLINE mask less(lanes a, lanes b) { return COMPARED(a, b, _CMP_LT_OQ); }
@@ -88,7 +88,7 @@ INLINE lanes choose(mask where, lanes a, lanes b) {
 
 /* 0, 1, 2 ... */
 INLINE lanes numbered(void) {
-    static const real numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    static const scalar numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     lanes a;
     __builtin_memcpy(&a, numbers, sizeof a);
     return a;
@@ -185,7 +185,7 @@ INLINE lanes load_some(const double *p, int count) {
     if (count >= LANES) return load(p);
     lanes a = all_lanes(p[0]);
     for (int l = 1; l < LANES; l++)
-        if (l < count) a[l] = (real)p[l];
+        if (l < count) a[l] = (scalar)p[l];
     return a;
 }
 
@@ -194,7 +194,7 @@ INLINE lanes load_steps(const double *p, ptrdiff_t step, int count) {
     if (step == 1) return load_some(p, count);
     lanes a = all_lanes(p[0]);
     for (int l = 1; l < LANES; l++)
-        if (l < count) a[l] = (real)p[l * step];
+        if (l < count) a[l] = (scalar)p[l * step];
     return a;
 }
 
