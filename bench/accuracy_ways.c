@@ -215,7 +215,8 @@ static int is_near(const view *v, const setting *s, size_t i, double t, double e
     const truth *known = &v->truth[i];
     const algsurf_ray *chord = &v->chord[i];
     double stated = s->tolerance + 0x1p-52 * fabs(t) + known->error;
-    if (s->way == WAY_PICTURE) stated += 0x1p-36 * v->entry->extent.size[0];
+    if (s->way == WAY_PICTURE)
+        stated += (s->tier == ALGSURF_TIER_FAST ? 1e-3 : 0x1p-36) * v->entry->extent.size[0];
     if (error <= stated) return 1;
     double nearer = t < known->t ? t + stated : t - stated;
     double from = s->tolerance > 0 ? chord->t_min : nearer, to = s->tolerance > 0 ? chord->t_max : nearer;

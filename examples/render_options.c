@@ -112,7 +112,8 @@ static const cli_option options_table[] = {
      set_tolerance, 0, 0, 0},
     {"--tier", "certified|bounded|fast",
      "every ray decided, by integers where doubles leave it open (default);\n"
-     "doubles alone, the rest uncertain; signs as computed, which may be wrong",
+     "doubles alone, the rest uncertain; single precision without bounds, for\n"
+     "previews: some pixels next to outlines may be wrong",
      set_tier, 0, 0, 0},
     {"--kernel", "baseline|avx2|avx512",
      "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,

@@ -39,14 +39,17 @@ typedef struct canvas {
     lanes cosine, square; /* of the light at hand: n.s / |s| and (n.h)^2 / h.h, 0 where n.s <= 0 */
 } canvas;
 
-/* Entries first .. first+count-1, at most LANES: normal, base colour, ambient light. */
-INLINE void begin_canvas(const algsurf_material *material, const algsurf_i_points *points, int first,
-                         int count, canvas *c) {
+/* Entries first .. first+count-1, at most LANES. */
+INLINE void load_canvas(const algsurf_i_points *points, int first, int count, canvas *c) {
     for (int i = 0; i < 3; i++) {
         c->position[i] = load_some(points->position[i] + first, count);
         c->normal[i] = load_some(points->normal[i] + first, count);
         c->direction[i] = load_some(points->direction[i] + first, count);
     }
+}
+
+/* From position, normal, direction: normal turned, base colour, ambient light. */
+INLINE void begin_canvas(const algsurf_material *material, canvas *c) {
     lanes size = absolute(c->normal[0]) + absolute(c->normal[1]) + absolute(c->normal[2]);
     mask singular = at_most(size, all_lanes(0));
     lanes along = dot(c->normal, c->direction);
@@ -108,14 +111,16 @@ INLINE void store_bytes(const canvas *c, int count, uint32_t *bytes) {
 }
 
 static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                         const double *visible, double *colour, uint32_t *bytes) {
+                         const double *visible, double *colour) {
     const algsurf_material material = *job->material;
     canvas c[PACKETS];
     for (int first = 0; first < count; first += PACKETS * LANES) {
         int left = count - first, packets = left < PACKETS * LANES ? (left + LANES - 1) / LANES : PACKETS;
         const double *shares = visible ? visible + (size_t)first * (size_t)job->light_count : NULL;
-        for (int k = 0; k < packets; k++)
-            begin_canvas(&material, points, first + k * LANES, left - k * LANES, &c[k]);
+        for (int k = 0; k < packets; k++) {
+            load_canvas(points, first + k * LANES, left - k * LANES, &c[k]);
+            begin_canvas(&material, &c[k]);
+        }
         for (int l = 0; l < job->light_count; l++) {
             for (int k = 0; k < packets; k++) aim(&job->lights[l], &c[k]);
             for (int k = 0; k < packets; k++) {
@@ -128,7 +133,7 @@ static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_points
             if (colour)
                 store_colours(&c[k], left - k * LANES, colour + 3 * (first + k * LANES));
             else
-                store_bytes(&c[k], left - k * LANES, bytes + first + k * LANES);
+                store_bytes(&c[k], left - k * LANES, points->bytes + first + k * LANES);
     }
 }
 

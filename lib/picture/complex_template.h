@@ -220,7 +220,9 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
         rays_of_packet(s, load_some_integers(pixel + first, count), load_some(re + first, count));
     complex_lanes z = {ray.z, s->size * load_some(im + first, count)}, x[3], slope;
     mask real = at_most(absolute(z.im), all_lanes(0));
-    lanes square = dot(ray.along, ray.along), length = root(square), normal[3], along = all_lanes(1);
+    lanes square = dot(ray.along, ray.along), length = root(square), along = all_lanes(1);
+    canvas c;
+    lanes *normal = c.normal;
     for (int i = 0; i < 3; i++)
         x[i] = (complex_lanes){ray.foot[i] + z.re * ray.along[i], z.im * ray.along[i]};
     complex_jets p = complex_surface_jets(surface, x);
@@ -250,7 +252,7 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
         normal[i] += along * ray.along[i];
         normal[i] = choose(inward, -normal[i], normal[i]);
     }
-    finish_packet(s, &ray, ray.z, normal, points, first, count);
+    finish_packet(s, &ray, ray.z, &c, points, first, count);
     store_some(points->t + first, far * length * s->unit, count);
 }
 

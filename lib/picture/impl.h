@@ -44,8 +44,8 @@ typedef struct algsurf_i_line {
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
     int coloured;      /* 1: colours are asked for */
-    double *colour;    /* 3 for each point; with one sample a pixel the bytes alone: */
-    uint32_t *bytes;   /* of each point: red + 256 green + 65536 blue, or null */
+    double *colour;    /* 3 for each point; with one sample a pixel the points' bytes instead */
+    int done;          /* so many of the first points have their bytes */
     double *visible;   /* light_count for each point, in full quality */
     double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
     double *depth;     /* of each pixel: where packets found it */
@@ -164,9 +164,12 @@ typedef struct algsurf_i_picture {
     const algsurf_i_kernel *kernel;
     const algsurf_i_picture_kernel *code; /* for that kernel */
     algsurf_i_packets *packets;           /* null: every ray by itself */
+    int single;                           /* 1: that is code for floats */
     int tiled;                            /* 1: there are packets, and tiles of them */
     algsurf_picture planes;
-    int channels;    /* of a pixel of the pixels plane */
+    int channels; /* of a pixel of the pixels plane */
+    algsurf_i_colour_job colours;
+    int at_once;     /* 1: points get their bytes where they are found */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;
@@ -216,6 +219,10 @@ void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, int wanted
 /* The row's bytes at the pixels that are not wanted. */
 void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker,
                              uint8_t *bytes);
+
+/* The line's points from `first` on, as kernels are to find them. */
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
+                                          int first);
 
 /* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);

@@ -66,18 +66,26 @@ typedef struct algsurf_i_tile_job {
 /* N points of the surface, or rays that reach them: structure of arrays. */
 typedef struct algsurf_i_points {
     double *t, *position[3], *normal[3], *direction[3];
+    uint32_t *bytes; /* colours, red + 256 green + 65536 blue; may be null */
 } algsurf_i_points;
+
+typedef struct algsurf_i_colour_job {
+    const algsurf_material *material;
+    const algsurf_light *lights; /* at their middles */
+    int light_count;
+} algsurf_i_colour_job;
 
 /* From depths to points, for pixels of one row. */
 typedef struct algsurf_i_point_job {
     const algsurf_surface *surface;
     const algsurf_i_row_job *row;
+    const algsurf_i_colour_job *colours; /* for the points' bytes, if they are asked for */
 } algsurf_i_point_job;
 
 /* What algsurf_i_tile tells of the sheet of each entry. */
 typedef struct algsurf_i_sheets {
-    const double *low, *high, *enough;
-    uint8_t *sure; /* 1: the root of the sheet was found */
+    const double *low, *high, *enough; /* null: Newton's method is trusted where it ends */
+    uint8_t *sure;                     /* 1: the root of the sheet was found */
 } algsurf_i_sheets;
 
 /* A row in complex space.  Arrays have an entry for each pixel of the row; root i of pixel x is at
@@ -92,12 +100,6 @@ typedef struct algsurf_i_complex_job {
     double *re, *im; /* depth of the root that is seen */
     uint8_t *state;
 } algsurf_i_complex_job;
-
-typedef struct algsurf_i_colour_job {
-    const algsurf_material *material;
-    const algsurf_light *lights; /* at their middles */
-    int light_count;
-} algsurf_i_colour_job;
 
 /* One light as points see it. */
 typedef struct algsurf_i_fan_job {
@@ -128,16 +130,17 @@ typedef struct algsurf_i_picture_kernel {
      * are leaves. */
     void (*search_tiles)(algsurf_i_tile_job *job);
     /* Entry i of points from depth[i] at pixel[i]: after one Newton step on P itself, t along the unit ray
-     * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units. */
+     * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units;
+     * bytes.  Position and direction, normal, bytes may be null: they are not asked for. */
     void (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                    const algsurf_i_points *points);
     /* The same from where the root of a sheet may be; returns whether it is for all. */
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red + 256 green +
-     * 65536 blue, clamped and rounded.  visible: null or light_count for each entry. */
+    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, its bytes, clamped
+     * and rounded.  visible: null or light_count for each entry. */
     void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                    const double *visible, double *colour, uint32_t *bytes);
+                    const double *visible, double *colour);
     /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
      * into `unknown`, one after the other, for which there is room, for each r too. */
     void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,

@@ -1,7 +1,11 @@
 /* kernel_template.h - all the packet code of pictures, as one kernel; of floats what the fast tier needs. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
+#if defined(SINGLE)
+#define COMMON_DEGREES DEGREES_EVERYWHERE
+#else
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#endif
 #define WATCHED 0
 #include "colours_template.h"
 #include "kernel.h"

@@ -175,11 +175,13 @@ static int gather(algsurf_i_line *line, int begin, int end) {
 /* Positions and normals of the line's points, which are hits. */
 static void find_points(const algsurf_i_picture *picture, const algsurf_i_row_job *job, int hits,
                         algsurf_i_worker *worker) {
-    const algsurf_i_line *line = &worker->line;
+    algsurf_i_line *line = &worker->line;
     const algsurf_surface *surface = picture->scene->surface;
-    const algsurf_i_point_job points = {.surface = surface, .row = job};
     if (!picture->scene->complex) {
-        picture->code->points(&points, line->pixel, line->depth, hits, &line->points);
+        const algsurf_i_point_job points = {surface, job, &picture->colours};
+        const algsurf_i_points wanted = algsurf_i_points_to_find(picture, line, 0);
+        picture->code->points(&points, line->pixel, line->depth, hits, &wanted);
+        line->done = picture->at_once ? hits : 0;
         return;
     }
     const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);

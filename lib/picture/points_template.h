@@ -7,12 +7,13 @@
 
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
+#include "colours_template.h"
 #include "kernel.h"
 
 /* Of Newton steps, in the view's unit. */
-#define FARTHEST_STEP BY_PRECISION(0x1p-16, 0x1p-6) /* a longer one is not to the same root, */
-#define FARTHEST_ON_SHEET 0x1p-3                    /* but on a sheet, which has one only */
-#define LAST_STEP BY_PRECISION(0x1p-26, 0x1p-11)    /* longer ones leave too much: another follows */
+#define FARTHEST_STEP BY_PRECISION(0x1p-16, 0x1p-6)    /* a longer one is not to the same root, */
+#define FARTHEST_ON_SHEET BY_PRECISION(0x1p-3, 0x1p-6) /* but on a sheet, which has one only */
+#define LAST_STEP BY_PRECISION(0x1p-26, 0x1p-11)       /* longer ones leave too much: another follows */
 /* What may be left on a sheet after a step s that followed r, s (s/r)^2, and r for the first one. */
 #define LEFT_OVER BY_PRECISION(0x1p-52, 0x1p-22)
 #define STEP_BEFORE BY_PRECISION(0x1p-20, 0x1p-8)
@@ -63,10 +64,12 @@ INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
     return r;
 }
 
-/* Newton's steps from where P and its gradient were taken; 0 where that is no step to the same root. */
-INLINE lanes step_to(const packet_rays *r, const jets *p, int w, double farthest) {
+/* Newton's steps from where P and its gradient were taken; 0 where that is no step to the same root: lost. */
+INLINE lanes step_to(const packet_rays *r, const jets *p, int w, double farthest, mask *lost) {
     lanes gradient[3] = {p->x[w], p->y[w], p->z[w]}, step = -p->v[w] / dot(gradient, r->along);
-    return choose(at_most(absolute(step), all_lanes(farthest)), step, all_lanes(0));
+    mask near = at_most(absolute(step), all_lanes(farthest));
+    *lost = ~near;
+    return choose(near, step, all_lanes(0));
 }
 
 /* Does a step leave too much to be the last one?  `before`: the one before. */
@@ -81,9 +84,11 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
 INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
                        const algsurf_i_sheets *sheets, int first, int count) {
     lanes z = r->z * all_lanes(1 / s->size);
-    mask sure = at_most(absolute(value), load_some(sheets->enough + first, count)) &
+    mask sure = ~much;
+    if (sheets->enough)
+        sure &= at_most(absolute(value), load_some(sheets->enough + first, count)) &
                 less(load_some(sheets->low + first, count), z) &
-                less(z, load_some(sheets->high + first, count)) & ~much;
+                less(z, load_some(sheets->high + first, count));
     unsigned which = bits(sure), all = (1u << (count < LANES ? count : LANES)) - 1;
     if ((which & all) == all) {
         memset(sheets->sure + first, 1, (size_t)(count < LANES ? count : LANES));
@@ -106,28 +111,44 @@ INLINE void store_distances(const row_rays *s, const packet_rays *r, lanes z, la
 #endif
 }
 
-/* Sets the entries from `first` on: the points at z, the unit normals. */
-INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
+/* The points at z: position, unit normal, direction to canvas, t and what is asked for to the entries from
+ * `first` on. */
+INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, canvas *c,
                           const algsurf_i_points *points, int first, int count) {
     lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
-    make_unit(normal);
+    make_unit(c->normal);
     store_distances(s, r, z, length, points->t + first, count);
     for (int i = 0; i < 3; i++) {
-        store_some(points->position[i] + first, (r->foot[i] + z * r->along[i]) * all_lanes(s->unit), count);
-        store_some(points->normal[i] + first, normal[i], count);
-        store_some(points->direction[i] + first, r->along[i] * inverse, count);
+        c->position[i] = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
+        c->direction[i] = r->along[i] * inverse;
+        if (points->normal[i]) store_some(points->normal[i] + first, c->normal[i], count);
+        if (!points->position[i]) continue;
+        store_some(points->position[i] + first, c->position[i], count);
+        store_some(points->direction[i] + first, c->direction[i], count);
     }
+}
+
+/* Their colours. */
+INLINE void colour_packets(const algsurf_i_colour_job *job, canvas c[PAIR], int packets, uint32_t *bytes,
+                           int count) {
+    for (int w = 0; w < packets; w++) begin_canvas(job->material, &c[w]);
+    for (int l = 0; l < job->light_count; l++) {
+        for (int w = 0; w < packets; w++) aim(&job->lights[l], &c[w]);
+        for (int w = 0; w < packets; w++) add_light(job->material, &job->lights[l], all_lanes(1), &c[w]);
+    }
+    for (int w = 0; w < packets; w++) store_bytes(&c[w], count, bytes + w * LANES);
 }
 
 /* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
  * sets what was found to be the root, and returns whether all were. */
-INLINE int find_packets(const algsurf_surface *surface, const row_rays *s, const int *pixel,
+INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const int *pixel,
                         const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
                         int first, int packets, int count) {
     packet_rays r[PAIR];
     lanes at[PAIR][3], step[PAIR], before[PAIR];
     mask much[PAIR];
     jets p;
+    canvas c[PAIR];
     int all = 1;
     for (int w = 0; w < packets; w++) {
         int from = first + w * LANES;
@@ -138,10 +159,12 @@ INLINE int find_packets(const algsurf_surface *surface, const row_rays *s, const
         mask more = no_lane();
         for (int w = 0; w < packets; w++)
             for (int i = 0; i < 3; i++) at[w][i] = r[w].foot[i] + r[w].z * r[w].along[i];
-        p = surface_jets(surface, at, packets);
+        p = surface_jets(job->surface, at, packets);
         for (int w = 0; w < packets; w++) {
-            step[w] = step_to(&r[w], &p, w, s->size * (sheets ? FARTHEST_ON_SHEET : FARTHEST_STEP));
+            mask lost;
+            step[w] = step_to(&r[w], &p, w, s->size * (sheets ? FARTHEST_ON_SHEET : FARTHEST_STEP), &lost);
             much[w] = leaves_much(s, step[w], before[w]);
+            if (sheets) much[w] |= lost;
             more |= much[w];
         }
         if (round == MOST_ROUNDS || !any(more)) break;
@@ -151,10 +174,12 @@ INLINE int find_packets(const algsurf_surface *surface, const row_rays *s, const
         }
     }
     for (int w = 0; w < packets; w++) {
-        lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
-        if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, first + w * LANES, count);
-        finish_packet(s, &r[w], r[w].z + step[w], normal, points, first + w * LANES, count);
+        const int from = first + w * LANES;
+        c[w].normal[0] = p.x[w], c[w].normal[1] = p.y[w], c[w].normal[2] = p.z[w];
+        if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, from, count);
+        finish_packet(s, &r[w], r[w].z + step[w], &c[w], points, from, count);
     }
+    if (points->bytes) colour_packets(job->colours, c, packets, points->bytes + first, count);
     return all;
 }
 
@@ -163,9 +188,9 @@ INLINE int find_all(const algsurf_i_point_job *job, const int *pixel, const doub
     const row_rays s = rays_of_row(job);
     int first = 0, all = 1;
     for (; first + PAIR * LANES <= count; first += PAIR * LANES)
-        all &= find_packets(job->surface, &s, pixel, depth, sheets, points, first, PAIR, LANES);
+        all &= find_packets(job, &s, pixel, depth, sheets, points, first, PAIR, LANES);
     for (; first < count; first += LANES)
-        all &= find_packets(job->surface, &s, pixel, depth, sheets, points, first, 1, count - first);
+        all &= find_packets(job, &s, pixel, depth, sheets, points, first, 1, count - first);
     return all;
 }
 

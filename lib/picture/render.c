@@ -78,6 +78,9 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     atomic_init(&picture->stop, 0);
     picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
+    picture->colours = (algsurf_i_colour_job){&scene->material, picture->lights, picture->light_count};
+    picture->at_once = picture->planes.pixels && scene->antialias == 1 && !scene->complex &&
+                       !picture->shadows && scene->quality != ALGSURF_QUALITY_PREVIEW;
     algsurf_i_count_samples(picture);
     algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
     picture->reach = reach_of(scene, picture->radius);
@@ -268,7 +271,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     for (size_t i = 0; i < count; i++) {
         algsurf_i_worker *worker = &memory->workers[i];
         worker->line.pixel = take_ints(&ints, width);
-        if (picture->scene->antialias == 1) worker->line.bytes = (uint32_t *)take_ints(&ints, width);
+        if (picture->scene->antialias == 1) worker->line.points.bytes = (uint32_t *)take_ints(&ints, width);
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
@@ -312,8 +315,8 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     free(memory);
     if (picture->packets && picture->tiled)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
-    if (picture->packets && algsurf_i_single_suits(picture))
-        picture->code = algsurf_i_single_kernel_for(picture->kernel);
+    picture->single = picture->packets && algsurf_i_single_suits(picture);
+    if (picture->single) picture->code = algsurf_i_single_kernel_for(picture->kernel);
     return ALGSURF_OK;
 }
 

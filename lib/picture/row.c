@@ -75,10 +75,36 @@ static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : 
 
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
+static algsurf_i_points points_from(const algsurf_i_points *p, int first) {
+    algsurf_i_points rest = {.t = p->t + first, .bytes = p->bytes ? p->bytes + first : NULL};
+    for (int k = 0; k < 3; k++) {
+        rest.position[k] = p->position[k] + first;
+        rest.normal[k] = p->normal[k] + first;
+        rest.direction[k] = p->direction[k] + first;
+    }
+    return rest;
+}
+
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
+                                          int first) {
+    algsurf_i_points points = points_from(&line->points, first);
+    if (!picture->at_once) {
+        points.bytes = NULL;
+        return points;
+    }
+    for (int k = 0; k < 3; k++) {
+        points.position[k] = points.direction[k] = NULL;
+        if (!picture->planes.normals) points.normal[k] = NULL;
+    }
+    return points;
+}
+
 /* Colours of the points. */
 static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_line *line,
                                  algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
+    uint32_t *bytes = line->points.bytes;
+    if (line->done == line->count) return ALGSURF_OK;
     double begun = algsurf_i_render_clock();
     if (picture->shadows) {
         algsurf_status status = algsurf_i_render_shadows(picture, line, tally);
@@ -89,15 +115,14 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     }
     if (scene->quality == ALGSURF_QUALITY_PREVIEW) {
         shade_preview(picture, line);
-        for (int i = 0; line->bytes && i < line->count; i++) {
-            line->bytes[i] = 0;
-            for (int k = 2; k >= 0; k--)
-                line->bytes[i] = line->bytes[i] << 8 | byte_of(clamped(line->colour[3 * i + k]));
+        for (int i = 0; bytes && i < line->count; i++) {
+            bytes[i] = 0;
+            for (int k = 2; k >= 0; k--) bytes[i] = bytes[i] << 8 | byte_of(clamped(line->colour[3 * i + k]));
         }
     } else {
-        const algsurf_i_colour_job job = {&scene->material, picture->lights, picture->light_count};
-        picture->code->colours(&job, &line->points, line->count, picture->shadows ? line->visible : NULL,
-                               line->bytes ? NULL : line->colour, line->bytes);
+        const algsurf_i_points rest = points_from(&line->points, line->done);
+        picture->code->colours(&picture->colours, &rest, line->count - line->done,
+                               picture->shadows ? line->visible : NULL, rest.bytes ? NULL : line->colour);
     }
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
@@ -187,7 +212,7 @@ static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown 
 static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, double sy,
                           algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
-    line->count = 0;
+    line->count = line->done = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
     if (line->way) memset(line->way, ALGSURF_WAY_ROW, (size_t)picture->width);
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
@@ -206,6 +231,24 @@ algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, 
     return status;
 }
 
+static void store_word(uint32_t word, uint8_t *bytes) {
+    for (int k = 0; k < 4; k++) bytes[k] = (uint8_t)(word >> 8 * k);
+}
+
+/* Colours, with alpha or four at a time. */
+static void store_bytes(const uint32_t *colours, int count, int channels, uint8_t *bytes) {
+    int i = 0;
+    for (; channels == 4 && i < count; i++) store_word(colours[i] | 0xff000000u, bytes + 4 * i);
+    for (; i + 4 <= count; i += 4) {
+        const uint32_t *c = colours + i;
+        store_word(c[0] | c[1] << 24, bytes + 3 * i);
+        store_word(c[1] >> 8 | c[2] << 16, bytes + 3 * i + 4);
+        store_word(c[2] >> 16 | c[3] << 8, bytes + 3 * i + 8);
+    }
+    for (; i < count; i++)
+        for (int k = 0; k < 3; k++) bytes[3 * i + k] = (uint8_t)(colours[i] >> 8 * k);
+}
+
 /* One sample a pixel: the row's points as they are, with the bytes that their average would have. */
 static void store_points(const algsurf_i_picture *picture, const algsurf_i_line *line, size_t index) {
     const algsurf_picture *planes = &picture->planes;
@@ -218,17 +261,17 @@ static void store_points(const algsurf_i_picture *picture, const algsurf_i_line 
     if (planes->state) memset(planes->state + first, ALGSURF_MISS, (size_t)width);
     if (planes->way) memcpy(planes->way + first, line->way, (size_t)width);
     if (planes->normals) memset(planes->normals + 3 * first, 0, 3 * (size_t)width * sizeof *planes->normals);
-    for (int i = 0; bytes && i < line->count; i++) {
-        uint8_t *to = bytes + channels * line->pixel[i];
-        for (int k = 0; k < 3; k++) to[k] = (uint8_t)(line->bytes[i] >> 8 * k);
-        if (channels == 4) to[3] = 255;
-    }
-    for (int i = 0; i < line->count; i++) {
+    for (int i = 0, end; i < line->count; i = end) { /* pixels that follow each other */
         size_t x = (size_t)line->pixel[i];
-        if (planes->t) planes->t[first + x] = p->t[i];
-        if (planes->state) planes->state[first + x] = line->state[x];
-        for (int k = 0; planes->normals && k < 3; k++)
-            planes->normals[3 * (first + x) + (size_t)k] = (float)p->normal[k][i];
+        for (end = i + 1; end < line->count && line->pixel[end] == line->pixel[end - 1] + 1;) end++;
+        size_t count = (size_t)(end - i);
+        if (bytes) store_bytes(p->bytes + i, end - i, channels, bytes + (size_t)channels * x);
+        if (planes->t) memcpy(planes->t + first + x, p->t + i, count * sizeof *p->t);
+        if (planes->state) memcpy(planes->state + first + x, line->state + x, count);
+    }
+    for (int i = 0; planes->normals && i < line->count; i++) {
+        size_t x = (size_t)line->pixel[i];
+        for (int k = 0; k < 3; k++) planes->normals[3 * (first + x) + (size_t)k] = (float)p->normal[k][i];
     }
 }
 

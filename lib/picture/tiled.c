@@ -11,7 +11,7 @@
 
 /* Pixels on their way to points of a sheet, seen at eta from its middle. */
 static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
-                      algsurf_i_line *line, algsurf_i_tiling *t) {
+                      algsurf_i_line *line, algsurf_i_tiling *t, int check) {
     const double *c = tile->depth;
     double at_zero = c[0] + eta * (c[2] + eta * c[5]), slope = c[1] + eta * c[4], bend = c[3];
     double middle = tile->x, inverse = tile->inverse;
@@ -23,6 +23,8 @@ static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta
         pixel[i] = first + i;
         depth[i] = at_zero + xi * (slope + xi * bend);
         low[i] = tile->low;
+    }
+    for (int i = 0; check && i < end - first; i++) {
         high[i] = tile->high;
         enough[i] = tile->enough;
     }
@@ -41,18 +43,18 @@ static void set_ways(algsurf_i_line *line, int first, int end, int side, algsurf
 
 /* Pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
-                         algsurf_i_line *line, algsurf_i_tiling *t) {
+                         algsurf_i_line *line, algsurf_i_tiling *t, int check) {
     double eta = (y - tile->y) * tile->inverse;
     set_ways(line, first, end, (int)(2 / tile->inverse),
              tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
     if (tile->enough > 0 && !line->wanted) {
-        add_sheet(tile, first, end, eta, sx, line, t);
+        add_sheet(tile, first, end, eta, sx, line, t, check);
         return;
     }
     for (int x = first; x < end; x++) {
         if (line->wanted && !line->wanted[x]) continue;
         if (tile->enough > 0)
-            add_sheet(tile, x, x + 1, eta, sx, line, t);
+            add_sheet(tile, x, x + 1, eta, sx, line, t, check);
         else
             add_leaf(t, x, tile->low);
     }
@@ -70,12 +72,14 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
         if (cell[first] < 0)
             set_ways(&worker->line, x, x_end, -cell[first], ALGSURF_WAY_EMPTY);
         else
-            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling);
+            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling,
+                         !picture->single);
     }
 }
 
 static void move_point(const algsurf_i_points *p, int from, int to) {
     p->t[to] = p->t[from];
+    if (p->bytes) p->bytes[to] = p->bytes[from];
     for (int k = 0; k < 3; k++) {
         p->position[k][to] = p->position[k][from];
         p->normal[k][to] = p->normal[k][from];
@@ -103,8 +107,9 @@ static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_sheets sheets = {t->low, t->high, t->enough, t->sure};
-    if (!picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &line->points))
+    const algsurf_i_sheets sheets = {t->low, t->high, picture->single ? NULL : t->enough, t->sure};
+    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, 0);
+    if (!picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &points))
         keep_sure(line, t);
 }
 
@@ -128,14 +133,24 @@ static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_jo
     return doubtful;
 }
 
-static algsurf_i_points points_from(const algsurf_i_points *p, int first) {
-    algsurf_i_points rest = {.t = p->t + first};
-    for (int k = 0; k < 3; k++) {
-        rest.position[k] = p->position[k] + first;
-        rest.normal[k] = p->normal[k] + first;
-        rest.direction[k] = p->direction[k] + first;
-    }
-    return rest;
+/* The points of leaves, after the line's. */
+static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, double sx,
+                                  const algsurf_i_point_job *job, algsurf_i_worker *worker,
+                                  algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    double begun = algsurf_i_render_clock();
+    int sheets = line->count, doubtful = solve_leaves(picture, job->row, worker);
+    double solved = algsurf_i_render_clock();
+    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, sheets);
+    picture->code->points(job, line->pixel + sheets, line->depth + sheets, line->count - sheets, &points);
+    tally->hits += (uint64_t)(line->count - sheets);
+    line->done = picture->at_once ? line->count : 0;
+    double pointed = algsurf_i_render_clock();
+    algsurf_status status = ALGSURF_OK;
+    if (doubtful) status = algsurf_i_solve_doubtful(picture, y, sx, 0, picture->width, line, tally);
+    tally->point_s += pointed - solved;
+    tally->solve_s += (solved - begun) + (algsurf_i_render_clock() - pointed);
+    return status;
 }
 
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
@@ -143,7 +158,7 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
                                       algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {.surface = picture->scene->surface, .row = &job};
+    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours};
     double begun = algsurf_i_render_clock();
     tally->rays += (uint64_t)line->wanted_count;
     memset(line->state, ALGSURF_LANE_MISS, (size_t)picture->width);
@@ -151,22 +166,14 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     collect(picture, band, row + sy, sx, worker);
     tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
     double collected = algsurf_i_render_clock();
-    if (line->count > 0) find_sheets(picture, &points, worker);
-    double found = algsurf_i_render_clock();
-    int sheets = line->count;
-    tally->sheet_rays += (uint64_t)sheets;
-    int doubtful = worker->tiling.leaves > 0 && solve_leaves(picture, &job, worker);
-    double solved = algsurf_i_render_clock();
-    if (line->count > sheets) {
-        const algsurf_i_points rest = points_from(&line->points, sheets);
-        picture->code->points(&points, line->pixel + sheets, line->depth + sheets, line->count - sheets,
-                              &rest);
+    tally->solve_s += collected - begun;
+    if (line->count > 0) {
+        find_sheets(picture, &points, worker);
+        tally->point_s += algsurf_i_render_clock() - collected;
     }
+    tally->sheet_rays += (uint64_t)line->count;
     tally->hits += (uint64_t)line->count;
-    double pointed = algsurf_i_render_clock();
-    algsurf_status status = ALGSURF_OK;
-    if (doubtful) status = algsurf_i_solve_doubtful(picture, row + sy, sx, 0, picture->width, line, tally);
-    tally->point_s += (found - collected) + (pointed - solved);
-    tally->solve_s += (collected - begun) + (solved - found) + (algsurf_i_render_clock() - pointed);
-    return status;
+    line->done = picture->at_once ? line->count : 0;
+    return worker->tiling.leaves > 0 ? find_leaves(picture, row + sy, sx, &points, worker, tally)
+                                     : ALGSURF_OK;
 }

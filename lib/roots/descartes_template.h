@@ -62,13 +62,18 @@ typedef struct signs {
 
 INLINE lanes radius_of(const lanes *e, int j, int own) { return e[own ? j : 0]; }
 
+/* One radius for all is that of rounding, which floats do not account for. */
+INLINE lanes plus_radius(lanes w, lanes radius, int own) {
+    return own ? w + radius : BY_PRECISION(w + radius, w);
+}
+
 /* For w[0] above its radius. */
 INLINE signs count_signs(const lanes *w, const lanes *e, int n, int own) {
     words low = {0}, mixed = low, last = low; /* low: a coefficient so far may be negative */
     for (int j = 1; j <= n; j++) {
-        last = (words)(w[j] + radius_of(e, j, own));
+        last = (words)plus_radius(w[j], radius_of(e, j, own), own);
         mixed |= low & ~last; /* one after it may be positive */
-        low |= (words)(w[j] - radius_of(e, j, own));
+        low |= (words)plus_radius(w[j], -radius_of(e, j, own), own);
     }
     return (signs){~negative(low), ~negative(mixed) & negative(last)};
 }

@@ -1,0 +1,221 @@
+/* accuracy_pictures.c - see accuracy_pictures.h.
+ *
+ * The picture is framed by the extent, whatever the distance.  All tiers draw the same planes, bytes and t;
+ * what they show is compared once, with normals. */
+#include "accuracy_pictures.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+#include "measure.h"
+#include "results.h"
+
+static const double WRONG = 1e-3, DEGREE = 57.29577951308232;
+static const char *const csv_head =
+    "surface,degree,width,height,distance,tier,pixels,ns_median,ns_min,ns_max,"
+    "wrong,t_99.9,normal_99.9\n";
+
+typedef struct planes {
+    uint8_t *pixels, *state;
+    double *t;
+    float *normals;
+} planes;
+
+static void must(const picture_record *r, algsurf_status status) {
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", r->entry->name, algsurf_status_text(status));
+}
+
+static void *allocate(size_t count, size_t bytes) {
+    void *memory = calloc(count, bytes);
+    if (!memory) cli_no_memory();
+    return memory;
+}
+
+static planes make_planes(size_t pixels) {
+    return (planes){allocate(pixels, 3), allocate(pixels, 1), allocate(pixels, sizeof(double)),
+                    allocate(3 * pixels, sizeof(float))};
+}
+
+static void free_planes(planes *p) {
+    free(p->pixels);
+    free(p->state);
+    free(p->t);
+    free(p->normals);
+}
+
+static void place_camera(const picture_record *r, double distance, algsurf_scene *scene) {
+    const catalogue_entry *e = r->entry;
+    double eye[3], length = 0, fov = 2 * atan(1.1 / distance) * DEGREE;
+    algsurf_camera camera;
+    for (int i = 0; i < 3; i++) length = hypot(length, e->eye[i] - e->extent.centre[i]);
+    for (int i = 0; i < 3; i++)
+        eye[i] =
+            e->extent.centre[i] + distance * e->extent.size[0] * (e->eye[i] - e->extent.centre[i]) / length;
+    must(r, algsurf_camera_pinhole(eye, e->extent.centre, e->up, fov, &camera));
+    must(r, algsurf_scene_set_camera(scene, &camera));
+}
+
+/* CPU seconds.  With all planes, or those that are timed. */
+static double draw(const picture_record *r, const picture_size *size, int tier, int all, algsurf_scene *scene,
+                   const planes *to) {
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = tier};
+    const algsurf_render_options options = {
+        .size = sizeof options, .width = size->width, .height = size->height, .threads = 1};
+    const algsurf_picture picture = {.size = sizeof picture,
+                                     .pixels = to->pixels,
+                                     .t = to->t,
+                                     .state = all ? to->state : NULL,
+                                     .normals = all ? to->normals : NULL};
+    must(r, algsurf_scene_set_intersect(scene, &how));
+    double begun = measure_cpu();
+    must(r, algsurf_render(scene, &options, &picture, NULL));
+    return measure_cpu() - begun;
+}
+
+/* Degrees between the normals of pixel i. */
+static double turned(const planes *a, const planes *b, size_t i) {
+    double square = 0;
+    for (size_t k = 0; k < 3; k++) square += pow((double)a->normals[3 * i + k] - b->normals[3 * i + k], 2);
+    return 2 * asin(fmin(1, sqrt(square) / 2)) * DEGREE;
+}
+
+static void compare(const picture_record *r, size_t pixels, const planes *sure, const planes *other,
+                    picture_line *l) {
+    double *t = allocate(pixels, sizeof *t), *normal = allocate(pixels, sizeof *normal);
+    size_t count = 0;
+    l->wrong = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        if (other->state[i] == ALGSURF_UNDECIDED || sure->state[i] == ALGSURF_UNDECIDED) continue;
+        int wrong = other->state[i] != sure->state[i];
+        double apart = isinf(sure->t[i]) || wrong ? 0 : fabs(other->t[i] - sure->t[i]);
+        wrong |= apart > WRONG * r->entry->extent.size[0];
+        l->wrong += (size_t)wrong;
+        if (wrong || isinf(sure->t[i])) continue;
+        t[count] = apart / r->entry->extent.size[0];
+        normal[count++] = turned(sure, other, i);
+    }
+    measure_sort(t, count);
+    measure_sort(normal, count);
+    l->t = count > 0 ? measure_quantile(t, count, 0.999) : 0;
+    l->normal = count > 0 ? measure_quantile(normal, count, 0.999) : 0;
+    free(t);
+    free(normal);
+}
+
+static void run_size(const picture_record *r, const picture_size *size, algsurf_scene *scene,
+                     picture_line *line) {
+    size_t pixels = (size_t)size->width * (size_t)size->height;
+    planes sure = make_planes(pixels), other = make_planes(pixels);
+    place_camera(r, size->distance, scene);
+    (void)draw(r, size, ALGSURF_TIER_CERTIFIED, 1, scene, &sure);
+    for (int tier = 0; tier < TIERS; tier++) {
+        (void)draw(r, size, tier, 1, scene, &other);
+        compare(r, pixels, &sure, &other, &line[tier]);
+        if (tier != ALGSURF_TIER_FAST && line[tier].wrong > 0)
+            cli_fail(CLI_BROKEN, "%s: the picture of the %s tier differs from the certified one",
+                     r->entry->name, tier_name(tier));
+    }
+    for (int turn = 0; turn < r->repeat; turn++)
+        for (int tier = 0; tier < TIERS; tier++)
+            line[tier].ns[turn] = draw(r, size, tier, 0, scene, &other) * 1e9 / (double)pixels;
+    for (int tier = 0; tier < TIERS; tier++) measure_sort(line[tier].ns, (size_t)r->repeat);
+    free_planes(&sure);
+    free_planes(&other);
+}
+
+void pictures_run(const catalogue_entry *entry, int quick, int repeat, picture_record *r) {
+    static const picture_size all[SIZES] = {{256, 192, 4},   {512, 384, 4},    {1024, 768, 4},
+                                            {2048, 1536, 4}, {1024, 768, 100}, {1024, 768, 1e4}};
+    static const picture_size few[] = {{96, 72, 4}, {256, 192, 4}, {256, 192, 1e4}};
+    algsurf_surface *surface;
+    algsurf_scene *scene;
+    *r = (picture_record){.entry = entry, .repeat = repeat, .sizes = quick ? 3 : SIZES};
+    for (int i = 0; i < r->sizes; i++) r->size[i] = quick ? few[i] : all[i];
+    must(r, algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL));
+    must(r, algsurf_scene_create(surface, &scene));
+    must(r, algsurf_scene_set_extent(scene, &entry->extent));
+    for (int i = 0; i < r->sizes; i++) run_size(r, &r->size[i], scene, r->line[i]);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+/* ---- what is told ---- */
+
+static double median(const picture_record *r, int size, int tier) {
+    return measure_quantile(r->line[size][tier].ns, (size_t)r->repeat, 0.5);
+}
+
+void pictures_table(const picture_record *r) {
+    printf("\n%s in whole pictures, shading included, beside the certified tier\n", r->entry->name);
+    printf("%-12s%9s  %-10s%9s%8s%9s%10s%10s\n", "size", "distance", "tier", "ns/pixel", "times", "wrong",
+           "t", "normal");
+    for (int i = 0; i < r->sizes; i++)
+        for (int tier = 0; tier < TIERS; tier++) {
+            const picture_line *l = &r->line[i][tier];
+            char size[32];
+            snprintf(size, sizeof size, "%dx%d", r->size[i].width, r->size[i].height);
+            printf("%-12s%9g  %-10s%9.1f%7.2fx%9zu%10.1e%10.1e\n", size, r->size[i].distance, tier_name(tier),
+                   median(r, i, tier), median(r, i, ALGSURF_TIER_CERTIFIED) / median(r, i, tier), l->wrong,
+                   l->t, l->normal);
+        }
+}
+
+static void write_csv(const picture_record *records, int count, const char *folder) {
+    FILE *file = results_create(folder, "accuracy_pictures.csv");
+    fputs(csv_head, file);
+    for (const picture_record *r = records; r < records + count; r++)
+        for (int i = 0; i < r->sizes; i++)
+            for (int tier = 0; tier < TIERS; tier++) {
+                const picture_line *l = &r->line[i][tier];
+                fprintf(file, "%s,%d,%d,%d,%g,%s,%d,%.4g,%.4g,%.4g,%zu,%.4g,%.4g\n", r->entry->name,
+                        r->entry->degree, r->size[i].width, r->size[i].height, r->size[i].distance,
+                        tier_name(tier), r->size[i].width * r->size[i].height, median(r, i, tier), l->ns[0],
+                        l->ns[r->repeat - 1], l->wrong, l->t, l->normal);
+            }
+    results_finish(file, folder, "accuracy_pictures.csv");
+}
+
+/* Time against resolution, from the first distance: a panel for each surface, a line for each tier. */
+typedef struct panel {
+    char title[128];
+    double x[SIZES], y[TIERS][SIZES];
+    plot_series series[TIERS];
+} panel;
+
+static plot panel_of(const picture_record *r, panel *p) {
+    plot_axis time = {.label = "time a pixel, ns", .scale = PLOT_LOG, .lo = INFINITY};
+    size_t points = 0;
+    for (int i = 0; i < r->sizes; i++) {
+        if (r->size[i].distance != r->size[0].distance) continue;
+        p->x[points] = r->size[i].width;
+        for (int tier = 0; tier < TIERS; tier++) {
+            p->y[tier][points] = median(r, i, tier);
+            time.lo = fmin(time.lo, median(r, i, tier) / 1.2);
+            time.hi = fmax(time.hi, median(r, i, tier) * 1.2);
+        }
+        points++;
+    }
+    for (int tier = 0; tier < TIERS; tier++)
+        p->series[tier] = (plot_series){tier_name(tier), PLOT_BOTH, p->x, p->y[tier], points};
+    snprintf(p->title, sizeof p->title, "A picture by tier: %s (degree %d)", r->entry->name,
+             r->entry->degree);
+    return (plot){.title = p->title,
+                  .x = {.label = "width of the picture, pixels",
+                        .scale = PLOT_LOG,
+                        .lo = p->x[0] / 1.2,
+                        .hi = p->x[points - 1] * 1.2},
+                  .y = time,
+                  .series = p->series,
+                  .count = TIERS};
+}
+
+void pictures_files(const picture_record *records, int count, const char *folder) {
+    panel *panels = allocate((size_t)count, sizeof *panels);
+    plot *plots = allocate((size_t)count, sizeof *plots);
+    write_csv(records, count, folder);
+    for (int i = 0; i < count; i++) plots[i] = panel_of(&records[i], &panels[i]);
+    results_plot(plots, (size_t)count, folder, "accuracy_pictures.svg");
+    free(panels);
+    free(plots);
+}
