@@ -104,22 +104,22 @@ static void compare(const picture_record *r, size_t pixels, const planes *sure, 
 }
 
 static void run_size(const picture_record *r, const picture_size *size, algsurf_scene *scene,
-                     picture_line *line) {
+                     picture_line *lines) {
     size_t pixels = (size_t)size->width * (size_t)size->height;
     planes sure = make_planes(pixels), other = make_planes(pixels);
     place_camera(r, size->distance, scene);
     (void)draw(r, size, ALGSURF_TIER_CERTIFIED, 1, scene, &sure);
     for (int tier = 0; tier < TIERS; tier++) {
         (void)draw(r, size, tier, 1, scene, &other);
-        compare(r, pixels, &sure, &other, &line[tier]);
-        if (tier != ALGSURF_TIER_FAST && line[tier].wrong > 0)
+        compare(r, pixels, &sure, &other, &lines[tier]);
+        if (tier != ALGSURF_TIER_FAST && lines[tier].wrong > 0)
             cli_fail(CLI_BROKEN, "%s: the picture of the %s tier differs from the certified one",
                      r->entry->name, tier_name(tier));
     }
     for (int turn = 0; turn < r->repeat; turn++)
         for (int tier = 0; tier < TIERS; tier++)
-            line[tier].ns[turn] = draw(r, size, tier, 0, scene, &other) * 1e9 / (double)pixels;
-    for (int tier = 0; tier < TIERS; tier++) measure_sort(line[tier].ns, (size_t)r->repeat);
+            lines[tier].ns[turn] = draw(r, size, tier, 0, scene, &other) * 1e9 / (double)pixels;
+    for (int tier = 0; tier < TIERS; tier++) measure_sort(lines[tier].ns, (size_t)r->repeat);
     free_planes(&sure);
     free_planes(&other);
 }

@@ -222,10 +222,11 @@ static void wrong_tiles(algsurf_i_tile_job *job) {
     for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0;
 }
 
-static void wrong_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
-                               int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    real_picture->sheet_points(job, pixel, depth, count, sheets, points);
+static int wrong_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
+                              int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+    int all = real_picture->sheet_points(job, pixel, depth, count, sheets, points);
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+    return all;
 }
 
 static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
@@ -237,7 +238,8 @@ static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const
 static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
                           const double *visible, double *colour) {
     real_picture->colours(job, points, count, visible, colour);
-    for (int i = 0; i < 3 * count; i++) colour[i] *= 0.98;
+    for (int i = 0; colour && i < 3 * count; i++) colour[i] *= 0.98;
+    for (int i = 0; !colour && i < count; i++) points->bytes[i] ^= 8;
 }
 
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {

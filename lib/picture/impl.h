@@ -11,7 +11,7 @@
  *     tiled.c            the hits of a row by its tiles
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
- *     single.c           which pictures are drawn in floats
+ *     single.c           which pictures of the fast tier are drawn in floats
  *     shadow.c           which share of a light reaches a point
  *     shadow_rays.c      rays to lights, by packets
  */

@@ -1,6 +1,6 @@
 /* points_template.h - from the depths of hits to points of the surface: Newton steps along the ray on P
- * itself, seldom more than one, position, normal.
- */
+ * itself, seldom more than one, position, normal; and, where bytes are asked for, at once to their colours,
+ * which saves the way of both through memory. */
 #ifndef ALGSURF_POINTS_TEMPLATE_H
 #define ALGSURF_POINTS_TEMPLATE_H
 #include <string.h>
@@ -17,7 +17,7 @@
 /* What may be left on a sheet after a step s that followed r, s (s/r)^2, and r for the first one. */
 #define LEFT_OVER BY_PRECISION(0x1p-52, 0x1p-22)
 #define STEP_BEFORE BY_PRECISION(0x1p-20, 0x1p-8)
-#define MOST_ROUNDS 4 /* of steps; one is usual, in doubles on a sheet two */
+#define MOST_ROUNDS 4 /* of steps; one is usual, on a sheet of doubles two */
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */
@@ -98,15 +98,14 @@ INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mas
     return 0;
 }
 
-/* t of points at z, of rays as long as that for each unit of z.  With floats, the eye may be too far away
- * for them, and of the length what exceeds 1 is one. */
-INLINE void store_distances(const row_rays *s, const packet_rays *r, lanes z, lanes length, double *t,
-                            int count) {
+/* t of points at z, on rays of that length for each unit of z: 1 + more.  Of floats, which may be too short
+ * for the eye's distance, `more` is one. */
+INLINE void store_distances(const row_rays *s, lanes z, lanes length, lanes more, double *t, int count) {
 #if defined(SINGLE)
-    lanes more = (r->slope * r->slope + all_lanes(s->slope * s->slope)) / (1 + length);
+    (void)length;
     for (int l = 0; l < LANES && l < count; l++) t[l] = (z[l] - s->near) * (1.0 + more[l]) * s->unit;
 #else
-    (void)r;
+    (void)more;
     store_some(t, (z - s->near) * length * s->unit, count);
 #endif
 }
@@ -115,9 +114,11 @@ INLINE void store_distances(const row_rays *s, const packet_rays *r, lanes z, la
  * `first` on. */
 INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, canvas *c,
                           const algsurf_i_points *points, int first, int count) {
-    lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
+    lanes length = root(dot(r->along, r->along)), inverse, more;
+    lanes slopes = r->slope * r->slope + all_lanes(s->slope * s->slope);
+    divide_both(all_lanes(1), length, slopes, 1 + length, &inverse, &more);
     make_unit(c->normal);
-    store_distances(s, r, z, length, points->t + first, count);
+    store_distances(s, z, length, more, points->t + first, count);
     for (int i = 0; i < 3; i++) {
         c->position[i] = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
         c->direction[i] = r->along[i] * inverse;

@@ -12,8 +12,17 @@
 
 #define LEAST_PIXEL 0x1p-14 /* in the view's unit, some radius of the extent: 1/256 of a pixel is lost */
 #define FARTHEST 16         /* centre of the extent, in the same unit */
-#define LEAST_VALUE 0x1p-50 /* of the surface's terms, added up in size */
+#define LEAST_VALUE 0x1p-50 /* of the surface's terms, added up in size, and of lengths */
 #define MOST_VALUE 0x1p50
+
+static int in_range(double value) { return value > LEAST_VALUE && value < MOST_VALUE; }
+
+static int lights_in_range(const algsurf_i_picture *picture) {
+    for (int l = 0; l < picture->light_count; l++)
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(picture->lights[l].position[i]) < MOST_VALUE)) return 0;
+    return 1;
+}
 
 int algsurf_i_single_suits(const algsurf_i_picture *picture) {
     const algsurf_scene *scene = picture->scene;
@@ -24,6 +33,6 @@ int algsurf_i_single_suits(const algsurf_i_picture *picture) {
     for (int i = 0; i < 3; i++)
         if (fabs(view->centre[i]) > FARTHEST * view->size) return 0;
     double values = p->frame.value_error / (16 * (n + 1) * ALGSURF_U + scene->surface->error);
-    return fabs(p->per_slope) * p->pixel >= LEAST_PIXEL && values > LEAST_VALUE && values < MOST_VALUE &&
-           view->size > LEAST_VALUE && view->size < MOST_VALUE;
+    return fabs(p->per_slope) * p->pixel >= LEAST_PIXEL && in_range(values) && in_range(view->size) &&
+           in_range(ldexp(view->size, scene->surface->unit)) && lights_in_range(picture);
 }

@@ -30,9 +30,9 @@
 #include "row_template.h"
 #include "search_template.h"
 
-#define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
-#define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
-#define NEAR BY_PRECISION(ALGSURF_I_NEAR, 0x1p-8)
+#define LEAST_WIDTH 0x1p-12                       /* of a sheet's cell about its middle ray's root */
+#define SLACK 0x1p-22                             /* of the ends of chords, whose error is far below it */
+#define NEAR BY_PRECISION(ALGSURF_I_NEAR, 0x1p-8) /* floats need more room for rounding */
 
 /* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
 typedef struct tile_packet {

@@ -127,7 +127,8 @@ typedef struct algsurf_render_stats {
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
     uint64_t single_rays; /* rays solved one by one: what rows left undecided, or all */
     double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
-    double point_s;       /* seconds spent in positions and normals of what packets found */
+    double point_s;       /* seconds spent in positions and normals of what packets found; in standard
+                             quality with one sample a pixel in their shading, too, which is not in shade_s */
     double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
     const char *kernel;   /* the SIMD code's name (algsurf_kernel_name) */
     uint64_t tiles;       /* of pixels that were searched, 16, 8 and 4 to a side: some are empty, some are
@@ -176,7 +177,8 @@ typedef struct algsurf_picture {
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  |t - exact| is within what
-                              rounding the ray, t and P can change, plus 2^-36 of the extent's radius */
+                              rounding the ray, t and P can change, plus 2^-36 of the extent's radius; in
+                              single precision (below) usually within 1e-5 of it */
     float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
                               viewer; all 0 where that is, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the
@@ -202,12 +204,20 @@ typedef struct algsurf_picture {
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
  * undecided, and all of other scenes, cost an intersection each.  Shadows: a ray a light sample; up to degree
  * 7 the rays from a point to a light are first looked at together, which takes half to an eighth of the time.
- * t, normals and state: 1 to 4 nanoseconds a pixel.  Where pixels are many, up to degree 12, tiles of up to
- * 16 x 16 of them are proved empty, or to see one sheet of the surface, at once: there time grows with the
- * outlines, not with the area. Memory: some 200 bytes for each thread and pixel of a row, with tiles 300
- * more, with a threshold of antialiasing 200 more, in complex space 32 more for each degree, allocated once.
- * 59 KiB of stack. Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein
- * coefficients for neighbouring pixels, or tiles, side by side.  Since 1.0. */
+ * t, normals and state: 1 to 4 nanoseconds a pixel.
+ *     Where pixels are many, up to degree 12, tiles of up to 16 x 16 of them are proved empty, or to see one
+ * sheet of the surface, at once: there time grows with the outlines, not with the area.
+ *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side, where a
+ * pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from its
+ * centre: 1.7 times as fast as certified, 1.6 times where t is asked for, geometric means of the named surfaces
+ * at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or another
+ * sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 % have t
+ * within 1e-5 radii and a normal within a third of a degree.  Other pictures are drawn in doubles, without
+ * bounds.
+ * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  59 KiB of stack.
+ * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
+ * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           const algsurf_picture *picture, algsurf_render_stats *stats);
 
