@@ -145,7 +145,7 @@ static void ask_fans(const algsurf_i_picture *picture, const algsurf_i_fan_job *
     const double *const start[3] = {at[0], at[1], at[2]};
     for (int i = 0; i < g->count; i++)
         for (int k = 0; k < 3; k++) at[k][i] = g->start[i].at[k];
-    picture->code->see_light(job, start, g->count, how, unknown);
+    algsurf_i_picture_kernel_for(picture->kernel)->see_light(job, start, g->count, how, unknown);
 }
 
 static int count_above(const algsurf_i_places *places, const algsurf_i_start *start) {
@@ -172,7 +172,7 @@ static algsurf_status ask_places(algsurf_i_shadow_rays *rays, const algsurf_i_fa
         count = places.count - first < CHUNK ? places.count - first : CHUNK;
         int asked = count % FULL > FEW ? count : count / FULL * FULL;
         for (int k = 0; k < 2; k++) aside[k] = samples->aside[k] + samples->first[light] + first;
-        rays->picture->code->see_places(job, point, aside, asked, state);
+        algsurf_i_picture_kernel_for(rays->picture->kernel)->see_places(job, point, aside, asked, state);
         for (int i = 0; i < count; i++) {
             algsurf_i_places one = {{0}, 1};
             for (int k = 0; k < 3; k++) one.at[k] = places.at[k] + first + i;
