@@ -43,6 +43,8 @@ static void demand(algsurf_status status) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 
+static const double thin_colour[3] = {0.8, 0.05, 0.1};
+
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
     algsurf_material material = view_material(entry);
@@ -53,6 +55,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_quality(scene, options->quality));
     demand(algsurf_scene_set_antialias(scene, options->antialias));
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
+    demand(algsurf_scene_set_thin(scene, options->thin ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
@@ -85,8 +88,8 @@ static char *surface_text(const cli_surface *surface) {
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
-        "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nsingle_rays\t%" PRIu64
-        "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64 "\nshadow_rays\t%" PRIu64
+        "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nthin\t%" PRIu64
+        "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64 "\nshadow_rays\t%" PRIu64
         "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64 "\nsheet_tiles\t%" PRIu64
         "\nleaf_tiles\t%" PRIu64
         "\nexpand_s\t%.17g\nsolve_s\t%.17g\npoint_s\t%.17g\nshadow_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\n"
@@ -100,7 +103,7 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->view.width,
              r->options->view.height, render_quality_name(r->options->quality),
              is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
-             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->single_rays,
+             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->thin, stats->single_rays,
              stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays, stats->iterations,
              stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles, stats->expand_s,
              stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
@@ -183,6 +186,9 @@ static void draw(const render_options *options, const algsurf_surface *surface,
                  const catalogue_entry *entry) {
     view shown = view_make(&options->view, entry);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
+    if (options->thin && algsurf_surface_degree(surface) > RENDER_THIN_DEGREE)
+        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", algsurf_surface_degree(surface),
+                 RENDER_THIN_DEGREE);
     render_check_degree(&options->space, &options->sweep, algsurf_surface_degree(surface));
     run r = {.options = options, .surface = surface};
     r.scene = make_scene(options, surface, entry, &shown.extent);

@@ -55,6 +55,12 @@ static void set_method(const cli_option *option, const char *value, void *field)
     cli_set_method(option, value, &real_only(option, field)->method);
 }
 
+static void set_thin(const cli_option *option, const char *value, void *field) {
+    (void)value;
+    (void)real_only(option, field);
+    ((render_options *)field)->thin = 1;
+}
+
 static void set_tolerance(const cli_option *option, const char *value, void *field) {
     cli_set_tolerance(option, value, &real_only(option, field)->absolute_tolerance);
 }
@@ -106,6 +112,10 @@ static const cli_option options_table[] = {
      "a neighbour's by more than X, 0 to 1, in red, green or blue; the others\n"
      "get one; default 0: all pixels get them",
      set_threshold, FIELD(antialias_threshold)},
+    {"--thin", NULL,
+     "draws, in red, what is so thin that rays pass it by: isolated points, lines\n"
+     "without sheets, needles; up to degree 12",
+     set_thin, 0, 0, 0},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
      0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
@@ -158,9 +168,10 @@ static const cli_option options_table[] = {
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
      "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
-     "rays: samples of the picture; hits, uncertain: of them; single_rays: of them,\n"
-     "those not solved together with their row; exact_rays: of these, decided by\n"
-     "integers; empty_rays, sheet_rays: decided by tiles; shadow_rays: to lights;\n"
+     "rays: samples of the picture; hits, uncertain: of them; thin: samples that\n"
+     "show what --thin draws; single_rays: of all, those not solved together with\n"
+     "their row; exact_rays: of these, decided by integers; empty_rays, sheet_rays:\n"
+     "decided by tiles; shadow_rays: to lights;\n"
      "iterations: corrections of roots in complex space, 0 for a real surface;\n"
      "tiles: of pixels, that were searched; empty_tiles, sheet_tiles: of them,\n"
      "that decide all of their rays; leaf_tiles: of them, the smallest that do not;\n"
@@ -238,6 +249,8 @@ render_options render_parse_options(int argc, char **argv) {
                  options.sweep.pictures);
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part without --antialias 2 or more");
+    if (options.thin && options.intersect.method != ALGSURF_METHOD_DEFAULT)
+        cli_fail(CLI_BAD_INPUT, "--thin: plays no part with another --method");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
     if (options.heatmap) options.space.real_only = "--heatmap";
     render_check_space(&options.space, &options.sweep);

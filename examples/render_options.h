@@ -7,6 +7,8 @@
 #include "render_space.h"
 #include "view.h"
 
+#define RENDER_THIN_DEGREE 12 /* algsurf_scene_set_thin */
+
 typedef struct render_options {
     int list;
     view_options view;
@@ -18,6 +20,7 @@ typedef struct render_options {
     algsurf_quality quality;
     int antialias;
     double antialias_threshold;
+    int thin; /* 1: what is thin is drawn */
     algsurf_intersect_options intersect;
     int threads;
     int row_begin, row_end; /* both 0: all rows */

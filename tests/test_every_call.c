@@ -927,6 +927,7 @@ static void call_algsurf_render(void) {
     (void)algsurf_scene_set_material(of.scene, &material);
     (void)algsurf_scene_set_lights(of.scene, &light, 1);
     (void)algsurf_scene_set_background(of.scene, colour);
+    (void)algsurf_scene_set_thin(of.scene, colour);
     (void)algsurf_scene_set_antialias(of.scene, 2);
     (void)algsurf_scene_set_antialias_threshold(of.scene, number(0.125));
     (void)algsurf_scene_set_quality(of.scene, ALGSURF_QUALITY_FULL);
@@ -977,6 +978,12 @@ static void call_algsurf_scene_set_background(void) {
     double colour[3];
     numbers(colour, 3, up_usual);
     SETS(algsurf_scene_set_background(of.scene, colour))
+}
+
+static void call_algsurf_scene_set_thin(void) {
+    double colour[3];
+    numbers(colour, 3, up_usual);
+    SETS(algsurf_scene_set_thin(of.scene, colour))
 }
 
 static void call_algsurf_scene_set_camera(void) {
@@ -1227,6 +1234,7 @@ static const struct {
     CALL(algsurf_scene_set_lights),
     CALL(algsurf_scene_set_material),
     CALL(algsurf_scene_set_quality),
+    CALL(algsurf_scene_set_thin),
     CALL(algsurf_sector_holds),
     CALL(algsurf_select),
     CALL(algsurf_select_of_real),

@@ -142,7 +142,7 @@ static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and
     AT(algsurf_picture, size, 0), AT(algsurf_picture, pixels, 8), AT(algsurf_picture, stride, 16),
     AT(algsurf_picture, format, 24), AT(algsurf_picture, t, 32), AT(algsurf_picture, normals, 40),
     AT(algsurf_picture, state, 48), AT(algsurf_picture, way, 56),
-    GROWS(algsurf_render_stats, 176),
+    GROWS(algsurf_render_stats, 184),
     AT(algsurf_render_stats, size, 0), AT(algsurf_render_stats, rays, 8),
     AT(algsurf_render_stats, hits, 16), AT(algsurf_render_stats, undecided, 24),
     AT(algsurf_render_stats, shadow_rays, 32), AT(algsurf_render_stats, solve_s, 40),
@@ -154,6 +154,7 @@ static const fact structs[] = { /* in bytes; int has 32 bits, size_t, double and
     AT(algsurf_render_stats, empty_tiles, 128), AT(algsurf_render_stats, sheet_tiles, 136),
     AT(algsurf_render_stats, leaf_tiles, 144), AT(algsurf_render_stats, empty_rays, 152),
     AT(algsurf_render_stats, sheet_rays, 160), AT(algsurf_render_stats, exact_rays, 168),
+    AT(algsurf_render_stats, thin, 176),
 };
 
 static const fact numbers[] = { /* those of algsurf_status are in test_status.c */
@@ -170,7 +171,7 @@ static const fact numbers[] = { /* those of algsurf_status are in test_status.c 
     NUMBER(ALGSURF_EXTENT_ALL, 0), NUMBER(ALGSURF_EXTENT_SPHERE, 1), NUMBER(ALGSURF_EXTENT_BOX, 2),
     NUMBER(ALGSURF_TIER_CERTIFIED, 0), NUMBER(ALGSURF_TIER_BOUNDED, 1), NUMBER(ALGSURF_TIER_FAST, 2),
     NUMBER(ALGSURF_AS_UNDECIDED, 0), NUMBER(ALGSURF_AS_HIT, 1), NUMBER(ALGSURF_AS_MISS, 2),
-    NUMBER(ALGSURF_MISS, 0), NUMBER(ALGSURF_HIT, 1), NUMBER(ALGSURF_UNDECIDED, 2),
+    NUMBER(ALGSURF_MISS, 0), NUMBER(ALGSURF_HIT, 1), NUMBER(ALGSURF_UNDECIDED, 2), NUMBER(ALGSURF_THIN, 3),
     NUMBER(ALGSURF_RGB8, 0), NUMBER(ALGSURF_RGBA8, 1),
     NUMBER(ALGSURF_WAY_EMPTY, 0), NUMBER(ALGSURF_WAY_SHEET, 1), NUMBER(ALGSURF_WAY_ROW, 2),
     NUMBER(ALGSURF_WAY_SINGLE, 3),

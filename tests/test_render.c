@@ -302,6 +302,7 @@ static void bad_scene(void **state) {
     REFUSED(ARGUMENT, set_lights(scene, lights, -1));
     REFUSED(ARGUMENT, set_lights(scene, lights, 17));
     REFUSED(ARGUMENT, set_background(NULL, colour));
+    REFUSED(ARGUMENT, set_thin(NULL, colour));
     REFUSED(ARGUMENT, set_quality(NULL, ALGSURF_QUALITY_FULL));
     REFUSED(ARGUMENT, set_quality(scene, (algsurf_quality)3));
     REFUSED(ARGUMENT, set_antialias(NULL, 1));
@@ -329,8 +330,10 @@ static void bad_scene(void **state) {
     REFUSED(NOT_FINITE, set_lights(scene, lights, 4));
     colour[1] = -0.5;
     REFUSED(ARGUMENT, set_background(scene, colour));
+    REFUSED(ARGUMENT, set_thin(scene, colour));
     colour[1] = NAN;
     REFUSED(NOT_FINITE, set_background(scene, colour));
+    REFUSED(NOT_FINITE, set_thin(scene, colour));
     o.size = 1;
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .tier = 3};

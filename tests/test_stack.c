@@ -616,6 +616,7 @@ static void run_algsurf_scene_set_material(void) { (void)algsurf_scene_set_mater
 static void run_algsurf_scene_set_quality(void) {
     (void)algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL);
 }
+static void run_algsurf_scene_set_thin(void) { (void)algsurf_scene_set_thin(scene, eye); }
 
 enum { WIDTH = 17, HEIGHT = 2 };
 
@@ -638,7 +639,7 @@ static void draw(algsurf_scene *of) {
     }
 }
 
-/* All surfaces, in all extents, with one sample and chosen ones, shadows, complex space. */
+/* All surfaces, in all extents, with one sample and chosen ones, what is thin, shadows, complex space. */
 static void run_algsurf_render(void) {
     const algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
     for (int i = 0; i < 3 * SURFACES; i++) {
@@ -647,6 +648,7 @@ static void run_algsurf_render(void) {
         (void)algsurf_scene_set_extent(of, extents + i % 3);
         (void)algsurf_scene_set_lights(of, &light, 1);
         (void)algsurf_scene_set_quality(of, ALGSURF_QUALITY_FULL);
+        (void)algsurf_scene_set_thin(of, eye);
         draw(of);
         (void)algsurf_scene_set_antialias(of, 2);
         (void)algsurf_scene_set_antialias_threshold(of, 0.1);
@@ -809,6 +811,7 @@ static const struct {
     STACK_OF(algsurf_scene_set_lights, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_material, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_quality, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_thin, USUAL, OTHERS),
     STACK_OF(algsurf_sector_holds, USUAL, RENDERER),
     STACK_OF(algsurf_select, USUAL, RENDERER),
     STACK_OF(algsurf_select_of_real, USUAL, RENDERER),

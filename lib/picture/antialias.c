@@ -27,6 +27,7 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     algsurf_i_begin_shown(shown, picture->width);
     worker->trail.row = -1;
     line->coloured = 1;
+    line->across = 1;
     line->shown = *shown;
     algsurf_status status = algsurf_i_render_pass(picture, row, 0.5, 0.5, worker, counts);
     line->shown = own;

@@ -9,6 +9,8 @@
  *     pixel_range.c      the pixels of a row that may meet the extent
  *     tiles.c            which tiles of pixels are empty, which see one sheet of the surface
  *     tiled.c            the hits of a row by its tiles
+ *     thin_row.c         the pixels of a row beside whose rays there is something thin
+ *     thin.c             is there?
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     single.c           which pictures of the fast tier are drawn in floats
@@ -40,6 +42,7 @@ typedef struct algsurf_i_shown {
 typedef struct algsurf_i_line {
     const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
     int wanted_count;
+    int across; /* samples of a pixel in a row of them */
     int count;  /* points: hits and undecided ones */
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
@@ -66,8 +69,9 @@ typedef struct algsurf_i_tile_counts {
 
 /* The tiles of a band of rows. */
 typedef struct algsurf_i_band {
-    int number;  /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
-    int bounded; /* 0: its rays reach beyond the bounds of forms, and there are no tiles */
+    int number;     /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
+    int begin, end; /* pixels of a row that have tiles: those whose rays are within the bounds of forms */
+    int searched;   /* 1: what follows is there */
     algsurf_i_tile_counts counts;
     int *cell; /* as in algsurf_i_tile_job */
     algsurf_i_tile *tiles;
@@ -123,7 +127,7 @@ typedef struct algsurf_i_trail {
 
 /* What is counted and timed: the fields of algsurf_render_stats that add up. */
 typedef struct algsurf_i_tally {
-    uint64_t rays, hits, undecided, shadow_rays, iterations, single_rays;
+    uint64_t rays, hits, undecided, shadow_rays, iterations, single_rays, thin;
     uint64_t empty_rays, sheet_rays, exact_rays;
     algsurf_i_tile_counts tiles;
     uint64_t without_memory; /* packets of rays of which some could not be decided for want of memory */
@@ -166,6 +170,7 @@ typedef struct algsurf_i_picture {
     algsurf_i_packets *packets;           /* null: every ray by itself */
     int single;                           /* 1: that is code for floats */
     int tiled;                            /* 1: there are packets, and tiles of them */
+    int thin; /* 1: what is thin is shown: there are packets, and tiles to find it */
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
@@ -202,6 +207,9 @@ static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, con
     for (int k = 0; k < 3; k++) shown->sum[3 * x + k] = colour[k] + (first ? 0 : shown->sum[3 * x + k]);
     shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
 }
+
+/* Clamped and rounded, as in algsurf_i_points. */
+uint32_t algsurf_i_bytes_of(const double colour[3]);
 
 /* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */
 void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
@@ -245,8 +253,10 @@ int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packet
 /* Is the picture, whose frame is made, to be drawn in floats? */
 int algsurf_i_single_suits(const algsurf_i_picture *picture);
 
-/* The tiles of the band that the row lies in; null: there are none. */
-const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling);
+/* The tiles of the band that the row lies in; null: there are none, or, if they are to be of `all` its
+ * pixels, not of all. */
+const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, int all,
+                                        algsurf_i_tiling *tiling);
 
 /* Counts the band that the row lies in, if it is the first row of it that is drawn. */
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
@@ -255,6 +265,10 @@ void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algs
 /* As algsurf_i_render_packets, for a row of a band that has tiles. */
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+/* Adds to the line, whose points have their colours, what is thin beside the pixels' rays. */
+void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
+                        algsurf_i_worker *worker, algsurf_i_tally *tally);
 
 /* The rays of doubtful pixels, begin <= x < end, as packets: their points go to the line. */
 algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,

@@ -52,12 +52,15 @@ typedef struct algsurf_i_tile {
 typedef struct algsurf_i_tile_job {
     const algsurf_i_row_job *row; /* but for its v, slope, row: offset is that of a pixel's left edge */
     const algsurf_i_beam_row *beam;
-    int y, size;           /* of the first pixels; a power of two */
-    int count, *at;        /* the tiles' first pixels, */
-    double *from;          /* there is nothing before these depths */
-    double noise;          /* bound on rounding of P as the points' kernel evaluates it */
-    int *cell;             /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is
-                              empty, -side, as the caller has set it */
+    int y, size;    /* of the first pixels; a power of two */
+    int count, *at; /* the tiles' first pixels, */
+    double *from;   /* there is nothing before these depths */
+    double *to;     /* receives where the tiles end that are not decided; null: not asked for */
+    double *within; /* with it, a depth on each chord of such a tile; 2: none is known */
+    double noise;   /* bound on rounding of P as the points' kernel evaluates it */
+    int *cell;      /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is empty,
+                       -side, as the caller has set it; null: tiles are not kept, and those of any size
+                       are left in the list */
     int stride, from_y;    /* y of the first places */
     algsurf_i_tile *tiles; /* room for as many as there are places */
     int tile_count;

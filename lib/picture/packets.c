@@ -195,7 +195,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     algsurf_i_row_job job;
     int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
-    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, &worker->tiling) : NULL;
+    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     if (band) {
         tally->solve_s += algsurf_i_render_clock() - begun;
         return algsurf_i_render_tiled(picture, band, row, sx, sy, worker, tally);

@@ -88,6 +88,8 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
+    picture->thin = picture->packets && scene->thin && !scene->complex &&
+                    scene->surface->degree <= ALGSURF_MAX_BEAM_DEGREE;
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -118,7 +120,8 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
                                  .leaf_tiles = total->tiles.leaves,
                                  .empty_rays = total->empty_rays,
                                  .sheet_rays = total->sheet_rays,
-                                 .exact_rays = total->exact_rays};
+                                 .exact_rays = total->exact_rays,
+                                 .thin = total->thin};
     algsurf_options_write(stats, &ours, sizeof ours);
 }
 
@@ -247,7 +250,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
     size_t doubles_each = LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
                           (roots > 0) + 2 * roots;
-    size_t tiled = picture->tiled ? 1 : 0, places = tiled * places_of(picture),
+    size_t tiled = picture->tiled || picture->thin ? 1 : 0, places = tiled * places_of(picture),
            cube = tiled * side * side * side;
     size_t fans = fans_of(picture);
     size_t solids = fans > 0 ? (size_t)(ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(degree)) : 0;
@@ -313,7 +316,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
     if (picture->packets && picture->packets->fans) algsurf_i_make_fans(picture, memory);
     free(memory);
-    if (picture->packets && picture->tiled)
+    if (picture->packets && (picture->tiled || picture->thin))
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
     picture->single = picture->packets && algsurf_i_single_suits(picture);
     if (picture->single) picture->code = algsurf_i_single_kernel_for(picture->kernel);

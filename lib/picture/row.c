@@ -75,6 +75,12 @@ static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : 
 
 static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
 
+uint32_t algsurf_i_bytes_of(const double colour[3]) {
+    uint32_t bytes = 0;
+    for (int k = 2; k >= 0; k--) bytes = bytes << 8 | byte_of(clamped(colour[k]));
+    return bytes;
+}
+
 static algsurf_i_points points_from(const algsurf_i_points *p, int first) {
     algsurf_i_points rest = {.t = p->t + first, .bytes = p->bytes ? p->bytes + first : NULL};
     for (int k = 0; k < 3; k++) {
@@ -115,10 +121,7 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     }
     if (scene->quality == ALGSURF_QUALITY_PREVIEW) {
         shade_preview(picture, line);
-        for (int i = 0; bytes && i < line->count; i++) {
-            bytes[i] = 0;
-            for (int k = 2; k >= 0; k--) bytes[i] = bytes[i] << 8 | byte_of(clamped(line->colour[3 * i + k]));
-        }
+        for (int i = 0; bytes && i < line->count; i++) bytes[i] = algsurf_i_bytes_of(line->colour + 3 * i);
     } else {
         const algsurf_i_points rest = points_from(&line->points, line->done);
         picture->code->colours(&picture->colours, &rest, line->count - line->done,
@@ -217,7 +220,10 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     if (line->way) memset(line->way, ALGSURF_WAY_ROW, (size_t)picture->width);
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
-    return status == ALGSURF_OK && line->coloured ? shade_line(picture, line, tally) : status;
+    if (status == ALGSURF_OK && line->coloured) status = shade_line(picture, line, tally);
+    if (status == ALGSURF_OK && picture->thin && picture->packets)
+        algsurf_i_add_thin(picture, row, sx, sy, worker, tally);
+    return status;
 }
 
 algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -301,6 +307,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
     line->coloured = picture->planes.pixels != NULL;
     algsurf_i_begin_shown(&line->shown, picture->width);
+    line->across = n;
     for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
         if (picture->selective && 2 * k + 1 == n * n)
             algsurf_i_add_middles(picture, row, 1, worker);

@@ -115,6 +115,18 @@ algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double c
     return ALGSURF_OK;
 }
 
+algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
+    algsurf_fpenv_leave(&saved);
+    if (status != ALGSURF_OK) return status;
+    for (int i = 0; i < 3; i++) scene->thin_colour[i] = colour ? colour[i] : 0;
+    scene->thin = colour != NULL;
+    return ALGSURF_OK;
+}
+
 algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality) {
     if (!scene || (quality != ALGSURF_QUALITY_PREVIEW && quality != ALGSURF_QUALITY_STANDARD &&
                    quality != ALGSURF_QUALITY_FULL))

@@ -18,7 +18,9 @@ struct algsurf_scene {
     int antialias;
     double antialias_threshold; /* 0: every pixel gets all its samples */
     algsurf_intersect_options intersect;
-    int complex; /* 1: complex space, what of it is in space; 0: real space */
+    int thin;              /* 1: what is thin is shown, */
+    double thin_colour[3]; /* in this colour */
+    int complex;           /* 1: complex space, what of it is in space; 0: real space */
     algsurf_complex_space space;
     algsurf_coherence coherence;
 };

@@ -61,6 +61,7 @@ void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
     total->tiles.empty += more->tiles.empty;
     total->tiles.sheets += more->tiles.sheets;
     total->tiles.leaves += more->tiles.leaves;
+    total->thin += more->thin;
     total->without_memory += more->without_memory;
     total->expand_s += more->expand_s;
     total->solve_s += more->solve_s;

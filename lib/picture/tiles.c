@@ -42,9 +42,9 @@ static void lay_out_lists(const algsurf_i_tiling *t, int level, int rows, int st
     }
 }
 
-static void take_all(int size, int width, tile_list *list) {
+static void take_all(int size, int begin, int end, tile_list *list) {
     list->count = 0;
-    for (int x = 0; x < width; x += size) {
+    for (int x = begin; x < end; x += size) {
         list->at[list->count] = x;
         list->from[list->count++] = -1;
     }
@@ -94,15 +94,22 @@ static algsurf_i_tile_counts count_tiles(const algsurf_i_tile_job *job, uint64_t
     return counts;
 }
 
-/* Are all rays of the band, and of tiles that reach beyond the picture, within the bounds of forms? */
-static int within_bounds(const algsurf_i_picture *picture, int y) {
+/* Sets which rays of the band, with a pixel about it, are within the bounds of forms. */
+static void set_bounds(const algsurf_i_picture *picture, algsurf_i_band *band) {
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_view *view = &p->frame.view;
+    int y = band->number * ALGSURF_I_TILES;
     double side = fabs(p->per_slope) * p->pixel, spread = 1 + fabs(view->alpha);
     double up = fabs(0.5 * picture->height - y), down = fabs(0.5 * picture->height - y - ALGSURF_I_TILES);
-    double u = fabs(p->origin[0]) + side * (0.5 * picture->width + ALGSURF_I_TILES);
-    double v = fabs(p->origin[1]) + side * (up > down ? up : down);
-    return u * spread + fabs(view->beta[0]) < 4 && v * spread + fabs(view->beta[1]) < 4;
+    double v = fabs(p->origin[1]) + side * ((up > down ? up : down) + 1);
+    /* pixels so far from the middle are within them */
+    double room = ((4 - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / side - ALGSURF_I_TILES - 1;
+    double half = 0.5 * picture->width;
+    band->begin = band->end = 0;
+    if (!(v * spread + fabs(view->beta[1]) < 4) || !(room > 0)) return;
+    band->begin = room < half ? (int)ceil((half - room) / ALGSURF_I_TILES) * ALGSURF_I_TILES : 0;
+    band->end = room < half ? (int)floor((half + room) / ALGSURF_I_TILES) * ALGSURF_I_TILES : picture->width;
+    if (band->end < band->begin) band->end = band->begin;
 }
 
 static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
@@ -133,7 +140,7 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
         for (int r = 0; r < rows; r++) {
             job.y = job.from_y + r * job.size;
             if (level == 0)
-                take_all(job.size, picture->width, &list[r]);
+                take_all(job.size, band->begin, band->end, &list[r]);
             else
                 take_halves(&larger[r / 2], job.size, picture->width, &list[r]);
             if (job.y >= picture->height) list[r].count = 0;
@@ -145,16 +152,21 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
     band->counts = count_tiles(&job, all, quartered);
 }
 
-const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, algsurf_i_tiling *tiling) {
+const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, int all,
+                                        algsurf_i_tiling *tiling) {
     int number = row / ALGSURF_I_TILES;
     algsurf_i_band *band = &tiling->band[number % 2];
     if (band->number != number) {
         band->number = number;
-        band->bounded = within_bounds(picture, number * ALGSURF_I_TILES);
+        set_bounds(picture, band);
         band->counts = (algsurf_i_tile_counts){0};
-        if (band->bounded) search_band(picture, tiling, band);
+        band->searched = 0;
     }
-    return band->bounded ? band : NULL;
+    int some = band->begin < band->end, whole = band->begin == 0 && band->end == picture->width;
+    if (!some || (all && !whole)) return NULL;
+    if (!band->searched) search_band(picture, tiling, band);
+    band->searched = 1;
+    return band;
 }
 
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,

@@ -201,6 +201,7 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
 
 /* A tile of the job's size: the places from x on. */
 static void record(algsurf_i_tile_job *job, const algsurf_i_tile *tile, int x) {
+    if (!job->cell) return;
     int first = x / ALGSURF_I_LEAF, size = job->size / ALGSURF_I_LEAF;
     int row = (job->y - job->from_y) / ALGSURF_I_LEAF, end = row + size;
     int end_x = first + size < job->stride ? first + size : job->stride;
@@ -274,11 +275,15 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
     unsigned open = bits(decide(job, &g, &p, job->beam->degree));
     for (int l = 0; l < LANES; l++) {
         if (!(open >> l & 1)) continue;
-        if (job->size == ALGSURF_I_LEAF) {
+        if (job->cell && job->size == ALGSURF_I_LEAF) {
             const algsurf_i_tile leaf = tile_of(job, &g, l, p, all_lanes(1));
             record(job, &leaf, (int)g.x[l]);
         } else {
             job->at[open_count] = (int)g.x[l];
+            if (job->to) {
+                job->to[open_count] = depth_at(&g, l, 1);
+                job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
+            }
             job->from[open_count++] = depth_at(&g, l, p[l]);
         }
     }
