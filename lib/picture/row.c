@@ -322,6 +322,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
 static algsurf_status render_points(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
     worker->line.coloured = picture->planes.pixels != NULL;
+    worker->line.across = 1;
     algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
     if (status == ALGSURF_OK) store_points(picture, &worker->line, (size_t)(row - picture->row_begin));
     return status;
