@@ -13,6 +13,7 @@
  *   none behind; differences of the middle ray alone: tiles_are_what_is_said
  *   tiles four fifths as large: both
  *   a number of turns that depends on what is searched beside: kernels_find_the_same_tiles
+ *   no rounding: errors_are_felt
  * Caught with 60000 rays: the first sign taken as known.  Not caught: a hundredth of the rounding's weight,
  * which is far below what else a tile leaves open.
  *
@@ -402,6 +403,33 @@ static void the_rest_is_felt(void **state) {
     assert_true(seen.empty * 2 > ray_count && seen.open > 0);
 }
 
+/* With coefficients that may be anything nothing is known of a tile that has a chord. */
+static void errors_are_felt(void **state) {
+    (void)state;
+    uint64_t seed = first_seed;
+    long tiles = 0;
+    for (int turn = 0; turn < 60; turn++) {
+        static test_view t;
+        static test_band b;
+        set_view(&t, &seed, 1 + turn % MOST);
+        memset(&b, 0, sizeof b);
+        set_band(&b, &t, &seed);
+        b.size = ALGSURF_I_LEAF;
+        t.frame.spread = 4;
+        search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+        for (int c = 0; c < PLACES * PLACES; c++) {
+            double chord[2], middle = 0.5 * ALGSURF_I_LEAF;
+            double x = c % PLACES * ALGSURF_I_LEAF + middle, y = c / PLACES * ALGSURF_I_LEAF + middle;
+            double u = b.rays.u0 + (x - PIXELS / 2) * b.side, v = b.v0 - b.side * y;
+            if (!chord_of(&b, &t.frame.view, u, v, chord)) continue;
+            assert_true(b.cell[c] > 0 && b.tiles[b.cell[c] - 1].enough == 0);
+            tiles++;
+        }
+        algsurf_surface_free(t.surface);
+    }
+    assert_true(tiles > 1000);
+}
+
 static void kernels_find_the_same_tiles(void **state) {
     (void)state;
     uint64_t seed = first_seed;
@@ -432,8 +460,9 @@ static void kernels_find_the_same_tiles(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) ray_count = atol(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_of_tiles_keep_their_bound), cmocka_unit_test(tiles_are_what_is_said),
-        cmocka_unit_test(the_rest_is_felt), cmocka_unit_test(kernels_find_the_same_tiles)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rows_of_tiles_keep_their_bound),
+                                       cmocka_unit_test(tiles_are_what_is_said),
+                                       cmocka_unit_test(the_rest_is_felt), cmocka_unit_test(errors_are_felt),
+                                       cmocka_unit_test(kernels_find_the_same_tiles)};
     return cmocka_run_group_tests_name("beam", tests, NULL, NULL);
 }

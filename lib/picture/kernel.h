@@ -20,7 +20,7 @@ typedef struct algsurf_i_row_job {
     const algsurf_extent *extent;        /* sphere or box, about the view's centre */
     double extent_size[3];               /* in the view's unit */
     double near;                         /* depth of the eye; the ray begins there */
-    int bounded;                         /* 0: signs as computed (the fast tier) */
+    int unbounded;                       /* 1: signs as computed (the fast tier) */
     double tolerance;                    /* wanted error of the depth; 0: all that the coefficients tell */
 } algsurf_i_row_job;
 

@@ -159,7 +159,7 @@ INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u
     lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
               all_lanes(fabs(job->view->beta[0]) + job->view->noise);
     lanes radius = all_lanes(0);
-    for (int i = n; job->bounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
+    for (int i = n; !job->unbounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
     k->e[0] = radius;
 }
 
@@ -231,7 +231,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
     if (any(k.open)) {
         guess g = guess_from(t, s, i * LANES % BLOCK);
         search_chord(s, s->chords + i, &k);
-        bound_errors(&k, n, 0, job->bounded);
+        bound_errors(&k, n, 0, !job->unbounded);
         if (t->known) {
             follow(&k, n, &g);
         } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {
