@@ -7,6 +7,8 @@
 #define ALGSURF_VEC_H
 #include <math.h>
 
+#include "eft.h"
+
 static inline double algsurf_dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -42,6 +44,23 @@ static inline int algsurf_unit(const double v[3], double unit[3]) {
     double w[3] = {v[0] * scale, v[1] * scale, v[2] * scale}, length = sqrt(algsurf_dot(w, w));
     for (int i = 0; i < 3; i++) unit[i] = w[i] / length;
     return 1;
+}
+
+/* out = a x b, each component right to about a unit in its last place (Kahan's difference of products). */
+static inline void algsurf_cross(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        algsurf_dd p = algsurf_two_prod(a[j], b[k]), q = algsurf_two_prod(a[k], b[j]);
+        out[i] = (p.hi - q.hi) + (p.lo - q.lo);
+    }
+}
+
+/* Are three vectors orthonormal, each product of two of them but for `slack`? */
+static inline int algsurf_are_orthonormal(const double a[3], const double b[3], const double c[3],
+                                          double slack) {
+    return fabs(algsurf_dot(a, a) - 1) <= slack && fabs(algsurf_dot(b, b) - 1) <= slack &&
+           fabs(algsurf_dot(c, c) - 1) <= slack && fabs(algsurf_dot(a, b)) <= slack &&
+           fabs(algsurf_dot(b, c)) <= slack && fabs(algsurf_dot(c, a)) <= slack;
 }
 
 #endif

@@ -14,15 +14,6 @@
 
 #define PI 3.14159265358979323846
 
-/* out = a x b, each component right to about a unit in its last place (Kahan's difference of products). */
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        algsurf_dd p = algsurf_two_prod(a[j], b[k]), q = algsurf_two_prod(a[k], b[j]);
-        out[i] = (p.hi - q.hi) + (p.lo - q.lo);
-    }
-}
-
 /* Sets eye and axes.  up counts as parallel when its angle to the view is below the rounding of v. */
 static algsurf_status set_frame(algsurf_camera *camera, const double eye[3], const double look_at[3],
                                 const double up[3]) {
@@ -33,10 +24,10 @@ static algsurf_status set_frame(algsurf_camera *camera, const double eye[3], con
     double scale = largest > 0x1p1000 ? 0.5 : 1.0; /* the difference must not overflow */
     for (int i = 0; i < 3; i++) v[i] = scale * look_at[i] - scale * eye[i];
     if (!algsurf_unit(v, camera->forward) || !algsurf_unit(up, w)) return ALGSURF_E_ARGUMENT;
-    cross(camera->forward, w, side);
+    algsurf_cross(camera->forward, w, side);
     if (algsurf_max_abs(side) <= 8 * ALGSURF_U) return ALGSURF_E_ARGUMENT;
     (void)algsurf_unit(side, camera->right);
-    cross(camera->right, camera->forward, side);
+    algsurf_cross(camera->right, camera->forward, side);
     (void)algsurf_unit(side, camera->up);
     for (int i = 0; i < 3; i++) camera->eye[i] = eye[i];
     return ALGSURF_OK;

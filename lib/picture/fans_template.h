@@ -17,8 +17,6 @@
 #include "search_template.h"
 
 #define FAN_DEGREE ALGSURF_MAX_FAN_DEGREE
-#define FAN_LINES ((FAN_DEGREE + 1) * (FAN_DEGREE + 2) / 2)
-#define FAN_SOLID (FAN_LINES * (FAN_DEGREE + 3) / 3)
 #define END_SLACK 0x1p-30 /* of an extent, relative: far more than the rounding of its ends */
 
 /* From LANES points to one light: in the fan's axes and unit. */
@@ -234,7 +232,7 @@ static void see_light(const algsurf_i_fan_job *job, const double *const start[3]
         fan_packet g;
         beam b;
         verdict v;
-        lanes r[FAN_SOLID], error[2];
+        lanes r[ALGSURF_I_FAN_SOLID(FAN_DEGREE)], error[2];
         begin_fans(job, start, first, left, &g);
         expand_fans(job->fan, &g, r, error, &b, n);
         search(&b, all_lanes(0), g.open, n, &v);

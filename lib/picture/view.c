@@ -54,16 +54,6 @@ static double in_axes(const algsurf_i_view *view, const algsurf_dd point[3], dou
     return missed;
 }
 
-/* Are the camera's axes orthonormal to a few roundings? */
-static int orthonormal(const algsurf_camera *camera) {
-    const double *axis[3] = {camera->right, camera->up, camera->forward};
-    for (int i = 0; i < 3; i++) {
-        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-48)) return 0;
-        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-48)) return 0;
-    }
-    return 1;
-}
-
 static double noise_of(const algsurf_i_packets *p, const double eye[3], const double place[3],
                        double slopes) {
     double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
@@ -95,11 +85,12 @@ static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, co
 /* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
  * and v? */
 static int suits_packets(const algsurf_scene *scene) {
+    const algsurf_camera *camera = &scene->camera;
     return scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
            scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
            (scene->complex ||
             (scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0)) &&
-           orthonormal(&scene->camera);
+           algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {

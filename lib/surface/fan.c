@@ -44,10 +44,6 @@ static int unit_across(const double v[3], const double axis[3], double unit[3]) 
     return algsurf_length(rest) > 0x1p-20 * whole && algsurf_unit(rest, unit);
 }
 
-static void cross(const double a[3], const double b[3], double c[3]) {
-    for (int i = 0; i < 3; i++) c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* A unit vector across another. */
 static void some_across(const double axis[3], double unit[3]) {
     int least = 0;
@@ -72,19 +68,11 @@ static int set_axes(const double edge_u[3], const double edge_v[3], const double
         !unit_across(other, axis[0], axis[1])) {
         double plane[3];
         if (!unit_across(towards, axis[0], plane)) some_across(axis[0], plane);
-        cross(plane, axis[0], axis[1]);
+        algsurf_cross(plane, axis[0], axis[1]);
         if (!unit_across(axis[1], axis[0], axis[1])) return 0;
     }
-    cross(axis[0], axis[1], axis[2]);
+    algsurf_cross(axis[0], axis[1], axis[2]);
     return algsurf_unit(axis[2], axis[2]);
-}
-
-static int orthonormal(double axis[3][3]) {
-    for (int i = 0; i < 3; i++) {
-        if (!(fabs(algsurf_dot(axis[i], axis[i]) - 1) <= 0x1p-49)) return 0;
-        if (!(fabs(algsurf_dot(axis[i], axis[(i + 1) % 3])) <= 0x1p-49)) return 0;
-    }
-    return 1;
 }
 
 /* 1 / (n over k), from exact integers. */
@@ -103,7 +91,8 @@ void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], co
     fan->usable = 0;
     for (int i = 0; i < 3; i++) towards[i] = (position[i] - view->centre[i]) / view->size;
     if (s->error > 0 || !(algsurf_max_abs(towards) < MOST_DISTANCE) ||
-        !set_axes(edge_u, edge_v, towards, view->axis) || !orthonormal(view->axis))
+        !set_axes(edge_u, edge_v, towards, view->axis) ||
+        !algsurf_are_orthonormal(view->axis[0], view->axis[1], view->axis[2], 0x1p-49))
         return;
     for (int k = 0; k < 2; k++) {
         fan->half[k] = 0.5 *
