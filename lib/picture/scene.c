@@ -103,28 +103,28 @@ algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_ligh
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
-    if (!scene) return ALGSURF_E_ARGUMENT;
+/* A copy of a colour, black for null. */
+static algsurf_status copy_colour(const double colour[3], double copy[3]) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
     algsurf_fpenv_leave(&saved);
-    if (status != ALGSURF_OK) return status;
-    for (int i = 0; i < 3; i++) scene->background[i] = colour ? colour[i] : 0;
-    scene->transparent = !colour;
-    return ALGSURF_OK;
+    for (int i = 0; i < 3 && status == ALGSURF_OK; i++) copy[i] = colour ? colour[i] : 0;
+    return status;
+}
+
+algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = copy_colour(colour, scene->background);
+    if (status == ALGSURF_OK) scene->transparent = !colour;
+    return status;
 }
 
 algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
-    algsurf_fpenv_leave(&saved);
-    if (status != ALGSURF_OK) return status;
-    for (int i = 0; i < 3; i++) scene->thin_colour[i] = colour ? colour[i] : 0;
-    scene->thin = colour != NULL;
-    return ALGSURF_OK;
+    algsurf_status status = copy_colour(colour, scene->thin_colour);
+    if (status == ALGSURF_OK) scene->thin = colour != NULL;
+    return status;
 }
 
 algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality) {
