@@ -154,11 +154,8 @@ static int count_above(const algsurf_i_places *places, const algsurf_i_start *st
     return count;
 }
 
-enum {
-    CHUNK = 64,
-    FULL = 8,
-    FEW = 2
-}; /* places asked about at once; so few more than full packets are shot */
+enum { CHUNK = 64 };          /* places asked about at once */
+enum { WIDEST = 8, FEW = 2 }; /* so few more than fill the widest packets are shot */
 
 /* Adds the places of a light that a fan's point sees; what is in doubt is shot. */
 static algsurf_status ask_places(algsurf_i_shadow_rays *rays, const algsurf_i_fan_job *job, int light,
@@ -170,7 +167,7 @@ static algsurf_status ask_places(algsurf_i_shadow_rays *rays, const algsurf_i_fa
         const double *aside[2];
         uint8_t state[CHUNK] = {0};
         count = places.count - first < CHUNK ? places.count - first : CHUNK;
-        int asked = count % FULL > FEW ? count : count / FULL * FULL;
+        int asked = count % WIDEST > FEW ? count : count / WIDEST * WIDEST;
         for (int k = 0; k < 2; k++) aside[k] = samples->aside[k] + samples->first[light] + first;
         algsurf_i_picture_kernel_for(rays->picture->kernel)->see_places(job, point, aside, asked, state);
         for (int i = 0; i < count; i++) {
