@@ -5,6 +5,7 @@
  * - A fan's polynomials, evaluated exactly, differ from P on the segment by what its errors say at most.
  * - Each place of a light that is lit, dark, free or hidden is so for algsurf_occluded.
  * - All kernels say the same.
+ * - Pictures in full quality are those of rays alone, to the byte.
  *
  * Breaks tried and caught by places_are_what_is_said: half sides of the light four fifths as large; the ends
  * of the middle segment taken for all, far ones, of a ball or a box; points outside the extent taken to be
@@ -23,6 +24,7 @@
 #include <string.h>
 
 #include "algsurf/algsurf.h"
+#include "catalogue.h"
 #include "exact.h"
 #include "exact_ray.h"
 #include "picture/impl.h"
@@ -329,10 +331,99 @@ static void fans_keep_their_bound(void **state) {
     assert_true(worst[0] > 0x1p-14 && worst[1] > 0x1p-14);
 }
 
+/* ---- pictures ---- */
+
+static int no_fans;
+
+const algsurf_i_picture_kernel *__real_algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel);
+const algsurf_i_picture_kernel *__wrap_algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel);
+
+static void see_nothing(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
+                        algsurf_i_fan_point *unknown) {
+    (void)job, (void)start, (void)unknown;
+    memset(how, ALGSURF_I_ASIDE, (size_t)count);
+}
+
+const algsurf_i_picture_kernel *__wrap_algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel) {
+    static algsurf_i_picture_kernel without;
+    without = *__real_algsurf_i_picture_kernel_for(kernel);
+    without.see_light = see_nothing;
+    return no_fans ? &without : __real_algsurf_i_picture_kernel_for(kernel);
+}
+
+enum { WIDE = 72, HIGH = 54 };
+
+typedef struct image {
+    uint8_t pixels[3 * WIDE * HIGH];
+    algsurf_render_stats stats;
+} image;
+
+static void draw(const algsurf_scene *scene, int without, image *to) {
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = to->pixels};
+    const algsurf_render_options size = {.size = sizeof size, .width = WIDE, .height = HIGH, .threads = 1};
+    to->stats = (algsurf_render_stats){.size = sizeof to->stats};
+    no_fans = without;
+    assert_int_equal(algsurf_render(scene, &size, &picture, &to->stats), ALGSURF_OK);
+    no_fans = 0;
+}
+
+/* The default lights, then some in other places: slanted, inside the extent, lines, seen along their plane.
+ */
+static void set_lights(algsurf_scene *scene, const catalogue_entry *entry, int which, uint64_t *seed) {
+    algsurf_light lights[2];
+    if (which == 0) return;
+    for (int l = 0; l < 2; l++) {
+        double far = which == 2 ? 0.8 : 6, edge = l == 1 && which == 3 ? 0 : 0.3 * far;
+        lights[l] = (algsurf_light){.colour = {0.8, 0.7, 0.6}, .samples_u = 5, .samples_v = 1 + 2 * which};
+        for (int i = 0; i < 3; i++) {
+            double size = entry->extent.size[0];
+            lights[l].position[i] = entry->extent.centre[i] + size * uniform(seed, -far, far);
+            lights[l].edge_u[i] = size * uniform(seed, -edge, edge);
+            lights[l].edge_v[i] = size * uniform(seed, -edge, edge);
+        }
+    }
+    assert_int_equal(algsurf_scene_set_lights(scene, lights, 2), ALGSURF_OK);
+}
+
+static void pictures_are_those_of_rays(void **state) {
+    static const char *const names[] = {"sphere", "whitney", "steiner", "chair",
+                                        "tangle", "boy",     "barth",   "labs"};
+    (void)state;
+    uint64_t seed = first_seed, rays = 0, left = 0;
+    for (int n = 0; n < 8; n++)
+        for (int which = 0; which < 4; which++) {
+            static image fans, alone;
+            const catalogue_entry *entry = catalogue_find(names[n]);
+            algsurf_surface *surface;
+            algsurf_scene *scene;
+            algsurf_camera camera;
+            assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL),
+                             ALGSURF_OK);
+            assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+            assert_int_equal(algsurf_scene_set_extent(scene, &entry->extent), ALGSURF_OK);
+            assert_int_equal(
+                algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
+                ALGSURF_OK);
+            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+            assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+            set_lights(scene, entry, which, &seed);
+            draw(scene, 0, &fans);
+            draw(scene, 1, &alone);
+            assert_memory_equal(fans.pixels, alone.pixels, sizeof fans.pixels);
+            rays += alone.stats.shadow_rays, left += fans.stats.shadow_rays;
+            algsurf_scene_free(scene);
+            algsurf_surface_free(surface);
+        }
+    printf("pictures: of %llu shadow rays %llu were shot\n", (unsigned long long)rays,
+           (unsigned long long)left);
+    assert_true(left * 5 < rays);
+}
+
 int main(int argc, char **argv) {
     if (argc > 1) scene_count = atol(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
     const struct CMUnitTest tests[] = {cmocka_unit_test(fans_keep_their_bound),
-                                       cmocka_unit_test(places_are_what_is_said)};
+                                       cmocka_unit_test(places_are_what_is_said),
+                                       cmocka_unit_test(pictures_are_those_of_rays)};
     return cmocka_run_group_tests_name("fans", tests, NULL, NULL);
 }

@@ -112,6 +112,9 @@ enum part {
     SHEETS,
     POINTS,
     COLOURS,
+    LIGHTS,
+    PLACES,
+    FLOATS,
     COMPLEX_ROW,
     COMPLEX_POINTS,
     PARTS
@@ -242,6 +245,20 @@ static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_point
     for (int i = 0; !colour && i < count; i++) points->bytes[i] ^= 8;
 }
 
+static void wrong_lights(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
+                         algsurf_i_fan_point *unknown) {
+    real_picture->see_light(job, start, count, how, unknown);
+    for (int i = 0; i < count; i++)
+        if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
+}
+
+static void wrong_places(const algsurf_i_fan_job *job, const algsurf_i_fan_point *point,
+                         const double *const aside[2], int count, uint8_t *state) {
+    real_picture->see_places(job, point, aside, count, state);
+    for (int i = 0; i < count; i++)
+        state[i] = state[i] == ALGSURF_LANE_HIT ? ALGSURF_LANE_MISS : ALGSURF_LANE_HIT;
+}
+
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {
     uint64_t corrections = real_picture->solve_complex(job, begin, end);
     for (int x = begin; x < end; x++)
@@ -262,8 +279,25 @@ static void break_picture(void) {
     if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
     if (broken == POINTS) wrong_picture.points = wrong_points;
     if (broken == COLOURS) wrong_picture.colours = wrong_colours;
+    if (broken == LIGHTS) wrong_picture.see_light = wrong_lights;
+    if (broken == PLACES) wrong_picture.see_places = wrong_places;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
     if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
+}
+
+typedef algsurf_i_picture_kernel algsurf_i_single_kernel;
+static void break_single(void);
+TABLE(single)
+
+static int wrong_floats(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+    int all = real_single->sheet_points(job, pixel, depth, count, sheets, points);
+    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+    return all;
+}
+
+static void break_single(void) {
+    if (broken == FLOATS) wrong_single.sheet_points = wrong_floats;
 }
 
 static void wrong_kernels_are_found(void **state) {

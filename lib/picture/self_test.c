@@ -3,8 +3,8 @@
  * Two questions.  Operations: those that the rooms share (base/rounding.h), as compiled without and with each
  * instruction set that runs here.  Answers: a few polynomials, rays and pixels by each kernel, chosen so that
  * each part of its code is used: packets that are full and one that is not, roots, no roots, roots close
- * together, both shapes of extent, tiles, normals, shadows, complex space.  Their bits must be those of
- * "baseline", and so must those of single calls, which have code of their own.
+ * together, both shapes of extent, tiles, normals, shadows, floats, complex space.  Their bits must be those
+ * of "baseline", and so must those of single calls, which have code of their own.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
 #include "../base/arithmetic.h"
@@ -24,7 +24,7 @@
 #include "../simd/operations.h"
 
 /* 9 of each: one more than the widest packet has. */
-enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2, PICTURES = 3, HIGH = 600 };
+enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2, PICTURES = 5, HIGH = 600 };
 
 typedef struct problem {
     double c[DEGREE + 1][COUNT], im[DEGREE + 1][COUNT], lo[COUNT], hi[COUNT];
@@ -78,7 +78,7 @@ static void make_rays(problem *p) {
 static algsurf_status make_scene(problem *p) {
     static const algsurf_term terms[] = {{4, 0, 0, 1},  {0, 4, 0, 1},  {0, 0, 4, 1},   {2, 0, 0, -5},
                                          {0, 2, 0, -5}, {0, 0, 2, -5}, {0, 0, 0, 11.8}};
-    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 1, 1};
+    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 3, 1};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     static const double eye[3] = {8, 5, 6}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;
@@ -88,7 +88,6 @@ static algsurf_status make_scene(problem *p) {
     if (status == ALGSURF_OK) status = algsurf_camera_pinhole(eye, at, up, 12, &camera);
     if (status == ALGSURF_OK) status = algsurf_scene_set_camera(p->scene, &camera);
     if (status == ALGSURF_OK) status = algsurf_scene_set_lights(p->scene, &light, 1);
-    if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, ALGSURF_QUALITY_FULL);
     return status;
 }
 
@@ -146,16 +145,39 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
     return status;
 }
 
-/* Real space by rows, then by tiles, of which there are in pictures of many rows; complex space. */
-static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
+/* How a picture is drawn. */
+typedef struct manner {
+    int rows; /* of the whole picture: of many rows there are tiles */
+    algsurf_quality quality;
+    algsurf_tier tier;
+    int complex;
+} manner;
+
+static algsurf_status set_manner(const problem *p, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
-    const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = m->tier, .kernel = kernel};
     algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, m->quality);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(p->scene, m->complex ? &space : NULL);
+    return status;
+}
+
+/* The middle rows of a picture in each manner. */
+static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
+    static const manner manners[PICTURES] = {
+        {ROWS, ALGSURF_QUALITY_FULL, ALGSURF_TIER_CERTIFIED, 0},
+        {HIGH, ALGSURF_QUALITY_FULL, ALGSURF_TIER_CERTIFIED, 0},
+        {HIGH, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_CERTIFIED, 0},
+        {HIGH, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_FAST, 0},
+        {ROWS, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_CERTIFIED, 1},
+    };
+    algsurf_status status = ALGSURF_OK;
     for (int which = 0; which < PICTURES && status == ALGSURF_OK; which++) {
-        int rows = which == 1 ? HIGH : ROWS, begin = (rows - ROWS) / 2;
+        const manner *m = &manners[which];
+        int begin = (m->rows - ROWS) / 2;
         const algsurf_render_options size = {.size = sizeof size,
                                              .width = WIDTH,
-                                             .height = rows,
+                                             .height = m->rows,
                                              .row_begin = begin,
                                              .row_end = begin + ROWS,
                                              .threads = 1};
@@ -164,7 +186,7 @@ static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
                                          .t = a->hits[which],
                                          .normals = a->normals[which],
                                          .state = a->states[which]};
-        status = algsurf_scene_set_complex_space(p->scene, which == 2 ? &space : NULL);
+        status = set_manner(p, kernel, m);
         if (status == ALGSURF_OK) status = algsurf_render(p->scene, &size, &picture, NULL);
     }
     return status;
