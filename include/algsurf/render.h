@@ -62,19 +62,20 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
 /* Shows what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
  * Whitney's umbrella, needles, tips.  With a colour (red, green, blue, each >= 0), samples beside whose rays
  * there is something thin show it, without light or shadow; null, the default: nothing is done.
- *     A sample stands for its cell, 1/n of a pixel wide and high, with the sample in the middle.  It shows the
+ *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle.  It shows the
  * colour if the surface cannot be proved absent from the cell, before what its ray sees, and what may be
- * there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the cell:
- * P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up to half a
- * cell's width beside where, at that depth, P has the other sign, as far as that hangs together with the ray
- * through the middle of a cell diagonally beside it.
+ * there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the
+ * cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up to
+ * half a cell's width beside where, at that depth, P has the other sign, as far as that hangs together with
+ * the ray through the middle of a cell diagonally beside it.
  *     So no isolated point and no line without sheets is lost, however thin, unless hidden or within half a
  * cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
  * paler.  A surface of which nothing is narrower, nor more sharply bent, than some cells is drawn as if there
  * were no colour, to the byte; where the gradient vanishes, as in the tips of cones, there may be spots.
  *     All is drawn as if there were no colour in complex space, without a bounded extent, with another method
  * than the default, above degree 12, from an eye level with the extent's centre or some 10^7 of its radii
- * away, and, from an eye nearer than two radii, more than some 50 degrees from the direction of view.
+ * away, and, from an eye nearer than two radii, more than some 50 degrees from the direction of view.  In the
+ * fast tier, which proves nothing, something thin may be lost.
  * Errors: as above.  Cost: a tenth to twice the picture's time; many times it where much is thin or singular,
  * some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source: beams, as tiles
  * (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
@@ -161,16 +162,16 @@ typedef struct algsurf_render_stats {
     uint64_t empty_rays;  /* of all rays: those in empty tiles */
     uint64_t sheet_rays;  /* of all rays: those whose hit is their tile's sheet */
     uint64_t exact_rays;  /* of the single rays: those that integers decided */
-    uint64_t thin;        /* samples that show something thin (algsurf_scene_set_thin), in front of a hit or of
-                             none */
+    uint64_t thin;        /* samples that show something thin (algsurf_scene_set_thin), in front of a hit
+                             or of none */
 } algsurf_render_stats;
 
 /* How the pixels of a picture lie in memory, 8 bits a channel. */
 typedef enum algsurf_pixel_format {
     ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
     /* Red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one it is the share of
-     * the pixel's samples that are hits, undecided or thin, and the colour is the average of those alone, not
-     * multiplied by alpha; both are 0 where there are none. */
+     * the pixel's samples that are hits, undecided or thin, and the colour is the average of those alone,
+     * not multiplied by alpha; both are 0 where there are none. */
     ALGSURF_RGBA8 = 1
 } algsurf_pixel_format;
 
@@ -188,10 +189,10 @@ typedef enum algsurf_way {
  * from left to right.  Rows of pixels are stride bytes apart; those of the other planes follow each other
  * without a gap.
  *     A plane's bytes do not depend on which others are asked for.  t, normals and state tell of one sample
- * of the pixel, the nearest.  That is the one of least t among those that show the surface, an undecided place
- * or something thin; of several, the first, row by row.  The ray of sample (j,k) of n x n is that of algsurf_camera_ray
- * at (x + (j+0.5)/n, y + (k+0.5)/n).  Where a threshold of antialiasing leaves a pixel its middle alone, n
- * is 1. */
+ * of the pixel, the nearest.  That is the one of least t among those that show the surface, an undecided
+ * place or something thin; of several, the first, row by row.  The ray of sample (j,k) of n x n is that of
+ * algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n).  Where a threshold of antialiasing leaves a pixel its
+ * middle alone, n is 1. */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* colours: the average of the samples' clamped colours, rounded to nearest */
@@ -205,7 +206,8 @@ typedef struct algsurf_picture {
                               viewer; all 0 where that is, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the
                               undecided place; THIN, t is about that of something thin beside the ray, as a
-                              rule to a pixel's width, and the normal 0; MISS where no sample shows anything */
+                              rule to a pixel's width, and the normal 0; MISS where no sample shows
+                              anything */
     unsigned char *way;    /* way & 3: the largest algsurf_way of the pixel's samples; way & ~3: the side, 16,
                               8 or 4, of the tile that it lies in, 0 where there are no tiles.  A tile's first
                               pixel is at multiples of its side in the whole picture */
@@ -226,17 +228,17 @@ typedef struct algsurf_picture {
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
  * undecided, and all of other scenes, cost an intersection each.  Shadows: a ray a light sample; up to degree
- * 7 the rays from a point to a light are first looked at together, which takes half to an eighth of the time.
- * t, normals and state: 1 to 4 nanoseconds a pixel.
+ * 7 the rays from a point to a light are first looked at together, and few are left to be shot.  t, normals
+ * and state: 1 to 4 nanoseconds a pixel.
  *     Where pixels are many, up to degree 12, tiles of up to 16 x 16 of them are proved empty, or to see one
  * sheet of the surface, at once: there time grows with the outlines, not with the area.
- *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side, where a
- * pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from its
- * centre: 1.7 times as fast as certified, 1.6 times where t is asked for, geometric means of the named surfaces
- * at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or another
- * sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 % have t
- * within 1e-5 radii and a normal within a third of a degree.  Other pictures are drawn in doubles, without
- * bounds.
+ *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side,
+ * where a pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from
+ * its centre: 1.7 times as fast as certified, 1.6 times where t is asked for, geometric means of the named
+ * surfaces at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or
+ * another sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 %
+ * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
+ * drawn in doubles, without bounds.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
  * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  59 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for

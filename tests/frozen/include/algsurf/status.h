@@ -100,7 +100,7 @@ ALGSURF_API const char *algsurf_version(void);
  * (algsurf_kernel_name); and a few polynomials, rays and pixels by each kernel, which must have equal bits.
  *
  * Guarantee: E_BUILD means that something failed; OK, that nothing of what was tried did: it is a test, and
- * no proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 100 microseconds for each kernel; allocates 100 KB at most.
+ * no proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 150 microseconds for each kernel; allocates 100 KB at most.
  * 60 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_self_test(void);
 
