@@ -13,35 +13,24 @@
 #include "cli.h"
 #include "measure.h"
 #include "results.h"
+#include "surfaces.h"
 
 /* Regula falsi and the fast tier may be wrong, but if they are at more than one in FEW_WRONG of the hits, at
  * tolerance 0, something is broken: regula falsi is at one in 80, on boy. */
-enum { MAX_SURFACES = 64, FEW_WRONG = 20 };
+enum { FEW_WRONG = 20 };
 
 typedef struct bench_options {
     const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int repeat, quick;
-    const catalogue_entry *surface[MAX_SURFACES];
-    int surfaces;
+    surface_list surfaces;
 } bench_options;
-
-static void add_surface(bench_options *o, const catalogue_entry *entry) {
-    if (o->surfaces == MAX_SURFACES) cli_fail(CLI_BAD_INPUT, "more than %d surfaces", MAX_SURFACES);
-    o->surface[o->surfaces++] = entry;
-}
-
-static void set_surface(const cli_option *option, const char *value, void *field) {
-    const catalogue_entry *entry = catalogue_find(value);
-    if (!entry) cli_expected(option, value);
-    add_surface(field, entry);
-}
 
 #define FIELD(member) offsetof(bench_options, member)
 
 static const cli_option options_table[] = {
     {"--surface", "NAME", "a surface of the catalogue (repeatable), default tangle, boy, barth, barth-decic",
-     set_surface, 0, 0, 0},
+     surfaces_set, FIELD(surfaces), 0, 0},
     {"--repeat", "N", "times taken of which the median is reported, default 3", cli_set_int, FIELD(repeat), 1,
      MAX_REPEAT},
     {"--output", "FOLDER", "all numbers as CSV and charts as SVG go there; made if there is none",
@@ -165,12 +154,12 @@ static void *allocate(size_t count, size_t bytes) {
 }
 
 static void run_all(const bench_options *o, record *records) {
-    size_t count = (size_t)o->surfaces;
+    size_t count = (size_t)o->surfaces.count;
     size pixels = size_of(o);
     view **v = allocate(count, sizeof *v);
     ways **w = allocate(count, sizeof *w);
     for (size_t i = 0; i < count; i++) {
-        v[i] = view_open(o->surface[i], pixels.width, pixels.height, pixels.rows);
+        v[i] = view_open(o->surfaces.entry[i], pixels.width, pixels.height, pixels.rows);
         w[i] = ways_open(v[i]);
         judge(v[i], w[i], &records[i]);
     }
@@ -187,27 +176,28 @@ static void run_all(const bench_options *o, record *records) {
 
 static void add_usual_surfaces(bench_options *o) {
     static const char *const usual[] = {"tangle", "boy", "barth", "barth-decic"};
-    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) add_surface(o, catalogue_find(usual[i]));
+    surfaces_add_named(&o->surfaces, usual, sizeof usual / sizeof *usual);
 }
 
 int main(int argc, char **argv) {
-    bench_options o = {.repeat = 3};
+    bench_options o = {.repeat = 3, .surfaces = {.most = SURFACES_ROOM}};
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
-    if (o.surfaces == 0) add_usual_surfaces(&o);
+    if (o.surfaces.count == 0) add_usual_surfaces(&o);
     if (o.output) results_folder(o.output);
-    record *records = allocate((size_t)o.surfaces, sizeof *records);
-    picture_record *pictures = allocate((size_t)o.surfaces, sizeof *pictures);
+    record *records = allocate((size_t)o.surfaces.count, sizeof *records);
+    picture_record *pictures = allocate((size_t)o.surfaces.count, sizeof *pictures);
     run_all(&o, records);
-    for (int i = 0; i < o.surfaces; i++) pictures_run(o.surface[i], o.quick, o.repeat, &pictures[i]);
+    for (int i = 0; i < o.surfaces.count; i++)
+        pictures_run(o.surfaces.entry[i], o.quick, o.repeat, &pictures[i]);
     print_head(&o);
-    for (int i = 0; i < o.surfaces; i++) report_table(&records[i]);
-    for (int i = 0; i < o.surfaces; i++) pictures_table(&pictures[i]);
-    report_advice(records, o.surfaces);
+    for (int i = 0; i < o.surfaces.count; i++) report_table(&records[i]);
+    for (int i = 0; i < o.surfaces.count; i++) pictures_table(&pictures[i]);
+    report_advice(records, o.surfaces.count);
     cli_finish_output();
     if (o.output) {
-        report_files(records, o.surfaces, o.output);
-        pictures_files(pictures, o.surfaces, o.output);
+        report_files(records, o.surfaces.count, o.output);
+        pictures_files(pictures, o.surfaces.count, o.output);
     }
     free(pictures);
     free(records);

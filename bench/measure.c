@@ -90,3 +90,14 @@ void measure_machine(char *line, size_t size) {
     snprintf(line, size, "%s, %ld core%s; %s%s; %s", name, cores, cores == 1 ? "" : "s", family, __VERSION__,
              MEASURE_FLAGS);
 }
+
+void measure_print_lines(const char *text, const char *mark) {
+    for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
+        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
+}
+
+void measure_print_machine(const char *mark) {
+    char machine[512];
+    measure_machine(machine, sizeof machine);
+    printf("%smachine: %s\n", mark, machine);
+}

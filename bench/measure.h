@@ -1,4 +1,4 @@
-/* measure.h - what every benchmark shares: time, order statistics, random numbers, a line on the machine. */
+/* measure.h - what every benchmark shares: time, order statistics, random numbers, heads of reports. */
 #ifndef MEASURE_H
 #define MEASURE_H
 #include <stddef.h>
@@ -27,5 +27,10 @@ double measure_uniform(measure_random *random, double lo, double hi); /* in [lo,
 
 /* Processor, number of cores, compiler and flags of this build, in one line without its end. */
 void measure_machine(char *line, size_t size);
+
+/* The head of a report on standard output: a text's lines, and "machine: " with that line.  The mark comes
+ * before each: "# " where programs are to read the report, else "". */
+void measure_print_lines(const char *text, const char *mark);
+void measure_print_machine(const char *mark);
 
 #endif

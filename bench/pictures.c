@@ -14,15 +14,15 @@
 #include "measure.h"
 #include "pictures_report.h"
 #include "results.h"
+#include "surfaces.h"
 
-enum { SMALLEST = 16, LARGEST = 65535, MAX_SURFACES = 64 };
+enum { SMALLEST = 16, LARGEST = 65535 };
 
 typedef struct bench_options {
     const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int width, height, repeat, no_full, quick, tsv;
-    const catalogue_entry *surface[MAX_SURFACES];
-    int surfaces;
+    surface_list surfaces;
 } bench_options;
 
 static void set_size(const cli_option *option, const char *value, void *field) {
@@ -40,34 +40,19 @@ static void set_size(const cli_option *option, const char *value, void *field) {
              cli_quote(value).text);
 }
 
-static void add_surface(bench_options *o, const catalogue_entry *entry) {
-    if (o->surfaces == MAX_SURFACES) cli_fail(CLI_BAD_INPUT, "more than %d surfaces", MAX_SURFACES);
-    o->surface[o->surfaces++] = entry;
-}
-
-static void set_surface(const cli_option *option, const char *value, void *field) {
-    const catalogue_entry *entry = catalogue_find(value);
-    if (!entry) cli_expected(option, value);
-    add_surface(field, entry);
-}
-
-static void set_choice(const cli_option *option, const char *value, void *field) {
-    *(int *)field = cli_choice(option, value);
-}
-
 #define FIELD(member) offsetof(bench_options, member)
 
 static const cli_option options_table[] = {
     {"--size", "WxH", "of the pictures, at least 16x16, default 1024x768", set_size, 0, 0, 0},
     {"--repeat", "N", "pictures of which the median is reported, default 5", cli_set_int, FIELD(repeat), 1,
      MAX_REPEAT},
-    {"--surface", "NAME", "a surface of the catalogue (repeatable), default all of them", set_surface, 0, 0,
-     0},
+    {"--surface", "NAME", "a surface of the catalogue (repeatable), default all of them", surfaces_set,
+     FIELD(surfaces), 0, 0},
     {"--no-full", NULL, "no pictures in full quality", cli_set_flag, FIELD(no_full), 0, 0},
     {"--quick", NULL, "smaller defaults: 512x384, five surfaces", cli_set_flag, FIELD(quick), 0, 0},
     {"--output", "FOLDER", "gets pictures.csv, pictures_floor.csv and pictures.svg; made if there is none",
      cli_set_text, FIELD(output), 0, 0},
-    {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv), 0, 0},
+    {"--format", "text|tsv", "to be read by people (default) or programs", cli_set_choice, FIELD(tsv), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -138,12 +123,12 @@ static void measure(const bench_options *o, const plan *p, const catalogue_entry
 /* All of the catalogue, but for second names of a surface. */
 static void add_all_surfaces(bench_options *o) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
-        if (catalogue_first_of(entry) == entry) add_surface(o, entry);
+        if (catalogue_first_of(entry) == entry) surfaces_add(&o->surfaces, entry);
 }
 
 static void add_few_surfaces(bench_options *o) {
     static const char *const few[] = {"sphere", "torus", "boy", "barth", "barth-decic"};
-    for (size_t i = 0; i < sizeof few / sizeof *few; i++) add_surface(o, catalogue_find(few[i]));
+    surfaces_add_named(&o->surfaces, few, sizeof few / sizeof *few);
 }
 
 static void set_defaults(bench_options *o) {
@@ -151,7 +136,7 @@ static void set_defaults(bench_options *o) {
         o->width = o->quick ? 512 : 1024;
         o->height = o->quick ? 384 : 768;
     }
-    if (o->surfaces > 0) return;
+    if (o->surfaces.count > 0) return;
     if (o->quick)
         add_few_surfaces(o);
     else
@@ -159,17 +144,17 @@ static void set_defaults(bench_options *o) {
 }
 
 int main(int argc, char **argv) {
-    bench_options o = {.repeat = 5};
+    bench_options o = {.repeat = 5, .surfaces = {.most = SURFACES_ROOM}};
     plan p;
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     set_defaults(&o);
     make_plan(&p, o.no_full);
     if (o.output) results_folder(o.output); /* before the work */
-    result *results = calloc((size_t)o.surfaces, sizeof *results);
+    result *results = calloc((size_t)o.surfaces.count, sizeof *results);
     if (!results) cli_no_memory();
-    for (int i = 0; i < o.surfaces; i++) measure(&o, &p, o.surface[i], &results[i]);
-    const report r = {&p, results, o.surfaces, o.width, o.height, o.repeat};
+    for (int i = 0; i < o.surfaces.count; i++) measure(&o, &p, o.surfaces.entry[i], &results[i]);
+    const report r = {&p, results, o.surfaces.count, o.width, o.height, o.repeat};
     if (o.output) report_write(&r, o.output);
     report_print(&r, o.tsv);
     free(results);

@@ -129,12 +129,9 @@ static void put_floors(FILE *to, const report *r, format form) {
 
 void report_print(const report *r, int tsv) {
     const char *mark = tsv ? "# " : "";
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    for (const char *line = legend; *line; line += strcspn(line, "\n") + 1)
-        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
-    printf("%smachine: %s\n%ssize: %dx%d\n%srepeat: %d\n", mark, machine, mark, r->width, r->height, mark,
-           r->repeat);
+    measure_print_lines(legend, mark);
+    measure_print_machine(mark);
+    printf("%ssize: %dx%d\n%srepeat: %d\n", mark, r->width, r->height, mark, r->repeat);
     put_costs(stdout, r, tsv ? TSV : TEXT);
     put_floors(stdout, r, tsv ? TSV : TEXT);
     cli_finish_output();

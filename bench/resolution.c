@@ -16,6 +16,7 @@
 #include "cli.h"
 #include "measure.h"
 #include "results.h"
+#include "surfaces.h"
 #include "view.h"
 
 enum { NARROWEST = 128, WIDEST = 8192, QUICK_WIDEST = 1024, SLICE = 512, CHECKED = 1000 };
@@ -24,24 +25,8 @@ typedef struct bench_options {
     const char *extra; /* a plain argument, which this program does not take */
     const char *output;
     int widest, repeat, quick, tsv;
-    const catalogue_entry *surface[MOST_SHOWN];
-    int surfaces;
+    surface_list surfaces;
 } bench_options;
-
-static void add_surface(bench_options *o, const catalogue_entry *entry) {
-    if (o->surfaces == MOST_SHOWN) cli_fail(CLI_BAD_INPUT, "more than %d surfaces", MOST_SHOWN);
-    o->surface[o->surfaces++] = entry;
-}
-
-static void set_surface(const cli_option *option, const char *value, void *field) {
-    const catalogue_entry *entry = catalogue_find(value);
-    if (!entry) cli_expected(option, value);
-    add_surface(field, entry);
-}
-
-static void set_choice(const cli_option *option, const char *value, void *field) {
-    *(int *)field = cli_choice(option, value);
-}
 
 #define FIELD(member) offsetof(bench_options, member)
 
@@ -51,13 +36,13 @@ static const cli_option options_table[] = {
     {"--repeat", "N", "pictures of which the median is reported, default 5; more of small ones", cli_set_int,
      FIELD(repeat), 1, MOST_TAKES},
     {"--surface", "NAME",
-     "a surface of the catalogue (up to seven), default tangle, boy, barth, labs,\nbarth-decic", set_surface,
-     0, 0, 0},
+     "a surface of the catalogue (up to seven), default tangle, boy, barth, labs,\nbarth-decic", surfaces_set,
+     FIELD(surfaces), 0, 0},
     {"--quick", NULL, "smaller defaults: up to 1024 pixels a row, 3 pictures", cli_set_flag, FIELD(quick), 0,
      0},
     {"--output", "FOLDER", "gets resolution.csv and resolution.svg; made if there is none", cli_set_text,
      FIELD(output), 0, 0},
-    {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv), 0, 0},
+    {"--format", "text|tsv", "to be read by people (default) or programs", cli_set_choice, FIELD(tsv), 0, 0},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -170,14 +155,14 @@ static void measure_width(const bench_options *o, int width, int number, record 
     studio s[MOST_SHOWN];
     int more = QUICK_WIDEST / width, takes = more > 1 ? more * o->repeat : o->repeat;
     if (takes > MOST_TAKES) takes = MOST_TAKES;
-    for (int i = 0; i < o->surfaces; i++) {
-        s[i] = open_studio(o->surface[i], width);
+    for (int i = 0; i < o->surfaces.count; i++) {
+        s[i] = open_studio(o->surfaces.entry[i], width);
         records[i].at[number] = (measured){.width = width, .height = s[i].height, .takes = takes};
         check_picture(&s[i], &records[i].at[number]);
     }
     for (int take = 0; take < takes; take++)
-        for (int i = 0; i < o->surfaces; i++) seconds[i][take] = draw_picture(&s[i]);
-    for (int i = 0; i < o->surfaces; i++) {
+        for (int i = 0; i < o->surfaces.count; i++) seconds[i][take] = draw_picture(&s[i]);
+    for (int i = 0; i < o->surfaces.count; i++) {
         static const double shares[3] = {0.5, 0, 1};
         double rays = (double)width * s[i].height;
         measure_sort(seconds[i], (size_t)takes);
@@ -191,19 +176,19 @@ static void set_defaults(bench_options *o) {
     static const char *const names[] = {"tangle", "boy", "barth", "labs", "barth-decic"};
     if (o->widest == 0) o->widest = o->quick ? QUICK_WIDEST : WIDEST;
     if (o->repeat == 0) o->repeat = o->quick ? 3 : 5;
-    if (o->surfaces > 0) return;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) add_surface(o, catalogue_find(names[i]));
+    if (o->surfaces.count > 0) return;
+    surfaces_add_named(&o->surfaces, names, sizeof names / sizeof *names);
 }
 
 int main(int argc, char **argv) {
     static record records[MOST_SHOWN];
-    bench_options o = {.extra = NULL};
+    bench_options o = {.surfaces = {.most = MOST_SHOWN}};
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     set_defaults(&o);
     if (o.output) results_folder(o.output); /* before the work */
-    report r = {.records = records, .surfaces = o.surfaces};
-    for (int i = 0; i < o.surfaces; i++) records[i].entry = o.surface[i];
+    report r = {.records = records, .surfaces = o.surfaces.count};
+    for (int i = 0; i < o.surfaces.count; i++) records[i].entry = o.surfaces.entry[i];
     for (int width = NARROWEST; width <= o.widest; width *= 2) measure_width(&o, width, r.widths++, records);
     if (o.output) report_write(&r, o.output);
     report_print(&r, o.tsv);

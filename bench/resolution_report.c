@@ -37,11 +37,9 @@ static void put_table(FILE *to, const report *r, format form) {
 
 void report_print(const report *r, int tsv) {
     const char *mark = tsv ? "# " : "";
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    for (const char *line = legend; *line; line += strcspn(line, "\n") + 1)
-        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
-    printf("%smachine: %s\n%skernel: %s\n", mark, machine, mark, algsurf_kernel_name(0));
+    measure_print_lines(legend, mark);
+    measure_print_machine(mark);
+    printf("%skernel: %s\n", mark, algsurf_kernel_name(0));
     put_table(stdout, r, tsv ? TSV : TEXT);
     cli_finish_output();
 }

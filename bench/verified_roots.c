@@ -23,10 +23,6 @@ typedef struct bench_options {
     int polys, seed, tsv, quick;
 } bench_options;
 
-static void set_choice(const cli_option *option, const char *value, void *field) {
-    *(int *)field = cli_choice(option, value);
-}
-
 #define FIELD(member) offsetof(bench_options, member)
 
 static const cli_option options_table[] = {
@@ -34,7 +30,7 @@ static const cli_option options_table[] = {
      FIELD(polys), 1, 100000},
     {"--seed", "S", "of the random pixels and coefficients, default 1", cli_set_int, FIELD(seed), 0,
      1000000000},
-    {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv), 0, 0},
+    {"--format", "text|tsv", "to be read by people (default) or programs", cli_set_choice, FIELD(tsv), 0, 0},
     {"--output", "FOLDER",
      "also measures random polynomials of more degrees, and clusters, a quarter as many of\n"
      "each; all numbers as CSV and charts as SVG go there; made if there is none",

@@ -66,18 +66,12 @@ static void print_row(const row *r, int tsv) {
     putchar('\n');
 }
 
-static void print_lines(const char *text, const char *mark) {
-    for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
-        printf("%s%.*s\n", mark, (int)strcspn(line, "\n"), line);
-}
-
 void report_table(const row *rows, int count, int seed, int tsv) {
     const char *mark = tsv ? "# " : "";
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    print_lines(legend, mark);
-    if (rows[count - 1].cluster > 0) print_lines(more_legend, mark);
-    printf("%smachine: %s\n%sseed: %d\n%s", mark, machine, mark, seed, tsv ? "#" : "\n");
+    measure_print_lines(legend, mark);
+    if (rows[count - 1].cluster > 0) measure_print_lines(more_legend, mark);
+    measure_print_machine(mark);
+    printf("%sseed: %d\n%s", mark, seed, tsv ? "#" : "\n");
     for (int k = 0; k < COLUMNS; k++) print_cell(k, columns[k].title, tsv);
     putchar('\n');
     for (int i = 0; i < count; i++) print_row(&rows[i], tsv);

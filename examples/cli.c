@@ -268,6 +268,10 @@ int cli_choice(const cli_option *option, const char *value) {
     }
 }
 
+void cli_set_choice(const cli_option *option, const char *value, void *field) {
+    *(int *)field = cli_choice(option, value);
+}
+
 void cli_set_method(const cli_option *option, const char *value, void *field) {
     static const int methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT, ALGSURF_METHOD_BISECTION,
                                   ALGSURF_METHOD_REGULA_FALSI};
@@ -320,10 +324,6 @@ void cli_set_let(const cli_option *option, const char *value, void *field) {
     constant.name = name;
     all[count] = constant;
     surface->constant_count = count + 1;
-}
-
-void cli_set_coefficients(const cli_option *option, const char *value, void *field) {
-    *(int *)field = cli_choice(option, value);
 }
 
 /* The surface with what rounding its coefficients may have changed. */

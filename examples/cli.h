@@ -80,8 +80,7 @@ void cli_set_method(const cli_option *option, const char *value, void *field);  
 void cli_set_tier(const cli_option *option, const char *value, void *field);      /* algsurf_tier */
 void cli_set_tolerance(const cli_option *option, const char *value, void *field); /* double */
 void cli_set_let(const cli_option *option, const char *value, void *field);       /* cli_surface */
-void cli_set_coefficients(const cli_option *option, const char *value,
-                          void *field); /* int: are they rounded? */
+void cli_set_choice(const cli_option *option, const char *value, void *field);    /* int, cli_choice */
 
 /* Which of the words of an argument "one|two|three" the value is, from 0. */
 int cli_choice(const cli_option *option, const char *value);
@@ -105,7 +104,7 @@ typedef struct cli_surface {
     {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
      offsetof(type, surface.terms), 0, 0},                                                                   \
     {"--coefficients", "exact|rounded", "the doubles are the surface (default), or they are roundings of\n"   \
-     "the equation's: what is certain then holds for the equation", cli_set_coefficients,                    \
+     "the equation's: what is certain then holds for the equation", cli_set_choice,                          \
      offsetof(type, surface.rounded), 0, 0}
 /* clang-format on */
 

@@ -34,10 +34,6 @@ static void set_interval(const cli_option *option, const char *value, void *fiel
     *(roots_interval *)field = interval;
 }
 
-static void set_choice(const cli_option *option, const char *value, void *field) {
-    *(int *)field = cli_choice(option, value);
-}
-
 #define FIELD(member) offsetof(roots_options, member), 0, 0
 
 static const cli_option options_table[] = {
@@ -51,9 +47,9 @@ static const cli_option options_table[] = {
     {"--coefficients", "exact|rounded",
      "decimals are exact (default), or rounded to doubles: verified is then said\n"
      "of the rounded polynomial",
-     cli_set_coefficients, FIELD(rounded)},
+     cli_set_choice, FIELD(rounded)},
     {"--threads", "N", "1 (default) to 256", cli_set_int, offsetof(roots_options, threads), 1, 256},
-    {"--format", "text|tsv", "to be read by people (default) or programs", set_choice, FIELD(tsv)},
+    {"--format", "text|tsv", "to be read by people (default) or programs", cli_set_choice, FIELD(tsv)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {

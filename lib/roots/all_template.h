@@ -6,6 +6,8 @@
  * doubt. */
 #ifndef ALGSURF_ALL_TEMPLATE_H
 #define ALGSURF_ALL_TEMPLATE_H
+#include "block_template.h"
+#include "brackets_template.h"
 #include "first_template.h"
 #include "good_template.h"
 

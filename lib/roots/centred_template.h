@@ -70,6 +70,17 @@ INLINE void load_interval(const algsurf_i_polys_job *job, size_t at, int count, 
     *hi = load_steps(job->hi + first, job->interval, count);
 }
 
+INLINE void to_index(lanes id, int *index) {
+    for (int l = 0; l < LANES; l++) index[l] = (int)id[l];
+}
+
+/* Entries id[0 .. LANES-1] of p, which are `step` doubles from one to the next. */
+INLINE lanes gather(const double *p, ptrdiff_t step, const int *id) {
+    lanes a = {0};
+    for (int l = 0; l < LANES; l++) a[l] = p[id[l] * step];
+    return a;
+}
+
 /* Polynomials at .. at+count-1. */
 INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
     lanes *d = p->d, power = all_lanes(1);

@@ -14,15 +14,15 @@ INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtfu
     lanes a = n == 2 ? p->d[2] : all_lanes(0), b = p->d[1], c = p->d[0], radius = p->radius;
     lanes left = c - b + a, middle = c - a, right = c + b + a;
     words sign = (words)left & (words)all_lanes(-0.0);
-    lanes size = absolute(a) + absolute(b) + absolute(c), D = b * b - 4 * a * c;
+    lanes size = absolute(a) + absolute(b) + absolute(c), discriminant = b * b - 4 * a * c;
     mask crosses = negative((words)left ^ (words)right), dips = negative((words)left ^ (words)middle);
     mask sure = less(radius, smaller(absolute(left), absolute(right)));
     mask around = ~crosses & (dips | ~less(radius, absolute(middle)));
-    sure &=
-        ~around | (dips & less(radius, absolute(middle)) & less(16 * radius * (size + radius), absolute(D)));
+    sure &= ~around | (dips & less(radius, absolute(middle)) &
+                       less(16 * radius * (size + radius), absolute(discriminant)));
     sure &= p->sound;
-    lanes slope = root(larger(D, all_lanes(0)));
-    *hit = sure & (crosses | (around & less(all_lanes(0), D)));
+    lanes slope = root(larger(discriminant, all_lanes(0)));
+    *hit = sure & (crosses | (around & less(all_lanes(0), discriminant)));
     *doubtful = ~sure | (*hit & less(slope, FLAT * size));
     *hit &= ~*doubtful;
     mask same = ~negative((words)b ^ sign);

@@ -16,17 +16,6 @@
 #define MOST_POINTS 8 /* of Newton's method; three are usual */
 #define LEAST_ROOT 0x1p-500
 
-INLINE void to_index(lanes id, int *index) {
-    for (int l = 0; l < LANES; l++) index[l] = (int)id[l];
-}
-
-/* Entries id[0 .. LANES-1] of p, which are `step` doubles from one to the next. */
-INLINE lanes gather(const double *p, ptrdiff_t step, const int *id) {
-    lanes a = {0};
-    for (int l = 0; l < LANES; l++) a[l] = p[id[l] * step];
-    return a;
-}
-
 /* Roots on their way to neighbouring doubles. */
 typedef struct enclosure {
     lanes c[ALGSURF_MAX_POLYS_DEGREE + 1];

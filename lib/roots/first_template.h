@@ -1,141 +1,18 @@
 /* first_template.h - the first roots of LANES polynomials given in the power basis.
  *
  * They are counted by Descartes' rule.  Those with more than one variation of sign are split, all of them
- * once; what is still open is packed together and split again, so that no lane waits for another.  Brackets
- * are refined by Halley's method on the power basis about the middle (halley_template.h), from where the
- * control polygon crosses zero. */
+ * once; what is still open is packed together and split again (block_template.h), so that no lane waits for
+ * another.  The roots in the brackets are brackets_template.h's; degrees 1 and 2 have a closed form. */
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
-#include "../poly/table.h"
-#include "kernel.h"
-#define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
-#define MOST_OWN 0
 #include "../simd/degrees.h"
 #include "../simd/lanes.h"
+#include "block_template.h"
+#include "brackets_template.h"
 #include "centred_template.h"
 #include "closed_template.h"
 #include "descartes_template.h"
-#include "enclose_template.h"
-#include "halley_template.h"
-
-#define LEAST_ROOT_STEP 0x1p-52
-#define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
-#define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
-#define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
-
-/* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
-INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
-    static const uint8_t spread[16][4] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
-                                          {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0},
-                                          {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
-                                          {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
-    uint8_t all[8] = {0};
-    for (int l = 0; l < LANES; l += 4) {
-        uint32_t hit, doubt;
-        __builtin_memcpy(&hit, spread[bits(hits) >> l & 15], 4);
-        __builtin_memcpy(&doubt, spread[bits(doubts) >> l & 15], 4);
-        hit = ALGSURF_LANE_HIT * hit + ALGSURF_LANE_DOUBTFUL * doubt;
-        __builtin_memcpy(all + l, &hit, 4);
-    }
-    if (count >= LANES) {
-        __builtin_memcpy(state, all, LANES);
-    } else {
-        for (int l = 0; l < count; l++) state[l] = all[l];
-    }
-}
-
-/* Rows of numbers, one for each polynomial, cell or bracket, of those that are solved together. */
-enum {
-    ID, /* a cell of descartes_template.h that is to be split: its polynomial, and what it is */
-    CELL_P,
-    CELL_Q,
-    LIMIT,
-    ERROR,     /* its one radius */
-    CUT_ERROR, /* what a cut adds to it */
-    HIT_ID,    /* a part [begin,end] of [-1,1] with one root, which is about `near` */
-    BEGIN,
-    END,
-    NEAR,
-    RADIUS, /* polynomial number id, in column id */
-    PLACE,  /* its root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED */
-    VALUE,  /* which is then here */
-    D       /* its n + 1 coefficients about the middle */
-};
-#define CELL_W(n) (D + (n) + 1) /* those of a cell */
-#define ROWS_OF(n) (CELL_W(n) + (n) + 1)
-
-/* So many polynomials of degree n are solved together, and so many of their cells may wait: more share
- * packets better, fewer need less stack and stay in a cache of 48 KiB.  Each row has room for what
- * store_chosen writes behind the last one. */
-#define POLYS_OF(n) ((n) <= 10 ? 128 : 80)
-#define ROW_OF(n) (POLYS_OF(n) + 8)
-
-#define ROOM (ROWS_OF(ALGSURF_MAX_POLYS_DEGREE) * ROW_OF(ALGSURF_MAX_POLYS_DEGREE))
-_Static_assert(ROWS_OF(10) * ROW_OF(10) <= ROOM, "rows");
-
-#define NOWHERE 4.0
-#define IN_DOUBT 2.0
-#define ENCLOSED 1.5
-
-/* Polynomials and what was found. */
-typedef struct poly_block {
-    int degree, cells, hits; /* how many */
-    bernstein_basis basis;
-    double rows[ROOM];
-} poly_block;
-
-/* From place i of a row on. */
-INLINE double *in_row(poly_block *block, int row, int i, int n) { return block->rows + row * ROW_OF(n) + i; }
-
-INLINE lanes load_row(const poly_block *block, int row, int i, int n) {
-    return load(block->rows + row * ROW_OF(n) + i);
-}
-
-/* Of polynomials `id`. */
-INLINE lanes gather_row(const poly_block *block, int row, const int *id, int n) {
-    return gather(block->rows + row * ROW_OF(n), 1, id);
-}
-
-INLINE unsigned first_lanes(int count) { return count >= LANES ? (1u << LANES) - 1 : (1u << count) - 1; }
-
-INLINE void add_cells(poly_block *block, const cell *s, lanes id, lanes cut_error, unsigned chosen, int n) {
-    double *to = in_row(block, 0, block->cells, n);
-    const int row = ROW_OF(n);
-    store_chosen(to + ID * row, id, chosen);
-    store_chosen(to + CELL_P * row, s->p, chosen);
-    store_chosen(to + CELL_Q * row, s->q, chosen);
-    store_chosen(to + LIMIT * row, s->limit, chosen);
-    store_chosen(to + ERROR * row, s->e[0], chosen);
-    store_chosen(to + CUT_ERROR * row, cut_error, chosen);
-    for (int j = 0; j <= n; j++) store_chosen(to + (CELL_W(n) + j) * row, s->w[j], chosen);
-    block->cells += __builtin_popcount(chosen);
-}
-
-/* Where the control polygon of one variation crosses zero. */
-INLINE lanes crossing(const lanes *w, int n) {
-    lanes before = w[0], after = w[1], place = all_lanes(0);
-    for (int j = 1; j < n; j++) {
-        mask further = less(all_lanes(0), w[j]);
-        before = choose(further, w[j], before);
-        after = choose(further, w[j + 1], after);
-        place = choose(further, all_lanes(j), place);
-    }
-    return (place + before / (before - after)) * (1.0 / n);
-}
-
-INLINE void add_brackets(poly_block *block, const cell *s, lanes id, unsigned chosen, int n) {
-    int i = block->hits;
-    store_chosen(in_row(block, HIT_ID, i, n), id, chosen);
-    store_chosen(in_row(block, BEGIN, i, n), 2 * s->p - 1, chosen);
-    store_chosen(in_row(block, END, i, n), 2 * s->q - 1, chosen);
-    store_chosen(in_row(block, NEAR, i, n), 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
-    block->hits += __builtin_popcount(chosen);
-}
-
-INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which, int n) {
-    for (int l = 0; which >> l; l++)
-        if (which >> l & 1) *in_row(block, PLACE, (int)id[l], n) = IN_DOUBT;
-}
+#include "kernel.h"
 
 /* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
  * Their signs become those that make the first coefficient positive. */
@@ -161,8 +38,6 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     if (one) add_brackets(block, &s, id, one, n);
     add_cells(block, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
 }
-
-INLINE int at_most_of(int count, int most) { return count < most ? count : most; }
 
 INLINE void classify_all_n(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
     for (int i = 0; i < count; i += LANES)
@@ -210,18 +85,6 @@ INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_erro
     return which & ~bits(c.none) & ~hits & ~doubts;
 }
 
-/* Waiting cells i, i+1 .. */
-INLINE void take_cells(const poly_block *block, int i, cell *s, lanes *id, lanes *cut_error, int n) {
-    *id = load_row(block, ID, i, n);
-    *cut_error = load_row(block, CUT_ERROR, i, n);
-    s->p = load_row(block, CELL_P, i, n);
-    s->q = load_row(block, CELL_Q, i, n);
-    s->limit = load_row(block, LIMIT, i, n);
-    s->e[0] = load_row(block, ERROR, i, n);
-    s->side = (words)all_lanes(0);
-    for (int j = 0; j <= n; j++) s->w[j] = load_row(block, CELL_W(n) + j, i, n);
-}
-
 INLINE void divide_cells_n(poly_block *block, int n, int turn) {
     int waiting = block->cells;
     block->cells = 0;
@@ -255,125 +118,25 @@ APART void divide_last_cells(poly_block *block, int n, int turn) {
     FOR_DEGREE(n, divide_last_cells_n(block, N, turn))
 }
 
-/* What of the sizes that S adds up is left at a distance of x halves from the middle. */
-INLINE
-double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half, double x) {
-    double near = 0, far = 0, m = fabs(middle);
-    for (int k = n; k >= 0; k--) {
-        double c = fabs(algsurf_i_table_entry(&job->c, k, at));
-        near = near * (m + half * fabs(x)) + c;
-        far = far * (m + half) + c;
+/* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
+INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
+    static const uint8_t spread[16][4] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
+                                          {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0},
+                                          {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
+                                          {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+    uint8_t all[8] = {0};
+    for (int l = 0; l < LANES; l += 4) {
+        uint32_t hit, doubt;
+        __builtin_memcpy(&hit, spread[bits(hits) >> l & 15], 4);
+        __builtin_memcpy(&doubt, spread[bits(doubts) >> l & 15], 4);
+        hit = ALGSURF_LANE_HIT * hit + ALGSURF_LANE_DOUBTFUL * doubt;
+        __builtin_memcpy(all + l, &hit, 4);
     }
-    return near / far;
-}
-
-/* Brackets i, i+1 .. of a block, two packets side by side, for each waits for its own divisions. */
-typedef struct approaches {
-    int packets, id[PAIR][LANES];
-    lanes noise[PAIR];
-    approach a[PAIR];
-} approaches;
-
-/* Halley's method on them.  The sign bit of a bracket's id is that of its polynomial before the root. */
-INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
-                            approaches *to) {
-    approach *a = to->a;
-    lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
-    double wanted = job->tolerance > 0 ? 2 * job->tolerance : USUAL_ROOT_STEP,
-           tolerance = wanted > LEAST_ROOT_STEP ? wanted : LEAST_ROOT_STEP;
-    to->packets = block->hits - i > LANES ? 2 : 1;
-    for (int w = 0; w < to->packets; w++) {
-        int first = i + w * LANES, *id = to->id[w];
-        lanes number = load_row(block, HIT_ID, first, n);
-        words side = (words)number & (words)all_lanes(-0.0);
-        to_index(absolute(number), id);
-        for (int l = block->hits - first; l < LANES; l++) id[l] = id[0];
-        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather_row(block, D + k, id, n) ^ side);
-        a[w].begin = load_row(block, BEGIN, first, n);
-        a[w].end = load_row(block, END, first, n);
-        a[w].x = load_row(block, NEAR, first, n);
-        a[w].last = all_lanes(0);
-        a[w].moving = less(numbered(), all_lanes(block->hits - first));
-        a[w].slope = a[w].last;
-        a[w].stuck = no_lane();
-        to->noise[w] = gather_row(block, RADIUS, id, n) * (1.0 / (6 * n + 10));
+    if (count >= LANES) {
+        __builtin_memcpy(state, all, LANES);
+    } else {
+        for (int l = 0; l < count; l++) state[l] = all[l];
     }
-    for (int round = 0; round < MOST_TURNS; round++) {
-        mask moving = no_lane();
-        for (int w = 0; w < to->packets; w++) {
-            halley(a + w, d[w], n, to->noise[w], tolerance, round >= MANY_ROUNDS);
-            moving |= a[w].moving;
-        }
-        if (!any(moving)) break;
-    }
-}
-
-APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
-                         approaches *to) {
-    if (n < 1) __builtin_unreachable();
-    FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
-}
-
-/* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
- * each step of the compensated scheme waits for the one before. */
-APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
-                        const approaches *all, int n, enclosure *e) {
-    for (int w = 0; w < all->packets; w++) {
-        int first = i + w * LANES;
-        mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
-        begin_enclosure(job, at, all->id[w], load_row(block, BEGIN, first, n), load_row(block, END, first, n),
-                        all->a[w].x, open, e + w, n);
-    }
-    for (int point = 0; point < MOST_POINTS; point++) {
-        mask open = no_lane();
-        for (int w = 0; w < all->packets; w++) {
-            newton(e + w, n);
-            open |= e[w].open;
-        }
-        if (!any(open)) break;
-    }
-}
-
-/* Stores the roots that a packet's brackets led to; returns the lanes in doubt, those that did not come to an
- * end or whose root may be off by more than BLURRED. */
-INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
-                           const approaches *all, int w) {
-    const approach *a = all->a + w;
-    mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
-    unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
-    for (int l = 0; l < LANES && l < count; l++) {
-        int id = all->id[w][l];
-        double x = a->x[l];
-        if (flat >> l & 1) {
-            size_t to = at + (size_t)id;
-            ptrdiff_t which = (ptrdiff_t)to * job->interval;
-            double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
-                   half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
-            double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
-            doubts |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
-        }
-        *in_row(block, PLACE, id, n) = doubts >> l & 1 ? IN_DOUBT : x;
-    }
-    return doubts;
-}
-
-/* Roots in brackets i, i+1 ..  Ill-conditioned ones, without radii, by values that are better than doubles.
- */
-APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
-    approaches all;
-    enclosure e[PAIR];
-    unsigned doubts[PAIR] = {0}, some = 0;
-    approach_hits(job, block, i, n, &all);
-    for (int w = 0; w < all.packets; w++)
-        some |= doubts[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
-    if (!some || job->r.at) return;
-    enclose_hits(job, block, at, i, &all, n, e);
-    for (int w = 0; w < all.packets; w++)
-        for (int l = 0; doubts[w] >> l; l++)
-            if (doubts[w] & bits(e[w].found) & 1u << l) {
-                *in_row(block, PLACE, all.id[w][l], n) = ENCLOSED;
-                *in_row(block, VALUE, all.id[w][l], n) = e[w].value[l];
-            }
 }
 
 /* The answers of polynomials i .. of the block; returns whether some are in doubt. */
@@ -423,14 +186,6 @@ INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
     for (size_t at = 0; at < count; at += LANES)
         doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
     return doubts;
-}
-
-static void begin_block(poly_block *block, int n) {
-    if (n < 1) __builtin_unreachable();
-    FOR_DEGREE(n, set_basis(&block->basis, N))
-    block->degree = n;
-    for (int i = 0; i < ROW_OF(n); i++)
-        *in_row(block, ID, i, n) = *in_row(block, HIT_ID, i, n) = 0; /* lanes behind the last name one too */
 }
 
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {

@@ -1,0 +1,145 @@
+/* brackets_template.h - the roots in the brackets of a block (block_template.h).
+ *
+ * Halley's method on the power basis about the middle, from where the control polygon crosses zero.
+ *
+ * Error.  Values are off by about noise = u S (centred_template.h), a root x by noise / |p'(x)|, and by less
+ * where x is nearer to the middle than the ends are: S is then replaced by the sum at x.  A root that may be
+ * off by more than BLURRED is enclosed by values that are better than doubles (enclose_template.h), if its
+ * coefficients are exact; else it stays in doubt, as does one that the method does not come to. */
+#ifndef ALGSURF_BRACKETS_TEMPLATE_H
+#define ALGSURF_BRACKETS_TEMPLATE_H
+#include "../poly/table.h"
+#include "../simd/degrees.h"
+#include "../simd/lanes.h"
+#include "block_template.h"
+#include "enclose_template.h"
+#include "halley_template.h"
+#include "kernel.h"
+
+#define LEAST_ROOT_STEP 0x1p-52
+#define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
+#define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
+#define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
+
+/* What of the sizes that S adds up is left at a distance of x halves from the middle. */
+INLINE
+double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half, double x) {
+    double near = 0, far = 0, m = fabs(middle);
+    for (int k = n; k >= 0; k--) {
+        double c = fabs(algsurf_i_table_entry(&job->c, k, at));
+        near = near * (m + half * fabs(x)) + c;
+        far = far * (m + half) + c;
+    }
+    return near / far;
+}
+
+/* Brackets i, i+1 .. of a block, two packets side by side, for each waits for its own divisions. */
+typedef struct approaches {
+    int packets, id[PAIR][LANES];
+    lanes noise[PAIR];
+    approach a[PAIR];
+} approaches;
+
+/* Halley's method on them.  The sign bit of a bracket's id is that of its polynomial before the root. */
+INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                            approaches *to) {
+    approach *a = to->a;
+    lanes d[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
+    double wanted = job->tolerance > 0 ? 2 * job->tolerance : USUAL_ROOT_STEP,
+           tolerance = wanted > LEAST_ROOT_STEP ? wanted : LEAST_ROOT_STEP;
+    to->packets = block->hits - i > LANES ? 2 : 1;
+    for (int w = 0; w < to->packets; w++) {
+        int first = i + w * LANES, *id = to->id[w];
+        lanes number = load_row(block, HIT_ID, first, n);
+        words side = (words)number & (words)all_lanes(-0.0);
+        to_index(absolute(number), id);
+        for (int l = block->hits - first; l < LANES; l++) id[l] = id[0];
+        for (int k = 0; k <= n; k++) d[w][k] = (lanes)((words)gather_row(block, D + k, id, n) ^ side);
+        a[w].begin = load_row(block, BEGIN, first, n);
+        a[w].end = load_row(block, END, first, n);
+        a[w].x = load_row(block, NEAR, first, n);
+        a[w].last = all_lanes(0);
+        a[w].moving = less(numbered(), all_lanes(block->hits - first));
+        a[w].slope = a[w].last;
+        a[w].stuck = no_lane();
+        to->noise[w] = gather_row(block, RADIUS, id, n) * (1.0 / (6 * n + 10));
+    }
+    for (int round = 0; round < MOST_TURNS; round++) {
+        mask moving = no_lane();
+        for (int w = 0; w < to->packets; w++) {
+            halley(a + w, d[w], n, to->noise[w], tolerance, round >= MANY_ROUNDS);
+            moving |= a[w].moving;
+        }
+        if (!any(moving)) break;
+    }
+}
+
+APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block, int i, int n,
+                         approaches *to) {
+    if (n < 1) __builtin_unreachable();
+    FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
+}
+
+/* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
+ * each step of the compensated scheme waits for the one before. */
+APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
+                        const approaches *all, int n, enclosure *e) {
+    for (int w = 0; w < all->packets; w++) {
+        int first = i + w * LANES;
+        mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
+        begin_enclosure(job, at, all->id[w], load_row(block, BEGIN, first, n), load_row(block, END, first, n),
+                        all->a[w].x, open, e + w, n);
+    }
+    for (int point = 0; point < MOST_POINTS; point++) {
+        mask open = no_lane();
+        for (int w = 0; w < all->packets; w++) {
+            newton(e + w, n);
+            open |= e[w].open;
+        }
+        if (!any(open)) break;
+    }
+}
+
+/* Stores the roots that a packet's brackets led to; returns the lanes in doubt, those that did not come to an
+ * end or whose root may be off by more than BLURRED. */
+INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
+                           const approaches *all, int w) {
+    const approach *a = all->a + w;
+    mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
+    unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
+    for (int l = 0; l < LANES && l < count; l++) {
+        int id = all->id[w][l];
+        double x = a->x[l];
+        if (flat >> l & 1) {
+            size_t to = at + (size_t)id;
+            ptrdiff_t which = (ptrdiff_t)to * job->interval;
+            double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
+                   half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
+            double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
+            doubts |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
+        }
+        *in_row(block, PLACE, id, n) = doubts >> l & 1 ? IN_DOUBT : x;
+    }
+    return doubts;
+}
+
+/* Roots in brackets i, i+1 ..  Ill-conditioned ones, without radii, by values that are better than doubles.
+ */
+APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
+    approaches all;
+    enclosure e[PAIR];
+    unsigned doubts[PAIR] = {0}, some = 0;
+    approach_hits(job, block, i, n, &all);
+    for (int w = 0; w < all.packets; w++)
+        some |= doubts[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
+    if (!some || job->r.at) return;
+    enclose_hits(job, block, at, i, &all, n, e);
+    for (int w = 0; w < all.packets; w++)
+        for (int l = 0; doubts[w] >> l; l++)
+            if (doubts[w] & bits(e[w].found) & 1u << l) {
+                *in_row(block, PLACE, all.id[w][l], n) = ENCLOSED;
+                *in_row(block, VALUE, all.id[w][l], n) = e[w].value[l];
+            }
+}
+
+#endif
