@@ -30,9 +30,8 @@
 #include "row_template.h"
 #include "search_template.h"
 
-#define LEAST_WIDTH 0x1p-12                       /* of a sheet's cell about its middle ray's root */
-#define SLACK 0x1p-22                             /* of the ends of chords, whose error is far below it */
-#define NEAR BY_PRECISION(ALGSURF_I_NEAR, 0x1p-8) /* floats need more room for rounding */
+#define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
+#define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
 
 /* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
 typedef struct tile_packet {
@@ -194,7 +193,7 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
         m = smaller(m, c.w[k] - c.w[k + 1] - spread);
     }
     *steep = all_lanes(n) * m / (2 * (to - from) * length) * all_lanes(1 - 0x1p-20);
-    return sound & less(all_lanes(2 * job->noise / NEAR), *steep);
+    return sound & less(all_lanes(2 * job->noise / ALGSURF_I_NEAR), *steep);
 }
 
 /* ---- recording them ---- */
@@ -244,7 +243,7 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
             algsurf_i_tile tile = tile_of(job, g, l, from, to);
             tile.depth[0] = depth_at(g, l, z[0][l]);
             for (int i = 1; i < 6; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
-            tile.enough = 0.5 * NEAR * steep[l];
+            tile.enough = 0.5 * ALGSURF_I_NEAR * steep[l];
             record(job, &tile, (int)g->x[l]);
         }
     }
