@@ -153,7 +153,7 @@ INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u
     for (int j = 0; j <= n; j++) {
         const scalar *c = s->b + j * ALGSURF_ROW_STRIDE;
         lanes sum = all_lanes(c[n]);
-        for (int m = n - 1; m >= 0; m--) sum = sum * u + c[m];
+        for (int m = n - 1; m >= 0; m--) sum = sum * u + all_lanes(c[m]);
         k->b[j] = sum;
     }
     lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +

@@ -155,7 +155,7 @@ typedef struct manner {
 
 static algsurf_status set_manner(const problem *p, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
-    const algsurf_intersect_options how = {.size = sizeof how, .tier = m->tier, .kernel = kernel};
+    const algsurf_intersect_options how = {.size = sizeof how, .tier = (int)m->tier, .kernel = kernel};
     algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
     if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, m->quality);
     if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(p->scene, m->complex ? &space : NULL);

@@ -59,7 +59,16 @@ typedef unsigned mask;
 typedef BY_PRECISION(int64_t, int32_t) mask __attribute__((vector_size(WIDTH / 8)));
 #endif
 
+#if defined(SINGLE) && !X86_WIDTH
+/* No sum of a float and lanes: where FLT_EVAL_METHOD is 1, C makes a double of the float. */
+INLINE lanes all_lanes(double a) {
+    lanes all;
+    for (int l = 0; l < LANES; l++) all[l] = (scalar)a;
+    return all;
+}
+#else
 INLINE lanes all_lanes(double a) { return (scalar)a - (lanes){0}; }
+#endif
 
 #if X86_WIDTH == 512
 INLINE mask less(lanes a, lanes b) { return COMPARED(a, b, _CMP_LT_OQ); }

@@ -30,8 +30,8 @@
 #include "../base/vec.h"
 
 #define NOISE 0x1p-46
-#define MOST_DISTANCE 0x1p200 /* of the rectangle, in the view's unit */
-#define UNDERFLOW 0x1p-500    /* far more than is lost by it */
+#define MOST_DISTANCE 0x1p200      /* of the rectangle, in the view's unit */
+#define LOST_BY_UNDERFLOW 0x1p-500 /* far more than is lost by it */
 
 /* Takes from v what is along an axis, twice, so that rounding leaves nothing of it; returns 0 if nothing
  * else is left. */
@@ -108,6 +108,6 @@ void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], co
     fan->usable = algsurf_i_frame_expand(s, &fan->frame, memory);
     if (!fan->usable) return;
     fan->weight = 96 * (s->degree + 1) * ALGSURF_U + 3 * NOISE / ALGSURF_I_FAN_APART;
-    fan->least_error = fan->frame.error + UNDERFLOW;
+    fan->least_error = fan->frame.error + LOST_BY_UNDERFLOW;
     set_inverses(s->degree, fan->inverse);
 }
