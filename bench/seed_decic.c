@@ -67,27 +67,19 @@ static void count_error(seed_decic *decic, int row, const seed_ray *ray, const a
 static const uint8_t OFF[3] = {230, 159, 0}, VISIBLE[3] = {213, 0, 94}, BEHIND[3] = {255, 255, 255};
 
 /* The surface's colour where the ray has the parameter x in [-1,1]. */
-static void shade(const seed_view *view, const seed_ray *ray, double x, uint8_t pixel[3]) {
+static void shade(const seed_view *view, const algsurf_lighting *lighting, const seed_ray *ray, double x,
+                  uint8_t pixel[3]) {
     const catalogue_entry *entry = view->entry;
-    algsurf_material material = {
-        .size = sizeof material, .ambient = 0.25, .diffuse = 0.75, .specular = 0.25, .shininess = 30};
-    algsurf_light light = {.colour = {1, 1, 1}, .samples_u = 1, .samples_v = 1};
     algsurf_ray chord;
     double point[3], gradient[3], value, colour[3], size = 0;
-    memcpy(material.outside, entry->outside, sizeof material.outside);
-    memcpy(material.inside, entry->inside, sizeof material.inside);
     if (!seed_chord(view, ray->pixel, &chord)) return;
     double t = 0.5 * (chord.t_min + chord.t_max) + 0.5 * (chord.t_max - chord.t_min) * x;
-    for (int i = 0; i < 3; i++) {
-        point[i] = chord.origin[i] + t * chord.direction[i];
-        light.position[i] = entry->eye[i] + 3 * view->camera.up[i] - 2 * view->camera.right[i];
-    }
+    for (int i = 0; i < 3; i++) point[i] = chord.origin[i] + t * chord.direction[i];
     seed_must(algsurf_surface_gradient(view->surface, point, &value, gradient, NULL, NULL), entry->name);
     for (int i = 0; i < 3; i++) size += gradient[i] * gradient[i];
     for (int i = 0; i < 3; i++) gradient[i] = size > 0 ? gradient[i] / sqrt(size) : 0;
-    seed_must(algsurf_shade(&material, &light, 1, NULL, point, gradient, chord.direction, colour),
-              entry->name);
-    for (int i = 0; i < 3; i++) pixel[i] = (uint8_t)lrint(255 * fmin(1, colour[i]));
+    seed_must(algsurf_shade(lighting, NULL, point, gradient, chord.direction, colour), entry->name);
+    seed_must(algsurf_srgb_encode(colour, pixel), entry->name);
 }
 
 /* Pale grey for what is right. */
@@ -122,15 +114,23 @@ static void draw(const seed_decic *decic, const double *found, int marked, const
     const seed_view *view = &decic->view;
     size_t pixels = (size_t)view->width * (size_t)view->height;
     uint8_t *picture = seed_allocate(pixels, 3);
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    algsurf_scene *scene;
+    seed_must(algsurf_scene_create(view->surface, &scene), view->entry->name);
+    seed_must(algsurf_scene_set_extent(scene, &view->entry->extent), view->entry->name);
+    seed_must(algsurf_scene_set_camera(scene, &view->camera), view->entry->name);
+    seed_must(algsurf_scene_lighting(scene, lights, &lighting), view->entry->name);
     for (size_t i = 0; i < pixels; i++) memcpy(picture + 3 * i, BEHIND, 3);
     for (size_t i = 0; i < view->count; i++) {
         const seed_ray *ray = &view->rays[i];
         uint8_t *pixel = picture + 3 * (size_t)ray->pixel;
         if (!ray->bracketed) continue;
-        shade(view, ray, found[i], pixel);
+        shade(view, &lighting, ray, found[i], pixel);
         if (marked) mark(view, ray, fabs(found[i] - ray->root), pixel);
     }
     write_picture(picture, view->width, view->height, folder, name);
+    algsurf_scene_free(scene);
     free(picture);
 }
 

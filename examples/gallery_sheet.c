@@ -50,7 +50,6 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     const view_options size = {.width = TILE_WIDTH, .height = TILE_HEIGHT};
     const view shown = view_make(&size, entry);
     const algsurf_camera camera = view_camera(&shown, 0, 1);
-    const algsurf_material material = view_material(entry);
     const algsurf_render_options how = {.size = sizeof how, .width = TILE_WIDTH, .height = TILE_HEIGHT};
     const algsurf_picture tile = {.size = sizeof tile,
                                   .pixels = sheet->pixels + 3 * ((size_t)y * WIDTH + (size_t)x),
@@ -59,6 +58,7 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     algsurf_surface *surface = cli_make_surface(&name);
     algsurf_scene *scene;
     demand(algsurf_scene_create(surface, &scene), entry->name);
+    const algsurf_material material = view_material(scene, entry);
     demand(algsurf_scene_set_extent(scene, &shown.extent), entry->name);
     demand(algsurf_scene_set_camera(scene, &camera), entry->name);
     demand(algsurf_scene_set_material(scene, &material), entry->name);

@@ -1,9 +1,9 @@
 /* one_pixel.c - one pixel's way through the library, with numbers.
  *
- * The surface is the tangle cube, the picture that of `render tangle`.  Polynomial and colour are made by the
- * public functions that do it alone; the search for the root is what an observer sees of the call that does
- * all of it.  What is printed here is
- * explained in guide/how-it-works.md.
+ * The surface is the tangle cube, the picture that of `render tangle --eye 7.5,-10,6 --look-at 0,0,0 --fov
+ * 30`.  Polynomial and colour are made by the public functions that do it alone; the search for the root is
+ * what an observer sees of the call that does all of it.  What is printed here is explained in
+ * guide/how-it-works.md.
  *
  *     cc -O2 -I../include one_pixel.c $(find ../lib -name "*.c") -lm -pthread -o one_pixel
  */
@@ -17,10 +17,6 @@ enum { WIDTH = 1024, HEIGHT = 768, PIXEL_X = 400, PIXEL_Y = 148, DEGREE = 4 };
 
 static const char EQUATION[] = "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8";
 static const algsurf_extent BALL = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.7, 0, 0}};
-
-static const algsurf_material MATERIAL = {
-    sizeof MATERIAL, {0.25, 0.65, 0.40}, {0.90, 0.55, 0.35}, 0.2, 0.7, 0.3, 30};
-static const algsurf_light LIGHT = {{20, -10, 25}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1};
 
 /* The numbers below are known to be fine; what fails is a mistake in this program. */
 static void check(algsurf_status status) {
@@ -168,17 +164,20 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
     algsurf_scene *scene;
     const algsurf_render_options row = {
         .size = sizeof row, .width = WIDTH, .height = HEIGHT, .row_begin = PIXEL_Y, .row_end = PIXEL_Y + 1};
-    check(algsurf_shade(&MATERIAL, &LIGHT, 1, NULL, hit->position, hit->normal, ray->direction, colour));
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    unsigned char bytes[3];
     check(algsurf_scene_create(surface, &scene));
     check(algsurf_scene_set_extent(scene, &BALL));
     check(algsurf_scene_set_camera(scene, camera));
-    check(algsurf_scene_set_material(scene, &MATERIAL));
-    check(algsurf_scene_set_lights(scene, &LIGHT, 1));
+    check(algsurf_scene_lighting(scene, lights, &lighting));
+    check(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, colour));
+    check(algsurf_srgb_encode(colour, bytes));
     check(algsurf_render(scene, &row, &planes, NULL));
     algsurf_scene_free(scene);
     const uint8_t *pixel = pixels + 3 * PIXEL_X;
     printf("\n[colour]\nred, green, blue   %.4f %.4f %.4f\n", colour[0], colour[1], colour[2]);
-    printf("as bytes           %.0f %.0f %.0f\n", 255 * colour[0], 255 * colour[1], 255 * colour[2]);
+    printf("as bytes           %d %d %d\n", bytes[0], bytes[1], bytes[2]);
     printf("algsurf_render     %d %d %d, t = %.10f\n", pixel[0], pixel[1], pixel[2], t[PIXEL_X]);
 }
 

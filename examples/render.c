@@ -47,9 +47,9 @@ static const double thin_colour[3] = {0.8, 0.05, 0.1};
 
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
-    algsurf_material material = view_material(entry);
     algsurf_scene *scene;
     demand(algsurf_scene_create(surface, &scene));
+    algsurf_material material = view_material(scene, entry);
     demand(algsurf_scene_set_extent(scene, extent));
     demand(algsurf_scene_set_material(scene, &material));
     demand(algsurf_scene_set_quality(scene, options->quality));
@@ -89,9 +89,9 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
         "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nthin\t%" PRIu64
-        "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64 "\nshadow_rays\t%" PRIu64
-        "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64 "\nsheet_tiles\t%" PRIu64
-        "\nleaf_tiles\t%" PRIu64
+        "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64
+        "\nshadow_rays\t%" PRIu64 "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64
+        "\nsheet_tiles\t%" PRIu64 "\nleaf_tiles\t%" PRIu64
         "\nexpand_s\t%.17g\nsolve_s\t%.17g\npoint_s\t%.17g\nshadow_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\n"
         "version\t%s\n";
     enum { NUMBERS = 32 * 32 }; /* room for what the format's fields become */
@@ -103,10 +103,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->view.width,
              r->options->view.height, render_quality_name(r->options->quality),
              is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
-             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->thin, stats->single_rays,
-             stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays, stats->iterations,
-             stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles, stats->expand_s,
-             stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
+             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->thin,
+             stats->single_rays, stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays,
+             stats->iterations, stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles,
+             stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
              algsurf_version());
     output_text(set, path, text);
     free(text);

@@ -56,7 +56,7 @@ void view_check(view_options *options) {
 
 /* ---- view and camera ---- */
 
-static const double DEFAULT_EXTENT = 3, DEFAULT_FOV = 30;
+static const double DEFAULT_EXTENT = 3, DEFAULT_FOV = 25;
 static const double MARGIN = 1.04; /* of the distance, so that the extent does not touch the frame */
 static const double DEFAULT_DIRECTION[3] = {0.55, -0.72, 0.43}; /* from the centre to the eye */
 
@@ -159,9 +159,12 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
     return camera;
 }
 
-algsurf_material view_material(const catalogue_entry *entry) {
-    algsurf_material material = {
-        sizeof material, {0.30, 0.55, 0.80}, {0.90, 0.65, 0.30}, 0.22, 0.78, 0.30, 40};
+algsurf_material view_material(const algsurf_scene *scene, const catalogue_entry *entry) {
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    if (algsurf_scene_lighting(scene, lights, &lighting) != ALGSURF_OK)
+        cli_fail(CLI_BROKEN, "a scene without lighting");
+    algsurf_material material = *lighting.material;
     if (entry) {
         memcpy(material.outside, entry->outside, sizeof material.outside);
         memcpy(material.inside, entry->inside, sizeof material.inside);

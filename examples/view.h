@@ -56,7 +56,7 @@ view view_make(const view_options *options, const catalogue_entry *entry);
  * the point looked at.  Ends the program when there is no such camera. */
 algsurf_camera view_camera(const view *v, int picture, int pictures);
 
-/* The catalogue's colours, or those of a surface without a name (null), and one lustre for all. */
-algsurf_material view_material(const catalogue_entry *entry);
+/* The scene's material with the catalogue's colours; without a name (null) as it is. */
+algsurf_material view_material(const algsurf_scene *scene, const catalogue_entry *entry);
 
 #endif

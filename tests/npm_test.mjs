@@ -113,7 +113,7 @@ for (const name of ["sphere", "torus", "boy", "decic"]) {
 
 // Pictures: the program's colours are those of examples/view.c.
 const outside = [0.3, 0.55, 0.8], inside = [0.9, 0.65, 0.3];
-const material = { outside, inside, ambient: 0.22, diffuse: 0.78, specular: 0.3, shininess: 40 };
+const material = { outside, inside, ambient: 0.12, diffuse: 0.78, specular: 0.3, roughness: 0.25 };
 const eye = [4, 3, 2.5];
 const view = { width: 160, height: 120, camera: { eye }, extent: { sphere: 2.5 }, material, distances: true };
 const ways = {
@@ -183,7 +183,7 @@ const badOptions = [
     { rows: [0.5, 1] }, { quality: "best" }, { antialias: 0 }, { antialiasThreshold: 2 }, { background: [-1, 0, 0] },
     { camera: { eye: [0, 0, 0] } }, { camera: { eye: [0, 0, 9] } }, { extent: { box: [1, 1, 0] } },
     { complexSpace: { delta: 9 } }, { complexSpace: { delta: 1, imaginary: new Float64Array(66) } },
-    { material: { ...material, shininess: 0 } },
+    { material: { ...material, roughness: 0 } },
 ];
 for (const bad of badOptions) refused("E_ARGUMENT", () => algsurf.render(barth, { ...view, ...bad }));
 refused("E_NO_MEMORY", () => algsurf.render(barth, { ...view, width: 65535, height: 65535 }));

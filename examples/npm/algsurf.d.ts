@@ -93,14 +93,19 @@ export interface Camera {
     orthographic?: number;
 }
 
-/** Colours of the two sides, and weights of ambient, diffuse and specular light. */
+/**
+ * Colours of the two sides in linear light, and weights from 0 to 1 of lights, of light from all around and from
+ * the eye, of the highlight, its width, and of haze. What is left out is as usual.
+ */
 export interface Material {
-    outside: Triple;
-    inside: Triple;
-    ambient: number;
-    diffuse: number;
-    specular: number;
-    shininess: number;
+    outside?: Triple;
+    inside?: Triple;
+    diffuse?: number;
+    ambient?: number;
+    fill?: number;
+    specular?: number;
+    roughness?: number;
+    haze?: number;
 }
 
 /** The roots t with sigma <= arg t <= sigma + delta; imaginary[k] i is added to the coefficient of t^k. */

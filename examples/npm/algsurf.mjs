@@ -337,8 +337,10 @@ class Algsurf {
             module.checked(wasm.algsurf_scene_set_antialias_threshold(scene, antialiasThreshold));
         if (background !== undefined) module.checked(wasm.algsurf_scene_set_background(scene, put(background)));
         if (material !== undefined) {
-            const { outside, inside, ambient, diffuse, specular, shininess } = material;
-            const numbers = [...outside, ...inside, ambient, diffuse, specular, shininess];
+            const same = [NaN, NaN, NaN];
+            const { outside = same, inside = same } = material;
+            const weights = ["diffuse", "ambient", "fill", "specular", "roughness", "haze"];
+            const numbers = [...outside, ...inside, ...weights.map((name) => material[name] ?? NaN)];
             module.checked(wasm.scene_material(scene, put(numbers)));
         }
         if (complexSpace !== undefined) {

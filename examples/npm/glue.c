@@ -4,6 +4,7 @@
  * arrays anyway is exported as it is, by the linker.  Each function returns an algsurf_status or, where it
  * says so, a count, which is then negative in its place.  Memory is the caller's, taken by malloc.
  */
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -151,15 +152,19 @@ int scene_camera(algsurf_scene *scene, const double *view, int orthographic, dou
     return status == ALGSURF_OK ? algsurf_scene_set_camera(scene, &camera) : status;
 }
 
-/* material: outside and inside (red, green, blue), ambient, diffuse, specular, shininess. */
+/* material: outside and inside (red, green, blue), diffuse, ambient, fill, specular, roughness, haze; NaN: as
+ * it is. */
 EXPORTED(scene_material) int scene_material(algsurf_scene *scene, const double *material) {
-    algsurf_material m = {.size = sizeof m,
-                          .ambient = material[6],
-                          .diffuse = material[7],
-                          .specular = material[8],
-                          .shininess = material[9]};
-    memcpy(m.outside, material, sizeof m.outside);
-    memcpy(m.inside, material + 3, sizeof m.inside);
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    algsurf_status status = algsurf_scene_lighting(scene, lights, &lighting);
+    if (status != ALGSURF_OK) return status;
+    algsurf_material m = *lighting.material;
+    double *const numbers[12] = {m.outside,    m.outside + 1, m.outside + 2, m.inside,
+                                 m.inside + 1, m.inside + 2,  &m.diffuse,    &m.ambient,
+                                 &m.fill,      &m.specular,   &m.roughness,  &m.haze};
+    for (int i = 0; i < 12; i++)
+        if (!isnan(material[i])) *numbers[i] = material[i];
     return algsurf_scene_set_material(scene, &m);
 }
 

@@ -26,8 +26,9 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     *counts = (algsurf_i_tally){0};
     algsurf_i_begin_shown(shown, picture->width);
     worker->trail.row = -1;
-    line->coloured = 1;
+    line->colours = &picture->colours;
     line->across = 1;
+    line->sample = 0;
     line->shown = *shown;
     algsurf_status status = algsurf_i_render_pass(picture, row, 0.5, 0.5, worker, counts);
     line->shown = own;
@@ -79,7 +80,8 @@ void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, int wanted
         if (nearest && shown->state) shown->state[x] = middle->state[x];
         for (int k = 0; nearest && shown->normal && k < 3; k++)
             shown->normal[3 * x + k] = middle->normal[3 * x + k];
-        algsurf_i_add_sample(shown, x, middle->sum + 3 * x, t);
+        algsurf_i_add_sample(shown, x, t);
+        for (int k = 0; k < 3; k++) shown->sum[3 * x + k] += middle->sum[3 * x + k];
     }
 }
 

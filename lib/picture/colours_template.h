@@ -1,151 +1,163 @@
-/* colours_template.h - the colours of points: the formula of shade.c for LANES points.
+/* colours_template.h - the colours of points, LANES floats at a time: the formula of algsurf/shade.h.
  *
- * With s the way to the light and d the viewing direction, the light falls in at the cosine n.s / |s|, and
- * h = s - |s| d is half-way between light and viewer.  Where n.s > 0, both parts of n.h = n.s + |s| (-n.d)
- * have the same sign, and the highlight is the power shininess / 2 of (n.h)^2 / h.h: no root of h.h, and for
- * a whole shininess no logarithm. */
+ * No square of what is computed here leaves the range of a float: places are kept within 2^40 radii.  A light
+ * at the point itself comes from nowhere: the root's argument is never 0. */
 #ifndef ALGSURF_COLOURS_TEMPLATE_H
 #define ALGSURF_COLOURS_TEMPLATE_H
 #include "../simd/lanes.h"
 #include "kernel.h"
-#include "../base/elementary.h"
+#include "srgb.h"
 
-#define MOST_SQUARED 1024 /* shininess: its power by squaring is off by some shininess u */
+#define FARTHEST_PLACE 0x1p40
+#define NEAREST_SQUARED 0x1p-100
+#define LEAST_HALF 0x1p-20 /* h: of a light behind the surface, whose highlight is not seen */
 
-/* The power shininess / 2 of 0 <= square <= 1. */
-INLINE lanes highlight(lanes square, double shininess) {
-    lanes power = all_lanes(1);
-    if (!(shininess <= MOST_SQUARED && shininess == (int)shininess)) {
-        for (int l = 0; l < LANES; l++)
-            power[l] = square[l] > 0 ? (scalar)algsurf_i_pow(square[l], 0.5 * shininess) : 0;
-        return power;
-    }
-    int n = (int)shininess;
-    if (n & 1) power = root(square);
-    for (n >>= 1; n > 0; n >>= 1) {
-        if (n & 1) power *= square;
-        square *= square;
-    }
-    return power;
-}
-
-#define PACKETS 8 /* coloured together, step by step: a step's latency is hidden by the other packets */
-
-/* A packet of points on its way to its colours. */
+/* Points on their way to their colours. */
 typedef struct canvas {
-    lanes position[3], direction[3];
-    lanes normal[3], against; /* turned towards the viewer: against = -normal.direction >= 0 */
-    lanes base[3], colour[3];
-    lanes cosine, square; /* of the light at hand: n.s / |s| and (n.h)^2 / h.h, 0 where n.s <= 0 */
+    lanes place[3], normal[3], direction[3]; /* the normal is turned towards the viewer */
+    mask inside;
+    lanes facing;             /* nv */
+    lanes light[3], plain[3]; /* E; what highlights leave */
 } canvas;
 
-/* Entries first .. first+count-1, at most LANES. */
-INLINE void load_canvas(const algsurf_i_points *points, int first, int count, canvas *c) {
-    for (int i = 0; i < 3; i++) {
-        c->position[i] = load_some(points->position[i] + first, count);
-        c->normal[i] = load_some(points->normal[i] + first, count);
-        c->direction[i] = load_some(points->direction[i] + first, count);
-    }
-}
+INLINE lanes between(lanes low, lanes x, lanes high) { return smaller(larger(x, low), high); }
 
-/* From position, normal, direction: normal turned, base colour, ambient light. */
-INLINE void begin_canvas(const algsurf_material *material, canvas *c) {
+/* Entries first .. first+count-1, at most LANES. */
+INLINE void load_canvas(const algsurf_i_looks *looks, int first, int count, canvas *c) {
+    for (int i = 0; i < 3; i++) {
+        lanes place = load_some_floats(looks->place[i] + first, count);
+        c->place[i] = between(all_lanes(-FARTHEST_PLACE), place, all_lanes(FARTHEST_PLACE));
+        c->normal[i] = load_some_floats(looks->normal[i] + first, count);
+        c->direction[i] = load_some_floats(looks->direction[i] + first, count);
+    }
     lanes size = absolute(c->normal[0]) + absolute(c->normal[1]) + absolute(c->normal[2]);
     mask singular = at_most(size, all_lanes(0));
     lanes along = dot(c->normal, c->direction);
-    mask inside = less(all_lanes(0), along);
+    c->inside = less(all_lanes(0), along);
     for (int i = 0; i < 3; i++) {
-        lanes facing = choose(inside, -c->normal[i], c->normal[i]);
-        c->normal[i] = choose(singular, -c->direction[i], facing);
-        c->base[i] = choose(inside, all_lanes(material->inside[i]), all_lanes(material->outside[i]));
-        c->colour[i] = c->base[i] * all_lanes(material->ambient);
+        lanes turned = choose(c->inside, -c->normal[i], c->normal[i]);
+        c->normal[i] = choose(singular, -c->direction[i], turned);
     }
-    c->against = choose(singular, all_lanes(1), absolute(along));
+    c->facing = choose(singular, all_lanes(1), smaller(absolute(along), all_lanes(1)));
 }
 
-/* a / b and c / d; of floats by one division, which is what a colour costs most of. */
-INLINE void divide_both(lanes a, lanes b, lanes c, lanes d, lanes *first, lanes *second) {
-#if defined(SINGLE)
-    lanes inverse = 1 / (b * d);
-    *first = a * d * inverse;
-    *second = c * b * inverse;
-#else
-    *first = a / b;
-    *second = c / d;
-#endif
+/* The product with a vector that is the same for all. */
+INLINE lanes dot_with(const lanes a[3], const double b[3]) {
+    return a[0] * all_lanes(b[0]) + a[1] * all_lanes(b[1]) + a[2] * all_lanes(b[2]);
 }
 
-/* Sets cosine and square. */
-INLINE void aim(const algsurf_light *light, canvas *c) {
-    lanes s[3], h[3];
-    for (int i = 0; i < 3; i++)
-        s[i] = all_lanes(0.25 * light->position[i]) - 0.25 * c->position[i]; /* cannot overflow */
-    lanes scale = scale_of(s);
-    for (int i = 0; i < 3; i++) s[i] *= scale;
-    lanes length = root(dot(s, s)), towards = dot(c->normal, s);
-    mask lit = less(all_lanes(0), towards);
-    for (int i = 0; i < 3; i++) h[i] = s[i] - length * c->direction[i];
-    lanes half_way = towards + length * c->against, cosine, square;
-    divide_both(towards, length, half_way * half_way, dot(h, h), &cosine, &square);
-    c->cosine = choose(lit, cosine, all_lanes(0));
-    c->square = choose(lit, smaller(square, all_lanes(1)), all_lanes(0)); /* 1 instead of NaN */
+/* What is left of light where a share of it arrives. */
+INLINE lanes softened(lanes share) { return all_lanes(0.15) + all_lanes(0.85) * share; }
+
+/* O without rays: how far away the end of the ball is along the normal. */
+INLINE lanes openness(const canvas *c) {
+    lanes along = dot(c->place, c->normal), square = along * along + 1 - dot(c->place, c->place);
+    lanes way = root(larger(square, all_lanes(0))) - along;
+    return 1 - all_lanes(0.3) * between(all_lanes(0), way, all_lanes(2));
 }
 
-/* Adds the light, of which a share reaches each point. */
-INLINE void add_light(const algsurf_material *material, const algsurf_light *light, lanes share, canvas *c) {
-    lanes diffuse = share * all_lanes(material->diffuse) * c->cosine;
-    lanes specular = share * all_lanes(material->specular) * highlight(c->square, material->shininess);
-    for (int i = 0; i < 3; i++)
-        c->colour[i] += all_lanes(light->colour[i]) * (diffuse * c->base[i] + specular);
+/* The light from all around and from the eye. */
+INLINE void begin_light(const algsurf_i_colour_job *job, const lanes *open, canvas *c) {
+    const algsurf_material *m = &job->material;
+    lanes up = dot_with(c->normal, job->up), light;
+    if (job->preview) {
+        light = all_lanes(0.20) + all_lanes(0.66) * c->facing + all_lanes(0.12) * up;
+    } else {
+        lanes o = open ? softened(*open) : job->bounded ? openness(c) : all_lanes(1);
+        light = all_lanes(m->ambient) * (1 + all_lanes(0.52) * up) * o +
+                all_lanes(m->fill) * c->facing * (all_lanes(0.35) + all_lanes(0.65) * o);
+    }
+    for (int i = 0; i < 3; i++) {
+        c->light[i] = light;
+        c->plain[i] = all_lanes(1);
+    }
 }
 
-/* visible[light] of each entry, 1 for null. */
-INLINE lanes share_of(const double *visible, int light_count, int light, int count) {
-    lanes share = all_lanes(1);
-    if (visible)
-        for (int l = 0; l < LANES && l < count; l++) share[l] = (scalar)visible[l * light_count + light];
+/* Lambert's law, with a soft end. */
+INLINE lanes lambert(lanes cosine) {
+    lanes above = larger(cosine, all_lanes(-0.25)) + all_lanes(0.25);
+    return choose(less(cosine, all_lanes(0.25)), above * above, cosine);
+}
+
+/* A light, of which a share reaches each point; null: all of it. */
+INLINE void add_light(const algsurf_i_colour_job *job, int l, const lanes *share, canvas *c) {
+    const algsurf_material *m = &job->material;
+    const double r = m->roughness * m->roughness;
+    lanes s[3];
+    for (int i = 0; i < 3; i++) s[i] = all_lanes(job->light[l][i]) - c->place[i];
+    lanes inverse = 1 / root(dot(s, s) + all_lanes(NEAREST_SQUARED)), cosine = dot(c->normal, s) * inverse;
+    lanes half = larger(2 - 2 * (dot(c->direction, s) * inverse), all_lanes(LEAST_HALF));
+    lanes across = cosine + c->facing, narrow = all_lanes(r) * half;
+    lanes g = narrow / larger(half - all_lanes(1 - r) * (across * across), narrow);
+    lanes k = share ? softened(*share) : all_lanes(1);
+    lanes diffuse = all_lanes(m->diffuse) * lambert(cosine) * k;
+    lanes above = between(all_lanes(0), 4 * cosine, all_lanes(1));
+    lanes specular = all_lanes(m->specular) * (g * g) * (above * k);
+    for (int i = 0; i < 3; i++) {
+        lanes colour = all_lanes(job->light_colour[l][i]);
+        c->light[i] += colour * diffuse;
+        c->plain[i] *= 1 - smaller(colour * specular, all_lanes(1));
+    }
+}
+
+/* All light is there: the colour. */
+INLINE void finish_canvas(const algsurf_i_colour_job *job, const canvas *c, lanes colour[3]) {
+    const algsurf_material *m = &job->material;
+    lanes aside = 1 - c->facing, edge = 1 - all_lanes(0.35) * (aside * aside * aside), depth = all_lanes(0.5);
+    if (job->bounded)
+        depth = between(all_lanes(0), all_lanes(0.5) + all_lanes(0.5) * dot_with(c->place, job->forward),
+                        all_lanes(1));
+    lanes haze = all_lanes(job->preview ? 0.3 : m->haze) * (depth * depth);
+    for (int i = 0; i < 3; i++) {
+        lanes base = choose(c->inside, all_lanes(m->inside[i]), all_lanes(m->outside[i]));
+        lanes richer = choose(c->inside, all_lanes(job->richer[1][i]), all_lanes(job->richer[0][i]));
+        lanes w = between(all_lanes(0), job->preview ? c->light[i] : c->light[i] * edge, all_lanes(1));
+        lanes left = 1 - w, shaded = base * w * (1 + left * left * richer);
+        lanes lit = 1 - (1 - shaded) * c->plain[i];
+        colour[i] = between(all_lanes(0), lit + haze * (base - lit), all_lanes(1));
+    }
+}
+
+/* visible[which] of each entry. */
+INLINE lanes share_of(const double *visible, int shares, int which, int count) {
+    lanes share = all_lanes(0);
+    for (int l = 0; l < LANES && l < count; l++) share[l] = (scalar)visible[l * shares + which];
     return share;
 }
 
-INLINE void store_colours(const canvas *c, int count, double *colour) {
+INLINE void store_colours(const lanes shown[3], int count, float *colour) {
     for (int l = 0; l < LANES && l < count; l++)
-        for (int i = 0; i < 3; i++) colour[3 * l + i] = c->colour[i][l];
+        for (int i = 0; i < 3; i++) colour[3 * l + i] = shown[i][l];
 }
 
-/* As one number each. */
-INLINE void store_bytes(const canvas *c, int count, uint32_t *bytes) {
-    integers all = {0};
-    for (int i = 2; i >= 0; i--) {
-        lanes shown = smaller(larger(c->colour[i], all_lanes(0)), all_lanes(1));
-        all = all << 8 | __builtin_convertvector(255 * shown + 0.5, integers);
-    }
-    for (int l = 0; l < LANES && l < count; l++) bytes[l] = (uint32_t)all[l];
+INLINE void store_bytes(const lanes shown[3], const uint8_t *curve, int count, uint32_t *bytes) {
+    integers step[3];
+    for (int i = 0; i < 3; i++)
+        step[i] = __builtin_convertvector((SRGB_STEPS - 1) * shown[i] + all_lanes(0.5), integers);
+    for (int l = 0; l < LANES && l < count; l++)
+        bytes[l] = curve[step[0][l]] | (uint32_t)curve[step[1][l]] << 8 | (uint32_t)curve[step[2][l]] << 16;
 }
 
-static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                         const double *visible, double *colour) {
-    const algsurf_material material = *job->material;
-    canvas c[PACKETS];
-    for (int first = 0; first < count; first += PACKETS * LANES) {
-        int left = count - first, packets = left < PACKETS * LANES ? (left + LANES - 1) / LANES : PACKETS;
-        const double *shares = visible ? visible + (size_t)first * (size_t)job->light_count : NULL;
-        for (int k = 0; k < packets; k++) {
-            load_canvas(points, first + k * LANES, left - k * LANES, &c[k]);
-            begin_canvas(&material, &c[k]);
+static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
+                         const double *visible, float *colour, uint32_t *bytes) {
+    const int lights = job->light_count, shares = lights + 1;
+    for (int first = 0; first < count; first += LANES) {
+        const int left = count - first;
+        const double *own = visible ? visible + (size_t)first * (size_t)shares : NULL;
+        canvas c;
+        lanes share, shown[3];
+        load_canvas(looks, first, left, &c);
+        if (own) share = share_of(own, shares, lights, left);
+        begin_light(job, own ? &share : NULL, &c);
+        for (int l = 0; l < lights; l++) {
+            if (own) share = share_of(own, shares, l, left);
+            add_light(job, l, own ? &share : NULL, &c);
         }
-        for (int l = 0; l < job->light_count; l++) {
-            for (int k = 0; k < packets; k++) aim(&job->lights[l], &c[k]);
-            for (int k = 0; k < packets; k++) {
-                const double *own = shares ? shares + k * LANES * job->light_count : NULL;
-                lanes share = share_of(own, job->light_count, l, left - k * LANES);
-                add_light(&material, &job->lights[l], share, &c[k]);
-            }
-        }
-        for (int k = 0; k < packets; k++)
-            if (colour)
-                store_colours(&c[k], left - k * LANES, colour + 3 * (first + k * LANES));
-            else
-                store_bytes(&c[k], left - k * LANES, points->bytes + first + k * LANES);
+        finish_canvas(job, &c, shown);
+        if (colour)
+            store_colours(shown, left, colour + 3 * first);
+        else
+            store_bytes(shown, job->curve, left, bytes + first);
     }
 }
 

@@ -221,8 +221,7 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
     complex_lanes z = {ray.z, s->size * load_some(im + first, count)}, x[3], slope;
     mask real = at_most(absolute(z.im), all_lanes(0));
     lanes square = dot(ray.along, ray.along), length = root(square), along = all_lanes(1);
-    canvas c;
-    lanes *normal = c.normal;
+    lanes normal[3];
     for (int i = 0; i < 3; i++)
         x[i] = (complex_lanes){ray.foot[i] + z.re * ray.along[i], z.im * ray.along[i]};
     complex_jets p = complex_surface_jets(surface, x);
@@ -252,7 +251,7 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
         normal[i] += along * ray.along[i];
         normal[i] = choose(inward, -normal[i], normal[i]);
     }
-    finish_packet(s, &ray, ray.z, &c, points, first, count);
+    finish_packet(s, &ray, ray.z, normal, job->colours, points, first, count);
     store_some(points->t + first, far * length * s->unit, count);
 }
 

@@ -15,6 +15,7 @@
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     single.c           which pictures of the fast tier are drawn in floats
  *     shadow.c           which share of a light reaches a point
+ *     lattice.c          the points of a light, and the directions, that are looked at
  *     shadow_rays.c      rays to lights, by packets
  */
 #ifndef ALGSURF_RENDER_IMPL_H
@@ -24,14 +25,16 @@
 #include <string.h>
 
 #include "kernel.h"
+#include "lattice.h"
 #include "scene_impl.h"
+#include "srgb.h"
 
 #define ALGSURF_MAX_THREADS 256
 
 /* What the pixels of a row show, over the samples drawn so far. */
 typedef struct algsurf_i_shown {
     uint16_t *samples; /* of each pixel: how many of its samples show a point; 0: the others mean nothing */
-    double *sum;       /* 3 for each pixel: the clamped colours of those, if colours are asked for */
+    double *sum;       /* 3 for each pixel: the colours of those, if colours are asked for */
     double *nearest;   /* their smallest t */
     double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
     uint8_t *state;    /* the int there, or null likewise */
@@ -42,14 +45,15 @@ typedef struct algsurf_i_shown {
 typedef struct algsurf_i_line {
     const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
     int wanted_count;
-    int across; /* samples of a pixel in a row of them */
+    int across; /* samples of a pixel in a row of them, */
+    int sample; /* of which this is one, row by row */
     int count;  /* points: hits and undecided ones */
     int *pixel; /* of each point, in no particular order */
     algsurf_i_points points;
-    int coloured;      /* 1: colours are asked for */
-    double *colour;    /* 3 for each point; with one sample a pixel the points' bytes instead */
-    int done;          /* so many of the first points have their bytes */
-    double *visible;   /* light_count for each point, in full quality */
+    const algsurf_i_colour_job *colours; /* null: none are asked for */
+    float *colour;                       /* 3 for each point; */
+    uint32_t *bytes;   /* with one sample a pixel these instead: red + 256 green + 65536 blue */
+    double *visible;   /* light_count + 1 for each point, in full quality */
     double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
     double *depth;     /* of each pixel: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
@@ -108,8 +112,8 @@ typedef struct algsurf_i_packets {
     int top;
 } algsurf_i_packets;
 
-/* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1.
- */
+/* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1;
+ * none of a light whose points differ from pixel to pixel. */
 typedef struct algsurf_i_samples {
     double *place[3], *aside[2]; /* aside: from the middle of the light, in the axes of its fan */
     int first[ALGSURF_MAX_LIGHTS + 1];
@@ -160,21 +164,21 @@ typedef struct algsurf_i_picture {
     const algsurf_scene *scene;
     int width, height, row_begin, row_end;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
-    int light_count;
-    int shadows; /* 1: light_samples is there, and shadows are drawn */
+    algsurf_lighting lighting;
+    int light_count; /* of lighting */
+    int shadows;     /* 1: light_samples is there, and shadows are drawn */
     algsurf_i_samples light_samples;
-    double centre[3], radius; /* the ball about what is shown */
-    double reach;             /* how far it reaches from its centre along the view */
     const algsurf_i_kernel *kernel;
-    const algsurf_i_picture_kernel *code; /* for that kernel */
-    algsurf_i_packets *packets;           /* null: every ray by itself */
-    int single;                           /* 1: that is code for floats */
-    int tiled;                            /* 1: there are packets, and tiles of them */
+    const algsurf_i_picture_kernel *code;   /* for that kernel */
+    const algsurf_i_picture_kernel *shader; /* likewise, for floats */
+    algsurf_i_packets *packets;             /* null: every ray by itself */
+    int single;                             /* 1: that is code for floats */
+    int tiled;                              /* 1: there are packets, and tiles of them */
     int thin; /* 1: what is thin is shown: there are packets, and tiles to find it */
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
-    int at_once;     /* 1: points get their bytes where they are found */
+    uint8_t curve[SRGB_STEPS];
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;
@@ -200,16 +204,18 @@ static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, doub
     return shown->samples[x] == 0 || t < shown->nearest[x];
 }
 
-/* Adds a sample to pixel x: its clamped colour and t. */
-static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, const double colour[3],
-                                        double t) {
+/* Adds a sample to pixel x: its t; its colour is for the caller to add to the sum, which the first one sets
+ * to 0. */
+static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, double t) {
     int first = shown->samples[x]++ == 0;
-    for (int k = 0; k < 3; k++) shown->sum[3 * x + k] = colour[k] + (first ? 0 : shown->sum[3 * x + k]);
+    for (int k = 0; k < 3 && first; k++) shown->sum[3 * x + k] = 0;
     shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
 }
 
-/* Clamped and rounded, as in algsurf_i_points. */
-uint32_t algsurf_i_bytes_of(const double colour[3]);
+/* The byte of 0 <= light <= 1. */
+static inline uint8_t algsurf_i_byte_of(const algsurf_i_picture *picture, double light) {
+    return picture->curve[algsurf_i_srgb_step((float)light)];
+}
 
 /* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */
 void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
@@ -310,9 +316,10 @@ void algsurf_i_place_samples(algsurf_i_picture *picture);
 /* The fans of the picture's lights; memory as for algsurf_i_frame_expand. */
 void algsurf_i_make_fans(const algsurf_i_picture *picture, void *memory);
 
-/* line->visible: the share of each light's samples that reach each point; 0 where that adds nothing to the
- * point's colour whatever the share.  The rays shot are added to the tally. */
-algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, algsurf_i_line *line,
+/* line->visible of a row's points: the share of each light's points that nothing hides, 1 where that adds
+ * nothing to the colour whatever the share, and that of free directions.  The rays shot are added to the
+ * tally. */
+algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                         algsurf_i_tally *tally);
 
 /* How many processors there are; less than 1 if the system fails to tell. */

@@ -66,23 +66,35 @@ typedef struct algsurf_i_tile_job {
     int tile_count;
 } algsurf_i_tile_job;
 
+/* What a colour depends on, of N points: structure of arrays. */
+typedef struct algsurf_i_looks {
+    float *place[3];                 /* from the lighting's centre, in its radius */
+    float *normal[3], *direction[3]; /* unit vectors */
+} algsurf_i_looks;
+
 /* N points of the surface, or rays that reach them: structure of arrays. */
 typedef struct algsurf_i_points {
     double *t, *position[3], *normal[3], *direction[3];
-    uint32_t *bytes; /* colours, red + 256 green + 65536 blue; may be null */
+    algsurf_i_looks looks;
 } algsurf_i_points;
 
+/* An algsurf_lighting, checked, as colours are computed from it. */
 typedef struct algsurf_i_colour_job {
-    const algsurf_material *material;
-    const algsurf_light *lights; /* at their middles */
+    algsurf_material material;
+    double richer[2][3]; /* of outside, inside: what their shade has more of */
     int light_count;
+    double light[ALGSURF_MAX_LIGHTS][3]; /* their middles, from the centre, in the radius */
+    double light_colour[ALGSURF_MAX_LIGHTS][3];
+    double up[3], forward[3], centre[3], per_radius;
+    int bounded, preview;
+    const uint8_t *curve; /* of sRGB, where bytes are asked for */
 } algsurf_i_colour_job;
 
 /* From depths to points, for pixels of one row. */
 typedef struct algsurf_i_point_job {
     const algsurf_surface *surface;
     const algsurf_i_row_job *row;
-    const algsurf_i_colour_job *colours; /* for the points' bytes, if they are asked for */
+    const algsurf_i_colour_job *colours; /* for the points' looks, if they are asked for */
 } algsurf_i_point_job;
 
 /* What algsurf_i_tile tells of the sheet of each entry. */
@@ -96,9 +108,10 @@ typedef struct algsurf_i_sheets {
 typedef struct algsurf_i_complex_job {
     const algsurf_i_row_job *row;
     const algsurf_i_sector_edges *sector;
-    const double *imaginary; /* parts of t^k in natural units and scale, */
-    int top;                 /* k <= top; -1: there are none */
-    double *x, *y;           /* roots to start from, NaN for none; then those found */
+    const double *imaginary;             /* parts of t^k in natural units and scale, */
+    int top;                             /* k <= top; -1: there are none */
+    const algsurf_i_colour_job *colours; /* as in algsurf_i_point_job */
+    double *x, *y;                       /* roots to start from, NaN for none; then those found */
     int stride;
     double *re, *im; /* depth of the root that is seen */
     uint8_t *state;
@@ -134,16 +147,16 @@ typedef struct algsurf_i_picture_kernel {
     void (*search_tiles)(algsurf_i_tile_job *job);
     /* Entry i of points from depth[i] at pixel[i]: after one Newton step on P itself, t along the unit ray
      * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units;
-     * bytes.  Position and direction, normal, bytes may be null: they are not asked for. */
+     * looks.  Position and direction, normal, looks may be null: they are not asked for. */
     void (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                    const algsurf_i_points *points);
     /* The same from where the root of a sheet may be; returns whether it is for all. */
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, its bytes, clamped
-     * and rounded.  visible: null or light_count for each entry. */
-    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                    const double *visible, double *colour);
+    /* Of floats only.  colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red +
+     * 256 green + 65536 blue.  visible: null or light_count + 1 for each entry. */
+    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
+                    const double *visible, float *colour, uint32_t *bytes);
     /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
      * into `unknown`, one after the other, for which there is room, for each r too. */
     void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,

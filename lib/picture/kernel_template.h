@@ -7,28 +7,28 @@
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
 #endif
 #define WATCHED 0
-#include "colours_template.h"
 #include "kernel.h"
 #include "points_template.h"
 #include "row_template.h"
 #include "tiles_template.h"
-#if !defined(SINGLE)
+#if defined(SINGLE)
+#include "colours_template.h"
+#else
 #include "complex_template.h"
 #include "places_template.h"
 #endif
 
 #if defined(SINGLE)
-const algsurf_i_picture_kernel KERNEL(algsurf_i_single) = {
+const algsurf_i_picture_kernel KERNEL(algsurf_i_single) = {.colours = find_colours,
 #else
 const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.see_light = see_light,
                                                             .see_places = see_places,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points,
 #endif
-    .solve_row = solve_row,
-    .search_tiles = search_tiles,
-    .points = find_points,
-    .sheet_points = find_sheet_points,
-    .colours = find_colours};
+                                                           .solve_row = solve_row,
+                                                           .search_tiles = search_tiles,
+                                                           .points = find_points,
+                                                           .sheet_points = find_sheet_points};
 
 #endif

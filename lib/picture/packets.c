@@ -178,10 +178,9 @@ static void find_points(const algsurf_i_picture *picture, const algsurf_i_row_jo
     algsurf_i_line *line = &worker->line;
     const algsurf_surface *surface = picture->scene->surface;
     if (!picture->scene->complex) {
-        const algsurf_i_point_job points = {surface, job, &picture->colours};
+        const algsurf_i_point_job points = {surface, job, line->colours};
         const algsurf_i_points wanted = algsurf_i_points_to_find(picture, line, 0);
         picture->code->points(&points, line->pixel, line->depth, hits, &wanted);
-        line->done = picture->at_once ? hits : 0;
         return;
     }
     const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);

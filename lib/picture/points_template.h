@@ -1,13 +1,11 @@
 /* points_template.h - from the depths of hits to points of the surface: Newton steps along the ray on P
- * itself, seldom more than one, position, normal; and, where bytes are asked for, at once to their colours,
- * which saves the way of both through memory. */
+ * itself, seldom more than one, position, normal; and, where colours are asked for, what these depend on. */
 #ifndef ALGSURF_POINTS_TEMPLATE_H
 #define ALGSURF_POINTS_TEMPLATE_H
 #include <string.h>
 
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
-#include "colours_template.h"
 #include "kernel.h"
 
 /* Of Newton steps, in the view's unit. */
@@ -98,6 +96,18 @@ INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mas
     return 0;
 }
 
+/* a / b and c / d; of floats by one division. */
+INLINE void divide_both(lanes a, lanes b, lanes c, lanes d, lanes *first, lanes *second) {
+#if defined(SINGLE)
+    lanes inverse = 1 / (b * d);
+    *first = a * d * inverse;
+    *second = c * b * inverse;
+#else
+    *first = a / b;
+    *second = c / d;
+#endif
+}
+
 /* t of points at z, on rays of that length for each unit of z: 1 + more.  Of floats, which may be too short
  * for the eye's distance, `more` is one. */
 INLINE void store_distances(const row_rays *s, lanes z, lanes length, lanes more, double *t, int count) {
@@ -110,34 +120,35 @@ INLINE void store_distances(const row_rays *s, lanes z, lanes length, lanes more
 #endif
 }
 
-/* The points at z: position, unit normal, direction to canvas, t and what is asked for to the entries from
- * `first` on. */
-INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, canvas *c,
-                          const algsurf_i_points *points, int first, int count) {
+/* What colours of points depend on: position, normal, direction along an axis. */
+INLINE void store_looks(const algsurf_i_colour_job *job, int axis, lanes position, lanes normal,
+                        lanes direction, const algsurf_i_looks *looks, int first, int count) {
+    lanes place = (position - all_lanes(job->centre[axis])) * all_lanes(job->per_radius);
+    store_some_floats(looks->place[axis] + first, place, count);
+    store_some_floats(looks->normal[axis] + first, normal, count);
+    store_some_floats(looks->direction[axis] + first, direction, count);
+}
+
+/* The points at z, of which what is asked for goes to the entries from `first` on; the gradient becomes the
+ * unit normal. */
+INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
+                          const algsurf_i_colour_job *colours, const algsurf_i_points *points, int first,
+                          int count) {
     lanes length = root(dot(r->along, r->along)), inverse, more;
     lanes slopes = r->slope * r->slope + all_lanes(s->slope * s->slope);
     divide_both(all_lanes(1), length, slopes, 1 + length, &inverse, &more);
-    make_unit(c->normal);
+    make_unit(normal);
     store_distances(s, z, length, more, points->t + first, count);
     for (int i = 0; i < 3; i++) {
-        c->position[i] = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
-        c->direction[i] = r->along[i] * inverse;
-        if (points->normal[i]) store_some(points->normal[i] + first, c->normal[i], count);
+        lanes position = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
+        lanes direction = r->along[i] * inverse;
+        if (points->looks.place[i])
+            store_looks(colours, i, position, normal[i], direction, &points->looks, first, count);
+        if (points->normal[i]) store_some(points->normal[i] + first, normal[i], count);
         if (!points->position[i]) continue;
-        store_some(points->position[i] + first, c->position[i], count);
-        store_some(points->direction[i] + first, c->direction[i], count);
+        store_some(points->position[i] + first, position, count);
+        store_some(points->direction[i] + first, direction, count);
     }
-}
-
-/* Their colours. */
-INLINE void colour_packets(const algsurf_i_colour_job *job, canvas c[PAIR], int packets, uint32_t *bytes,
-                           int count) {
-    for (int w = 0; w < packets; w++) begin_canvas(job->material, &c[w]);
-    for (int l = 0; l < job->light_count; l++) {
-        for (int w = 0; w < packets; w++) aim(&job->lights[l], &c[w]);
-        for (int w = 0; w < packets; w++) add_light(job->material, &job->lights[l], all_lanes(1), &c[w]);
-    }
-    for (int w = 0; w < packets; w++) store_bytes(&c[w], count, bytes + w * LANES);
 }
 
 /* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
@@ -149,7 +160,6 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
     lanes at[PAIR][3], step[PAIR], before[PAIR];
     mask much[PAIR];
     jets p;
-    canvas c[PAIR];
     int all = 1;
     for (int w = 0; w < packets; w++) {
         int from = first + w * LANES;
@@ -176,11 +186,10 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
     }
     for (int w = 0; w < packets; w++) {
         const int from = first + w * LANES;
-        c[w].normal[0] = p.x[w], c[w].normal[1] = p.y[w], c[w].normal[2] = p.z[w];
+        lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
         if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, from, count);
-        finish_packet(s, &r[w], r[w].z + step[w], &c[w], points, from, count);
+        finish_packet(s, &r[w], r[w].z + step[w], normal, job->colours, points, from, count);
     }
-    if (points->bytes) colour_packets(job->colours, c, packets, points->bytes + first, count);
     return all;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "camera_impl.h"
+#include "shade_impl.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"
@@ -58,14 +59,6 @@ static int lights_are_finite(const algsurf_light *lights, int count) {
     return 1;
 }
 
-/* Half the length of what is shown, seen along the view. */
-static double reach_of(const algsurf_scene *scene, double radius) {
-    double sum = 0;
-    if (scene->extent.kind != ALGSURF_EXTENT_BOX) return radius;
-    for (int i = 0; i < 3; i++) sum += scene->extent.size[i] * fabs(scene->camera.forward[i]);
-    return sum;
-}
-
 static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
                                                const algsurf_render_options *options,
                                                algsurf_i_picture *picture) {
@@ -76,16 +69,17 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->row_end = options->row_end;
     picture->selective = scene->antialias > 1 && scene->antialias_threshold > 0;
     atomic_init(&picture->stop, 0);
-    picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
+    algsurf_i_scene_lighting(scene, picture->lights, &picture->lighting);
+    picture->light_count = picture->lighting.light_count;
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
-    picture->colours = (algsurf_i_colour_job){&scene->material, picture->lights, picture->light_count};
-    picture->at_once = picture->planes.pixels && scene->antialias == 1 && !scene->complex &&
-                       !picture->shadows && scene->quality != ALGSURF_QUALITY_PREVIEW;
+    algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
+                             &picture->colours);
+    algsurf_i_srgb_curve(picture->curve);
+    picture->colours.curve = picture->curve;
     algsurf_i_count_samples(picture);
-    algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
-    picture->reach = reach_of(scene, picture->radius);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
+    picture->shader = algsurf_i_single_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     picture->thin = picture->packets && scene->thin && !scene->complex &&
@@ -135,7 +129,7 @@ typedef struct work_memory {
     uint8_t *bytes;      /* likewise */
 } work_memory;
 
-#define LINE_DOUBLES 18   /* for each pixel, besides normals and a share of each light */
+#define LINE_DOUBLES 22   /* for each pixel, besides normals and shares of light */
 #define LINE_BYTES 2      /* likewise */
 #define MIDDLE_DOUBLES 12 /* likewise, in a selective picture */
 #define MIDDLE_BYTES 16   /* likewise */
@@ -146,6 +140,10 @@ static double *take(double **from, size_t count) {
     double *taken = *from;
     *from += count;
     return taken;
+}
+
+static float *take_floats(double **from, size_t count) {
+    return (float *)(void *)take(from, (count + 1) / 2);
 }
 
 static int *take_ints(int **from, size_t count) {
@@ -176,7 +174,7 @@ static size_t places_of(const algsurf_i_picture *picture) {
     return across * (ALGSURF_I_TILES / ALGSURF_I_LEAF);
 }
 
-static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, double **doubles) {
+static void lay_out_line(algsurf_i_line *line, size_t width, size_t shares, double **doubles) {
     width += APART;
     line->points.t = take(doubles, width);
     for (int k = 0; k < 3; k++) {
@@ -184,9 +182,14 @@ static void lay_out_line(algsurf_i_line *line, size_t width, size_t lights, doub
         line->points.normal[k] = take(doubles, width);
         line->points.direction[k] = take(doubles, width);
     }
-    line->colour = take(doubles, 3 * width);
+    for (int k = 0; k < 3; k++) {
+        line->points.looks.place[k] = take_floats(doubles, width);
+        line->points.looks.normal[k] = take_floats(doubles, width);
+        line->points.looks.direction[k] = take_floats(doubles, width);
+    }
+    line->colour = take_floats(doubles, 3 * width);
     line->depth = take(doubles, width);
-    line->visible = take(doubles, lights * width);
+    line->visible = take(doubles, shares * width);
 }
 
 static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algsurf_picture *planes,
@@ -243,12 +246,12 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     int degree = algsurf_surface_degree(picture->scene->surface);
     size_t width = (size_t)picture->width, count = (size_t)threads;
     size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
-    size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
+    size_t shares = picture->shadows ? (size_t)picture->light_count + 1 : 0;
     size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
     size_t middle = picture->selective ? 1 : 0, rows = 1 + middle * MIDDLES;
     const algsurf_picture *planes = &picture->planes;
     size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
-    size_t doubles_each = LINE_DOUBLES + lights + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
+    size_t doubles_each = LINE_DOUBLES + shares + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
                           (roots > 0) + 2 * roots;
     size_t tiled = picture->tiled || picture->thin ? 1 : 0, places = tiled * places_of(picture),
            cube = tiled * side * side * side;
@@ -274,11 +277,11 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     for (size_t i = 0; i < count; i++) {
         algsurf_i_worker *worker = &memory->workers[i];
         worker->line.pixel = take_ints(&ints, width);
-        if (picture->scene->antialias == 1) worker->line.points.bytes = (uint32_t *)take_ints(&ints, width);
+        if (picture->scene->antialias == 1) worker->line.bytes = (uint32_t *)take_ints(&ints, width);
         uint16_t *counts = memory->counts + i * width * rows;
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
-        lay_out_line(&worker->line, width, lights, &doubles);
+        lay_out_line(&worker->line, width, shares, &doubles);
         if (fans > 0) worker->line.solids = take(&doubles, solids);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)

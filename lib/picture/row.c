@@ -10,12 +10,11 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
-#include "camera_impl.h"
 #include "shade_impl.h"
-#include "../base/vec.h"
 
 double algsurf_i_render_clock(void) {
     struct timespec now = {0, 0};
@@ -46,87 +45,41 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
         points->normal[k][i] = hit->normal[k];
         points->direction[k][i] = ray->direction[k];
     }
+    if (line->colours)
+        algsurf_i_set_look(line->colours, hit->position, hit->normal, ray->direction, i, &points->looks);
 }
 
-/* Depth of a point along the view: 0 at the near end of what is shown, 1 at its far end.  Measured from
- * its centre, so that a far eye costs no digits. */
-static double depth_of(const algsurf_i_picture *picture, const double point[3]) {
-    double from_centre[3];
-    for (int i = 0; i < 3; i++) from_centre[i] = point[i] - picture->centre[i];
-    double along = algsurf_dot(from_centre, picture->scene->camera.forward) / picture->reach;
-    return fmin(1, fmax(0, 0.5 + 0.5 * along));
-}
-
-static void shade_preview(const algsurf_i_picture *picture, algsurf_i_line *line) {
-    const algsurf_i_points *p = &line->points;
-    for (int i = 0; i < line->count; i++) {
-        double position[3], normal[3], direction[3];
-        for (int k = 0; k < 3; k++) {
-            position[k] = p->position[k][i];
-            normal[k] = p->normal[k][i];
-            direction[k] = p->direction[k][i];
-        }
-        algsurf_i_shade_preview(&picture->scene->material, normal, direction, depth_of(picture, position),
-                                line->colour + 3 * i);
-    }
-}
-
-static double clamped(double colour) { return colour < 0 ? 0 : colour > 1 ? 1 : colour; }
-
-static uint8_t byte_of(double colour) { return (uint8_t)(255 * colour + 0.5); }
-
-uint32_t algsurf_i_bytes_of(const double colour[3]) {
-    uint32_t bytes = 0;
-    for (int k = 2; k >= 0; k--) bytes = bytes << 8 | byte_of(clamped(colour[k]));
-    return bytes;
-}
-
-static algsurf_i_points points_from(const algsurf_i_points *p, int first) {
-    algsurf_i_points rest = {.t = p->t + first, .bytes = p->bytes ? p->bytes + first : NULL};
-    for (int k = 0; k < 3; k++) {
-        rest.position[k] = p->position[k] + first;
-        rest.normal[k] = p->normal[k] + first;
-        rest.direction[k] = p->direction[k] + first;
-    }
-    return rest;
-}
-
+/* Shadows need to know places exactly. */
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
                                           int first) {
-    algsurf_i_points points = points_from(&line->points, first);
-    if (!picture->at_once) {
-        points.bytes = NULL;
-        return points;
-    }
+    const algsurf_i_points *p = &line->points;
+    algsurf_i_points found = {.t = p->t + first};
     for (int k = 0; k < 3; k++) {
-        points.position[k] = points.direction[k] = NULL;
-        if (!picture->planes.normals) points.normal[k] = NULL;
+        if (picture->shadows) found.position[k] = p->position[k] + first;
+        if (picture->shadows) found.direction[k] = p->direction[k] + first;
+        if (picture->shadows || picture->planes.normals) found.normal[k] = p->normal[k] + first;
+        if (!line->colours) continue;
+        found.looks.place[k] = p->looks.place[k] + first;
+        found.looks.normal[k] = p->looks.normal[k] + first;
+        found.looks.direction[k] = p->looks.direction[k] + first;
     }
-    return points;
+    return found;
 }
 
 /* Colours of the points. */
-static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_line *line,
+static algsurf_status shade_line(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                  algsurf_i_tally *tally) {
-    const algsurf_scene *scene = picture->scene;
-    uint32_t *bytes = line->points.bytes;
-    if (line->done == line->count) return ALGSURF_OK;
     double begun = algsurf_i_render_clock();
     if (picture->shadows) {
-        algsurf_status status = algsurf_i_render_shadows(picture, line, tally);
+        algsurf_status status = algsurf_i_render_shadows(picture, row, line, tally);
         if (status != ALGSURF_OK) return status;
         double now = algsurf_i_render_clock();
         tally->shadow_s += now - begun;
         begun = now;
     }
-    if (scene->quality == ALGSURF_QUALITY_PREVIEW) {
-        shade_preview(picture, line);
-        for (int i = 0; bytes && i < line->count; i++) bytes[i] = algsurf_i_bytes_of(line->colour + 3 * i);
-    } else {
-        const algsurf_i_points rest = points_from(&line->points, line->done);
-        picture->code->colours(&picture->colours, &rest, line->count - line->done,
-                               picture->shadows ? line->visible : NULL, rest.bytes ? NULL : line->colour);
-    }
+    picture->shader->colours(line->colours, &line->points.looks, line->count,
+                             picture->shadows ? line->visible : NULL, line->bytes ? NULL : line->colour,
+                             line->bytes);
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
 }
@@ -153,24 +106,26 @@ static void raise_ways(uint8_t *way, const uint8_t *other, int width) {
 /* Adds a pass's points to what the pixels show. */
 static void add_pass(const algsurf_i_line *line) {
     for (int i = 0; i < line->count; i++) {
-        const double *colour = line->colour + 3 * i;
-        const double shown[3] = {clamped(colour[0]), clamped(colour[1]), clamped(colour[2])};
-        algsurf_i_add_sample(&line->shown, line->pixel[i], shown, line->points.t[i]);
+        int x = line->pixel[i];
+        algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
+        for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
     }
 }
 
 /* What a row shows where it has no points. */
 static void fill_background(const algsurf_i_picture *picture, int channels, uint8_t *bytes) {
     size_t length = (size_t)channels * (size_t)picture->width, done = (size_t)channels;
-    for (int k = 0; k < 3; k++) bytes[k] = byte_of(clamped(picture->scene->background[k]));
+    for (int k = 0; k < 3; k++) bytes[k] = algsurf_i_byte_of(picture, picture->scene->background[k]);
     if (channels == 4) bytes[3] = picture->scene->transparent ? 0 : 255;
     for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
 }
 
 /* Averages over all samples; those without a point show the background.  Where there is none, alpha is the
  * share of the others, and the average is over them.  With a known number of channels it is faster. */
-static inline void store_averages(const algsurf_i_shown *shown, int all, const double sky[3], int transparent,
-                                  int channels, int width, uint8_t *bytes) {
+static inline void store_averages(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
+                                  int channels, uint8_t *bytes) {
+    const algsurf_scene *scene = picture->scene;
+    const int transparent = scene->transparent, width = picture->width;
     const uint16_t *counts = shown->samples;
     const double *sums = shown->sum, share = 1.0 / all;
     for (int x = 0; x < width; x++) {
@@ -179,21 +134,21 @@ static inline void store_averages(const algsurf_i_shown *shown, int all, const d
         uint8_t *pixel = bytes + channels * x;
         if (samples == 0) continue;
         double weight = transparent && channels == 4 ? 1.0 / samples : share;
-        for (int k = 0; k < 3; k++) pixel[k] = byte_of((sum[k] + (all - samples) * sky[k]) * weight);
-        if (channels == 4) pixel[3] = transparent ? byte_of(samples * share) : 255;
+        for (int k = 0; k < 3; k++) {
+            double light = (sum[k] + (all - samples) * scene->background[k]) * weight;
+            pixel[k] = algsurf_i_byte_of(picture, light < 1 ? light : 1);
+        }
+        if (channels == 4) pixel[3] = transparent ? (uint8_t)(255 * (samples * share) + 0.5) : 255;
     }
 }
 
 void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
                              int channels, uint8_t *bytes) {
-    int transparent = picture->scene->transparent, width = picture->width;
-    double sky[3];
-    for (int k = 0; k < 3; k++) sky[k] = clamped(picture->scene->background[k]);
     fill_background(picture, channels, bytes);
     if (channels == 4)
-        store_averages(shown, all, sky, transparent, 4, width, bytes);
+        store_averages(picture, shown, all, 4, bytes);
     else
-        store_averages(shown, all, sky, transparent, 3, width, bytes);
+        store_averages(picture, shown, all, 3, bytes);
 }
 
 /* The planes besides the pixels, from entry `first` on. */
@@ -215,12 +170,12 @@ static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown 
 static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, double sy,
                           algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
-    line->count = line->done = 0;
+    line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
     if (line->way) memset(line->way, ALGSURF_WAY_ROW, (size_t)picture->width);
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
-    if (status == ALGSURF_OK && line->coloured) status = shade_line(picture, line, tally);
+    if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
     if (status == ALGSURF_OK && picture->thin && picture->packets)
         algsurf_i_add_thin(picture, row, sx, sy, worker, tally);
     return status;
@@ -271,7 +226,7 @@ static void store_points(const algsurf_i_picture *picture, const algsurf_i_line 
         size_t x = (size_t)line->pixel[i];
         for (end = i + 1; end < line->count && line->pixel[end] == line->pixel[end - 1] + 1;) end++;
         size_t count = (size_t)(end - i);
-        if (bytes) store_bytes(p->bytes + i, end - i, channels, bytes + (size_t)channels * x);
+        if (bytes) store_bytes(line->bytes + i, end - i, channels, bytes + (size_t)channels * x);
         if (planes->t) memcpy(planes->t + first + x, p->t + i, count * sizeof *p->t);
         if (planes->state) memcpy(planes->state + first + x, line->state + x, count);
     }
@@ -305,11 +260,12 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     algsurf_status status = ALGSURF_OK;
     int n = picture->scene->antialias;
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
-    line->coloured = picture->planes.pixels != NULL;
+    line->colours = picture->planes.pixels ? &picture->colours : NULL;
     algsurf_i_begin_shown(&line->shown, picture->width);
     line->across = n;
     for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
-        if (picture->selective && 2 * k + 1 == n * n)
+        line->sample = k;
+        if (picture->selective && !picture->shadows && 2 * k + 1 == n * n)
             algsurf_i_add_middles(picture, row, 1, worker);
         else
             status = algsurf_i_render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
@@ -321,8 +277,9 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
 /* One sample a pixel. */
 static algsurf_status render_points(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
-    worker->line.coloured = picture->planes.pixels != NULL;
+    worker->line.colours = picture->planes.pixels ? &picture->colours : NULL;
     worker->line.across = 1;
+    worker->line.sample = 0;
     algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
     if (status == ALGSURF_OK) store_points(picture, &worker->line, (size_t)(row - picture->row_begin));
     return status;

@@ -14,22 +14,22 @@
 
 static const algsurf_material default_material = {
     .size = sizeof(algsurf_material),
-    .outside = {1.0, 0.72, 0.42},
-    .inside = {0.45, 0.65, 0.95},
-    .ambient = 0.2,
-    .diffuse = 0.75,
-    .specular = 0.25,
-    .shininess = 30,
+    .outside = {0.14, 0.46, 1.0},
+    .inside = {0.92, 0.36, 0.06},
+    .diffuse = 0.72,
+    .ambient = 0.135,
+    .fill = 0.135,
+    .specular = 0.32,
+    .roughness = 0.2,
+    .haze = 0.2,
 };
 
-/* The default lights, in camera axes (right, up, towards the viewer) about the centre of what is shown,
- * in multiples of its radius: a key light above left, a weaker one above right, both on the viewer's
- * side, and both a square of 5x5 samples. */
-static const struct {
-    double place[3], brightness;
-} default_lights[2] = {{{-4.0, 5.0, 6.5}, 0.8}, {{5.0, 2.5, 5.5}, 0.45}};
-#define DEFAULT_LIGHT_EDGE 1.2
-#define DEFAULT_LIGHT_SAMPLES 5
+/* The default light, in camera axes (right, up, towards the viewer): a square that faces the centre of what
+ * is shown, 16 radii away from it, above left and on the viewer's side.  Its edges are 0.45 of the way. */
+static const double light_place[3] = {-0.45, 0.50, 0.74};
+static const double light_edges[2][3] = {{0.893, 0.252, 0.373}, {0, 0.829, -0.560}};
+#define LIGHT_DISTANCE 16
+#define LIGHT_EDGE 0.45
 
 algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene) {
     static const double eye[3] = {4, 3, 2.5}, look_at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -204,25 +204,47 @@ void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *
     if (!(*radius > 0) || !isfinite(*radius)) *radius = 1; /* an eye at the origin */
 }
 
-static void default_light(const algsurf_scene *scene, int which, const double centre[3], double radius,
-                          algsurf_light *light) {
-    const algsurf_camera *camera = &scene->camera;
-    const double *place = default_lights[which].place;
-    for (int i = 0; i < 3; i++) {
-        light->position[i] = centre[i] + radius * (place[0] * camera->right[i] + place[1] * camera->up[i] -
-                                                   place[2] * camera->forward[i]);
-        light->colour[i] = default_lights[which].brightness;
-        light->edge_u[i] = DEFAULT_LIGHT_EDGE * radius * camera->right[i];
-        light->edge_v[i] = DEFAULT_LIGHT_EDGE * radius * camera->up[i];
-    }
-    light->samples_u = light->samples_v = DEFAULT_LIGHT_SAMPLES;
+/* Component i of a vector in camera axes. */
+static double in_space(const algsurf_camera *camera, const double v[3], int i) {
+    return v[0] * camera->right[i] + v[1] * camera->up[i] - v[2] * camera->forward[i];
 }
 
-int algsurf_i_scene_lights(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS]) {
-    double centre[3], radius;
+static void default_light(const algsurf_camera *camera, const double centre[3], double radius,
+                          algsurf_light *light) {
+    double far = LIGHT_DISTANCE * radius, wide = LIGHT_EDGE * far;
+    for (int i = 0; i < 3; i++) {
+        light->position[i] = centre[i] + far * in_space(camera, light_place, i);
+        light->edge_u[i] = wide * in_space(camera, light_edges[0], i);
+        light->edge_v[i] = wide * in_space(camera, light_edges[1], i);
+        light->colour[i] = 1;
+    }
+    light->samples_u = light->samples_v = 0;
+}
+
+void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                              algsurf_lighting *lighting) {
+    *lighting = (algsurf_lighting){.size = sizeof *lighting,
+                                   .material = &scene->material,
+                                   .lights = lights,
+                                   .light_count = scene->light_count < 0 ? 1 : scene->light_count,
+                                   .bounded = scene->extent.kind != ALGSURF_EXTENT_ALL};
+    for (int i = 0; i < 3; i++) {
+        lighting->up[i] = scene->camera.up[i];
+        lighting->forward[i] = scene->camera.forward[i];
+    }
+    algsurf_i_scene_ball(scene, lighting->centre, &lighting->radius);
     for (int l = 0; l < scene->light_count; l++) lights[l] = scene->lights[l];
-    if (scene->light_count >= 0) return scene->light_count;
-    algsurf_i_scene_ball(scene, centre, &radius);
-    for (int l = 0; l < 2; l++) default_light(scene, l, centre, radius, &lights[l]);
-    return 2;
+    if (scene->light_count < 0) default_light(&scene->camera, lighting->centre, lighting->radius, lights);
+}
+
+algsurf_status algsurf_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                                      algsurf_lighting *lighting) {
+    algsurf_lighting ours;
+    if (!scene || !lights || !lighting || lighting->size < sizeof ours) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_i_scene_lighting(scene, lights, &ours);
+    algsurf_options_write(lighting, &ours, sizeof ours);
+    algsurf_fpenv_leave(&saved);
+    return ALGSURF_OK;
 }

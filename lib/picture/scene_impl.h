@@ -3,8 +3,6 @@
 #define ALGSURF_SCENE_IMPL_H
 #include "algsurf/render.h"
 
-#define ALGSURF_MAX_LIGHTS 16
-
 struct algsurf_scene {
     const algsurf_surface *surface; /* borrowed */
     algsurf_extent extent;
@@ -29,7 +27,8 @@ struct algsurf_scene {
  * the height of the picture. */
 void algsurf_i_scene_ball(const algsurf_scene *scene, double centre[3], double *radius);
 
-/* Writes the lights of the scene, the caller's or the default ones, and returns their number. */
-int algsurf_i_scene_lights(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS]);
+/* algsurf_scene_lighting for checked arguments, in the standard floating-point environment. */
+void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                              algsurf_lighting *lighting);
 
 #endif

@@ -1,43 +1,49 @@
-/* shade.c - the colour of a point: ambient, Lambert's diffuse and Blinn's specular term.
- *
- * Blinn, Models of light reflection for computer synthesized pictures, 1977: the highlight is a power
- * of N.H, H half-way between the light and the viewer, in place of Phong's reflected ray.
- */
+/* shade.c - what is lit, from where and how: checks, and what kernels need to know of it. */
 #include "../base/arithmetic.h"
 #include "shade_impl.h"
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"
-#include "../base/elementary.h"
 
-#define PREVIEW_FAR 0.3 /* brightness at the far end of the extent; 1 at the near one */
+#define LEAST_ROUGHNESS 0x1p-10 /* its square is far from the smallest floats */
+#define BRIGHTEST 1000
+#define SHORTEST_RADIUS 0x1p-1000 /* one over it is a double */
+#define UNIT_SLACK 1e-6
 
-algsurf_status algsurf_i_colour_check(const double colour[3]) {
-    if (!colour) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(colour)) return ALGSURF_E_NOT_FINITE;
-    return colour[0] >= 0 && colour[1] >= 0 && colour[2] >= 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+/* Each of them from 0 to high: OK, E_ARGUMENT or E_NOT_FINITE. */
+static algsurf_status check_range(const double *x, int count, double high) {
+    for (int i = 0; i < count; i++)
+        if (!isfinite(x[i])) return ALGSURF_E_NOT_FINITE;
+    for (int i = 0; i < count; i++)
+        if (!(x[i] >= 0 && x[i] <= high)) return ALGSURF_E_ARGUMENT;
+    return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material) {
-    if (!given || !algsurf_options_read(material, sizeof *material, given)) return ALGSURF_E_ARGUMENT;
-    const double weights[3] = {material->ambient, material->diffuse, material->specular};
-    algsurf_status status = algsurf_i_colour_check(material->outside);
-    if (status == ALGSURF_OK) status = algsurf_i_colour_check(material->inside);
-    if (status == ALGSURF_OK) status = algsurf_i_colour_check(weights);
-    if (status != ALGSURF_OK) return status;
-    if (!isfinite(material->shininess)) return ALGSURF_E_NOT_FINITE;
-    return material->shininess > 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+algsurf_status algsurf_i_colour_check(const double colour[3]) {
+    return colour ? check_range(colour, 3, 1) : ALGSURF_E_ARGUMENT;
+}
+
+algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *m) {
+    if (!given || !algsurf_options_read(m, sizeof *m, given)) return ALGSURF_E_ARGUMENT;
+    const double weights[] = {m->diffuse, m->ambient, m->fill, m->specular, m->roughness, m->haze};
+    algsurf_status status = algsurf_i_colour_check(m->outside);
+    if (status == ALGSURF_OK) status = algsurf_i_colour_check(m->inside);
+    if (status == ALGSURF_OK) status = check_range(weights, 6, 1);
+    return status == ALGSURF_OK && m->roughness == 0 ? ALGSURF_E_ARGUMENT : status;
+}
+
+static int samples_are_good(int u, int v) {
+    return (u == 0 && v == 0) ||
+           (u >= 1 && u <= ALGSURF_MAX_LIGHT_SAMPLES && v >= 1 && v <= ALGSURF_MAX_LIGHT_SAMPLES);
 }
 
 algsurf_status algsurf_i_light_check(const algsurf_light *light) {
-    if (!light || light->samples_u < 1 || light->samples_u > ALGSURF_MAX_LIGHT_SAMPLES ||
-        light->samples_v < 1 || light->samples_v > ALGSURF_MAX_LIGHT_SAMPLES)
-        return ALGSURF_E_ARGUMENT;
+    if (!light || !samples_are_good(light->samples_u, light->samples_v)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(light->position) || !algsurf_is_finite3(light->edge_u) ||
         !algsurf_is_finite3(light->edge_v))
         return ALGSURF_E_NOT_FINITE;
-    return algsurf_i_colour_check(light->colour);
+    return check_range(light->colour, 3, BRIGHTEST);
 }
 
 void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
@@ -47,49 +53,51 @@ void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double pos
         position[i] = light->position[i] + u * light->edge_u[i] + v * light->edge_v[i];
 }
 
-int algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]) {
+void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]) {
     double away = algsurf_dot(normal, direction);
     int singular = !(algsurf_max_abs(normal) > 0);
     for (int i = 0; i < 3; i++) facing[i] = singular ? -direction[i] : away > 0 ? -normal[i] : normal[i];
-    return singular || !(away > 0);
 }
 
-/* Unit vectors from the point to a light's middle, and half-way from there to the viewer; 0 when they
- * have no direction. */
-static void light_vectors(const algsurf_light *light, const double point[3], const double direction[3],
-                          double to_light[3], double half_way[3]) {
-    double sum[3];
+/* What the shade of a base colour has more of than the colour itself: of what is more in it than on the
+ * average. */
+static void set_richer(const double base[3], double richer[3]) {
+    double luminance = 0.2126 * base[0] + 0.7152 * base[1] + 0.0722 * base[2];
     for (int i = 0; i < 3; i++) {
-        half_way[i] = to_light[i] = 0;
-        sum[i] = 0.5 * light->position[i] - 0.5 * point[i]; /* halves cannot overflow */
-    }
-    (void)algsurf_unit(sum, to_light);
-    for (int i = 0; i < 3; i++) sum[i] = to_light[i] - direction[i];
-    (void)algsurf_unit(sum, half_way);
-}
-
-void algsurf_i_shade(const algsurf_material *material, const algsurf_light *lights, int count,
-                     const double *visible, const double point[3], const double normal[3],
-                     const double direction[3], double colour[3]) {
-    double n[3], to_light[3], half_way[3];
-    const double *base = algsurf_i_facing(normal, direction, n) ? material->outside : material->inside;
-    for (int i = 0; i < 3; i++) colour[i] = base[i] * material->ambient;
-    for (int l = 0; l < count; l++) {
-        light_vectors(&lights[l], point, direction, to_light, half_way);
-        double share = visible ? visible[l] : 1.0, incidence = algsurf_dot(n, to_light);
-        if (!(incidence > 0) || !(share > 0)) continue;
-        double diffuse = share * material->diffuse * incidence;
-        double specular = share * material->specular *
-                          algsurf_i_pow(fmax(0, algsurf_dot(n, half_way)), material->shininess);
-        for (int i = 0; i < 3; i++) colour[i] += lights[l].colour[i] * (diffuse * base[i] + specular);
+        double more = luminance > 0 ? base[i] / luminance - 1 : 0;
+        richer[i] = 0.8 * (more < 3 ? more : 3);
     }
 }
 
-void algsurf_i_shade_preview(const algsurf_material *material, const double normal[3],
-                             const double direction[3], double depth, double colour[3]) {
-    double n[3], brightness = 1.0 - (1.0 - PREVIEW_FAR) * depth;
-    const double *base = algsurf_i_facing(normal, direction, n) ? material->outside : material->inside;
-    for (int i = 0; i < 3; i++) colour[i] = brightness * base[i];
+void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job) {
+    *job = (algsurf_i_colour_job){.material = *lighting->material,
+                                  .light_count = preview ? 0 : lighting->light_count,
+                                  .per_radius = 1 / fmax(lighting->radius, SHORTEST_RADIUS),
+                                  .bounded = lighting->bounded,
+                                  .preview = preview};
+    job->material.roughness = fmax(job->material.roughness, LEAST_ROUGHNESS);
+    set_richer(job->material.outside, job->richer[0]);
+    set_richer(job->material.inside, job->richer[1]);
+    for (int i = 0; i < 3; i++) {
+        job->up[i] = lighting->up[i];
+        job->forward[i] = lighting->forward[i];
+        job->centre[i] = lighting->centre[i];
+    }
+    for (int l = 0; l < job->light_count; l++)
+        for (int i = 0; i < 3; i++) {
+            double place = (lighting->lights[l].position[i] - lighting->centre[i]) * job->per_radius;
+            job->light[l][i] = fmin(fmax(place, -0x1p40), 0x1p40);
+            job->light_colour[l][i] = lighting->lights[l].colour[i];
+        }
+}
+
+void algsurf_i_set_look(const algsurf_i_colour_job *job, const double position[3], const double normal[3],
+                        const double direction[3], int i, const algsurf_i_looks *looks) {
+    for (int k = 0; k < 3; k++) {
+        looks->place[k][i] = (float)((position[k] - job->centre[k]) * job->per_radius);
+        looks->normal[k][i] = (float)normal[k];
+        looks->direction[k][i] = (float)direction[k];
+    }
 }
 
 /* ---- the public functions ---- */
@@ -112,64 +120,84 @@ algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, do
     return status;
 }
 
-static algsurf_status check_lights(const algsurf_light *lights, int count, const double *visible) {
-    if (count < 0 || (count > 0 && !lights)) return ALGSURF_E_ARGUMENT;
+static algsurf_status check_lights(const algsurf_lighting *lighting) {
+    int count = lighting->light_count;
+    if (count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lighting->lights))
+        return ALGSURF_E_ARGUMENT;
     for (int l = 0; l < count; l++) {
-        algsurf_status status = algsurf_i_light_check(&lights[l]);
+        algsurf_status status = algsurf_i_light_check(&lighting->lights[l]);
         if (status != ALGSURF_OK) return status;
-        if (visible && !(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
     }
     return ALGSURF_OK;
 }
 
-static algsurf_status check_view(const algsurf_material *given, const double normal[3],
-                                 const double direction[3], const double colour[3],
-                                 algsurf_material *material) {
-    if (!normal || !direction || !colour) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(normal) || !algsurf_is_finite3(direction)) return ALGSURF_E_NOT_FINITE;
-    return algsurf_i_material_read(given, material);
+static int is_unit(const double v[3]) { return fabs(algsurf_dot(v, v) - 1) <= UNIT_SLACK; }
+
+/* known, material: the caller's, as far as they are known here. */
+static algsurf_status read_lighting(const algsurf_lighting *given, algsurf_lighting *known,
+                                    algsurf_material *material) {
+    if (!given || !algsurf_options_read(known, sizeof *known, given)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = algsurf_i_material_read(known->material, material);
+    if (status == ALGSURF_OK) status = check_lights(known);
+    if (status != ALGSURF_OK) return status;
+    known->material = material;
+    if (!algsurf_is_finite3(known->up) || !algsurf_is_finite3(known->forward) ||
+        !algsurf_is_finite3(known->centre) || !isfinite(known->radius))
+        return ALGSURF_E_NOT_FINITE;
+    return is_unit(known->up) && is_unit(known->forward) && known->radius > 0 ? ALGSURF_OK
+                                                                              : ALGSURF_E_ARGUMENT;
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_material *material,
-                                                     const algsurf_light *lights, int count,
-                                                     const double *visible, const double point[3],
-                                                     const double normal[3], const double direction[3],
+/* A point, and how it is looked at. */
+typedef struct sight {
+    const double *point, *normal, *direction;
+} sight;
+
+/* By the code of pictures. */
+static void shade(const algsurf_i_colour_job *job, const sight *s, const double *visible, double colour[3]) {
+    float look[3][3], shown[3];
+    const algsurf_i_looks looks = {{&look[0][0], &look[0][1], &look[0][2]},
+                                   {&look[1][0], &look[1][1], &look[1][2]},
+                                   {&look[2][0], &look[2][1], &look[2][2]}};
+    algsurf_i_set_look(job, s->point, s->normal, s->direction, 0, &looks);
+    algsurf_i_single_baseline.colours(job, &looks, 1, visible, shown, NULL);
+    for (int k = 0; k < 3; k++) colour[k] = shown[k];
+}
+
+static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_lighting *given, int preview,
+                                                     const sight *s, const double *visible,
                                                      double colour[3]) {
-    if (!point) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
-    algsurf_material known;
-    algsurf_status status = check_view(material, normal, direction, colour, &known);
-    if (status == ALGSURF_OK) status = check_lights(lights, count, visible);
-    if (status == ALGSURF_OK)
-        algsurf_i_shade(&known, lights, count, visible, point, normal, direction, colour);
-    return status;
+    algsurf_lighting lighting;
+    algsurf_material material;
+    algsurf_i_colour_job job;
+    if (!s->point || !s->normal || !s->direction || !colour) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_is_finite3(s->point) || !algsurf_is_finite3(s->normal) || !algsurf_is_finite3(s->direction))
+        return ALGSURF_E_NOT_FINITE;
+    algsurf_status status = read_lighting(given, &lighting, &material);
+    if (status != ALGSURF_OK) return status;
+    for (int l = 0; visible && l <= lighting.light_count; l++)
+        if (!(visible[l] >= 0 && visible[l] <= 1)) return ALGSURF_E_ARGUMENT;
+    algsurf_i_colour_prepare(&lighting, preview, &job);
+    shade(&job, s, visible, colour);
+    return ALGSURF_OK;
 }
 
-algsurf_status algsurf_shade(const algsurf_material *material, const algsurf_light *lights, int count,
-                             const double *visible, const double point[3], const double normal[3],
-                             const double direction[3], double colour[3]) {
+algsurf_status algsurf_shade(const algsurf_lighting *lighting, const double *visible, const double point[3],
+                             const double normal[3], const double direction[3], double colour[3]) {
+    const sight s = {point, normal, direction};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_shade(material, lights, count, visible, point, normal, direction, colour);
+    algsurf_status status = checked_shade(lighting, 0, &s, visible, colour);
     algsurf_fpenv_leave(&saved);
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status checked_preview(const algsurf_material *material,
-                                                       const double normal[3], const double direction[3],
-                                                       double depth, double colour[3]) {
-    if (!(depth >= 0 && depth <= 1)) return ALGSURF_E_ARGUMENT;
-    algsurf_material known;
-    algsurf_status status = check_view(material, normal, direction, colour, &known);
-    if (status == ALGSURF_OK) algsurf_i_shade_preview(&known, normal, direction, depth, colour);
-    return status;
-}
-
-algsurf_status algsurf_shade_preview(const algsurf_material *material, const double normal[3],
-                                     const double direction[3], double depth, double colour[3]) {
+algsurf_status algsurf_shade_preview(const algsurf_lighting *lighting, const double point[3],
+                                     const double normal[3], const double direction[3], double colour[3]) {
+    const sight s = {point, normal, direction};
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_preview(material, normal, direction, depth, colour);
+    algsurf_status status = checked_shade(lighting, 1, &s, NULL, colour);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -1,7 +1,8 @@
-/* shade_impl.h - checks and the formulas without checks, for the rooms below shade. */
+/* shade_impl.h - checks, and colours without checks, for the rooms below shade. */
 #ifndef ALGSURF_SHADE_IMPL_H
 #define ALGSURF_SHADE_IMPL_H
 #include "algsurf/shade.h"
+#include "kernel.h"
 
 #define ALGSURF_MAX_LIGHT_SAMPLES 64 /* along one edge */
 
@@ -11,15 +12,17 @@ algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_ma
 algsurf_status algsurf_i_light_check(const algsurf_light *light);
 
 /* The normal turned towards the viewer: facing = +-normal with facing.direction <= 0, or -direction for
- * a zero normal.  Returns 1 when the outside is seen. */
-int algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]);
+ * a zero normal. */
+void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]);
 
-/* The public functions for checked arguments, in the standard floating-point environment. */
+/* algsurf_light_sample for checked arguments, in the standard floating-point environment. */
 void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]);
-void algsurf_i_shade(const algsurf_material *material, const algsurf_light *lights, int count,
-                     const double *visible, const double point[3], const double normal[3],
-                     const double direction[3], double colour[3]);
-void algsurf_i_shade_preview(const algsurf_material *material, const double normal[3],
-                             const double direction[3], double depth, double colour[3]);
+
+/* For a checked lighting, without its curve. */
+void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job);
+
+/* Of entry i of `looks`. */
+void algsurf_i_set_look(const algsurf_i_colour_job *job, const double position[3], const double normal[3],
+                        const double direction[3], int i, const algsurf_i_looks *looks);
 
 #endif

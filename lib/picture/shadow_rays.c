@@ -34,8 +34,10 @@ algsurf_status algsurf_i_send_shadow_rays(algsurf_i_shadow_rays *b) {
     return ALGSURF_OK;
 }
 
-static void add_rays(algsurf_i_shadow_rays *b, const algsurf_i_places *places, int first, int count,
-                     const algsurf_i_start *start) {
+/* Returns how many of them there is no ray to. */
+static int add_rays(algsurf_i_shadow_rays *b, const algsurf_i_places *places, int first, int count,
+                    const algsurf_i_start *start) {
+    size_t before = b->count;
     for (int i = first; i < first + count; i++) {
         for (int k = 0; k < 3; k++) {
             b->origin[k][b->count] = start->at[k];
@@ -43,6 +45,7 @@ static void add_rays(algsurf_i_shadow_rays *b, const algsurf_i_places *places, i
         }
         b->count += algsurf_i_height(places, i, start) > 0;
     }
+    return count - (int)(b->count - before);
 }
 
 algsurf_status algsurf_i_shoot(algsurf_i_shadow_rays *b, const algsurf_i_places *places,
@@ -50,7 +53,7 @@ algsurf_status algsurf_i_shoot(algsurf_i_shadow_rays *b, const algsurf_i_places 
     for (int first = 0, count; first < places->count; first += count) {
         int room = ALGSURF_I_SHADOW_RAYS - (int)b->count;
         count = places->count - first < room ? places->count - first : room;
-        add_rays(b, places, first, count, start);
+        *seen += add_rays(b, places, first, count, start);
         b->share[b->groups] = seen;
         b->end[b->groups++] = b->count;
         if (b->count < ALGSURF_I_SHADOW_RAYS && b->groups < ALGSURF_I_SHADOW_RAYS) continue;

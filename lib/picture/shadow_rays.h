@@ -38,8 +38,9 @@ static inline double algsurf_i_height(const algsurf_i_places *places, int i, con
 
 void algsurf_i_begin_shadow_rays(algsurf_i_shadow_rays *rays, const algsurf_i_picture *picture);
 
-/* Rays from a point to those places that are above its tangent plane; once they are sent, those that arrive
- * have been added to *seen.  OK, or what the packet call returned. */
+/* Rays from a point to places; once they are sent, those that arrive have been added to *seen.  What is below
+ * the point's tangent plane counts as seen: shading knows how the point lies.  OK, or what the packet call
+ * returned. */
 algsurf_status algsurf_i_shoot(algsurf_i_shadow_rays *rays, const algsurf_i_places *places,
                                const algsurf_i_start *start, double *seen);
 

@@ -17,13 +17,6 @@
 
 static int in_range(double value) { return value > LEAST_VALUE && value < MOST_VALUE; }
 
-static int lights_in_range(const algsurf_i_picture *picture) {
-    for (int l = 0; l < picture->light_count; l++)
-        for (int i = 0; i < 3; i++)
-            if (!(fabs(picture->lights[l].position[i]) < MOST_VALUE)) return 0;
-    return 1;
-}
-
 int algsurf_i_single_suits(const algsurf_i_picture *picture) {
     const algsurf_scene *scene = picture->scene;
     const algsurf_i_packets *p = picture->packets;
@@ -34,5 +27,5 @@ int algsurf_i_single_suits(const algsurf_i_picture *picture) {
         if (fabs(view->centre[i]) > FARTHEST * view->size) return 0;
     double values = p->frame.value_error / (16 * (n + 1) * ALGSURF_U + scene->surface->error);
     return fabs(p->per_slope) * p->pixel >= LEAST_PIXEL && in_range(values) && in_range(view->size) &&
-           in_range(ldexp(view->size, scene->surface->unit)) && lights_in_range(picture);
+           in_range(ldexp(view->size, scene->surface->unit));
 }

@@ -91,12 +91,14 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     line->pixel[i] = x;
     line->state[x] = ALGSURF_THIN;
     line->points.t[i] = t;
-    if (line->points.bytes) line->points.bytes[i] = algsurf_i_bytes_of(picture->scene->thin_colour);
+    if (line->bytes) line->bytes[i] = 0;
     for (int k = 0; k < 3; k++) {
+        double light = picture->scene->thin_colour[k];
+        if (line->bytes) line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture, light) << 8 * k;
         line->points.position[k][i] = ray->origin[k] + t * ray->direction[k];
         line->points.normal[k][i] = 0;
         line->points.direction[k][i] = ray->direction[k];
-        line->colour[3 * i + k] = picture->scene->thin_colour[k];
+        line->colour[3 * i + k] = (float)light;
     }
 }
 

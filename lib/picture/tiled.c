@@ -79,11 +79,13 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
 
 static void move_point(const algsurf_i_points *p, int from, int to) {
     p->t[to] = p->t[from];
-    if (p->bytes) p->bytes[to] = p->bytes[from];
     for (int k = 0; k < 3; k++) {
         p->position[k][to] = p->position[k][from];
         p->normal[k][to] = p->normal[k][from];
         p->direction[k][to] = p->direction[k][from];
+        p->looks.place[k][to] = p->looks.place[k][from];
+        p->looks.normal[k][to] = p->looks.normal[k][from];
+        p->looks.direction[k][to] = p->looks.direction[k][from];
     }
 }
 
@@ -144,7 +146,6 @@ static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, do
     const algsurf_i_points points = algsurf_i_points_to_find(picture, line, sheets);
     picture->code->points(job, line->pixel + sheets, line->depth + sheets, line->count - sheets, &points);
     tally->hits += (uint64_t)(line->count - sheets);
-    line->done = picture->at_once ? line->count : 0;
     double pointed = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_OK;
     if (doubtful) status = algsurf_i_solve_doubtful(picture, y, sx, 0, picture->width, line, tally);
@@ -158,7 +159,7 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
                                       algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours};
+    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
     double begun = algsurf_i_render_clock();
     tally->rays += (uint64_t)line->wanted_count;
     memset(line->state, ALGSURF_LANE_MISS, (size_t)picture->width);
@@ -173,7 +174,6 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     }
     tally->sheet_rays += (uint64_t)line->count;
     tally->hits += (uint64_t)line->count;
-    line->done = picture->at_once ? line->count : 0;
     return worker->tiling.leaves > 0 ? find_leaves(picture, row + sy, sx, &points, worker, tally)
                                      : ALGSURF_OK;
 }

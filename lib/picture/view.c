@@ -100,7 +100,7 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     algsurf_extent wider;
     const algsurf_extent *extent =
         scene->complex ? &scene->extent : algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
-    double eye[3], radius = extent == &wider ? wider.size[0] : picture->radius;
+    double eye[3], radius = extent == &wider ? wider.size[0] : picture->lighting.radius;
     if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
         !natural(scene->surface, scene->extent.centre, view->centre))
         return 0;

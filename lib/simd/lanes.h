@@ -226,6 +226,27 @@ INLINE void store_some(double *p, lanes a, int count) {
     }
 }
 
+/* The same for floats in memory. */
+typedef float floats __attribute__((vector_size(4 * LANES)));
+INLINE lanes load_some_floats(const float *p, int count) {
+    floats a;
+    if (count >= LANES) {
+        __builtin_memcpy(&a, p, sizeof a);
+    } else {
+        for (int l = 0; l < LANES; l++) a[l] = p[l < count ? l : 0];
+    }
+    return __builtin_convertvector(a, lanes);
+}
+
+INLINE void store_some_floats(float *p, lanes a, int count) {
+    floats b = __builtin_convertvector(a, floats);
+    if (count >= LANES) {
+        __builtin_memcpy(p, &b, sizeof b);
+    } else {
+        for (int l = 0; l < count; l++) p[l] = b[l];
+    }
+}
+
 /* ---- vectors of three ---- */
 
 INLINE lanes dot(const lanes a[3], const lanes b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
