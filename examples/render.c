@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "catalogue.h"
+#include "fit.h"
 #include "cli.h"
 #include "output.h"
 #include "progress.h"
@@ -72,6 +73,22 @@ static char *numbered(const char *path, const run *r, int picture) {
     int stem = (int)(dot ? dot - path : (ptrdiff_t)strlen(path));
     snprintf(name, room, "%.*s-%04d%s", stem, path, picture + 1, dot ? dot : "");
     return name;
+}
+
+/* As --extent and --centre have it. */
+typedef struct extent_words {
+    char text[160];
+} extent_words;
+
+static extent_words extent_text(const algsurf_extent *extent) {
+    extent_words words;
+    const double *size = extent->size, *c = extent->centre;
+    int at = extent->kind == ALGSURF_EXTENT_SPHERE
+                 ? snprintf(words.text, sizeof words.text, "sphere:%g", size[0])
+                 : snprintf(words.text, sizeof words.text, "box:%g,%g,%g", size[0], size[1], size[2]);
+    if (c[0] != 0 || c[1] != 0 || c[2] != 0)
+        snprintf(words.text + at, sizeof words.text - (size_t)at, " about %g,%g,%g", c[0], c[1], c[2]);
+    return words;
 }
 
 /* What the surface was given as, in one line. */
@@ -146,6 +163,26 @@ static void mark_misses(double *hits, size_t count) {
         if (isinf(hits[i])) hits[i] = NAN;
 }
 
+/* A picture without anything in it is explained. */
+static void explain_nothing(const run *r, const view *shown) {
+    double lo[3], hi[3];
+    int empty;
+    if (r->options->space.is_complex) {
+        cli_complain("nothing is seen; a wider sector shows more (--delta)");
+        return;
+    }
+    demand(algsurf_surface_enclose(r->surface, &shown->extent, ALGSURF_PART_ALL, 1.0 / 16, lo, hi, &empty));
+    if (empty)
+        cli_complain(
+            "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
+            extent_text(&shown->extent).text);
+    else
+        cli_complain(
+            "nothing of the surface is in the picture: what there is lies within x %.3g..%.3g, y %.3g..%.3g, "
+            "z %.3g..%.3g; --eye, --look-at, --fov choose another view",
+            lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+}
+
 static void draw_picture(run *r, const view *shown, int picture) {
     const render_options *options = r->options;
     const render_sweep *sweep = &options->sweep;
@@ -168,6 +205,8 @@ static void draw_picture(run *r, const view *shown, int picture) {
     demand(algsurf_scene_set_camera(r->scene, &camera));
     demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
     demand(algsurf_render(r->scene, &how, &planes, &counted));
+    if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
+        explain_nothing(r, shown);
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};
@@ -185,6 +224,9 @@ static void draw_picture(run *r, const view *shown, int picture) {
 static void draw(const render_options *options, const algsurf_surface *surface,
                  const catalogue_entry *entry) {
     view shown = view_make(&options->view, entry);
+    if (!entry)
+        fit_view(&shown, &options->view, surface,
+                 options->space.is_complex || options->sweep.kind == SWEEP_TURN);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     if (options->thin && algsurf_surface_degree(surface) > RENDER_THIN_DEGREE)
         cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", algsurf_surface_degree(surface),

@@ -123,6 +123,8 @@ view view_make(const view_options *options, const catalogue_entry *entry) {
     if (options->look_at.given) memcpy(v.look_at, options->look_at.x, sizeof v.look_at);
     if (options->up.given)
         memcpy(v.up, options->up.x, sizeof v.up);
+    else if (entry && !options->eye.given && !options->look_at.given)
+        memcpy(v.up, entry->up, sizeof v.up);
     else
         choose_up(&v);
     v.fov = options->fov > 0 ? options->fov : entry ? entry->fov : DEFAULT_FOV;

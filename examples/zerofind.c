@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "fit.h"
 #include "output.h"
 #include "view.h"
 #include "zerofind_plot.h"
@@ -224,6 +225,7 @@ int main(int argc, char **argv) {
                                                   : "");
     algsurf_surface *surface = cli_make_surface(&options.surface);
     view shown = view_make(&options.view, given->name ? catalogue_find(given->name) : NULL);
+    if (!given->name && options.pixel.given) fit_view(&shown, &options.view, surface, 0);
     algsurf_ray ray = choose_ray(&options, &shown);
     chord on;
     int meets;

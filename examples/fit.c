@@ -1,0 +1,303 @@
+/* fit.c - see fit.h.
+ *
+ * The unit of a polynomial is the length in which its terms of the highest degree are as large as others of
+ * lower degree: r = max over k < n of (A_k / A_n)^(1/(n-k)), A_k the largest coefficient of degree k.
+ * Everything that is special about a surface, as a rule, is within a few units of the origin.  Where a proof
+ * finds all of it within 32 units, and not next to the end, it is bounded as far as eyes can tell, and the
+ * extent is a ball about the box of that proof.  Else the extent is a ball that shows the singular points, if
+ * these are bounded, and 3.5 units in any case; if nothing is in it, twice as much, and so on.
+ *
+ * The camera is placed by what a coarse picture shows: moved sideways until that is in the middle, and along
+ * the view until it fills 90 per cent of the height or 95 of the width.  It stays out of the extent; to show
+ * what is small in there the field of view is narrowed.
+ */
+#include "fit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double FAR = 32, USUAL = 3.5; /* in units of the polynomial */
+static const double NEARLY = 0.95;         /* of the way to the end: what gets there may go on */
+static const double ROOM = 1.35;           /* about singular points */
+static const double LONELY = 0.6;          /* of the extent: no sheet reaches its end */
+static const double AROUND = 1.2;          /* about what is seen then */
+static const double PRECISION = 1.0 / 16;
+
+static void demand(algsurf_status status) {
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "fitting the view: %s", algsurf_status_text(status));
+}
+
+/* ---- extent ---- */
+
+static double unit_of(const algsurf_surface *surface) {
+    double largest[ALGSURF_MAX_DEGREE + 1] = {0}, unit = 0;
+    size_t count = algsurf_surface_term_count(surface);
+    int n = algsurf_surface_degree(surface);
+    algsurf_term *terms = malloc((count + 1) * sizeof *terms);
+    if (!terms) cli_no_memory();
+    demand(algsurf_surface_terms(surface, terms));
+    for (size_t i = 0; i < count; i++) {
+        double *of_degree = &largest[terms[i].i + terms[i].j + terms[i].k];
+        *of_degree = fmax(*of_degree, fabs(terms[i].a));
+    }
+    for (int k = 0; k < n; k++)
+        if (largest[k] > 0) unit = fmax(unit, exp((log(largest[k]) - log(largest[n])) / (n - k)));
+    free(terms);
+    return unit > 1e-100 && unit < 1e100 ? unit : 1;
+}
+
+typedef struct box {
+    double lo[3], hi[3];
+    int empty;
+} box;
+
+static box enclose(const algsurf_surface *surface, double half, int part) {
+    const algsurf_extent all = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {half, half, half}};
+    box found = {.empty = 1};
+    demand(algsurf_surface_enclose(surface, &all, part, PRECISION, found.lo, found.hi, &found.empty));
+    return found;
+}
+
+/* Is all of it within half the size of a box about the origin? */
+static int ends_within(const box *b, double half) {
+    for (int i = 0; i < 3; i++)
+        if (b->lo[i] < -NEARLY * half || b->hi[i] > NEARLY * half) return 0;
+    return !b->empty;
+}
+
+/* To two digits, upward. */
+static double rounded_up(double x) {
+    double step = pow(10, floor(log10(x)) - 1);
+    return ceil(x / step - 1e-9) * step;
+}
+
+/* To three digits of the radius. */
+static double rounded_place(double x, double radius) {
+    double step = pow(10, floor(log10(radius)) - 2);
+    return round(x / step) * step;
+}
+
+/* A ball about the box, the corners at that part of its radius or nearer. */
+static algsurf_extent ball_about(const box *b) {
+    algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
+    double half[3], square = 0;
+    for (int i = 0; i < 3; i++) half[i] = 0.5 * (b->hi[i] - b->lo[i]);
+    double radius = sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
+    for (int i = 0; i < 3; i++) {
+        ball.centre[i] = rounded_place(0.5 * (b->lo[i] + b->hi[i]), radius);
+        double far = fmax(b->hi[i] - ball.centre[i], ball.centre[i] - b->lo[i]);
+        square += far * far;
+    }
+    ball.size[0] = rounded_up(sqrt(square));
+    return ball;
+}
+
+/* Half the longest edge; the middle. */
+static double half_edge(const box *b, double middle[3]) {
+    double half = 0;
+    for (int i = 0; i < 3; i++) {
+        half = fmax(half, 0.5 * (b->hi[i] - b->lo[i]));
+        middle[i] = 0.5 * (b->lo[i] + b->hi[i]);
+    }
+    return half;
+}
+
+static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *extent) {
+    box b;
+    demand(algsurf_surface_enclose(surface, extent, ALGSURF_PART_ALL, 1, b.lo, b.hi, &b.empty));
+    return b.empty;
+}
+
+static algsurf_extent unbounded_extent(const algsurf_surface *surface, double unit) {
+    algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
+    double radius = USUAL * unit, middle[3];
+    const box singular = enclose(surface, FAR * unit, ALGSURF_PART_SINGULAR);
+    if (ends_within(&singular, FAR * unit)) {
+        double half = half_edge(&singular, middle);
+        radius = fmax(radius, ROOM * half);
+        for (int i = 0; i < 3; i++)
+            if (fabs(middle[i]) > 0.1 * radius) ball.centre[i] = rounded_place(middle[i], radius);
+    }
+    ball.size[0] = rounded_up(radius);
+    for (int k = 0; k < 8 && is_nothing_in(surface, &ball); k++) ball.size[0] *= 2;
+    return ball;
+}
+
+static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounded) {
+    double unit = unit_of(surface);
+    const box all = enclose(surface, FAR * unit, ALGSURF_PART_ALL);
+    *bounded = all.empty || ends_within(&all, FAR * unit);
+    if (all.empty) return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {rounded_up(FAR * unit), 0, 0}};
+    return *bounded ? ball_about(&all) : unbounded_extent(surface, unit);
+}
+
+/* ---- camera ---- */
+
+enum { ROWS = 144, MOST_COLUMNS = 512, ROUNDS = 8 };
+static const double HIGH = 0.90, WIDE = 0.95; /* of the picture */
+static const double CLOSE = 1.3;              /* radii of the extent, from its centre to the eye */
+static const double PI = 3.14159265358979323846;
+
+/* A coarse picture, as large as the real one seen from farther away. */
+typedef struct glance {
+    int width, height;
+    algsurf_scene *scene;
+    unsigned char *state;
+    double *t;
+} glance;
+
+static glance open_glance(const view_options *options, const algsurf_surface *surface,
+                          const algsurf_extent *extent) {
+    glance g = {.height = ROWS};
+    double width = fmin(MOST_COLUMNS, fmax(1, round((double)ROWS * options->width / options->height)));
+    g.width = (int)width;
+    g.state = malloc((size_t)g.width * ROWS);
+    g.t = malloc((size_t)g.width * ROWS * sizeof *g.t);
+    if (!g.state || !g.t) cli_no_memory();
+    demand(algsurf_scene_create(surface, &g.scene));
+    demand(algsurf_scene_set_extent(g.scene, extent));
+    return g;
+}
+
+static void close_glance(glance *g) {
+    algsurf_scene_free(g->scene);
+    free(g->state);
+    free(g->t);
+}
+
+/* The smallest rectangle about what is seen, in pixels; 0: nothing is. */
+static int look(glance *g, const algsurf_camera *camera, int rectangle[4]) {
+    const algsurf_render_options size = {.size = sizeof size, .width = g->width, .height = g->height};
+    const algsurf_picture planes = {.size = sizeof planes, .state = g->state, .t = g->t};
+    int left = g->width, right = 0, top = g->height, bottom = 0;
+    demand(algsurf_scene_set_camera(g->scene, camera));
+    demand(algsurf_render(g->scene, &size, &planes, NULL));
+    for (int y = 0; y < g->height; y++)
+        for (int x = 0; x < g->width; x++) {
+            if (g->state[y * g->width + x] == ALGSURF_MISS) continue;
+            left = x < left ? x : left, right = x + 1 > right ? x + 1 : right;
+            top = y < top ? y : top, bottom = y + 1;
+        }
+    const int found[4] = {left, right, top, bottom};
+    memcpy(rectangle, found, sizeof found);
+    return bottom > 0;
+}
+
+/* The distance from the extent's centre of the farthest point that is seen. */
+static double reach_of(const glance *g, const algsurf_camera *camera, const double centre[3]) {
+    double reach = 0;
+    for (int i = 0; i < g->width * g->height; i++) {
+        algsurf_ray ray;
+        double square = 0;
+        if (g->state[i] == ALGSURF_MISS) continue;
+        demand(algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5, i / g->width + 0.5, &ray));
+        for (int k = 0; k < 3; k++) {
+            double away = ray.origin[k] + g->t[i] * ray.direction[k] - centre[k];
+            square += away * away;
+        }
+        reach = fmax(reach, sqrt(square));
+    }
+    return reach;
+}
+
+static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
+
+/* Moves the view once towards what fills the picture; 0 when it is there, or nothing is seen. */
+static int move(glance *g, view *v, double radius) {
+    const algsurf_camera camera = view_camera(v, 0, 1);
+    int seen[4];
+    double back[3], from_centre[3];
+    if (!look(g, &camera, seen)) return 0;
+    for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
+    double distance = length(back), half = camera.half_height * distance, pixel = 2 * half / g->height;
+    double aside = 0.5 * (seen[0] + seen[1] - g->width), down = 0.5 * (seen[2] + seen[3] - g->height);
+    double times = fmax((seen[3] - seen[2]) / (HIGH * g->height), (seen[1] - seen[0]) / (WIDE * g->width));
+    for (int i = 0; i < 3; i++) {
+        double by = pixel * (aside * camera.right[i] - down * camera.up[i]);
+        v->look_at[i] += by;
+        v->eye[i] = v->look_at[i] + times * back[i];
+        from_centre[i] = v->eye[i] - v->extent.centre[i];
+    }
+    double away = length(from_centre), least = CLOSE * radius;
+    if (away < least) {
+        double step = least - away;
+        for (int i = 0; i < 3; i++) v->eye[i] += step * back[i] / distance;
+        double now = times * distance + step;
+        v->fov = 360 / PI * atan(times * half / now);
+    }
+    return fabs(times - 1) > 0.01 || fabs(aside) > 1 || fabs(down) > 1;
+}
+
+/* All numbers as they will be told. */
+static void round_camera(view *v) {
+    double back[3];
+    for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
+    double distance = length(back);
+    for (int i = 0; i < 3; i++) {
+        v->eye[i] = rounded_place(v->eye[i], distance / 10);
+        v->look_at[i] = rounded_place(v->look_at[i], distance / 10);
+    }
+    v->fov = round(100 * v->fov) / 100;
+}
+
+/* ---- both ---- */
+
+static void tell(const view *v, int extent, int camera, int fov) {
+    const double *c = v->extent.centre, *e = v->eye, *l = v->look_at;
+    char text[400];
+    int at = 0;
+    if (extent) at += snprintf(text + at, sizeof text - (size_t)at, " --extent sphere:%g", v->extent.size[0]);
+    if (extent && (c[0] != 0 || c[1] != 0 || c[2] != 0))
+        at += snprintf(text + at, sizeof text - (size_t)at, " --centre %g,%g,%g", c[0], c[1], c[2]);
+    if (camera)
+        at += snprintf(text + at, sizeof text - (size_t)at, " --eye %g,%g,%g --look-at %g,%g,%g", e[0], e[1],
+                       e[2], l[0], l[1], l[2]);
+    if (fov) snprintf(text + at, sizeof text - (size_t)at, " --fov %g", v->fov);
+    if (extent || camera) cli_complain("chosen:%s", text);
+}
+
+/* Where the camera stands at first. */
+static void stand_off(view *v, const view_options *options) {
+    view_options with_extent = *options;
+    with_extent.extent = (cli_extent){v->extent, 1};
+    with_extent.centre.given = 1;
+    memcpy(with_extent.centre.x, v->extent.centre, sizeof with_extent.centre.x);
+    *v = view_make(&with_extent, NULL);
+}
+
+/* Fits the camera; returns how far what is seen reaches from the extent's centre. */
+static double fit_camera(view *v, const view_options *options, const algsurf_surface *surface) {
+    const algsurf_extent *extent = &v->extent;
+    double radius = extent->kind == ALGSURF_EXTENT_BOX ? length(extent->size) : extent->size[0];
+    glance g = open_glance(options, surface, extent);
+    for (int round = 0; round < ROUNDS && move(&g, v, radius); round++) {
+    }
+    const algsurf_camera camera = view_camera(v, 0, 1);
+    double reach = reach_of(&g, &camera, extent->centre);
+    close_glance(&g);
+    return reach;
+}
+
+void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only) {
+    int choose_extent = !options->extent.given && !options->centre.given, bounded = 1;
+    int choose_camera =
+        !options->eye.given && !options->look_at.given && !(options->orthographic > 0) && !extent_only;
+    if (choose_extent) {
+        v->extent = fitting_extent(surface, &bounded);
+        stand_off(v, options);
+    }
+    double fov = v->fov;
+    if (choose_camera) {
+        double reach = fit_camera(v, options, surface);
+        if (!bounded && reach > 0 && reach < LONELY * v->extent.size[0]) { /* all that goes on are lines */
+            v->extent.size[0] = rounded_up(AROUND * reach);
+            stand_off(v, options);
+            (void)fit_camera(v, options, surface);
+        }
+        round_camera(v);
+    }
+    tell(v, choose_extent, choose_camera, v->fov != fov && !(options->fov > 0));
+    if (options->fov > 0) v->fov = options->fov;
+}
