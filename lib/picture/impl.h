@@ -1,10 +1,12 @@
 /* impl.h - the pieces of render: a picture, its rows, the crew of threads that draws them.
  *
- *     render.c           checks the arguments, owns the memory, reports
+ *     render.c           checks the arguments, reports
+ *     hire.c             the memory of a picture and its threads
  *     threads.c          hands rows to threads, calls progress, cancels
  *     processors.c       how many threads the system can run at once
  *     row.c              one row: samples -> hits -> colours -> planes
  *     antialias.c        which of its pixels get all samples, and what the others show
+ *     cells.c            tiles as small as samples
  *     view.c             camera and extent in the units of packets
  *     pixel_range.c      the pixels of a row that may meet the extent
  *     tiles.c            which tiles of pixels are empty, which see one sheet of the surface
@@ -41,26 +43,35 @@ typedef struct algsurf_i_shown {
     uint8_t *way;      /* the largest algsurf_picture.way of all samples, or null likewise */
 } algsurf_i_shown;
 
-/* The points of a row that are seen through one sample of its pixels, and what the pixels show. */
+/* The points of a row that are seen through one sample of its pixels, or through several that lie side by
+ * side, and what the pixels show.  Samples of a row are counted from its left end: sample i is in pixel i /
+ * dense. */
 typedef struct algsurf_i_line {
     const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
     int wanted_count;
-    int across; /* samples of a pixel in a row of them, */
-    int sample; /* of which this is one, row by row */
-    int count;  /* points: hits and undecided ones */
-    int *pixel; /* of each point, in no particular order */
+    int *list;      /* the wanted pixels of the row, from the left; */
+    int begin, end; /* pixels of the row that are looked at now: begin .. end-1, */
+    int listed;     /* of the list wanted_count from this one on */
+    int dense;      /* so many samples of a pixel are among the row's, one or all that are side by side */
+    int across;     /* samples of a pixel that are side by side; */
+    int sample;     /* the row's samples are this one of across x across, row by row, and those that follow */
+    int count;      /* points: hits and undecided ones */
+    int *pixel;     /* of each point its sample of the row; in no particular order */
     algsurf_i_points points;
     const algsurf_i_colour_job *colours; /* null: none are asked for */
     float *colour;                       /* 3 for each point; */
-    uint32_t *bytes;   /* with one sample a pixel these instead: red + 256 green + 65536 blue */
+    uint32_t *bytes; /* or, as_bytes, where each is a pixel of its own: red + 256 green + 65536 blue */
+    int as_bytes;
     double *visible;   /* light_count + 1 for each point, in full quality */
     double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
-    double *depth;     /* of each pixel: where packets found it */
+    double *depth;     /* of each entry: where packets found it */
     double *imaginary; /* in complex space, the depth's imaginary part; else null */
-    uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
-    uint8_t *way;      /* of each pixel: as algsurf_picture.way; null: it is not asked for */
+    uint8_t *state;    /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    uint8_t *way;      /* of each sample: as algsurf_picture.way; null: it is not asked for */
     algsurf_i_shown shown;
 } algsurf_i_line;
+
+#define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
 
 #define ALGSURF_I_FANS 16 /* points whose fans are kept at once */
 
@@ -138,14 +149,23 @@ typedef struct algsurf_i_tally {
     double expand_s, solve_s, point_s, shade_s, shadow_s;
 } algsurf_i_tally;
 
+/* Where a row of pixels goes: what is null is not asked for. */
+typedef struct algsurf_i_row_planes {
+    uint8_t *pixels;
+    int channels;
+    double *t;
+    float *normals;
+    uint8_t *state, *way;
+} algsurf_i_row_planes;
+
 /* What is seen through the middles of the pixels of three rows: row y is at y % 3.  Where all pixels get all
  * samples, there is none of it. */
 typedef struct algsurf_i_middles {
-    int end; /* the rows before this one have been drawn */
-    algsurf_i_shown shown[3];
-    uint8_t *bytes[3];         /* of the pixels, as RGBA8, whatever is asked for */
-    algsurf_i_tally counts[3]; /* of the rays through them */
-    uint8_t *wanted;           /* of each pixel of the row in the making */
+    int end;                       /* the rows before this one have been drawn */
+    algsurf_i_row_planes shown[3]; /* RGBA8, and what else is asked for */
+    algsurf_i_tally counts[3];     /* of the rays through them */
+    uint8_t *apart;                /* of each byte of the row in the making: is it far from a neighbour's? */
+    uint8_t *wanted;               /* of each pixel of that row */
 } algsurf_i_middles;
 
 /* What one thread draws with, and where it is. */
@@ -188,10 +208,17 @@ typedef struct algsurf_i_picture {
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally);
 
-/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to what the line shows.  OK,
- * CANCELLED or what intersect returned. */
-algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                     algsurf_i_worker *worker, algsurf_i_tally *tally);
+/* One sample a pixel: what is seen through the middles of a row's pixels.  OK, CANCELLED or what intersect
+ * returned. */
+algsurf_status algsurf_i_render_middles(const algsurf_i_picture *picture, int row,
+                                        const algsurf_i_row_planes *planes, algsurf_i_worker *worker,
+                                        algsurf_i_tally *tally);
+
+/* Where sample x of the line's row is, in pixels from the left, if it is `offset` in its pixel; dense samples
+ * have their own. */
+static inline double algsurf_i_place_of(const algsurf_i_line *line, int x, double offset) {
+    return line->dense > 1 ? (x + 0.5) / line->dense : x + offset;
+}
 
 /* No sample has been drawn yet. */
 static inline void algsurf_i_begin_shown(const algsurf_i_shown *shown, int width) {
@@ -217,22 +244,14 @@ static inline uint8_t algsurf_i_byte_of(const algsurf_i_picture *picture, double
     return picture->curve[algsurf_i_srgb_step((float)light)];
 }
 
-/* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */
-void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
-                             int channels, uint8_t *bytes);
-
 /* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and
  * sets line.wanted. */
 algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                        algsurf_i_tally *tally);
 
-/* Adds the middles of a row's pixels to what the line shows: of those that are wanted (1), where n is odd and
- * they are a sample; of those that are not (0), which show nothing else. */
-void algsurf_i_add_middles(const algsurf_i_picture *picture, int row, int wanted, algsurf_i_worker *worker);
-
-/* The row's bytes at the pixels that are not wanted. */
-void algsurf_i_store_middles(const algsurf_i_picture *picture, int row, const algsurf_i_worker *worker,
-                             uint8_t *bytes);
+/* The row as the middles of its pixels show it. */
+void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width,
+                            const algsurf_i_row_planes *planes);
 
 /* The line's points from `first` on, as kernels are to find them. */
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
@@ -268,7 +287,7 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
                            algsurf_i_tally *tally);
 
-/* As algsurf_i_render_packets, for a row of a band that has tiles. */
+/* As algsurf_i_render_packets, for a row of a band that has tiles, dense or not. */
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
 
@@ -276,7 +295,7 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally);
 
-/* The rays of doubtful pixels, begin <= x < end, as packets: their points go to the line. */
+/* The rays of doubtful samples, begin <= x < end, as packets: their points go to the line. */
 algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
                                         int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
@@ -321,6 +340,9 @@ void algsurf_i_make_fans(const algsurf_i_picture *picture, void *memory);
  * tally. */
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                         algsurf_i_tally *tally);
+
+/* Memory for a picture and its workers, all 0, to be freed; null: there is none. */
+void *algsurf_i_hire(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers);
 
 /* How many processors there are; less than 1 if the system fails to tell. */
 long algsurf_i_processors(void);

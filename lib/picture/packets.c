@@ -143,7 +143,8 @@ algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
         if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
-            algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
+            algsurf_i_camera_ray(&scene->camera, picture->width, picture->height,
+                                 algsurf_i_place_of(line, x, sx), y, &ray);
             add_pixel(&d, x, &ray);
         }
         if (d.count < GROUP && (x + 1 < end || d.count == 0)) continue;

@@ -1,4 +1,4 @@
-/* render.c - a picture: arguments, memory, totals. */
+/* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
 
@@ -119,197 +119,6 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     algsurf_options_write(stats, &ours, sizeof ours);
 }
 
-/* All the memory of a picture, in six blocks. */
-typedef struct work_memory {
-    algsurf_i_worker *workers;
-    algsurf_i_fan *fans; /* of each light */
-    double *doubles;     /* lines, middles and trails of all workers, the lights' samples, the frames */
-    int *ints;           /* a row for each worker */
-    uint16_t *counts;    /* likewise, and of their middles */
-    uint8_t *bytes;      /* likewise */
-} work_memory;
-
-#define LINE_DOUBLES 22   /* for each pixel, besides normals and shares of light */
-#define LINE_BYTES 2      /* likewise */
-#define MIDDLE_DOUBLES 12 /* likewise, in a selective picture */
-#define MIDDLE_BYTES 16   /* likewise */
-#define MIDDLES 3         /* rows of them */
-#define APART 24          /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
-
-static double *take(double **from, size_t count) {
-    double *taken = *from;
-    *from += count;
-    return taken;
-}
-
-static float *take_floats(double **from, size_t count) {
-    return (float *)(void *)take(from, (count + 1) / 2);
-}
-
-static int *take_ints(int **from, size_t count) {
-    int *taken = *from;
-    *from += count;
-    return taken;
-}
-
-static uint8_t *take_bytes(uint8_t **from, size_t count) {
-    uint8_t *taken = *from;
-    *from += count;
-    return taken;
-}
-
-static void lay_out_shown(algsurf_i_shown *shown, size_t width, const algsurf_picture *planes,
-                          uint16_t *counts, double **doubles, uint8_t **bytes) {
-    shown->samples = counts;
-    shown->sum = take(doubles, 3 * (width + APART));
-    shown->nearest = take(doubles, width + APART);
-    shown->normal = planes->normals ? take(doubles, 3 * (width + APART)) : NULL;
-    shown->state = planes->state ? take_bytes(bytes, width) : NULL;
-    shown->way = planes->way ? take_bytes(bytes, width) : NULL;
-}
-
-/* Places of leaves in a band. */
-static size_t places_of(const algsurf_i_picture *picture) {
-    size_t across = ((size_t)picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    return across * (ALGSURF_I_TILES / ALGSURF_I_LEAF);
-}
-
-static void lay_out_line(algsurf_i_line *line, size_t width, size_t shares, double **doubles) {
-    width += APART;
-    line->points.t = take(doubles, width);
-    for (int k = 0; k < 3; k++) {
-        line->points.position[k] = take(doubles, width);
-        line->points.normal[k] = take(doubles, width);
-        line->points.direction[k] = take(doubles, width);
-    }
-    for (int k = 0; k < 3; k++) {
-        line->points.looks.place[k] = take_floats(doubles, width);
-        line->points.looks.normal[k] = take_floats(doubles, width);
-        line->points.looks.direction[k] = take_floats(doubles, width);
-    }
-    line->colour = take_floats(doubles, 3 * width);
-    line->depth = take(doubles, width);
-    line->visible = take(doubles, shares * width);
-}
-
-static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algsurf_picture *planes,
-                            uint16_t *counts, double **doubles, uint8_t **bytes) {
-    for (size_t slot = 0; slot < MIDDLES; slot++) {
-        lay_out_shown(&middles->shown[slot], width, planes, counts + slot * width, doubles, bytes);
-        middles->bytes[slot] = take_bytes(bytes, 4 * width);
-    }
-    middles->wanted = take_bytes(bytes, width);
-}
-
-#define TILE_DOUBLES (sizeof(algsurf_i_tile) / sizeof(double))
-#define TILING_DOUBLES 5 /* for each pixel of a row */
-#define TILING_BYTES 2   /* likewise */
-
-/* Two bands, two levels of lists; side: degree + 1. */
-static void lay_out_tiling(algsurf_i_tiling *tiling, size_t width, size_t places, size_t side,
-                           double **doubles, int **ints, uint8_t **bytes) {
-    for (int b = 0; b < 2; b++) {
-        tiling->band[b].number = -1;
-        tiling->band[b].cell = take_ints(ints, places);
-        tiling->band[b].tiles = (algsurf_i_tile *)(void *)take(doubles, places * TILE_DOUBLES);
-    }
-    tiling->beam.c = take(doubles, side * side * side);
-    tiling->square = take(doubles, side * side);
-    tiling->from = take(doubles, 2 * places);
-    tiling->at = take_ints(ints, 2 * places);
-    tiling->low = take(doubles, width);
-    tiling->high = take(doubles, width);
-    tiling->enough = take(doubles, width);
-    tiling->leaf_low = take(doubles, width);
-    tiling->leaf_depth = take(doubles, width);
-    tiling->leaf = take_ints(ints, width);
-    tiling->sure = take_bytes(bytes, width);
-    tiling->leaf_state = take_bytes(bytes, width);
-}
-
-/* Fans of lights are for degrees that beams are for. */
-static size_t fans_of(const algsurf_i_picture *picture) {
-    int degree = algsurf_surface_degree(picture->scene->surface);
-    int fans = picture->packets && picture->shadows && degree <= ALGSURF_MAX_FAN_DEGREE;
-    return fans ? (size_t)picture->light_count : 0;
-}
-
-static void lay_out_frame(algsurf_i_frame_form *frame, size_t side, double **doubles) {
-    frame->q = take(doubles, side * side * side);
-    frame->basis = take(doubles, side * side);
-    frame->sizes = take(doubles, side * side);
-    frame->along = take(doubles, side * side);
-}
-
-/* Makes the memory and shares it out.  Returns 0 when there is none; to be freed either way. */
-static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
-    int degree = algsurf_surface_degree(picture->scene->surface);
-    size_t width = (size_t)picture->width, count = (size_t)threads;
-    size_t side = picture->packets ? (size_t)degree + 1 : 0, frame = side * side * (side + 3);
-    size_t shares = picture->shadows ? (size_t)picture->light_count + 1 : 0;
-    size_t samples = picture->shadows ? (size_t)picture->light_samples.first[picture->light_count] : 0;
-    size_t middle = picture->selective ? 1 : 0, rows = 1 + middle * MIDDLES;
-    const algsurf_picture *planes = &picture->planes;
-    size_t roots = picture->packets && picture->scene->complex ? (size_t)degree : 0;
-    size_t doubles_each = LINE_DOUBLES + shares + middle * MIDDLE_DOUBLES + (planes->normals ? 3 * rows : 0) +
-                          (roots > 0) + 2 * roots;
-    size_t tiled = picture->tiled || picture->thin ? 1 : 0, places = tiled * places_of(picture),
-           cube = tiled * side * side * side;
-    size_t fans = fans_of(picture);
-    size_t solids = fans > 0 ? (size_t)(ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(degree)) : 0;
-    size_t tile_doubles =
-        places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
-    memory->workers = calloc(count, sizeof *memory->workers);
-    memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + solids) +
-                                 frame * (1 + fans) + 5 * samples + cube,
-                             sizeof *memory->doubles);
-    memory->fans = calloc(fans + 1, sizeof *memory->fans);
-    memory->ints = calloc(count * (2 * width + tiled * width + 4 * places), sizeof *memory->ints);
-    memory->counts = calloc(count * width * rows, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES +
-                                              (planes->way ? 1 + rows : 0));
-    if (!memory->fans || !memory->workers || !memory->doubles || !memory->ints || !memory->counts ||
-        !memory->bytes)
-        return 0;
-    double *doubles = memory->doubles;
-    int *ints = memory->ints;
-    uint8_t *bytes = memory->bytes;
-    for (size_t i = 0; i < count; i++) {
-        algsurf_i_worker *worker = &memory->workers[i];
-        worker->line.pixel = take_ints(&ints, width);
-        if (picture->scene->antialias == 1) worker->line.bytes = (uint32_t *)take_ints(&ints, width);
-        uint16_t *counts = memory->counts + i * width * rows;
-        worker->line.state = take_bytes(&bytes, width);
-        worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
-        lay_out_line(&worker->line, width, shares, &doubles);
-        if (fans > 0) worker->line.solids = take(&doubles, solids);
-        lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
-        if (picture->selective)
-            lay_out_middles(&worker->middles, width, planes, counts + width, &doubles, &bytes);
-        if (tiled) lay_out_tiling(&worker->tiling, width, places, side, &doubles, &ints, &bytes);
-        if (roots == 0) continue;
-        worker->line.imaginary = take(&doubles, width + APART);
-        worker->trail.x = take(&doubles, roots * width);
-        worker->trail.y = take(&doubles, roots * width);
-    }
-    for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
-    for (int k = 0; k < 2; k++) picture->light_samples.aside[k] = take(&doubles, samples);
-    if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
-    if (tiled) picture->packets->beams = take(&doubles, cube);
-    if (picture->packets) picture->packets->fans = fans > 0 ? memory->fans : NULL;
-    for (size_t i = 0; i < fans; i++) lay_out_frame(&memory->fans[i].frame, side, &doubles);
-    return 1;
-}
-
-static void release(work_memory *memory) {
-    free(memory->workers);
-    free(memory->fans);
-    free(memory->doubles);
-    free(memory->ints);
-    free(memory->counts);
-    free(memory->bytes);
-}
-
 /* Brings P to the picture's view; a frame that leaves the range of double is done without packets. */
 static algsurf_status make_frame(algsurf_i_picture *picture) {
     if (!picture->packets) return ALGSURF_OK;
@@ -328,19 +137,20 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
 
 static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const algsurf_render_options *options,
                                             algsurf_i_tally *total, int *threads_used) {
-    work_memory memory;
+    algsurf_i_worker *workers;
     int threads = thread_count(options);
     double begun = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (hire(picture, threads, &memory)) {
+    void *memory = algsurf_i_hire(picture, threads, &workers);
+    if (memory) {
         if (picture->shadows) algsurf_i_place_samples(picture);
         status = make_frame(picture);
     }
     double expanded = algsurf_i_render_clock();
     if (status == ALGSURF_OK)
-        status = algsurf_i_render_crew(picture, options, threads, memory.workers, total, threads_used);
+        status = algsurf_i_render_crew(picture, options, threads, workers, total, threads_used);
     total->expand_s += expanded - begun;
-    release(&memory);
+    free(memory);
     return status;
 }
 

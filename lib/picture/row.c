@@ -78,35 +78,34 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, int row, algs
         begun = now;
     }
     picture->shader->colours(line->colours, &line->points.looks, line->count,
-                             picture->shadows ? line->visible : NULL, line->bytes ? NULL : line->colour,
+                             picture->shadows ? line->visible : NULL, line->as_bytes ? NULL : line->colour,
                              line->bytes);
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
 }
 
-/* Before a pass's points are added: the normals and states of those that are nearest. */
-static void keep_nearest(const algsurf_i_line *line) {
+/* Before a point is added to pixel x: the normal and state of the nearest one. */
+static void keep_nearest(const algsurf_i_line *line, int i, int x) {
     const algsurf_i_points *points = &line->points;
     double *normal = line->shown.normal;
     uint8_t *state = line->shown.state;
-    if (!normal && !state) return;
-    for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i];
-        if (!algsurf_i_is_nearest(&line->shown, x, points->t[i])) continue;
-        if (state) state[x] = line->state[x];
-        for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
-    }
+    if ((!normal && !state) || !algsurf_i_is_nearest(&line->shown, x, points->t[i])) return;
+    if (state) state[x] = line->state[line->pixel[i]];
+    for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
 }
 
-static void raise_ways(uint8_t *way, const uint8_t *other, int width) {
-    for (int x = 0; way && x < width; x++)
-        if (way[x] < other[x]) way[x] = other[x];
+static void raise_ways(const algsurf_i_line *line) {
+    uint8_t *way = line->shown.way;
+    for (int x = line->dense * line->begin; way && x < line->dense * line->end; x++)
+        if (way[x / line->dense] < line->way[x]) way[x / line->dense] = line->way[x];
 }
 
 /* Adds a pass's points to what the pixels show. */
 static void add_pass(const algsurf_i_line *line) {
+    raise_ways(line);
     for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i];
+        int x = line->pixel[i] / line->dense;
+        keep_nearest(line, i, x);
         algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
         for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
     }
@@ -120,50 +119,62 @@ static void fill_background(const algsurf_i_picture *picture, int channels, uint
     for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
 }
 
-/* Averages over all samples; those without a point show the background.  Where there is none, alpha is the
- * share of the others, and the average is over them.  With a known number of channels it is faster. */
-static inline void store_averages(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
-                                  int channels, uint8_t *bytes) {
+/* The average over all samples of pixel x; those without a point show the background.  Where there is none,
+ * alpha is the share of the others, and the average is over them. */
+static void store_average(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all, int x,
+                          int channels, uint8_t *pixel) {
     const algsurf_scene *scene = picture->scene;
-    const int transparent = scene->transparent, width = picture->width;
-    const uint16_t *counts = shown->samples;
-    const double *sums = shown->sum, share = 1.0 / all;
-    for (int x = 0; x < width; x++) {
-        int samples = counts[x];
-        const double *sum = sums + 3 * x;
-        uint8_t *pixel = bytes + channels * x;
-        if (samples == 0) continue;
-        double weight = transparent && channels == 4 ? 1.0 / samples : share;
-        for (int k = 0; k < 3; k++) {
-            double light = (sum[k] + (all - samples) * scene->background[k]) * weight;
-            pixel[k] = algsurf_i_byte_of(picture, light < 1 ? light : 1);
-        }
-        if (channels == 4) pixel[3] = transparent ? (uint8_t)(255 * (samples * share) + 0.5) : 255;
+    int samples = shown->samples[x];
+    const double *sum = shown->sum + 3 * x;
+    double share = 1.0 / all, weight = scene->transparent && channels == 4 ? 1.0 / samples : share;
+    for (int k = 0; k < 3; k++) {
+        double light = (sum[k] + (all - samples) * scene->background[k]) * weight;
+        pixel[k] = algsurf_i_byte_of(picture, light < 1 ? light : 1);
     }
+    if (channels == 4) pixel[3] = scene->transparent ? (uint8_t)(255 * (samples * share) + 0.5) : 255;
 }
 
-void algsurf_i_store_colours(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int all,
-                             int channels, uint8_t *bytes) {
-    fill_background(picture, channels, bytes);
-    if (channels == 4)
-        store_averages(picture, shown, all, 4, bytes);
-    else
-        store_averages(picture, shown, all, 3, bytes);
+/* Row number `row` of the caller's planes. */
+static algsurf_i_row_planes row_planes(const algsurf_i_picture *picture, int row) {
+    const algsurf_picture *planes = &picture->planes;
+    size_t index = (size_t)(row - picture->row_begin), first = index * (size_t)picture->width;
+    return (algsurf_i_row_planes){.pixels = planes->pixels ? planes->pixels + index * planes->stride : NULL,
+                                  .channels = picture->channels,
+                                  .t = planes->t ? planes->t + first : NULL,
+                                  .normals = planes->normals ? planes->normals + 3 * first : NULL,
+                                  .state = planes->state ? planes->state + first : NULL,
+                                  .way = planes->way ? planes->way + first : NULL};
 }
 
-/* The planes besides the pixels, from entry `first` on. */
-static void store_geometry(const algsurf_picture *planes, const algsurf_i_shown *shown, size_t first,
-                           int width) {
-    const uint16_t *samples = shown->samples;
-    for (int x = 0; planes->t && x < width; x++)
-        planes->t[first + (size_t)x] = samples[x] > 0 ? shown->nearest[x] : INFINITY;
-    for (int x = 0; planes->state && x < width; x++)
-        planes->state[first + (size_t)x] = samples[x] > 0 ? shown->state[x] : ALGSURF_MISS;
-    if (planes->way) memcpy(planes->way + first, shown->way, (size_t)width);
-    for (int x = 0; planes->normals && x < width; x++) {
-        float *normal = planes->normals + 3 * (first + (size_t)x);
-        for (int k = 0; k < 3; k++) normal[k] = samples[x] > 0 ? (float)shown->normal[3 * x + k] : 0;
-    }
+/* A row that shows nothing. */
+static void clear_row(const algsurf_i_picture *picture, const algsurf_i_row_planes *to) {
+    size_t width = (size_t)picture->width;
+    if (to->pixels) fill_background(picture, to->channels, to->pixels);
+    for (size_t x = 0; to->t && x < width; x++) to->t[x] = INFINITY;
+    if (to->state) memset(to->state, ALGSURF_MISS, width);
+    if (to->normals) memset(to->normals, 0, 3 * width * sizeof *to->normals);
+}
+
+static void clear_pixel(const algsurf_i_picture *picture, int x, const algsurf_i_row_planes *to) {
+    for (int k = 0; to->pixels && k < 3; k++)
+        to->pixels[to->channels * x + k] = algsurf_i_byte_of(picture, picture->scene->background[k]);
+    if (to->pixels && to->channels == 4) to->pixels[4 * x + 3] = picture->scene->transparent ? 0 : 255;
+    if (to->t) to->t[x] = INFINITY;
+    if (to->state) to->state[x] = ALGSURF_MISS;
+    for (int k = 0; to->normals && k < 3; k++) to->normals[3 * x + k] = 0;
+}
+
+/* What pixel x shows through all its samples, into a row that shows nothing there. */
+static void store_pixel(const algsurf_i_picture *picture, const algsurf_i_shown *shown, int x,
+                        const algsurf_i_row_planes *to) {
+    int n = picture->scene->antialias, seen = shown->samples[x] > 0;
+    if (to->way) to->way[x] = shown->way[x];
+    if (!seen) return;
+    if (to->pixels)
+        store_average(picture, shown, n * n, x, to->channels, to->pixels + (size_t)to->channels * (size_t)x);
+    if (to->t) to->t[x] = shown->nearest[x];
+    if (to->state) to->state[x] = shown->state[x];
+    for (int k = 0; to->normals && k < 3; k++) to->normals[3 * x + k] = (float)shown->normal[3 * x + k];
 }
 
 /* The line's points, seen through offset (sx,sy) in each wanted pixel, and their colours. */
@@ -172,7 +183,9 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     algsurf_i_line *line = &worker->line;
     line->count = 0;
     if (stopped(picture)) return ALGSURF_CANCELLED;
-    if (line->way) memset(line->way, ALGSURF_WAY_ROW, (size_t)picture->width);
+    if (line->way)
+        memset(line->way + line->dense * line->begin, ALGSURF_WAY_ROW,
+               (size_t)(line->dense * (line->end - line->begin)));
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
@@ -181,14 +194,12 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     return status;
 }
 
-algsurf_status algsurf_i_render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                     algsurf_i_worker *worker, algsurf_i_tally *tally) {
+/* Adds the row's points seen through offset (sx,sy) in each wanted pixel, or through all samples side by
+ * side, to what the line shows. */
+static algsurf_status render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                  algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_status status = see(picture, row, sx, sy, worker, tally);
-    if (status == ALGSURF_OK) {
-        keep_nearest(&worker->line);
-        raise_ways(worker->line.shown.way, worker->line.way, picture->width);
-        add_pass(&worker->line);
-    }
+    if (status == ALGSURF_OK) add_pass(&worker->line);
     return status;
 }
 
@@ -211,87 +222,119 @@ static void store_bytes(const uint32_t *colours, int count, int channels, uint8_
 }
 
 /* One sample a pixel: the row's points as they are, with the bytes that their average would have. */
-static void store_points(const algsurf_i_picture *picture, const algsurf_i_line *line, size_t index) {
-    const algsurf_picture *planes = &picture->planes;
+static void store_points(const algsurf_i_picture *picture, const algsurf_i_line *line,
+                         const algsurf_i_row_planes *to) {
     const algsurf_i_points *p = &line->points;
-    int channels = picture->channels, width = picture->width;
-    size_t first = index * (size_t)width;
-    uint8_t *bytes = planes->pixels ? planes->pixels + index * planes->stride : NULL;
-    if (bytes) fill_background(picture, channels, bytes);
-    for (int x = 0; planes->t && x < width; x++) planes->t[first + (size_t)x] = INFINITY;
-    if (planes->state) memset(planes->state + first, ALGSURF_MISS, (size_t)width);
-    if (planes->way) memcpy(planes->way + first, line->way, (size_t)width);
-    if (planes->normals) memset(planes->normals + 3 * first, 0, 3 * (size_t)width * sizeof *planes->normals);
+    clear_row(picture, to);
+    if (to->way) memcpy(to->way, line->way, (size_t)picture->width);
     for (int i = 0, end; i < line->count; i = end) { /* pixels that follow each other */
         size_t x = (size_t)line->pixel[i];
         for (end = i + 1; end < line->count && line->pixel[end] == line->pixel[end - 1] + 1;) end++;
         size_t count = (size_t)(end - i);
-        if (bytes) store_bytes(line->bytes + i, end - i, channels, bytes + (size_t)channels * x);
-        if (planes->t) memcpy(planes->t + first + x, p->t + i, count * sizeof *p->t);
-        if (planes->state) memcpy(planes->state + first + x, line->state + x, count);
+        if (to->pixels)
+            store_bytes(line->bytes + i, end - i, to->channels, to->pixels + (size_t)to->channels * x);
+        if (to->t) memcpy(to->t + x, p->t + i, count * sizeof *p->t);
+        if (to->state) memcpy(to->state + x, line->state + x, count);
     }
-    for (int i = 0; planes->normals && i < line->count; i++) {
+    for (int i = 0; to->normals && i < line->count; i++) {
         size_t x = (size_t)line->pixel[i];
-        for (int k = 0; k < 3; k++) planes->normals[3 * (first + x) + (size_t)k] = (float)p->normal[k][i];
+        for (size_t k = 0; k < 3; k++) to->normals[3 * x + k] = (float)p->normal[k][i];
     }
 }
 
-static void store_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
-    const algsurf_picture *planes = &picture->planes;
-    const algsurf_i_shown *shown = &worker->line.shown;
-    size_t index = (size_t)(row - picture->row_begin);
+algsurf_status algsurf_i_render_middles(const algsurf_i_picture *picture, int row,
+                                        const algsurf_i_row_planes *planes, algsurf_i_worker *worker,
+                                        algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    line->wanted = NULL;
+    line->wanted_count = picture->width;
+    line->colours = planes->pixels ? &picture->colours : NULL;
+    line->across = line->dense = 1;
+    line->sample = 0;
+    line->as_bytes = 1;
+    algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
+    if (status == ALGSURF_OK) store_points(picture, line, planes);
+    return status;
+}
+
+/* All samples of the wanted pixels of a row, one pass for each. */
+static algsurf_status render_passes(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                    algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_status status = ALGSURF_OK;
     int n = picture->scene->antialias;
-    if (planes->pixels) {
-        uint8_t *bytes = planes->pixels + index * planes->stride;
-        algsurf_i_store_colours(picture, shown, n * n, picture->channels, bytes);
-        if (picture->selective) algsurf_i_store_middles(picture, row, worker, bytes);
+    line->dense = 1;
+    for (int k = 0; k < n * n && status == ALGSURF_OK; k++) {
+        line->sample = k;
+        status = render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
     }
-    if (picture->selective) {
-        algsurf_i_add_middles(picture, row, 0, worker);
-        raise_ways(shown->way, worker->middles.shown[row % 3].way, picture->width);
+    return status;
+}
+
+/* The same where few are wanted and there are tiles: a pass takes the samples of a row of them together. */
+static algsurf_status render_dense(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
+                                   algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_status status = ALGSURF_OK;
+    const int n = picture->scene->antialias, all = line->wanted_count;
+    const int most = picture->width > n ? picture->width / n : 1; /* pixels at once, as a line has room for */
+    line->dense = n;
+    for (int j = 0; j < n; j++) {
+        line->sample = j * n;
+        for (line->listed = 0; line->listed < all && status == ALGSURF_OK; line->listed += most) {
+            line->wanted_count = all - line->listed < most ? all - line->listed : most;
+            line->begin = line->list[line->listed];
+            line->end = line->list[line->listed + line->wanted_count - 1] + 1;
+            status = render_pass(picture, row, 0.5, (j + 0.5) / n, worker, tally);
+        }
     }
-    store_geometry(planes, shown, index * (size_t)picture->width, picture->width);
+    line->begin = 0;
+    line->end = picture->width;
+    line->wanted_count = all;
+    return status;
 }
 
 /* n x n samples a pixel. */
 static algsurf_status render_samples(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                      algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
+    const algsurf_i_row_planes to = row_planes(picture, row);
     algsurf_status status = ALGSURF_OK;
-    int n = picture->scene->antialias;
     if (picture->selective) status = algsurf_i_choose_pixels(picture, row, worker, tally);
     line->colours = picture->planes.pixels ? &picture->colours : NULL;
+    line->across = picture->scene->antialias;
+    line->as_bytes = 0;
     algsurf_i_begin_shown(&line->shown, picture->width);
-    line->across = n;
-    for (int k = 0; k < n * n && line->wanted_count > 0 && status == ALGSURF_OK; k++) {
-        line->sample = k;
-        if (picture->selective && !picture->shadows && 2 * k + 1 == n * n)
-            algsurf_i_add_middles(picture, row, 1, worker);
-        else
-            status = algsurf_i_render_pass(picture, row, (k % n + 0.5) / n, (k / n + 0.5) / n, worker, tally);
+    if (status == ALGSURF_OK && line->wanted_count > 0) {
+        int dense = picture->selective && picture->tiled &&
+                    algsurf_i_band_of(picture, row, 1, &worker->tiling) != NULL;
+        status =
+            dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);
     }
-    if (status == ALGSURF_OK) store_row(picture, row, worker);
-    return status;
-}
-
-/* One sample a pixel. */
-static algsurf_status render_points(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
-                                    algsurf_i_tally *tally) {
-    worker->line.colours = picture->planes.pixels ? &picture->colours : NULL;
-    worker->line.across = 1;
-    worker->line.sample = 0;
-    algsurf_status status = see(picture, row, 0.5, 0.5, worker, tally);
-    if (status == ALGSURF_OK) store_points(picture, &worker->line, (size_t)(row - picture->row_begin));
-    return status;
+    if (status != ALGSURF_OK) return status;
+    if (picture->selective)
+        algsurf_i_copy_middles(&worker->middles, row, picture->width, &to);
+    else
+        clear_row(picture, &to);
+    for (int i = 0; i < line->wanted_count; i++) {
+        int x = picture->selective ? line->list[i] : i;
+        if (picture->selective) clear_pixel(picture, x, &to);
+        store_pixel(picture, &line->shown, x, &to);
+    }
+    return ALGSURF_OK;
 }
 
 algsurf_status algsurf_i_render_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                     algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
+    const algsurf_i_row_planes to = row_planes(picture, row);
     line->wanted = NULL;
     line->wanted_count = picture->width;
-    algsurf_status status = picture->scene->antialias > 1 ? render_samples(picture, row, worker, tally)
-                                                          : render_points(picture, row, worker, tally);
+    line->begin = 0;
+    line->end = picture->width;
+    algsurf_status status = picture->scene->antialias > 1
+                                ? render_samples(picture, row, worker, tally)
+                                : algsurf_i_render_middles(picture, row, &to, worker, tally);
     if (picture->tiled) algsurf_i_count_tiles(picture, row, &worker->tiling, tally);
     return status;
 }

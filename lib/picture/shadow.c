@@ -241,7 +241,8 @@ static int has_fan(const algsurf_i_picture *picture, const algsurf_i_line *line,
 
 /* The sample of a line's point. */
 static algsurf_i_sample sample_of(const algsurf_i_line *line, int row, int point) {
-    return (algsurf_i_sample){line->pixel[point], row, line->sample, line->across * line->across};
+    int x = line->pixel[point], number = line->sample + x % line->dense;
+    return (algsurf_i_sample){x / line->dense, row, number, line->across * line->across};
 }
 
 /* How many places of a light reach each point of a group, as shares. */

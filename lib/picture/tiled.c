@@ -9,17 +9,18 @@
 
 #include <string.h>
 
-/* Pixels on their way to points of a sheet, seen at eta from its middle. */
+/* Samples on their way to points of a sheet, seen at eta from its middle. */
 static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
                       algsurf_i_line *line, algsurf_i_tiling *t, int check) {
     const double *c = tile->depth;
     double at_zero = c[0] + eta * (c[2] + eta * c[5]), slope = c[1] + eta * c[4], bend = c[3];
-    double middle = tile->x, inverse = tile->inverse;
+    double middle = tile->x, inverse = tile->inverse, step = 1.0 / line->dense;
+    double offset = line->dense > 1 ? 0.5 : sx;
     int *restrict pixel = line->pixel + line->count;
     double *restrict depth = line->depth + line->count, *restrict low = t->low + line->count;
     double *restrict high = t->high + line->count, *restrict enough = t->enough + line->count;
     for (int i = 0; i < end - first; i++) {
-        double xi = (first + i + sx - middle) * inverse;
+        double xi = ((first + i + offset) * step - middle) * inverse;
         pixel[i] = first + i;
         depth[i] = at_zero + xi * (slope + xi * bend);
         low[i] = tile->low;
@@ -37,26 +38,45 @@ static void add_leaf(algsurf_i_tiling *t, int x, double low) {
     t->leaf_low[t->leaves++] = low;
 }
 
-static void set_ways(algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
-    if (line->way) memset(line->way + first, side + (int)way, (size_t)(end - first));
+static void set_ways(const algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
+    if (line->way)
+        memset(line->way + line->dense * first, side + (int)way, (size_t)(line->dense * (end - first)));
 }
 
-/* Pixels from first to end - 1 of one tile. */
+/* The samples of pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
                          algsurf_i_line *line, algsurf_i_tiling *t, int check) {
     double eta = (y - tile->y) * tile->inverse;
+    int dense = line->dense;
     set_ways(line, first, end, (int)(2 / tile->inverse),
              tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
     if (tile->enough > 0 && !line->wanted) {
-        add_sheet(tile, first, end, eta, sx, line, t, check);
+        add_sheet(tile, dense * first, dense * end, eta, sx, line, t, check);
         return;
     }
     for (int x = first; x < end; x++) {
         if (line->wanted && !line->wanted[x]) continue;
         if (tile->enough > 0)
-            add_sheet(tile, x, x + 1, eta, sx, line, t, check);
+            add_sheet(tile, dense * x, dense * (x + 1), eta, sx, line, t, check);
         else
-            add_leaf(t, x, tile->low);
+            for (int i = dense * x; i < dense * (x + 1); i++) add_leaf(t, i, tile->low);
+    }
+}
+
+/* The samples of the listed pixels, by what their tiles are. */
+static void collect_listed(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
+                           algsurf_i_worker *worker) {
+    const algsurf_i_line *line = &worker->line;
+    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
+    worker->tiling.leaves = 0;
+    for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
+        int x = line->list[i], number = cell[x / ALGSURF_I_LEAF];
+        if (number < 0)
+            set_ways(line, x, x + 1, -number, ALGSURF_WAY_EMPTY);
+        else
+            collect_tile(band->tiles + number - 1, x, x + 1, y, sx, &worker->line, &worker->tiling,
+                         !picture->single);
     }
 }
 
@@ -148,7 +168,9 @@ static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, do
     tally->hits += (uint64_t)(line->count - sheets);
     double pointed = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_OK;
-    if (doubtful) status = algsurf_i_solve_doubtful(picture, y, sx, 0, picture->width, line, tally);
+    if (doubtful)
+        status = algsurf_i_solve_doubtful(picture, y, sx, line->dense * line->begin, line->dense * line->end,
+                                          line, tally);
     tally->point_s += pointed - solved;
     tally->solve_s += (solved - begun) + (algsurf_i_render_clock() - pointed);
     return status;
@@ -161,11 +183,19 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
     double begun = algsurf_i_render_clock();
-    tally->rays += (uint64_t)line->wanted_count;
-    memset(line->state, ALGSURF_LANE_MISS, (size_t)picture->width);
+    const int dense = line->dense, samples = dense * line->wanted_count;
+    tally->rays += (uint64_t)samples;
+    memset(line->state + dense * line->begin, ALGSURF_LANE_MISS, (size_t)(dense * (line->end - line->begin)));
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    collect(picture, band, row + sy, sx, worker);
-    tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
+    if (dense > 1) {
+        job.offset = 0.5 - 0.5 * picture->width * dense;
+        job.pixel /= dense;
+    }
+    if (dense > 1)
+        collect_listed(picture, band, row + sy, sx, worker);
+    else
+        collect(picture, band, row + sy, sx, worker);
+    tally->empty_rays += (uint64_t)(samples - line->count - worker->tiling.leaves);
     double collected = algsurf_i_render_clock();
     tally->solve_s += collected - begun;
     if (line->count > 0) {

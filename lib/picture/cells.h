@@ -1,0 +1,22 @@
+/* cells.h - what a pixel's samples stand for: cells, 1/n of it wide and high, and tiles about them. */
+#ifndef ALGSURF_CELLS_H
+#define ALGSURF_CELLS_H
+#include "impl.h"
+
+/* The cells about the samples of a pass are the pixels of a picture with as many times more pixels. */
+typedef struct algsurf_i_cells {
+    const algsurf_i_picture *picture;
+    int across, x, y; /* its pixels for one of this; of each, those of the pass begin at x; the row */
+    double pixel, offset;
+    algsurf_i_row_job rays;
+} algsurf_i_cells;
+
+algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across, int row, double sx,
+                                   double sy);
+
+/* Tiles of `size` cells about those of t->at, in which there is nothing before t->from: those that are
+ * neither empty nor sheets are left in the lists, and leaf_depth, leaf_low tell of them as
+ * algsurf_i_tile_job.to, .within; returns how many. */
+int algsurf_i_search_cells(const algsurf_i_cells *cells, int size, int count, algsurf_i_tiling *t);
+
+#endif

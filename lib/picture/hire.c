@@ -1,0 +1,174 @@
+/* hire.c - the memory of a picture, one block: what all threads share, and what each draws with.
+ *
+ * It is laid out twice: the first time at no address, which tells how much it is. */
+#include "../base/arithmetic.h"
+#include "impl.h"
+
+#include <stdlib.h>
+
+/* Memory from which arrays are taken, one behind the other. */
+typedef struct arena {
+    unsigned char *base; /* null: only to be measured */
+    size_t used;
+} arena;
+
+#define ALIGNED 64 /* bytes: a line of the cache */
+#define APART 192  /* more between arrays: not a multiple of a page apart, for the cache's sake */
+
+static void *take(arena *from, size_t count, size_t size) {
+    void *taken = from->base ? from->base + from->used : NULL;
+    from->used += (count * size + ALIGNED - 1) / ALIGNED * ALIGNED + APART;
+    return taken;
+}
+
+static double *take_doubles(arena *from, size_t count) { return take(from, count, sizeof(double)); }
+static float *take_floats(arena *from, size_t count) { return take(from, count, sizeof(float)); }
+static int *take_ints(arena *from, size_t count) { return take(from, count, sizeof(int)); }
+static uint8_t *take_bytes(arena *from, size_t count) { return take(from, count, 1); }
+
+/* How large what is laid out is. */
+typedef struct sizes {
+    size_t width, side;    /* of a row; degree + 1 */
+    size_t dense;          /* samples of a row: as many as are taken together */
+    size_t lights, shares; /* where there are shadows; shares of light: one more */
+    size_t fans, places;   /* fans of lights; leaves of a band */
+    size_t roots;          /* in complex space */
+    const algsurf_picture *planes;
+} sizes;
+
+static sizes sizes_of(const algsurf_i_picture *picture) {
+    const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
+    const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
+    const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int tiles = picture->tiled || picture->thin;
+    return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
+                   .side = degree + 1,
+                   .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
+                   .lights = lights,
+                   .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
+                   .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
+                   .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
+                   .roots = picture->packets && picture->scene->complex ? degree : 0,
+                   .planes = &picture->planes};
+}
+
+static void lay_out_shown(arena *a, const sizes *s, algsurf_i_shown *shown) {
+    shown->samples = take(a, s->width, sizeof *shown->samples);
+    shown->sum = take_doubles(a, 3 * s->width);
+    shown->nearest = take_doubles(a, s->width);
+    shown->normal = s->planes->normals ? take_doubles(a, 3 * s->width) : NULL;
+    shown->state = s->planes->state ? take_bytes(a, s->width) : NULL;
+    shown->way = s->planes->way ? take_bytes(a, s->width) : NULL;
+}
+
+static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
+    algsurf_i_points *p = &line->points;
+    line->pixel = take_ints(a, s->width);
+    line->list = take_ints(a, s->width);
+    line->state = take_bytes(a, s->dense * s->width);
+    line->way = s->planes->way ? take_bytes(a, s->dense * s->width) : NULL;
+    p->t = take_doubles(a, s->width);
+    for (int k = 0; k < 3; k++) {
+        p->position[k] = take_doubles(a, s->width);
+        p->normal[k] = take_doubles(a, s->width);
+        p->direction[k] = take_doubles(a, s->width);
+        p->looks.place[k] = take_floats(a, s->width);
+        p->looks.normal[k] = take_floats(a, s->width);
+        p->looks.direction[k] = take_floats(a, s->width);
+    }
+    line->colour = take_floats(a, 3 * s->width);
+    line->bytes = take(a, s->width, sizeof *line->bytes);
+    line->depth = take_doubles(a, s->width);
+    line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
+    line->visible = take_doubles(a, s->shares * s->width);
+    line->solids = s->fans > 0 ? take_doubles(a, ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(s->side - 1)) : NULL;
+    lay_out_shown(a, s, &line->shown);
+}
+
+static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles) {
+    const algsurf_picture *planes = s->planes;
+    for (int slot = 0; slot < 3; slot++)
+        middles->shown[slot] =
+            (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
+                                   .channels = 4,
+                                   .t = planes->t ? take_doubles(a, s->width) : NULL,
+                                   .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
+                                   .state = planes->state ? take_bytes(a, s->width) : NULL,
+                                   .way = planes->way ? take_bytes(a, s->width) : NULL};
+    middles->apart = take_bytes(a, 4 * s->width);
+    middles->wanted = take_bytes(a, s->width);
+}
+
+/* Two bands, two levels of lists. */
+static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
+    for (int b = 0; b < 2; b++) {
+        t->band[b].number = -1;
+        t->band[b].cell = take_ints(a, s->places);
+        t->band[b].tiles = take(a, s->places, sizeof *t->band[b].tiles);
+    }
+    t->beam.c = take_doubles(a, s->side * s->side * s->side);
+    t->square = take_doubles(a, s->side * s->side);
+    t->from = take_doubles(a, 2 * s->places);
+    t->at = take_ints(a, 2 * s->places);
+    t->low = take_doubles(a, s->width);
+    t->high = take_doubles(a, s->width);
+    t->enough = take_doubles(a, s->width);
+    t->leaf_low = take_doubles(a, s->width);
+    t->leaf_depth = take_doubles(a, s->width);
+    t->leaf = take_ints(a, s->dense * s->width);
+    t->sure = take_bytes(a, s->width);
+    t->leaf_state = take_bytes(a, s->width);
+}
+
+static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {
+    lay_out_line(a, s, &worker->line);
+    if (selective) lay_out_middles(a, s, &worker->middles);
+    if (s->places > 0) lay_out_tiling(a, s, &worker->tiling);
+    worker->trail.x = take_doubles(a, s->roots * s->width);
+    worker->trail.y = take_doubles(a, s->roots * s->width);
+}
+
+static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame) {
+    frame->q = take_doubles(a, s->side * s->side * s->side);
+    frame->basis = take_doubles(a, s->side * s->side);
+    frame->sizes = take_doubles(a, s->side * s->side);
+    frame->along = take_doubles(a, s->side * s->side);
+}
+
+static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
+    algsurf_i_samples *samples = &picture->light_samples;
+    size_t count = picture->shadows ? (size_t)samples->first[picture->light_count] : 0;
+    for (int k = 0; k < 3; k++) samples->place[k] = take_doubles(a, count);
+    for (int k = 0; k < 2; k++) samples->aside[k] = take_doubles(a, count);
+}
+
+static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
+    lay_out_frame(a, s, &packets->frame);
+    packets->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
+    packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;
+    for (size_t i = 0; i < s->fans; i++) {
+        algsurf_i_frame_form elsewhere; /* while there are no fans yet */
+        lay_out_frame(a, s, a->base ? &packets->fans[i].frame : &elsewhere);
+    }
+}
+
+static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
+    const sizes s = sizes_of(picture);
+    *workers = take(a, (size_t)threads, sizeof **workers);
+    lay_out_samples(a, picture);
+    if (picture->packets) lay_out_packets(a, &s, picture->packets);
+    for (int i = 0; i < threads; i++) {
+        algsurf_i_worker nobody;
+        lay_out_worker(a, &s, picture->selective, a->base ? *workers + i : &nobody);
+    }
+}
+
+void *algsurf_i_hire(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
+    arena a = {NULL, 0};
+    lay_out(&a, picture, threads, workers);
+    unsigned char *memory = calloc(a.used + ALIGNED, 1);
+    if (!memory) return NULL;
+    a = (arena){memory + (ALIGNED - (uintptr_t)memory % ALIGNED) % ALIGNED, 0};
+    lay_out(&a, picture, threads, workers);
+    return memory;
+}
