@@ -93,14 +93,15 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
 /* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
  * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
  * left or right by more than 255 threshold in a channel of 0..255, alpha among them, whatever the planes
- * asked for; any other pixel shows its middle alone.  So each pixel equals that of the picture of n x n
+ * asked for, and there is no proof, up to degree 12, that it holds nothing of the surface or one sheet of it;
+ * any other pixel shows its middle alone.  So each pixel equals that of the picture of n x n
  * samples or that of one sample, drawn without a threshold, and the latter tells which; so do the other
  * planes, but for last bits, which may depend on what is solved beside them, not on slices or threads.
  * Threshold 1 chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright
  * background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked at as in the whole
  * picture.
  * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n
- * samples for some per cent of its pixels.  Since 1.0. */
+ * samples for about one per cent of its pixels, as a rule as long as another one or two of them.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */
@@ -140,8 +141,8 @@ typedef struct algsurf_render_options {
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
-                             middle of each pixel, and n x n for each pixel chosen, the middle not counted
-                             again where it is one of them.  Counts are those of the rows drawn */
+                             middle of each pixel, and n x n more for each pixel chosen.  Counts are those of
+                             the rows drawn */
     uint64_t hits;        /* of them, ALGSURF_HIT */
     uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */

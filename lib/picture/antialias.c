@@ -25,20 +25,12 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     return algsurf_i_render_middles(picture, row, &middles->shown[row % 3], worker, counts);
 }
 
-/* Marks the bytes that are further than the limit from the others at their place. */
-static void mark(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks) {
-    for (int i = 0; i < count; i++) {
-        uint8_t high = bytes[i] > others[i] ? bytes[i] : others[i];
-        uint8_t low = bytes[i] > others[i] ? others[i] : bytes[i];
-        marks[i] |= (uint8_t)(high - low) > limit;
-    }
-}
-
 /* The pixels with a channel, one of four bytes, that is far from that of a neighbour. */
 static void compare(const algsurf_i_picture *picture, int row, algsurf_i_middles *middles) {
     const int count = 4 * picture->width, limit = (int)(255 * picture->scene->antialias_threshold);
     const uint8_t *own = middles->shown[row % 3].pixels;
     uint8_t *marks = middles->apart;
+    void (*const mark)(const uint8_t *, const uint8_t *, int, int, uint8_t *) = picture->shader->mark_bytes;
     memset(marks, 0, (size_t)count);
     if (row > 0) mark(own, middles->shown[(row + 2) % 3].pixels, count, limit, marks);
     if (row + 1 < picture->height) mark(own, middles->shown[(row + 1) % 3].pixels, count, limit, marks);
@@ -53,19 +45,19 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
     const uint8_t *apart = worker->middles.apart;
     int *list = worker->line.list, count = 0, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places; /* of the row's in the band's */
     for (int x = 0; x < picture->width; x++) {
         uint32_t four;
         memcpy(&four, apart + 4 * x, sizeof four);
         list[count] = x;
         count += four != 0;
     }
-    if (!band) return count;
-    const int *cell = band->cell + (row - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
+    if (!algsurf_i_is_within_bounds(picture, row + 0.5) || !picture->packets->beams) return count;
     int open = 0;
     for (int i = 0; i < count; i++) {
-        int number = cell[list[i] / ALGSURF_I_LEAF];
-        if (number <= 0 || band->tiles[number - 1].enough > 0) continue;
-        t->from[open] = band->tiles[number - 1].low;
+        int number = band ? band->cell[first + list[i] / ALGSURF_I_LEAF] : 0;
+        if (band && (number <= 0 || band->tiles[number - 1].enough > 0)) continue;
+        t->from[open] = band ? band->tiles[number - 1].low : -1;
         t->at[open++] = list[i];
     }
     if (open == 0) return 0;

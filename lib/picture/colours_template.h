@@ -161,4 +161,13 @@ static void find_colours(const algsurf_i_colour_job *job, const algsurf_i_looks 
     }
 }
 
+/* Written so that compilers do many at a time. */
+static void mark_bytes(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks) {
+    for (int i = 0; i < count; i++) {
+        uint8_t high = bytes[i] > others[i] ? bytes[i] : others[i];
+        uint8_t low = bytes[i] > others[i] ? others[i] : bytes[i];
+        marks[i] |= (uint8_t)(high - low) > limit;
+    }
+}
+
 #endif

@@ -32,6 +32,7 @@ typedef struct sizes {
     size_t dense;          /* samples of a row: as many as are taken together */
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t fans, places;   /* fans of lights; leaves of a band */
+    int cells;             /* 1: there are tiles, of a band or of single pixels */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
 } sizes;
@@ -40,13 +41,14 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
     const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled || picture->thin;
+    const int tiles = picture->tiled || picture->thin, real = picture->packets && !picture->scene->complex;
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
+                   .cells = tiles || (real && picture->selective),
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
                    .planes = &picture->planes};
@@ -108,8 +110,8 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     }
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
-    t->from = take_doubles(a, 2 * s->places);
-    t->at = take_ints(a, 2 * s->places);
+    t->from = take_doubles(a, s->width + 2 * s->places);
+    t->at = take_ints(a, s->width + 2 * s->places);
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
@@ -123,7 +125,7 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {
     lay_out_line(a, s, &worker->line);
     if (selective) lay_out_middles(a, s, &worker->middles);
-    if (s->places > 0) lay_out_tiling(a, s, &worker->tiling);
+    if (s->cells) lay_out_tiling(a, s, &worker->tiling);
     worker->trail.x = take_doubles(a, s->roots * s->width);
     worker->trail.y = take_doubles(a, s->roots * s->width);
 }
@@ -144,7 +146,9 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
 
 static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
     lay_out_frame(a, s, &packets->frame);
-    packets->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
+    packets->beams = s->cells && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
+                         ? take_doubles(a, s->side * s->side * s->side)
+                         : NULL;
     packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;
     for (size_t i = 0; i < s->fans; i++) {
         algsurf_i_frame_form elsewhere; /* while there are no fans yet */

@@ -272,6 +272,9 @@ int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, a
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job);
 
+/* Are all rays of a row within the bounds of forms? */
+int algsurf_i_is_within_bounds(const algsurf_i_picture *picture, double y);
+
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
 
@@ -287,7 +290,7 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
                            algsurf_i_tally *tally);
 
-/* As algsurf_i_render_packets, for a row of a band that has tiles, dense or not. */
+/* As algsurf_i_render_packets, for a row of a band that has tiles; or, dense, of none (null). */
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
 

@@ -157,6 +157,8 @@ typedef struct algsurf_i_picture_kernel {
      * 256 green + 65536 blue.  visible: null or light_count + 1 for each entry. */
     void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
                     const double *visible, float *colour, uint32_t *bytes);
+    /* Of floats only, too.  Sets marks[i] to 1 where bytes[i] is further than the limit from others[i]. */
+    void (*mark_bytes)(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks);
     /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
      * into `unknown`, one after the other, for which there is room, for each r too. */
     void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,

@@ -20,6 +20,7 @@
 
 #if defined(SINGLE)
 const algsurf_i_picture_kernel KERNEL(algsurf_i_single) = {.colours = find_colours,
+                                                           .mark_bytes = mark_bytes,
 #else
 const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.see_light = see_light,
                                                             .see_places = see_places,

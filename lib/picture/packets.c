@@ -41,6 +41,14 @@ static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
     return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
 }
 
+int algsurf_i_is_within_bounds(const algsurf_i_picture *picture, double y) {
+    algsurf_i_row_form form;
+    algsurf_i_row_job job;
+    if (!picture->packets || picture->scene->complex) return 0;
+    algsurf_i_make_row(picture, y, 0.5, &form, &job);
+    return within_bounds(&job, 0, picture->width);
+}
+
 int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job, int *begin, int *end) {
     algsurf_i_make_row(picture, y, sx, form, job);
@@ -196,7 +204,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
-    if (band) {
+    if (band || line->dense > 1) {
         tally->solve_s += algsurf_i_render_clock() - begun;
         return algsurf_i_render_tiled(picture, band, row, sx, sy, worker, tally);
     }

@@ -128,7 +128,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
     if (picture->packets && picture->packets->fans) algsurf_i_make_fans(picture, memory);
     free(memory);
-    if (picture->packets && (picture->tiled || picture->thin))
+    if (picture->packets && picture->packets->beams)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
     picture->single = picture->packets && algsurf_i_single_suits(picture);
     if (picture->single) picture->code = algsurf_i_single_kernel_for(picture->kernel);

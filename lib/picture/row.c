@@ -271,7 +271,7 @@ static algsurf_status render_passes(const algsurf_i_picture *picture, int row, a
     return status;
 }
 
-/* The same where few are wanted and there are tiles: a pass takes the samples of a row of them together. */
+/* The same where few are wanted and rays have forms: a pass takes the samples of a row of them together. */
 static algsurf_status render_dense(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                    algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
@@ -306,8 +306,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->as_bytes = 0;
     algsurf_i_begin_shown(&line->shown, picture->width);
     if (status == ALGSURF_OK && line->wanted_count > 0) {
-        int dense = picture->selective && picture->tiled &&
-                    algsurf_i_band_of(picture, row, 1, &worker->tiling) != NULL;
+        int dense = picture->selective && algsurf_i_is_within_bounds(picture, row + 0.5);
         status =
             dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);
     }

@@ -67,12 +67,15 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
 static void collect_listed(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
                            algsurf_i_worker *worker) {
     const algsurf_i_line *line = &worker->line;
+    static const algsurf_i_tile anywhere = {.inverse = 2, .low = -1};
     int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
+    int first = (int)y % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
     worker->tiling.leaves = 0;
     for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
-        int x = line->list[i], number = cell[x / ALGSURF_I_LEAF];
-        if (number < 0)
+        int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
+        if (number == 0)
+            collect_tile(&anywhere, x, x + 1, y, sx, &worker->line, &worker->tiling, 1);
+        else if (number < 0)
             set_ways(line, x, x + 1, -number, ALGSURF_WAY_EMPTY);
         else
             collect_tile(band->tiles + number - 1, x, x + 1, y, sx, &worker->line, &worker->tiling,
