@@ -213,8 +213,8 @@ static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, dou
 }
 
 /* The byte of 0 <= light <= 1. */
-static inline uint8_t algsurf_i_byte_of(const algsurf_i_picture *picture, double light) {
-    return picture->curve[algsurf_i_srgb_step((float)light)];
+static inline uint8_t algsurf_i_byte_of(const uint8_t curve[SRGB_STEPS], double light) {
+    return curve[algsurf_i_srgb_step((float)light)];
 }
 
 /* The colours of a row of pixels with so many samples each, as bytes, 3 or 4 a pixel. */
