@@ -830,8 +830,8 @@ static algsurf_material material_made(void) {
     static const double outside[3] = {1, 0.75, 0.5}, inside[3] = {0.5, 0.625, 1};
     algsurf_material material = {.size = sizeof material};
     numbers(material.outside, 3, outside), numbers(material.inside, 3, inside);
-    material.ambient = number(0.25), material.diffuse = number(0.75);
-    material.specular = number(0.25), material.shininess = number(30);
+    material.diffuse = number(0.75), material.ambient = number(0.25), material.fill = number(0.125);
+    material.specular = number(0.25), material.roughness = number(0.3), material.haze = number(0.2);
     return material;
 }
 
@@ -851,24 +851,57 @@ static void call_algsurf_light_sample(void) {
     WRITTEN(position);
 }
 
+static algsurf_lighting lighting_made(const algsurf_material *material, const algsurf_light *light) {
+    static const double upwards[3] = {0, 1, 0}, forwards[3] = {0, 0, -1}, centre[3] = {0.25, 0, -0.5};
+    algsurf_lighting lighting = {
+        .size = sizeof lighting, .material = material, .lights = light, .light_count = 1, .bounded = 1};
+    numbers(lighting.up, 3, upwards), numbers(lighting.forward, 3, forwards);
+    numbers(lighting.centre, 3, centre);
+    lighting.radius = number(2);
+    return lighting;
+}
+
 static void call_algsurf_shade(void) {
-    static const double towards[3] = {0, 0, -1}, out[3] = {0.6, 0, 0.8};
+    static const double towards[3] = {0, 0, -1}, out[3] = {0.6, 0, 0.8}, shares[2] = {0.5, 0.25};
     algsurf_material material = material_made();
     algsurf_light light = light_made();
-    double visible = number(0.5), point[3], normal[3], direction[3], colour[3] = {0};
+    algsurf_lighting lighting = lighting_made(&material, &light);
+    double visible[2], point[3], normal[3], direction[3], colour[3] = {0};
     algsurf_status s;
+    numbers(visible, 2, shares);
     numbers(point, 3, unit), numbers(normal, 3, out), numbers(direction, 3, towards);
-    STATUS_IN_HOST(algsurf_shade(&material, &light, 1, &visible, point, normal, direction, colour));
+    STATUS_IN_HOST(algsurf_shade(&lighting, visible, point, normal, direction, colour));
+    WRITTEN(colour);
+    STATUS_IN_HOST(algsurf_shade(&lighting, NULL, point, normal, direction, colour));
     WRITTEN(colour);
 }
 
 static void call_algsurf_shade_preview(void) {
     static const double towards[3] = {0, 0, -1}, out[3] = {0.6, 0, 0.8};
     algsurf_material material = material_made();
-    double depth = number(0.5), normal[3], direction[3], colour[3] = {0};
+    algsurf_light light = light_made();
+    algsurf_lighting lighting = lighting_made(&material, &light);
+    double point[3], normal[3], direction[3], colour[3] = {0};
     algsurf_status s;
-    numbers(normal, 3, out), numbers(direction, 3, towards);
-    STATUS_IN_HOST(algsurf_shade_preview(&material, normal, direction, depth, colour));
+    numbers(point, 3, unit), numbers(normal, 3, out), numbers(direction, 3, towards);
+    STATUS_IN_HOST(algsurf_shade_preview(&lighting, point, normal, direction, colour));
+    WRITTEN(colour);
+}
+
+static void call_algsurf_srgb_encode(void) {
+    double colour[3];
+    unsigned char bytes[3] = {0};
+    algsurf_status s;
+    numbers(colour, 3, unit);
+    STATUS_IN_HOST(algsurf_srgb_encode(colour, bytes));
+    WRITTEN(bytes);
+}
+
+static void call_algsurf_srgb_decode(void) {
+    static const unsigned char bytes[3] = {1, 77, 254};
+    double colour[3] = {0};
+    algsurf_status s;
+    STATUS_IN_HOST(algsurf_srgb_decode(bytes, colour));
     WRITTEN(colour);
 }
 
@@ -951,6 +984,20 @@ static void call_algsurf_scene_free(void) {
     stage of = stage_made();
     IN_HOST(algsurf_scene_free(of.scene));
     algsurf_surface_free(of.surface);
+}
+
+static void call_algsurf_scene_lighting(void) {
+    stage of = stage_made();
+    algsurf_extent extent = extent_made(ALGSURF_EXTENT_BOX);
+    algsurf_camera camera = camera_made();
+    algsurf_light lights[ALGSURF_MAX_LIGHTS] = {{.samples_u = 0}};
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    algsurf_status s;
+    (void)algsurf_scene_set_extent(of.scene, &extent);
+    (void)algsurf_scene_set_camera(of.scene, &camera);
+    STATUS_IN_HOST(algsurf_scene_lighting(of.scene, lights, &lighting));
+    WRITTEN(lights[0]), WRITTEN(lighting.up), WRITTEN(lighting.centre), WRITTEN(lighting.radius);
+    stage_freed(of);
 }
 
 /* Sets a part of a scene in the host's environment. */
@@ -1223,6 +1270,7 @@ static const struct {
     CALL(algsurf_complex_roots_of_real),
     CALL(algsurf_scene_create),
     CALL(algsurf_scene_free),
+    CALL(algsurf_scene_lighting),
     CALL(algsurf_scene_set_antialias),
     CALL(algsurf_scene_set_antialias_threshold),
     CALL(algsurf_scene_set_background),
@@ -1241,6 +1289,8 @@ static const struct {
     CALL(algsurf_self_test),
     CALL(algsurf_shade),
     CALL(algsurf_shade_preview),
+    CALL(algsurf_srgb_decode),
+    CALL(algsurf_srgb_encode),
     CALL(algsurf_status_name),
     CALL(algsurf_status_text),
     CALL(algsurf_surface_degree),

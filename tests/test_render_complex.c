@@ -70,7 +70,17 @@ static int agrees(double t, const algsurf_hit *hit) {
 
 /* Bytes and hits from the public single steps. */
 static void pixel_by_pixel(void **state) {
-    const algsurf_material plain = {sizeof plain, {0.9, 0.5, 0.3}, {0.2, 0.4, 0.8}, 0.3, 0.6, 0.4, 20};
+    const algsurf_material plain = {.size = sizeof plain,
+                                    .outside = {0.9, 0.5, 0.3},
+                                    .inside = {0.2, 0.4, 0.8},
+                                    .diffuse = 0.6,
+                                    .ambient = 0.2,
+                                    .fill = 0.15,
+                                    .specular = 0.4,
+                                    .roughness = 0.25,
+                                    .haze = 0.3};
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
     const algsurf_light light = {{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4};
     const algsurf_complex_space space = space_of(PI / 18, 2, 0.05);
     const catalogue_entry *entry = catalogue_find("tangle");
@@ -84,9 +94,11 @@ static void pixel_by_pixel(void **state) {
     assert_int_equal(algsurf_scene_set_lights(scene, &light, 1), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
     picture *p = drawn(scene, 2);
     for (int k = 0; k < W * H; k++) {
         double c[3] = {1, 1, 1};
+        unsigned char bytes[3];
         algsurf_ray ray;
         algsurf_hit hit;
         assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
@@ -95,12 +107,11 @@ static void pixel_by_pixel(void **state) {
             ALGSURF_OK);
         hits += hit.state == ALGSURF_HIT;
         if (hit.state != ALGSURF_MISS)
-            assert_int_equal(
-                algsurf_shade(&plain, &light, 1, NULL, hit.position, hit.normal, ray.direction, c),
-                ALGSURF_OK);
+            assert_int_equal(algsurf_shade(&lighting, NULL, hit.position, hit.normal, ray.direction, c),
+                             ALGSURF_OK);
+        assert_int_equal(algsurf_srgb_encode(c, bytes), ALGSURF_OK);
         for (int i = 0; i < 3; i++)
-            assert_true(abs(p->bytes[k / W * STRIDE + k % W * 3 + i] - (int)(255 * fmin(1, c[i]) + 0.5)) <=
-                        1);
+            assert_true(abs(p->bytes[k / W * STRIDE + k % W * 3 + i] - bytes[i]) <= 1);
         if (hit.state == ALGSURF_MISS)
             assert_true(isinf(p->hits[k]));
         else

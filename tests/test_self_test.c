@@ -238,13 +238,6 @@ static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
 }
 
-static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_points *points, int count,
-                          const double *visible, double *colour) {
-    real_picture->colours(job, points, count, visible, colour);
-    for (int i = 0; colour && i < 3 * count; i++) colour[i] *= 0.98;
-    for (int i = 0; !colour && i < count; i++) points->bytes[i] ^= 8;
-}
-
 static void wrong_lights(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
                          algsurf_i_fan_point *unknown) {
     real_picture->see_light(job, start, count, how, unknown);
@@ -278,7 +271,6 @@ static void break_picture(void) {
     if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
     if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
     if (broken == POINTS) wrong_picture.points = wrong_points;
-    if (broken == COLOURS) wrong_picture.colours = wrong_colours;
     if (broken == LIGHTS) wrong_picture.see_light = wrong_lights;
     if (broken == PLACES) wrong_picture.see_places = wrong_places;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
@@ -296,7 +288,15 @@ static int wrong_floats(const algsurf_i_point_job *job, const int *pixel, const 
     return all;
 }
 
+static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
+                          const double *visible, float *colour, uint32_t *bytes) {
+    real_single->colours(job, looks, count, visible, colour, bytes);
+    for (int i = 0; colour && i < 3 * count; i++) colour[i] *= 0.98f;
+    for (int i = 0; bytes && i < count; i++) bytes[i] ^= 8;
+}
+
 static void break_single(void) {
+    if (broken == COLOURS) wrong_single.colours = wrong_colours;
     if (broken == FLOATS) wrong_single.sheet_points = wrong_floats;
 }
 

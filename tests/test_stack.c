@@ -556,9 +556,24 @@ static void run_algsurf_extent_clip(void) {
 
 static const double eye[3] = {4, 3, 2.5}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
 static const double tilted[3] = {0.6, 0, 0.8}, down[3] = {0, 0, -1};
-static const algsurf_material material = {sizeof material, {1, 0.7, 0.4}, {0.4, 0.7, 1}, 0.2, 0.7, 0.2,
-                                          3000.5};
+static const algsurf_material material = {.size = sizeof material,
+                                          .outside = {1, 0.7, 0.4},
+                                          .inside = {0.4, 0.7, 1},
+                                          .diffuse = 0.7,
+                                          .ambient = 0.2,
+                                          .specular = 0.2,
+                                          .roughness = 0.1};
 static const algsurf_light light = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 3, 3};
+static const algsurf_light spread = {{4, 5, 6}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 0, 0};
+static const double grey[3] = {0.25, 0.25, 0.25};
+static const algsurf_lighting lighting = {.size = sizeof lighting,
+                                          .material = &material,
+                                          .lights = &light,
+                                          .light_count = 1,
+                                          .up = {0, 1, 0},
+                                          .forward = {0, 0, -1},
+                                          .radius = 2,
+                                          .bounded = 1};
 
 static void run_algsurf_camera_pinhole(void) {
     algsurf_camera camera;
@@ -579,12 +594,18 @@ static void run_algsurf_light_sample(void) {
 }
 static void run_algsurf_shade(void) {
     double colour[3];
-    (void)algsurf_shade(&material, &light, 1, NULL, near, tilted, down, colour);
+    (void)algsurf_shade(&lighting, NULL, origin, tilted, down, colour);
 }
 static void run_algsurf_shade_preview(void) {
     double colour[3];
-    (void)algsurf_shade_preview(&material, tilted, down, 0.3, colour);
+    (void)algsurf_shade_preview(&lighting, origin, tilted, down, colour);
 }
+static unsigned char grey_bytes[3];
+static void run_algsurf_srgb_decode(void) {
+    double colour[3];
+    (void)algsurf_srgb_decode(grey_bytes, colour);
+}
+static void run_algsurf_srgb_encode(void) { (void)algsurf_srgb_encode(grey, grey_bytes); }
 
 /* ---- scenes ---- */
 
@@ -596,11 +617,16 @@ static void run_algsurf_scene_create(void) {
     algsurf_scene_free(made);
 }
 static void run_algsurf_scene_free(void) { algsurf_scene_free(NULL); }
+static void run_algsurf_scene_lighting(void) {
+    static algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting of = {.size = sizeof of};
+    (void)algsurf_scene_lighting(scene, lights, &of);
+}
 static void run_algsurf_scene_set_antialias(void) { (void)algsurf_scene_set_antialias(scene, 2); }
 static void run_algsurf_scene_set_antialias_threshold(void) {
     (void)algsurf_scene_set_antialias_threshold(scene, 0.1);
 }
-static void run_algsurf_scene_set_background(void) { (void)algsurf_scene_set_background(scene, eye); }
+static void run_algsurf_scene_set_background(void) { (void)algsurf_scene_set_background(scene, grey); }
 static void run_algsurf_scene_set_camera(void) { (void)algsurf_scene_set_camera(scene, &camera); }
 static void run_algsurf_scene_set_coherence(void) {
     (void)algsurf_scene_set_coherence(scene, ALGSURF_COHERENCE_NONE);
@@ -616,7 +642,7 @@ static void run_algsurf_scene_set_material(void) { (void)algsurf_scene_set_mater
 static void run_algsurf_scene_set_quality(void) {
     (void)algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL);
 }
-static void run_algsurf_scene_set_thin(void) { (void)algsurf_scene_set_thin(scene, eye); }
+static void run_algsurf_scene_set_thin(void) { (void)algsurf_scene_set_thin(scene, grey); }
 
 enum { WIDTH = 17, HEIGHT = 2 };
 
@@ -646,9 +672,9 @@ static void run_algsurf_render(void) {
         algsurf_scene *of = NULL;
         if (algsurf_scene_create(surfaces[i / 3], &of) != ALGSURF_OK) return;
         (void)algsurf_scene_set_extent(of, extents + i % 3);
-        (void)algsurf_scene_set_lights(of, &light, 1);
+        (void)algsurf_scene_set_lights(of, i % 2 ? &light : &spread, 1);
         (void)algsurf_scene_set_quality(of, ALGSURF_QUALITY_FULL);
-        (void)algsurf_scene_set_thin(of, eye);
+        (void)algsurf_scene_set_thin(of, grey);
         draw(of);
         (void)algsurf_scene_set_antialias(of, 2);
         (void)algsurf_scene_set_antialias_threshold(of, 0.1);
@@ -800,6 +826,7 @@ static const struct {
     STACK_OF(algsurf_render, 59, RENDERER),
     STACK_OF(algsurf_scene_create, USUAL, OTHERS),
     STACK_OF(algsurf_scene_free, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_lighting, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_antialias, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_background, USUAL, OTHERS),
@@ -818,6 +845,8 @@ static const struct {
     STACK_OF(algsurf_self_test, 60, OTHERS),
     STACK_OF(algsurf_shade, USUAL, RENDERER),
     STACK_OF(algsurf_shade_preview, USUAL, RENDERER),
+    STACK_OF(algsurf_srgb_decode, USUAL, OTHERS),
+    STACK_OF(algsurf_srgb_encode, USUAL, OTHERS),
     STACK_OF(algsurf_status_name, USUAL, OTHERS),
     STACK_OF(algsurf_status_text, USUAL, OTHERS),
     STACK_OF(algsurf_surface_degree, USUAL, OTHERS),

@@ -38,7 +38,8 @@ typedef enum algsurf_coherence {
  * complex space), and, until lights are set, a wide light that follows camera and extent: above left of
  * what is shown, on the viewer's side, 16 radii from its centre (all of space: the radius that fills the
  * picture at the origin).  algsurf_scene_lighting() tells all of it.  The surface is borrowed: it must
- * outlive the scene. Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
+ * outlive the scene.
+ * Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
 
 /* Releases a scene, not its surface; null is allowed.  Since 1.0. */
@@ -60,29 +61,31 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
  * with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Shows what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
- * Whitney's umbrella, needles, tips.  With a colour (red, green, blue, linear light), samples beside whose
- * rays there is something thin show it, without light or shadow; null, the default: nothing is done. A sample
- * stands for its cell, 1/n of a pixel wide and high, the sample in the middle.  It shows the colour if the
- * surface cannot be proved absent from the cell, before what its ray sees, and what may be there is neither a
- * sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the cell: P grows
- * throughout along the view, or across it in two directions 45 degrees apart.  An edge: up to half a cell's
- * width beside where, at that depth, P has the other sign, as far as that hangs together with the ray through
- * the middle of a cell diagonally beside it. So no isolated point and no line without sheets is lost, however
- * thin, unless hidden or within half a cell of what is seen there: a line is one or two cells wide, without
- * gaps.  More samples draw it finer, and paler.  A surface of which nothing is narrower, nor more sharply
- * bent, than some cells is drawn as if there were no colour, to the byte; where the gradient vanishes, as in
- * the tips of cones, there may be spots. All is drawn as if there were no colour in complex space, without a
- * bounded extent, with another method than the default, above degree 12, from an eye level with the extent's
- * centre or some 10^7 of its radii away, and, from an eye nearer than two radii, more than some 50 degrees
- * from the direction of view.  In the fast tier, which proves nothing, something thin may be lost. Errors: as
- * above.  Cost: a tenth to twice the picture's time; many times it where much is thin or singular, some 0.2
- * milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source: beams, as tiles
+ * Whitney's umbrella, needles, tips.  With a colour, in linear light, samples beside whose rays there is
+ * something thin show it, without light or shadow; null, the default: nothing is done.
+ *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle.  It shows the
+ * colour if the surface cannot be proved absent from the cell, before what its ray sees, and what may be
+ * there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the
+ * cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up to
+ * half a cell's width beside where, at that depth, P has the other sign, as far as that hangs together with
+ * the ray through the middle of a cell diagonally beside it.
+ *     So no isolated point and no line without sheets is lost, however thin, unless hidden or within half a
+ * cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
+ * paler.  A surface of which nothing is narrower, nor more sharply bent, than some cells is drawn as if there
+ * were no colour, to the byte; where the gradient vanishes, as in the tips of cones, there may be spots.
+ *     All is drawn as if there were no colour in complex space, without a bounded extent, with another method
+ * than the default, above degree 12, from an eye level with the extent's centre or some 10^7 of its radii
+ * away, and, from an eye nearer than two radii, more than some 50 degrees from the direction of view.  In the
+ * fast tier, which proves nothing, something thin may be lost.
+ * Errors: as above.  Cost: a tenth to twice the picture's time; many times it where much is thin or singular,
+ * some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source: beams, as tiles
  * (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 /* How points of the scene are lit, the default light among the others: for algsurf_shade(), which then gives
- * the colours of its pictures. lights    room for ALGSURF_MAX_LIGHTS lighting  its size set by the caller;
- * refers to lights and to the scene's material, which must stay as it is Errors: E_ARGUMENT (null; a size too
- * small).  Since 1.0. */
+ * the colours of its pictures.
+ *   lights    room for ALGSURF_MAX_LIGHTS
+ *   lighting  its size set by the caller; refers to lights, and to the scene's material: both must stay
+ * Errors: E_ARGUMENT (null; a size too small).  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_lighting(const algsurf_scene *scene,
                                                   algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                                   algsurf_lighting *lighting);
@@ -225,31 +228,33 @@ typedef struct algsurf_picture {
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at that place and counted; an undecided shadow ray counts
  * as occluded.
- * Full quality, in real space: shadow rays start 1e-6 of the shown size above the surface.  Each sample of a
- * pixel shoots one at each sample of a light; at a light without samples of its own 32 / n^2, n x n samples a
- * pixel; and 16 / n^2 around the normal, half a radius of what is shown far.  Places and directions differ
- * from pixel to pixel in a fixed way (algsurf/shade.h; the picture's other rows and columns are counted, not
- * the slice's). Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was
- * done). Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture
- * or a light leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be
- * decided for want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD
- * (no locks to be had). Cost: real scenes with a bounded extent, the default method and a degree of at most
- * 24 are drawn by packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that
- * packets leave undecided, and all of other scenes, cost an intersection each.  Shadows: a ray a light
- * sample; up to degree 7 the rays from a point to a light are first looked at together, and few are left to
- * be shot.  t, normals and state: 1 to 4 nanoseconds a pixel. Where pixels are many, up to degree 12, tiles
- * of up to 16 x 16 of them are proved empty, or to see one sheet of the surface, at once: there time grows
- * with the outlines, not with the area. In the fast tier, degrees up to 12 are drawn in single precision,
- * twice as many pixels side by side, where a pixel is at least 2^-14 of the extent's radius and the origin of
- * the equation at most 16 radii from its centre: 1.7 times as fast as certified, 1.6 times where t is asked
- * for, geometric means of the named surfaces at 1024x768.  Next to outlines and where sheets meet, some
- * pixels in 100,000 show another state or another sheet, one in 4,000 in degree 10, one in 100 close to its
- * singular points.  Of the others 99.9 % have t within 1e-5 radii and a normal within a third of a degree
- * (bench/accuracy).  Other pictures are drawn in doubles, without bounds. Memory: some 200 bytes for each
- * thread and pixel of a row, with tiles 300 more, with a threshold of antialiasing 200 more, in complex space
- * 32 more for each degree, allocated once.  59 KiB of stack. Source: P in camera axes once a frame, by rows
- * and by tiles; Descartes' rule on Bernstein coefficients for neighbouring pixels, or tiles, side by side.
- * Since 1.0. */
+ * Full quality, in real space: shadow rays start 1e-6 of the shown size above the surface.  With n x n
+ * samples a pixel, each sample shoots one ray at each sample of a light, at a light with 0, 0 samples 32/n^2
+ * of them, rounded up, and 16/n^2, rounded up, around the normal, half a radius of what is shown far on the
+ * average.  These differ from pixel to pixel, by where a pixel is in the whole picture and nothing else.
+ * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
+ * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
+ * light leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided
+ * for want of it, everything else is drawn, they count as undecided, and stats is written), E_THREAD (no
+ * locks to be had).
+ * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
+ * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
+ * undecided, and all of other scenes, cost an intersection each.  Shadows: a ray a light sample; up to degree
+ * 7 the rays from a point to a light are first looked at together, and few are left to be shot.  t, normals
+ * and state: 1 to 4 nanoseconds a pixel.
+ *     Where pixels are many, up to degree 12, tiles of up to 16 x 16 of them are proved empty, or to see one
+ * sheet of the surface, at once: there time grows with the outlines, not with the area.
+ *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side,
+ * where a pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from
+ * its centre: 1.7 times as fast as certified, 1.6 times where t is asked for, geometric means of the named
+ * surfaces at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or
+ * another sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 %
+ * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
+ * drawn in doubles, without bounds.
+ * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  59 KiB of stack.
+ * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
+ * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                                           const algsurf_picture *picture, algsurf_render_stats *stats);
 

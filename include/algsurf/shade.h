@@ -67,20 +67,27 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  *   direction  of the view, from the viewer to the point, a unit vector
  *   colour     receives red, green, blue, each from 0 to 1
  * N is the normal turned towards the viewer, V leads back to the viewer, L to a light's middle, all unit
- * vectors; nv = N.V, nl = N.L; q = (point - centre) / radius.  Light that arrives, in each channel:
+ * vectors (L is 0 for a light at the point); nv = N.V, nl = N.L; q = (point - centre) / radius.
+ * The light that arrives, in each channel:
  *     E = [diffuse sum_l colour_l K_l lambert(nl) + ambient (1 + 0.52 N.up) O + fill nv (0.35 + 0.65 O)]
  *         (1 - 0.35 (1 - nv)^3)
  *     lambert(x) = x for x >= 1/4, 0 for x <= -1/4, between them (x + 1/4)^2: light ends softly
  *     K_l = 0.15 + 0.85 visible_l, O likewise: no shadow is black.  With visible null K_l = 1, and
- *     O = 1 - 0.3 d, d = sqrt(max(0, (q.N)^2 + 1 - q.q)) - q.N, how far it is along N to the end of the ball:
- * what lies deep in a surface is darker (O = 1 if not bounded) Of a base colour a, with luminance Y = 0.2126
- * red + 0.7152 green + 0.0722 blue: w = min(E, 1),  c = a w (1 + (1 - w)^2 0.8 min(a/Y - 1, 3)): shade is
- * richer in colour, not greyer c += (1 - c) S_l for each light l, S_l = min(1, specular colour_l K_l g^2
- * min(1, 4 max(0, nl))), g = r h / (h - (1 - r) (nl + nv)^2), r = roughness^2, h = 2 + 2 L.V: a highlight c
- * += (a - c) haze z^2, z = 1/2 + q.forward / 2 within 0..1 (z = 1/2 if not bounded): what is far Nothing
- * exceeds 1 for a <= 1: the second factor of c is at most 1 / w for all w, and the rest mixes. It is computed
- * in single precision, with +, -, *, / and square roots only: the same bits everywhere. Errors: E_ARGUMENT
- * (null; a number out of its range), E_NOT_FINITE.  Cost: about 100 ns; pictures pay 3 to 5 ns (AVX2).
+ *     O = 1 - 0.3 d, d = sqrt(max(0, (q.N)^2 + 1 - q.q)) - q.N within 0..2, how far it is along N to the
+ *         end of the ball: what lies deep in a surface is darker (O = 1 if not bounded)
+ * Of a base colour a, with luminance Y = 0.2126 red + 0.7152 green + 0.0722 blue, w = min(E, 1):
+ *     c = a w (1 + (1 - w)^2 0.8 min(a/Y - 1, 3))    shade is richer in colour, not greyer (Y = 0: c = 0)
+ *     c += (1 - c) S_l for each light l              its highlight,
+ *         S_l = min(1, specular colour_l K_l g^2 min(1, 4 max(0, nl))),
+ *         g = r h / (h - (1 - r) (nl + nv)^2), r = roughness^2, h = 2 + 2 L.V
+ *     c += (a - c) haze z^2                          what is far: z = 1/2 + q.forward / 2 within 0..1
+ *         (z = 1/2 if not bounded)
+ * Nothing exceeds 1 for a <= 1: the second factor of c is at most 1 / w for all w, and the rest mixes.
+ * It is computed in single precision, with +, -, *, / and square roots only: the same bits everywhere, and
+ * within 1e-4 of the formula, nearly always 1e-5, for a roughness of 0.1 or more and lights at least a tenth
+ * of the radius away.  A roughness below 2^-10 counts as that.
+ * Errors: E_ARGUMENT (null; a number out of its range; a vector that is not a unit vector within 1e-6),
+ * E_NOT_FINITE.  Cost: about 100 ns; pictures pay 3 to 5 ns (AVX2).
  * Source: Lambert; Blinn 1977 and Trowbridge, Reitz 1975 for the highlight.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_shade(const algsurf_lighting *lighting, const double *visible,
                                          const double point[3], const double normal[3],
@@ -93,8 +100,8 @@ ALGSURF_API algsurf_status algsurf_shade_preview(const algsurf_lighting *lightin
                                                  double colour[3]);
 
 /* The sRGB bytes of a colour, as pictures have them: what is below 0 counts as 0, above 1 as 1; each of 4096
- * steps of linear light is rounded to the nearest byte.  Errors: E_ARGUMENT (null), E_NOT_FINITE.  Source:
- * IEC 61966-2-1. Since 1.0. */
+ * steps of linear light is rounded to the nearest byte.  Errors: E_ARGUMENT (null), E_NOT_FINITE.
+ * Source: IEC 61966-2-1.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_srgb_encode(const double colour[3], unsigned char bytes[3]);
 
 /* The colour of sRGB bytes; encoding it gives the bytes back.  Errors: E_ARGUMENT (null).  Since 1.0. */

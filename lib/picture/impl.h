@@ -240,8 +240,8 @@ static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, dou
 }
 
 /* The byte of 0 <= light <= 1. */
-static inline uint8_t algsurf_i_byte_of(const algsurf_i_picture *picture, double light) {
-    return picture->curve[algsurf_i_srgb_step((float)light)];
+static inline uint8_t algsurf_i_byte_of(const uint8_t curve[SRGB_STEPS], double light) {
+    return curve[algsurf_i_srgb_step((float)light)];
 }
 
 /* In a selective picture: draws the middles of the row and its neighbours, as far as they are missing, and

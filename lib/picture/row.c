@@ -114,7 +114,7 @@ static void add_pass(const algsurf_i_line *line) {
 /* What a row shows where it has no points. */
 static void fill_background(const algsurf_i_picture *picture, int channels, uint8_t *bytes) {
     size_t length = (size_t)channels * (size_t)picture->width, done = (size_t)channels;
-    for (int k = 0; k < 3; k++) bytes[k] = algsurf_i_byte_of(picture, picture->scene->background[k]);
+    for (int k = 0; k < 3; k++) bytes[k] = algsurf_i_byte_of(picture->curve, picture->scene->background[k]);
     if (channels == 4) bytes[3] = picture->scene->transparent ? 0 : 255;
     for (; done < length; done *= 2) memcpy(bytes + done, bytes, done < length - done ? done : length - done);
 }
@@ -129,7 +129,7 @@ static void store_average(const algsurf_i_picture *picture, const algsurf_i_show
     double share = 1.0 / all, weight = scene->transparent && channels == 4 ? 1.0 / samples : share;
     for (int k = 0; k < 3; k++) {
         double light = (sum[k] + (all - samples) * scene->background[k]) * weight;
-        pixel[k] = algsurf_i_byte_of(picture, light < 1 ? light : 1);
+        pixel[k] = algsurf_i_byte_of(picture->curve, light < 1 ? light : 1);
     }
     if (channels == 4) pixel[3] = scene->transparent ? (uint8_t)(255 * (samples * share) + 0.5) : 255;
 }
@@ -157,7 +157,7 @@ static void clear_row(const algsurf_i_picture *picture, const algsurf_i_row_plan
 
 static void clear_pixel(const algsurf_i_picture *picture, int x, const algsurf_i_row_planes *to) {
     for (int k = 0; to->pixels && k < 3; k++)
-        to->pixels[to->channels * x + k] = algsurf_i_byte_of(picture, picture->scene->background[k]);
+        to->pixels[to->channels * x + k] = algsurf_i_byte_of(picture->curve, picture->scene->background[k]);
     if (to->pixels && to->channels == 4) to->pixels[4 * x + 3] = picture->scene->transparent ? 0 : 255;
     if (to->t) to->t[x] = INFINITY;
     if (to->state) to->state[x] = ALGSURF_MISS;

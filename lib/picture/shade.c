@@ -10,6 +10,7 @@
 #define BRIGHTEST 1000
 #define SHORTEST_RADIUS 0x1p-1000 /* one over it is a double */
 #define UNIT_SLACK 1e-6
+#define FARTHEST_LIGHT 0x1p40 /* in radii; one farther away is brought here */
 
 /* Each of them from 0 to high: OK, E_ARGUMENT or E_NOT_FINITE. */
 static algsurf_status check_range(const double *x, int count, double high) {
@@ -69,6 +70,16 @@ static void set_richer(const double base[3], double richer[3]) {
     }
 }
 
+/* A light's middle, from the centre, in the radius.  The half keeps sums in the range of double. */
+static void place_light(const algsurf_light *light, const algsurf_lighting *lighting, double per_radius,
+                        double place[3]) {
+    double half[3];
+    for (int i = 0; i < 3; i++) half[i] = 0.5 * light->position[i] - 0.5 * lighting->centre[i];
+    double most = algsurf_max_abs(half), scale = 2 * per_radius;
+    int near = most * scale <= FARTHEST_LIGHT;
+    for (int i = 0; i < 3; i++) place[i] = near ? half[i] * scale : half[i] / most * FARTHEST_LIGHT;
+}
+
 void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job) {
     *job = (algsurf_i_colour_job){.material = *lighting->material,
                                   .light_count = preview ? 0 : lighting->light_count,
@@ -83,12 +94,11 @@ void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, alg
         job->forward[i] = lighting->forward[i];
         job->centre[i] = lighting->centre[i];
     }
-    for (int l = 0; l < job->light_count; l++)
-        for (int i = 0; i < 3; i++) {
-            double place = (lighting->lights[l].position[i] - lighting->centre[i]) * job->per_radius;
-            job->light[l][i] = fmin(fmax(place, -0x1p40), 0x1p40);
-            job->light_colour[l][i] = lighting->lights[l].colour[i];
-        }
+    for (int l = 0; l < job->light_count; l++) {
+        const algsurf_light *light = &lighting->lights[l];
+        place_light(light, lighting, job->per_radius, job->light[l]);
+        for (int i = 0; i < 3; i++) job->light_colour[l][i] = light->colour[i];
+    }
 }
 
 void algsurf_i_set_look(const algsurf_i_colour_job *job, const double position[3], const double normal[3],
@@ -173,6 +183,8 @@ static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_lighting *giv
     if (!s->point || !s->normal || !s->direction || !colour) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(s->point) || !algsurf_is_finite3(s->normal) || !algsurf_is_finite3(s->direction))
         return ALGSURF_E_NOT_FINITE;
+    if (!is_unit(s->direction) || (algsurf_max_abs(s->normal) > 0 && !is_unit(s->normal)))
+        return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_lighting(given, &lighting, &material);
     if (status != ALGSURF_OK) return status;
     for (int l = 0; visible && l <= lighting.light_count; l++)

@@ -291,11 +291,12 @@ static algsurf_status see_light(algsurf_i_shadow_rays *rays, const algsurf_i_lin
     return ALGSURF_OK;
 }
 
-/* A point of the unit circle at a share of its way round, within 1e-4: with t about the tangent of half the
- * angle in its quarter. */
+/* A point of the unit circle at a share of its way round from -45 degrees, within 2e-5: with t about the
+ * tangent of half the angle from the middle of its quarter, which is at 0, 90, 180 or 270 degrees. */
 static void point_of_circle(double share, double point[2]) {
     int quarter = (int)(4 * share);
-    double f = 4 * share - quarter, t = f * (0.392699 + 0.021515 * (f * f)), d = 1 / (1 + t * t);
+    double f = 2 * (4 * share - quarter) - 1, square = f * f;
+    double t = f * (0.3926991 + square * (0.0201862 + 0.0013285 * square)), d = 1 / (1 + t * t);
     double across = (1 - t * t) * d, up = 2 * t * d;
     point[0] = quarter == 0 ? across : quarter == 1 ? -up : quarter == 2 ? -across : up;
     point[1] = quarter == 0 ? up : quarter == 1 ? across : quarter == 2 ? -up : -across;

@@ -51,7 +51,7 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     line->bytes[i] = 0;
     for (int k = 0; k < 3; k++) {
         double light = picture->scene->thin_colour[k];
-        line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture, light) << 8 * k;
+        line->bytes[i] |= (uint32_t)algsurf_i_byte_of(picture->curve, light) << 8 * k;
         line->points.position[k][i] = ray->origin[k] + t * ray->direction[k];
         line->points.normal[k][i] = 0;
         line->points.direction[k][i] = ray->direction[k];
