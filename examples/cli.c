@@ -339,7 +339,7 @@ static algsurf_surface *with_rounding(algsurf_surface *exact) {
 
 static algsurf_surface *from_equation(const cli_surface *choice, const char *what, const char *text) {
     algsurf_surface *surface = NULL;
-    algsurf_parse_error error = {0, NULL};
+    algsurf_parse_error error = {0, 0, NULL};
     algsurf_status status =
         algsurf_surface_from_equation(text, choice->constants, choice->constant_count, &surface, &error);
     if (status == ALGSURF_OK) return choice->rounded ? with_rounding(surface) : surface;
