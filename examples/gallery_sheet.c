@@ -7,6 +7,7 @@
 
 #include "canvas.h"
 #include "catalogue.h"
+#include "cli_surface.h"
 #include "output.h"
 #include "view.h"
 

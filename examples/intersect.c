@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "cli_surface.h"
 
 typedef struct intersect_options {
     cli_surface surface;
@@ -34,7 +34,7 @@ static const cli_option options_table[] = {
 
 static const cli_program program = {
     .name = "intersect",
-    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
+    .synopsis = "[options] (NAME | EQUATION | --terms FILE)",
     .about = "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal\n"
              "or hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table\n"
              "with the columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z,\n"
@@ -46,7 +46,7 @@ static const cli_program program = {
     .options = options_table,
     .positional = offsetof(intersect_options, surface.name),
     .examples = "echo '-4 0.25 0  1 0 0  0 inf' | intersect torus\n"
-                "echo '-4 0 0  1 0 0  0 inf' | intersect --equation 'x^2 + y^2 + z^2 = 1' --all",
+                "echo '-4 0 0  1 0 0  0 inf' | intersect 'x^2 + y^2 + z^2 = 1' --all",
 };
 
 /* What every line needs. */
@@ -164,6 +164,7 @@ static void take_lines(run *r) {
 int main(int argc, char **argv) {
     intersect_options options = {.how = {.size = sizeof options.how}};
     cli_parse(&program, argc, argv, &options);
+    cli_settle_surface(&options.surface);
     if (options.centre.given && !options.extent.given)
         cli_fail(CLI_BAD_INPUT, "--centre: there is no --extent to be moved");
     memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
@@ -176,5 +177,6 @@ int main(int argc, char **argv) {
     take_lines(&r);
     free(r.hits);
     algsurf_surface_free(surface);
+    cli_forget_surface(&options.surface);
     return r.bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

@@ -221,6 +221,7 @@ int main(int argc, char **argv) {
     algsurf_surface *surface = cli_make_surface(&options.surface);
     draw(&options, surface, options.surface.name ? catalogue_find(options.surface.name) : NULL);
     algsurf_surface_free(surface);
+    cli_forget_surface(&options.surface);
     free(options.default_output);
     return 0;
 }

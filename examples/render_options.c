@@ -185,12 +185,13 @@ static const cli_option options_table[] = {
 
 static const cli_program program = {
     .name = "render",
-    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
+    .synopsis = "[options] (NAME | EQUATION | --terms FILE)",
     .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.",
     .options = options_table,
     .positional = offsetof(render_options, surface.name),
     .examples = "render barth --output barth.png\n"
-                "render --equation 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
+                "render 'x^2 + y^2 = z^2' --output cone.png\n"
+                "render 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
                 "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
                 "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
@@ -237,6 +238,7 @@ render_options render_parse_options(int argc, char **argv) {
                               .intersect = {.size = sizeof options.intersect},
                               .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
     cli_parse(&program, argc, argv, &options);
+    cli_settle_surface(&options.surface);
     view_check(&options.view);
     if (options.list) return options;
     if (options.row_end > options.view.height)

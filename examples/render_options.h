@@ -1,7 +1,7 @@
 /* render_options.h - the command line of render. */
 #ifndef RENDER_OPTIONS_H
 #define RENDER_OPTIONS_H
-#include "cli.h"
+#include "cli_surface.h"
 #include "image.h"
 #include "progress.h"
 #include "render_space.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "cli_surface.h"
 #include "output.h"
 #include "view.h"
 #include "zerofind_plot.h"
@@ -104,7 +104,7 @@ static const cli_option options_table[] = {
 static const cli_program program = {
     .name = "zerofind",
     .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
-                "                (NAME | --equation TEXT | --terms FILE)",
+                "                (NAME | EQUATION | --terms FILE)",
     .about = "Plots the polynomial P*(t) = P(o + t d) of a surface P = 0 along one ray, as far as it\n"
              "is inside the extent: the roots, the cell that isolates the first one, and every\n"
              "iterate on the way to it, as the library finds them.  NAME is one of those that render --list "
@@ -130,6 +130,7 @@ static void refuse_camera(const view_options *asked) {
 static zerofind_options parse(int argc, char **argv) {
     zerofind_options options = {.output = NULL};
     cli_parse(&program, argc, argv, &options);
+    cli_settle_surface(&options.surface);
     if (options.pixel.given + options.ray.given != 1)
         cli_fail(CLI_BAD_INPUT, "expected %s --pixel X,Y and --ray OX,OY,OZ,DX,DY,DZ",
                  options.pixel.given ? "only one of" : "one of");
@@ -241,5 +242,6 @@ int main(int argc, char **argv) {
     }
     if (options.trace) print_trace(&z, surface);
     algsurf_surface_free(surface);
+    cli_forget_surface(&options.surface);
     return 0;
 }
