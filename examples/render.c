@@ -18,7 +18,7 @@
 /* What the pictures of one run have in common. */
 typedef struct run {
     const render_options *options;
-    const algsurf_surface *surface;
+    algsurf_surface *surface;
     algsurf_scene *scene;
     int rows; /* drawn: all, or the slice */
     uint8_t *pixels;
@@ -89,9 +89,9 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
         "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nthin\t%" PRIu64
-        "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64 "\nshadow_rays\t%" PRIu64
-        "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64 "\nsheet_tiles\t%" PRIu64
-        "\nleaf_tiles\t%" PRIu64
+        "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64
+        "\nshadow_rays\t%" PRIu64 "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64
+        "\nsheet_tiles\t%" PRIu64 "\nleaf_tiles\t%" PRIu64
         "\nexpand_s\t%.17g\nsolve_s\t%.17g\npoint_s\t%.17g\nshadow_s\t%.17g\nshade_s\t%.17g\ntotal_s\t%.17g\n"
         "version\t%s\n";
     enum { NUMBERS = 32 * 32 }; /* room for what the format's fields become */
@@ -103,10 +103,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
     snprintf(text, room, format, surface, algsurf_surface_degree(r->surface), r->options->view.width,
              r->options->view.height, render_quality_name(r->options->quality),
              is_complex ? "complex" : "real", is_complex ? "-" : render_tier_name(r->options->intersect.tier),
-             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->thin, stats->single_rays,
-             stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays, stats->iterations,
-             stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles, stats->expand_s,
-             stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
+             stats->kernel, stats->threads, stats->rays, stats->hits, stats->undecided, stats->thin,
+             stats->single_rays, stats->exact_rays, stats->empty_rays, stats->sheet_rays, stats->shadow_rays,
+             stats->iterations, stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles,
+             stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
              algsurf_version());
     output_text(set, path, text);
     free(text);
@@ -146,9 +146,33 @@ static void mark_misses(double *hits, size_t count) {
         if (isinf(hits[i])) hits[i] = NAN;
 }
 
+static algsurf_surface *make_surface(const render_options *options, int picture) {
+    const render_sweep *sweep = &options->sweep;
+    if (sweep->kind != SWEEP_LET) return cli_make_surface(&options->surface);
+    return cli_make_surface_with(&options->surface, sweep->name, render_sweep_value(sweep, picture));
+}
+
+static void release_surface(run *r) {
+    algsurf_scene_free(r->scene);
+    algsurf_surface_free(r->surface);
+    r->scene = NULL;
+    r->surface = NULL;
+}
+
+/* The surface of this picture and a scene with it: one for all unless a constant is swept. */
+static void prepare_surface(run *r, const view *shown, int picture) {
+    const cli_surface *given = &r->options->surface;
+    if (r->scene && r->options->sweep.kind != SWEEP_LET) return;
+    if (r->scene) release_surface(r);
+    if (!r->surface) r->surface = make_surface(r->options, picture);
+    r->scene =
+        make_scene(r->options, r->surface, given->name ? catalogue_find(given->name) : NULL, &shown->extent);
+}
+
 static void draw_picture(run *r, const view *shown, int picture) {
     const render_options *options = r->options;
     const render_sweep *sweep = &options->sweep;
+    prepare_surface(r, shown, picture);
     algsurf_camera camera = view_camera(shown, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
     algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
     char *output = numbered(options->output, r, picture);
@@ -182,28 +206,43 @@ static void draw_picture(run *r, const view *shown, int picture) {
     free(heatmap);
 }
 
-static void draw(const render_options *options, const algsurf_surface *surface,
-                 const catalogue_entry *entry) {
-    view shown = view_make(&options->view, entry);
+static void check_degree(const render_options *options, const algsurf_surface *surface) {
+    int degree = algsurf_surface_degree(surface);
+    if (options->thin && degree > RENDER_THIN_DEGREE)
+        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", degree, RENDER_THIN_DEGREE);
+    render_check_degree(&options->space, &options->sweep, degree);
+}
+
+/* Makes the surface of the first picture; what is bad about any is told before one is drawn. */
+static void check_surfaces(run *r, int first, int end) {
+    r->surface = make_surface(r->options, first);
+    check_degree(r->options, r->surface);
+    if (r->options->sweep.kind != SWEEP_LET) return;
+    for (int i = first + 1; i < end; i++) {
+        algsurf_surface *surface = make_surface(r->options, i);
+        check_degree(r->options, surface);
+        algsurf_surface_free(surface);
+    }
+}
+
+static void draw(const render_options *options) {
+    const cli_surface *given = &options->surface;
+    int first = options->frame > 0 ? options->frame - 1 : 0;
+    int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
+    run r = {.options = options};
+    check_surfaces(&r, first, end);
+    view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
-    if (options->thin && algsurf_surface_degree(surface) > RENDER_THIN_DEGREE)
-        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", algsurf_surface_degree(surface),
-                 RENDER_THIN_DEGREE);
-    render_check_degree(&options->space, &options->sweep, algsurf_surface_degree(surface));
-    run r = {.options = options, .surface = surface};
-    r.scene = make_scene(options, surface, entry, &shown.extent);
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
     r.pixels = malloc(3 * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
     if (options->heatmap) r.ways = malloc(count);
     if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
-    int first = options->frame > 0 ? options->frame - 1 : 0;
-    int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
     progress_begin(&r.bar, options->progress, end - first);
     for (int i = first; i < end; i++) draw_picture(&r, &shown, i);
     progress_end(&r.bar);
-    algsurf_scene_free(r.scene);
+    release_surface(&r);
     free(r.pixels);
     free(r.hits);
     free(r.ways);
@@ -218,9 +257,7 @@ int main(int argc, char **argv) {
         list_surfaces();
         return 0;
     }
-    algsurf_surface *surface = cli_make_surface(&options.surface);
-    draw(&options, surface, options.surface.name ? catalogue_find(options.surface.name) : NULL);
-    algsurf_surface_free(surface);
+    draw(&options);
     cli_forget_surface(&options.surface);
     free(options.default_output);
     return 0;

@@ -143,8 +143,9 @@ static const cli_option options_table[] = {
      "complex space: each ray's roots are found from scratch, or from those\n"
      "of its neighbours (default): the same picture in less time",
      render_set_coherence, FIELD(space)},
-    {"--sweep", "turn:N|delta:A:B:N|imag:K:A:B:N",
-     "N pictures NAME-0001.png ...: a turn about the upward axis; --delta\nfrom A to B; --imag K from A to B",
+    {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
+     "N pictures NAME-0001.png ...: a turn about the upward axis; --let NAME,\n--delta or --imag K from A to "
+     "B",
      render_set_sweep, FIELD(sweep)},
     {"--frame", "K", "only picture K of the --sweep, from 1 as in its name", cli_set_int,
      offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
@@ -195,6 +196,7 @@ static const cli_program program = {
                 "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
                 "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
+                "render 'x^2 + y^2 - a z^2 = 1' --sweep let:a:-1:1:24 --size 512x384 --output bend.png\n"
                 "render tangle --sweep turn:36 --size 512x384 --output turn.png",
 };
 
@@ -232,6 +234,15 @@ static void check_output(render_options *options) {
     check_standard_output(options);
 }
 
+static void check_swept_constant(const render_options *options) {
+    const char *name = options->sweep.name;
+    if (options->sweep.kind != SWEEP_LET) return;
+    if (!options->surface.equation) cli_fail(CLI_BAD_INPUT, "--sweep let: only an equation has constants");
+    for (size_t i = 0; i < options->surface.let_count; i++)
+        if (strcmp(options->surface.lets[i].name, name) == 0)
+            cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
+}
+
 render_options render_parse_options(int argc, char **argv) {
     render_options options = {.quality = ALGSURF_QUALITY_STANDARD,
                               .antialias = 1,
@@ -244,6 +255,7 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.row_end > options.view.height)
         cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
                  options.view.height);
+    check_swept_constant(&options);
     if (options.frame > 0 && options.sweep.pictures == 0)
         cli_fail(CLI_BAD_INPUT, "--frame: plays no part without --sweep");
     if (options.frame > options.sweep.pictures)
