@@ -56,7 +56,8 @@ static int is_equation(const char *text, int has_constants) {
 }
 
 void cli_settle_surface(cli_surface *choice) {
-    if (!choice->name || catalogue_find(choice->name) || !is_equation(choice->name, choice->let_count > 0)) return;
+    if (!choice->name || catalogue_find(choice->name) || !is_equation(choice->name, choice->let_count > 0))
+        return;
     if (choice->equation) cli_fail(CLI_BAD_INPUT, "two equations: '%s'", cli_quote(choice->name).text);
     choice->equation = choice->name;
     choice->name = NULL;

@@ -87,6 +87,13 @@ void output_image(output_set *set, const char *path, image_format format, int wi
     output_close(set, path, file);
 }
 
+void output_alpha(output_set *set, const char *path, int width, int height, const uint8_t *pixels) {
+    FILE *file = output_open(set, path);
+    const char *wrong = image_write_alpha(file, width, height, pixels);
+    if (wrong) output_fail(set, path, wrong);
+    output_close(set, path, file);
+}
+
 void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
                 const uint8_t *pixels) {
     FILE *file = output_open(set, path);

@@ -33,6 +33,7 @@ void output_check(const char *path);
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,
                   const uint8_t *pixels);
+void output_alpha(output_set *set, const char *path, int width, int height, const uint8_t *pixels);
 void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
                 const uint8_t *pixels);
 void output_hits(output_set *set, const char *path, const double *hits, size_t count);

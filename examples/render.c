@@ -48,6 +48,7 @@ static const double thin_colour[3] = {0.8, 0.05, 0.1};
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
     algsurf_material material = view_material(entry);
+    render_paint(&options->look, &material);
     algsurf_scene *scene;
     demand(algsurf_scene_create(surface, &scene));
     demand(algsurf_scene_set_extent(scene, extent));
@@ -126,6 +127,10 @@ static void write_picture(output_set *set, const char *path, const run *r, const
                           const algsurf_camera *camera, const algsurf_complex_space *space) {
     const render_options *options = r->options;
     size_t count = (size_t)options->view.width * (size_t)r->rows;
+    if (options->look.transparent) {
+        output_alpha(set, path, options->view.width, r->rows, r->pixels);
+        return;
+    }
     if (options->row_end == 0 || options->format != IMAGE_PPM) {
         output_image(set, path, options->format, options->view.width, r->rows, r->pixels);
         return;
@@ -186,10 +191,15 @@ static void draw_picture(run *r, const view *shown, int picture) {
     algsurf_render_options how = {
         sizeof how,       options->view.width, options->view.height, options->row_begin,
         options->row_end, options->threads,    progress_rows,        &r->bar};
-    const algsurf_picture planes = {.size = sizeof planes, .pixels = r->pixels, .t = r->hits, .way = r->ways};
+    const algsurf_picture planes = {.size = sizeof planes,
+                                    .pixels = r->pixels,
+                                    .format = options->look.transparent ? ALGSURF_RGBA8 : ALGSURF_RGB8,
+                                    .t = r->hits,
+                                    .way = r->ways};
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = options->frame > 0 ? 1 : picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
+    demand(render_light_scene(&options->look, &camera, &shown->extent, r->scene));
     demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
     demand(algsurf_render(r->scene, &how, &planes, &counted));
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
@@ -235,7 +245,7 @@ static void draw(const render_options *options) {
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
-    r.pixels = malloc(3 * count);
+    r.pixels = malloc((options->look.transparent ? 4 : 3) * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
     if (options->heatmap) r.ways = malloc(count);
     if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();

@@ -101,6 +101,18 @@ static const cli_option options_table[] = {
      "PPM, as for the names of devices and pipes;\n"
      "default NAME.png, or surface.png when the surface has no name",
      cli_set_text, FIELD(output)},
+    {"--colour", "COLOUR",
+     "of the surface: a name of CSS, as teal, or #rrggbb; default: as suits the\n"
+     "surface, one for each side",
+     colour_set, FIELD(look.outside)},
+    {"--inside", "COLOUR", "of the side where the equation's left side is less than its right, if another",
+     colour_set, FIELD(look.inside)},
+    {"--background", "COLOUR|none", "where nothing is seen, default white; none: transparent, in a .png",
+     render_set_background, FIELD(look)},
+    {"--light", "X,Y,Z|AZ:EL",
+     "where the light is: a point of space; or, seen from the eye, so many\n"
+     "degrees to the right and upwards, as -40:35",
+     render_set_light, FIELD(look)},
     {"--quality", "preview|standard|full",
      "no illumination model; lights without shadows (default);\ntwo "
      "area lights with shadows",
@@ -230,6 +242,11 @@ static void check_output(render_options *options) {
         options->output = strcat(strcpy(options->default_output, name), ".png");
     }
     options->format = check_image(options, "--output", options->output);
+    if (options->look.transparent && options->format != IMAGE_PNG)
+        cli_fail(CLI_BAD_INPUT, "--background none: only a .png is transparent, --output is '%s'",
+                 cli_quote(options->output).text);
+    if (options->look.transparent && options->heatmap)
+        cli_fail(CLI_BAD_INPUT, "--heatmap: plays no part with --background none");
     if (options->heatmap) options->heatmap_format = check_image(options, "--heatmap", options->heatmap);
     check_standard_output(options);
 }
@@ -263,6 +280,8 @@ render_options render_parse_options(int argc, char **argv) {
                  options.sweep.pictures);
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part without --antialias 2 or more");
+    if (options.look.light != LIGHT_DEFAULT && options.quality == ALGSURF_QUALITY_PREVIEW)
+        cli_fail(CLI_BAD_INPUT, "--light: plays no part in preview quality");
     if (options.thin && options.intersect.method != ALGSURF_METHOD_DEFAULT)
         cli_fail(CLI_BAD_INPUT, "--thin: plays no part with another --method");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";

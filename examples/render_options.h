@@ -4,6 +4,7 @@
 #include "cli_surface.h"
 #include "image.h"
 #include "progress.h"
+#include "render_look.h"
 #include "render_space.h"
 #include "view.h"
 
@@ -25,6 +26,7 @@ typedef struct render_options {
     int threads;
     int row_begin, row_end; /* both 0: all rows */
     int frame;              /* of the sweep, from 1; 0: all */
+    render_look look;
     render_space space;
     render_sweep sweep;
     progress_mode progress;

@@ -9,6 +9,8 @@ typedef struct view_options {
     int width, height; /* of the picture, in pixels; 0: not given */
     cli_vector eye, look_at, up;
     double fov, orthographic; /* 0: not given */
+    double zoom;              /* 0: not given */
+    double turn[2];           /* degrees about what is looked at, to the right and upwards */
     cli_extent extent;
     cli_vector centre;
 } view_options;
@@ -17,6 +19,8 @@ typedef struct view_options {
 void view_set_size(const cli_option *option, const char *value, void *field); /* view_options */
 void view_set_fov(const cli_option *option, const char *value, void *field);
 void view_set_orthographic(const cli_option *option, const char *value, void *field);
+void view_set_zoom(const cli_option *option, const char *value, void *field);
+void view_set_turn(const cli_option *option, const char *value, void *field);
 
 /* clang-format off */
 /* The rows of the option table for the member `view` of a structure. */
@@ -32,6 +36,10 @@ void view_set_orthographic(const cli_option *option, const char *value, void *fi
      offsetof(type, view.fov), 0, 0},                                                                        \
     {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",                  \
      view_set_orthographic, offsetof(type, view.orthographic), 0, 0},                                        \
+    {"--zoom", "TIMES", "how many times larger than without this option; the eye stays", view_set_zoom,      \
+     offsetof(type, view.zoom), 0, 0},                                                                       \
+    {"--turn", "AZ,EL", "the eye goes so many degrees to the right and upwards, about the point looked at",   \
+     view_set_turn, offsetof(type, view.turn), 0, 0},                                                        \
     {"--extent", "sphere:R|box:X,Y,Z",                                                                       \
      "what is shown (half sizes); default: as suits the named surface,\nsphere:3 for others",                \
      cli_set_extent, offsetof(type, view.extent), 0, 0},                                                     \
@@ -45,6 +53,7 @@ void view_check(view_options *options);
 typedef struct view {
     algsurf_extent extent;
     double eye[3], look_at[3], up[3];
+    double axis[3];      /* that turns go about */
     double fov;          /* degrees, vertical */
     double orthographic; /* height of the picture in space; 0: a pinhole camera */
 } view;
@@ -52,7 +61,7 @@ typedef struct view {
 /* entry: the catalogue's, null for a surface without a name. */
 view view_make(const view_options *options, const catalogue_entry *entry);
 
-/* The camera of picture number `picture` (from 0) of a turn of `pictures` about the upward axis through
+/* The camera of picture number `picture` (from 0) of a turn of `pictures` about the axis through
  * the point looked at.  Ends the program when there is no such camera. */
 algsurf_camera view_camera(const view *v, int picture, int pictures);
 

@@ -84,7 +84,7 @@ static const cli_option options_table[] = {
      set_pixel, FIELD(pixel)},
     {"--ray", "OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]",
      "the ray o + t d, default 0 <= t < inf; it needs no camera, and --size,\n"
-     "--eye, --look-at, --up, --fov, --orthographic are refused with it",
+     "--eye, --look-at, --up, --fov, --orthographic, --zoom, --turn are refused with\nit",
      set_ray, FIELD(ray)},
     VIEW_OPTIONS(zerofind_options),
     {"--method", "default|brent|bisection|regula-falsi",
@@ -120,9 +120,11 @@ static void refuse_camera(const view_options *asked) {
     const struct {
         const char *name;
         int given;
-    } options[] = {{"--size", asked->width > 0},        {"--eye", asked->eye.given},
-                   {"--look-at", asked->look_at.given}, {"--up", asked->up.given},
-                   {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0}};
+    } options[] = {
+        {"--size", asked->width > 0},        {"--eye", asked->eye.given},
+        {"--look-at", asked->look_at.given}, {"--up", asked->up.given},
+        {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0},
+        {"--zoom", asked->zoom > 0},         {"--turn", asked->turn[0] != 0 || asked->turn[1] != 0}};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         if (options[i].given) cli_fail(CLI_BAD_INPUT, "%s: plays no part with --ray", options[i].name);
 }
