@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli_surface.h"
+#include "progress.h"
 
 typedef struct intersect_options {
     cli_surface surface;
@@ -148,12 +149,16 @@ static void take_line(run *r, cli_line *line) {
 static void take_lines(run *r) {
     cli_line line = {.number = 0};
     cli_line_result got;
+    progress bar;
+    progress_begin_lines(&bar);
     fputs("#line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\tmultiplicity\tside\n", stdout);
     while ((got = cli_read_line(stdin, &line)) == CLI_LINE_READ) {
         take_line(r, &line);
+        progress_lines(&bar, line.number);
         if (ferror(stdout)) break;
     }
     int read_error = errno;
+    progress_end(&bar);
     cli_finish_output();
     if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
     if (got == CLI_LINE_TOO_LONG) cli_fail(CLI_BAD_INPUT, "line %zu: too long", line.number + 1);

@@ -205,6 +205,7 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};
+    progress_say(&r->bar, "writing");
     if (stats) write_stats(&set, stats, r, &counted);
     if (hits) output_hits(&set, hits, r->hits, (size_t)options->view.width * (size_t)r->rows);
     if (heatmap) write_heatmap(&set, heatmap, r, &shown->extent, &camera);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "progress.h"
 #include "roots_line.h"
 #include "roots_write.h"
 
@@ -206,6 +207,8 @@ static int take_input(batch *b, int count, int most) {
     size_t number = 0;
     int bad_lines = 0, read_error = 0;
     cli_line_result got = CLI_LINE_READ;
+    progress bar;
+    progress_begin_lines(&bar);
     while (got == CLI_LINE_READ && !ferror(stdout)) {
         got = read_lines(b, count, most, &number);
         read_error = errno;
@@ -214,7 +217,9 @@ static int take_input(batch *b, int count, int most) {
             print(stderr, &b[i].complaints);
             print(stdout, &b[i].answers);
         }
+        progress_lines(&bar, number);
     }
+    progress_end(&bar);
     for (int i = 0; i < count; i++) bad_lines += b[i].bad_lines;
     cli_finish_output();
     if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
