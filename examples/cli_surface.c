@@ -25,23 +25,37 @@ int cli_is_constant_name(const char *name) {
     return 1;
 }
 
-void cli_set_let(const cli_option *option, const char *value, void *field) {
-    cli_surface *surface = field;
-    size_t length = strcspn(value, "="), count = surface->let_count;
-    if (!value[length] || !value[length + 1]) cli_expected(option, value);
-    char *name = malloc(length + 1);
-    cli_let *lets = realloc(surface->lets, (count + 1) * sizeof *lets);
-    if (!name || !lets) cli_no_memory();
+static char *copy_of(const char *text, size_t length) {
+    char *copy = malloc(length + 1);
+    if (!copy) cli_no_memory();
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+static int has_let(const cli_surface *surface, const char *name) {
+    for (size_t i = 0; i < surface->let_count; i++)
+        if (strcmp(surface->lets[i].name, name) == 0) return 1;
+    return 0;
+}
+
+/* Takes name and value over. */
+static void add_let(cli_surface *surface, const char *what, char *name, char *value, int from_file) {
+    cli_let *lets = realloc(surface->lets, (surface->let_count + 1) * sizeof *lets);
+    if (!lets) cli_no_memory();
     surface->lets = lets;
-    memcpy(name, value, length);
-    name[length] = '\0';
     if (!cli_is_constant_name(name))
-        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", option->name,
-                 cli_quote(name).text);
-    for (size_t i = 0; i < count; i++)
-        if (strcmp(lets[i].name, name) == 0)
-            cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
-    lets[surface->let_count++] = (cli_let){name, value + length + 1};
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", what, cli_quote(name).text);
+    lets[surface->let_count++] = (cli_let){name, value, from_file};
+}
+
+void cli_set_let(const cli_option *option, const char *value, void *field) {
+    size_t length = strcspn(value, "=");
+    if (!value[length] || !value[length + 1]) cli_expected(option, value);
+    char *name = copy_of(value, length);
+    if (has_let(field, name))
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
+    add_let(field, option->name, name, copy_of(value + length + 1, strlen(value + length + 1)), 0);
 }
 
 /* Signs that no name has, or a text that is an equation as it stands, "xyz", or with constants, "kxy". */
@@ -55,17 +69,51 @@ static int is_equation(const char *text, int has_constants) {
     return status == ALGSURF_OK || (status == ALGSURF_E_NAME && has_constants);
 }
 
+/* Equation and parameters of a file of SURFER; those that --let gives come before. */
+static void read_jsurf(cli_surface *choice) {
+    const char *path = choice->name;
+    FILE *file = fopen(path, "rb");
+    jsurf_file *read = malloc(sizeof *read);
+    jsurf_error error;
+    if (!read) cli_no_memory();
+    if (!file) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, strerror(errno));
+    if (jsurf_read(file, read, &error) != 0) {
+        if (error.no_memory) cli_no_memory();
+        if (error.line == 0) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, error.message);
+        cli_fail(CLI_BAD_INPUT, "%s: line %zu: %s", cli_quote(path).text, error.line, error.message);
+    }
+    fclose(file);
+    for (size_t i = 0; i < read->parameter_count; i++) {
+        const jsurf_parameter *p = &read->parameters[i];
+        if (!has_let(choice, p->name))
+            add_let(choice, path, copy_of(p->name, strlen(p->name)), copy_of(p->value, strlen(p->value)), 1);
+    }
+    choice->file = read;
+    choice->equation = read->equation;
+}
+
 void cli_settle_surface(cli_surface *choice) {
-    if (!choice->name || catalogue_find(choice->name) || !is_equation(choice->name, choice->let_count > 0))
+    if (!choice->name || catalogue_find(choice->name)) return;
+    if (jsurf_is_name(choice->name) && !choice->equation && !choice->terms) {
+        read_jsurf(choice);
+        choice->name = NULL;
         return;
+    }
+    if (!is_equation(choice->name, choice->let_count > 0)) return;
     if (choice->equation) cli_fail(CLI_BAD_INPUT, "two equations: '%s'", cli_quote(choice->name).text);
     choice->equation = choice->name;
     choice->name = NULL;
 }
 
 void cli_forget_surface(cli_surface *choice) {
-    for (size_t i = 0; i < choice->let_count; i++) free(choice->lets[i].name);
+    for (size_t i = 0; i < choice->let_count; i++) {
+        free(choice->lets[i].name);
+        free(choice->lets[i].value);
+    }
     free(choice->lets);
+    if (choice->file) jsurf_release(choice->file);
+    free(choice->file);
+    choice->file = NULL;
     choice->lets = NULL;
     choice->let_count = 0;
 }
@@ -158,6 +206,7 @@ static values evaluate(const cli_surface *choice, const char *name, double value
     if (name) known.all[known.count++] = (algsurf_constant){name, value};
     for (size_t i = 0; i < choice->let_count; i++) {
         const cli_let *let = &choice->lets[i];
+        if (name && let->from_file && strcmp(let->name, name) == 0) continue;
         double x = constant_of(&known, let);
         known.all[known.count++] = (algsurf_constant){let->name, x};
     }

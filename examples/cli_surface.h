@@ -1,20 +1,22 @@
-/* cli_surface.h - the surface on a command line: a name of the catalogue or an equation as a plain argument,
- * --equation TEXT, constants for it, or --terms FILE. */
+/* cli_surface.h - the surface on a command line: a name of the catalogue, an equation or a file of SURFER as
+ * a plain argument, --equation TEXT, constants for it, or --terms FILE. */
 #ifndef CLI_SURFACE_H
 #define CLI_SURFACE_H
 #include "cli.h"
+#include "jsurf_file.h"
 
 /* A constant of the equation; its value is an expression in those before it. */
 typedef struct cli_let {
-    char *name;
-    const char *value;
+    char *name, *value;
+    int from_file; /* of SURFER: options come before it */
 } cli_let;
 
 typedef struct cli_surface {
     const char *name, *equation, *terms; /* exactly one of them is set */
     cli_let *lets;
     size_t let_count;
-    int rounded; /* --coefficients: answers allow for the rounding of the equation's */
+    jsurf_file *file; /* of SURFER, from which the equation is; null: from none */
+    int rounded;      /* --coefficients: answers allow for the rounding of the equation's */
 } cli_surface;
 
 void cli_set_let(const cli_option *option, const char *value, void *field); /* cli_surface */
@@ -34,7 +36,8 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
      offsetof(type, surface.rounded), 0, 0}
 /* clang-format on */
 
-/* Tells whether the plain argument is a name or an equation; to be called when the command line is read. */
+/* Tells whether the plain argument is a name, an equation or a file, and reads the file; to be called when
+ * the command line is read. */
 void cli_settle_surface(cli_surface *choice);
 
 /* Is it a name that a constant may have? */

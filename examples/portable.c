@@ -1,6 +1,6 @@
 /* portable.c - see portable.h. */
 #define _XOPEN_SOURCE 700 /* POSIX, and realpath */
-#define _DARWIN_C_SOURCE /* POSIX alone hides _SC_NPROCESSORS_ONLN there */
+#define _DARWIN_C_SOURCE  /* POSIX alone hides _SC_NPROCESSORS_ONLN there */
 #include "portable.h"
 
 #include <errno.h>

@@ -21,8 +21,8 @@ int progress_rows(int rows_done, int rows_total, void *data);
 /* What is being done, in place of the time left, until the next row. */
 void progress_say(progress *bar, const char *what);
 
-/* For a program that reads lines: a count of them, when standard error is a terminal and nobody types or reads
- * them; twice a second, from the first second on. */
+/* For a program that reads lines: a count of them, when standard error is a terminal and nobody types or
+ * reads them; twice a second, from the first second on. */
 void progress_begin_lines(progress *bar);
 void progress_lines(progress *bar, size_t lines);
 

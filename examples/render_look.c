@@ -30,6 +30,14 @@ void render_set_light(const cli_option *option, const char *value, void *field) 
     }
 }
 
+void render_look_follow(render_look *look, const jsurf_file *file) {
+    if (!look->outside.given) {
+        look->outside = file->front;
+        if (!look->inside.given) look->inside = file->inside;
+    }
+    if (!look->background.given && !look->transparent) look->background = file->background;
+}
+
 void render_paint(const render_look *look, algsurf_material *material) {
     const css_colour *outside = &look->outside, *inside = look->inside.given ? &look->inside : outside;
     if (outside->given) colour_of(outside, material->outside);

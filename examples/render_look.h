@@ -3,6 +3,7 @@
 #define RENDER_LOOK_H
 #include "cli.h"
 #include "colour.h"
+#include "jsurf_file.h"
 
 typedef struct render_look {
     css_colour outside, inside, background;
@@ -15,6 +16,9 @@ typedef struct render_look {
 /* Setters for a render_look. */
 void render_set_background(const cli_option *option, const char *value, void *field);
 void render_set_light(const cli_option *option, const char *value, void *field);
+
+/* Fills in the colours that a file of SURFER has and the options do not. */
+void render_look_follow(render_look *look, const jsurf_file *file);
 
 /* The material in the colours that were asked for. */
 void render_paint(const render_look *look, algsurf_material *material);

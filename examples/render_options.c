@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "output.h"
+#include "portable.h"
 
 enum { LARGEST = 65535 }; /* width, height: algsurf_render_options */
 
@@ -198,8 +199,10 @@ static const cli_option options_table[] = {
 
 static const cli_program program = {
     .name = "render",
-    .synopsis = "[options] (NAME | EQUATION | --terms FILE)",
-    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.",
+    .synopsis = "[options] (NAME | EQUATION | FILE.jsurf | --terms FILE)",
+    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows;\n"
+             "FILE.jsurf a file of IMAGINARY's SURFER: equation, parameters, view and colours, as far\n"
+             "as options do not say otherwise.",
     .options = options_table,
     .positional = offsetof(render_options, surface.name),
     .examples = "render barth --output barth.png\n"
@@ -234,7 +237,17 @@ static image_format check_image(const render_options *options, const char *optio
     return render_image_format(option, path);
 }
 
+/* "folder/name.jsurf" becomes "name.png". */
+static char *picture_of(const char *path) {
+    const char *name = path + portable_folder_length(path);
+    char *picture = malloc(strlen(name) + sizeof ".png");
+    if (!picture) cli_no_memory();
+    strcpy(strrchr(strcpy(picture, name), '.'), ".png");
+    return picture;
+}
+
 static void check_output(render_options *options) {
+    if (!options->output && options->default_output) options->output = options->default_output;
     if (!options->output) {
         const char *name = options->surface.name ? options->surface.name : "surface";
         options->default_output = malloc(strlen(name) + sizeof ".png");
@@ -256,7 +269,7 @@ static void check_swept_constant(const render_options *options) {
     if (options->sweep.kind != SWEEP_LET) return;
     if (!options->surface.equation) cli_fail(CLI_BAD_INPUT, "--sweep let: only an equation has constants");
     for (size_t i = 0; i < options->surface.let_count; i++)
-        if (strcmp(options->surface.lets[i].name, name) == 0)
+        if (!options->surface.lets[i].from_file && strcmp(options->surface.lets[i].name, name) == 0)
             cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
 }
 
@@ -266,7 +279,13 @@ render_options render_parse_options(int argc, char **argv) {
                               .intersect = {.size = sizeof options.intersect},
                               .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
     cli_parse(&program, argc, argv, &options);
+    const char *file = options.surface.name;
     cli_settle_surface(&options.surface);
+    if (options.surface.file) {
+        view_follow(&options.view, options.surface.file);
+        render_look_follow(&options.look, options.surface.file);
+        options.default_output = picture_of(file);
+    }
     view_check(&options.view);
     if (options.list) return options;
     if (options.row_end > options.view.height)

@@ -11,6 +11,8 @@
 
 /* ---- options ---- */
 
+static const double PI = 3.14159265358979323846;
+
 enum { WIDTH = 1024, HEIGHT = 768 }; /* unless --size says otherwise */
 enum { LARGEST = 65535 };            /* width, height: algsurf_render_options */
 
@@ -70,13 +72,36 @@ void view_check(view_options *options) {
         cli_fail(CLI_BAD_INPUT, "--orthographic: has no field of view; leave --fov out");
 }
 
+/* A camera asked for by any option is no longer the file's. */
+void view_follow(view_options *options, const jsurf_file *file) {
+    double distance = file->perspective ? 1 / sin(file->fov / 2 * PI / 180) : 2; /* in radii */
+    int own_extent = options->extent.given || options->centre.given;
+    int own_camera =
+        options->eye.given || options->look_at.given || options->fov > 0 || options->orthographic > 0;
+    if (!own_extent) {
+        options->extent.given = 1;
+        options->extent.extent = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {file->radius, 0, 0}};
+        options->centre = (cli_vector){{0, 0, 0}, 1};
+    }
+    if (own_extent || own_camera) return;
+    for (int i = 0; i < 3; i++) options->eye.x[i] = distance * file->radius * file->back[i];
+    options->eye.given = 1;
+    options->look_at = (cli_vector){{0, 0, 0}, 1};
+    if (!options->up.given) {
+        memcpy(options->up.x, file->up, sizeof file->up);
+        options->up.given = 1;
+    }
+    if (file->perspective)
+        options->fov = file->fov;
+    else
+        options->orthographic = file->height * file->radius;
+}
+
 /* ---- view and camera ---- */
 
 static const double DEFAULT_EXTENT = 3, DEFAULT_FOV = 30;
 static const double MARGIN = 1.04; /* of the distance, so that the extent does not touch the frame */
 static const double DEFAULT_DIRECTION[3] = {0.55, -0.72, 0.43}; /* from the centre to the eye */
-
-static const double PI = 3.14159265358979323846;
 
 static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
 

@@ -4,6 +4,7 @@
 #define VIEW_H
 #include "catalogue.h"
 #include "cli.h"
+#include "jsurf_file.h"
 
 typedef struct view_options {
     int width, height; /* of the picture, in pixels; 0: not given */
@@ -46,6 +47,9 @@ void view_set_turn(const cli_option *option, const char *value, void *field);
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,            \
      offsetof(type, view.centre), 0, 0}
 /* clang-format on */
+
+/* Fills in what a file of SURFER says of extent and camera and the options do not. */
+void view_follow(view_options *options, const jsurf_file *file);
 
 /* Fills the default size in; ends the program when options do not go together. */
 void view_check(view_options *options);

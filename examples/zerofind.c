@@ -141,6 +141,7 @@ static zerofind_options parse(int argc, char **argv) {
     if (options.trace && options.output && strcmp(options.output, "-") == 0)
         cli_fail(CLI_BAD_INPUT, "--output: '-' holds the plot or the table of --trace, not both");
     if (options.ray.given) refuse_camera(&options.view);
+    if (options.surface.file) view_follow(&options.view, options.surface.file);
     view_check(&options.view);
     if (options.pixel.given &&
         (options.pixel.x >= options.view.width || options.pixel.y >= options.view.height))
