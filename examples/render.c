@@ -13,6 +13,7 @@
 #include "render_join.h"
 #include "render_options.h"
 #include "render_slice.h"
+#include "table.h"
 #include "view.h"
 
 /* What the pictures of one run have in common. */
@@ -86,6 +87,24 @@ static char *surface_text(const cli_surface *surface) {
     return line;
 }
 
+static int has_ending(const char *path, const char *ending) {
+    size_t length = strlen(path), n = strlen(ending);
+    return length > n && strcmp(path + length - n, ending) == 0;
+}
+
+/* Lines "key<TAB>value" as one JSON object. */
+static void write_members(output_set *set, const char *path, const char *lines) {
+    FILE *file = output_open(set, path);
+    for (const char *at = lines; *at;) {
+        size_t key = strcspn(at, "\t"), value = strcspn(at + key + 1, "\n");
+        fputs(at == lines ? "{" : ",\n ", file);
+        table_member(file, at, key, at + key + 1, value, at == lines); /* the first one is the surface */
+        at += key + 1 + value + 1;
+    }
+    fputs("}\n", file);
+    output_close(set, path, file);
+}
+
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
@@ -109,7 +128,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
              stats->iterations, stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles,
              stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
              algsurf_version());
-    output_text(set, path, text);
+    if (has_ending(path, ".json"))
+        write_members(set, path, text);
+    else
+        output_text(set, path, text);
     free(text);
     free(surface);
 }

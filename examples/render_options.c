@@ -181,7 +181,8 @@ static const cli_option options_table[] = {
      "rays on one thread), and which rays doubles leave open; names as --output",
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
-     "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
+     "counts and times, a line 'key<TAB>value' each, or, by the ending .json, an\n"
+     "object; - is standard output.\n"
      "rays: samples of the picture; hits, uncertain: of them; thin: samples that\n"
      "show what --thin draws; single_rays: of all, those not solved together with\n"
      "their row; exact_rays: of these, decided by integers; empty_rays, sheet_rays:\n"

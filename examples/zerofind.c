@@ -6,6 +6,7 @@
 
 #include "cli_surface.h"
 #include "output.h"
+#include "table.h"
 #include "view.h"
 #include "zerofind_plot.h"
 #include "zerofind_solve.h"
@@ -26,7 +27,7 @@ typedef struct zerofind_options {
     zerofind_ray ray;
     int method;
     double tolerance;
-    int trace;
+    int trace, json;
     const char *output;
 } zerofind_options;
 
@@ -99,6 +100,8 @@ static const cli_option options_table[] = {
      "then, the signs of a cell's Bernstein coefficients, and who looked:\n"
      "doubles or integers; makes --output optional",
      cli_set_flag, FIELD(trace)},
+    {"--format", "tsv|json", "of --trace: a table (default); or an object a line, with null for '-'",
+     cli_set_choice, FIELD(json)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -138,6 +141,7 @@ static zerofind_options parse(int argc, char **argv) {
                  options.pixel.given ? "only one of" : "one of");
     if (!options.output && !options.trace)
         cli_fail(CLI_BAD_INPUT, "expected --output FILE.svg, or --trace for a table");
+    if (options.json && !options.trace) cli_fail(CLI_BAD_INPUT, "--format: plays no part without --trace");
     if (options.trace && options.output && strcmp(options.output, "-") == 0)
         cli_fail(CLI_BAD_INPUT, "--output: '-' holds the plot or the table of --trace, not both");
     if (options.ray.given) refuse_camera(&options.view);
@@ -170,30 +174,36 @@ static const char *engine_name(int engine) {
     return engine == ALGSURF_ENGINE_INTEGERS ? "integers" : "doubles";
 }
 
-static void print_row(const char *kind, double t, double value, double lo, double hi, const char *engine) {
-    printf("%s\t%.17g\t%.17g\t%.17g\t%.17g\t-\t%s\n", kind, t, value, lo, hi, engine);
+static void print_row(table *out, const char *kind, double t, double value, double lo, double hi,
+                      const char *engine) {
+    table_add(out, "%s\t%.17g\t%.17g\t%.17g\t%.17g\t-\t%s", kind, t, value, lo, hi, engine);
+    table_end(out);
 }
 
-static void print_hit(const algsurf_hit *hit, const char *kind, const algsurf_surface *surface) {
+static void print_hit(table *out, const algsurf_hit *hit, const char *kind, const algsurf_surface *surface) {
     double value = 0;
     (void)algsurf_surface_value(surface, hit->position, &value, NULL);
-    printf("-\t");
-    print_row(hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
+    table_add(out, "-\t");
+    print_row(out, hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
 }
 
-static void print_trace(const zerofind *z, const algsurf_surface *surface) {
-    printf("#k\tpoint\tt\tP\tt_lo\tt_hi\tsigns\tengine\n");
+static void print_trace(const zerofind *z, const algsurf_surface *surface, int json) {
+    table out = {.columns = "k\tpoint\tt\tP\tt_lo\tt_hi\tsigns\tengine", .json = json};
+    table_head(&out);
     for (int k = 0; k < z->cell_count; k++) {
         const zerofind_cell *c = &z->cells[k];
-        printf("%d\tcell\t-\t-\t%.17g\t%.17g\t%s\t%s\n", k, c->t_lo, c->t_hi, c->signs,
-               engine_name(c->engine));
+        table_add(&out, "%d\tcell\t-\t-\t%.17g\t%.17g\t%s\t%s", k, c->t_lo, c->t_hi, c->signs,
+                  engine_name(c->engine));
+        table_end(&out);
     }
     for (int k = 0; k < z->point_count; k++) {
         const zerofind_point *p = &z->points[k];
-        printf("%d\t", k);
-        print_row(p->is_end ? "end" : "iterate", p->t, p->value, p->t_lo, p->t_hi, engine_name(p->engine));
+        table_add(&out, "%d\t", k);
+        print_row(&out, p->is_end ? "end" : "iterate", p->t, p->value, p->t_lo, p->t_hi,
+                  engine_name(p->engine));
     }
-    for (int i = 0; i < z->count; i++) print_hit(z->hits + i, i == 0 ? "root" : "other", surface);
+    for (int i = 0; i < z->count; i++) print_hit(&out, z->hits + i, i == 0 ? "root" : "other", surface);
+    free(out.row);
     cli_finish_output();
 }
 
@@ -243,7 +253,7 @@ int main(int argc, char **argv) {
                                                     : "t, in lengths of the ray's direction"};
         write_plot(options.output, &z, &words);
     }
-    if (options.trace) print_trace(&z, surface);
+    if (options.trace) print_trace(&z, surface, options.json);
     algsurf_surface_free(surface);
     cli_forget_surface(&options.surface);
     return 0;
