@@ -73,7 +73,9 @@ static int take_colour(reader *r, const char *key, const char *value, css_colour
 
 static int take_number(reader *r, const char *key, const char *value, double low, double high, double *x) {
     if (read_numbers(value, 1, x) && *x >= low && *x <= high) return 0;
-    return bad_value(r, key, "a number in its range", value);
+    char expected[64];
+    snprintf(expected, sizeof expected, "a number from %g to %g", low, high);
+    return bad_value(r, key, expected, value);
 }
 
 static int take_matrix(reader *r, const char *key, const char *value, matrix *m) {
