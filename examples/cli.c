@@ -8,9 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "catalogue.h"
+#include "cli_guess.h"
 #include "portable.h"
-#include "terms_file.h"
 
 /* ---- complaints ---- */
 
@@ -37,19 +36,20 @@ _Noreturn void cli_fail(int status, const char *format, ...) {
     exit(status);
 }
 
+_Noreturn void cli_fail_in(const char *text, size_t offset, size_t length, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+    cli_point_at(stderr, text, offset, length);
+    exit(CLI_BAD_INPUT);
+}
+
 _Noreturn void cli_no_memory(void) { cli_fail(CLI_BROKEN, "out of memory"); }
 
 _Noreturn void cli_expected(const cli_option *option, const char *value) {
     cli_fail(CLI_BAD_INPUT, "%s: expected %s, got '%s'", option->name, option->argument,
              cli_quote(value).text);
-}
-
-cli_quoted cli_quote(const char *text) {
-    cli_quoted quoted;
-    size_t room = sizeof quoted.text - 4, n = 0;
-    for (; text[n] && n < room; n++) quoted.text[n] = (char)(text[n] >= ' ' && text[n] < 127 ? text[n] : '?');
-    strcpy(quoted.text + n, text[n] ? "..." : "");
-    return quoted;
 }
 
 void cli_finish_output(void) {
@@ -169,9 +169,18 @@ static _Noreturn void print_version(const cli_program *program) {
 }
 
 static const cli_option *find_option(const cli_program *program, const char *text, size_t length) {
-    for (const cli_option *o = program->options; o->name; o++)
+    cli_guess guess = cli_guess_begin(text, length);
+    for (const cli_option *o = program->options; o->name; o++) {
         if (strlen(o->name) == length && strncmp(o->name, text, length) == 0) return o;
-    cli_fail(CLI_BAD_INPUT, "unknown option '%s'; --help lists them", cli_quote(text).text);
+        cli_guess_try(&guess, o->name);
+    }
+    cli_guess_try(&guess, "--help");
+    cli_guess_try(&guess, "--version");
+    if (text[1] != '-' && !guess.name)
+        cli_fail(CLI_BAD_INPUT, "unknown option '%s'; an equation that begins with '-' goes behind --",
+                 cli_quote(text).text);
+    cli_fail(CLI_BAD_INPUT, "unknown option '%s'; %s", cli_quote(text).text,
+             guess.name ? cli_guess_text(&guess).text : "--help lists them");
 }
 
 /* One option, its value behind '=' or in the next argument; returns how many arguments it took. */
@@ -289,107 +298,4 @@ void cli_set_tolerance(const cli_option *option, const char *value, void *field)
         cli_fail(CLI_BAD_INPUT, "%s: expected a number, 0 or above, got '%s'", option->name,
                  cli_quote(value).text);
     *(double *)field = tolerance;
-}
-
-/* ---- the surface ---- */
-
-static int is_constant_name(const char *name) {
-    static const char *const taken[] = {"x", "y", "z", "sqrt"};
-    if (!isalpha((unsigned char)name[0])) return 0;
-    for (const char *c = name; *c; c++)
-        if (!isalnum((unsigned char)*c) && *c != '_') return 0;
-    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
-        if (strcmp(name, taken[i]) == 0) return 0;
-    return 1;
-}
-
-void cli_set_let(const cli_option *option, const char *value, void *field) {
-    cli_surface *surface = field;
-    const char *equals = strchr(value, '=');
-    algsurf_constant constant = {NULL, 0};
-    if (!equals || !cli_numbers(equals + 1, ',', 1, &constant.value)) cli_expected(option, value);
-    size_t length = (size_t)(equals - value), count = surface->constant_count;
-    char *name = malloc(length + 1);
-    algsurf_constant *all = realloc(surface->constants, (count + 1) * sizeof *all);
-    if (!name || !all) cli_no_memory();
-    surface->constants = all;
-    memcpy(name, value, length);
-    name[length] = '\0';
-    if (!is_constant_name(name))
-        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", option->name,
-                 cli_quote(name).text);
-    for (size_t i = 0; i < count; i++)
-        if (strcmp(all[i].name, name) == 0)
-            cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
-    constant.name = name;
-    all[count] = constant;
-    surface->constant_count = count + 1;
-}
-
-/* The surface with what rounding its coefficients may have changed. */
-static algsurf_surface *with_rounding(algsurf_surface *exact) {
-    algsurf_surface *surface = NULL;
-    algsurf_status status = algsurf_surface_with_error(exact, algsurf_surface_rounding(exact), &surface);
-    algsurf_surface_free(exact);
-    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
-    if (status != ALGSURF_OK)
-        cli_fail(CLI_BAD_INPUT, "--coefficients: one of them is too small for a double");
-    return surface;
-}
-
-static algsurf_surface *from_equation(const cli_surface *choice, const char *what, const char *text) {
-    algsurf_surface *surface = NULL;
-    algsurf_parse_error error = {0, NULL};
-    algsurf_status status =
-        algsurf_surface_from_equation(text, choice->constants, choice->constant_count, &surface, &error);
-    if (status == ALGSURF_OK) return choice->rounded ? with_rounding(surface) : surface;
-    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
-    if (!error.message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
-    if (!text[error.offset])
-        cli_fail(CLI_BAD_INPUT, "%s: column %zu, at the end: %s", what, error.offset + 1, error.message);
-    cli_fail(CLI_BAD_INPUT, "%s: column %zu, at '%s': %s", what, error.offset + 1,
-             cli_quote(text + error.offset).text, error.message);
-}
-
-static algsurf_surface *from_terms(const char *path) {
-    FILE *file = fopen(path, "rb");
-    if (!file) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, strerror(errno));
-    algsurf_surface *surface = NULL;
-    terms_error error;
-    if (terms_read_surface(file, &surface, &error) != 0) {
-        if (error.no_memory) cli_no_memory();
-        if (error.line == 0) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, error.message);
-        cli_fail(CLI_BAD_INPUT, "--terms: %s: line %zu: %s", cli_quote(path).text, error.line, error.message);
-    }
-    fclose(file);
-    return surface;
-}
-
-static void release_constants(cli_surface *choice) {
-    for (size_t i = 0; i < choice->constant_count; i++) free((char *)choice->constants[i].name);
-    free(choice->constants);
-    choice->constants = NULL;
-    choice->constant_count = 0;
-}
-
-algsurf_surface *cli_make_surface(cli_surface *choice) {
-    int chosen = (choice->name != NULL) + (choice->equation != NULL) + (choice->terms != NULL);
-    if (chosen != 1)
-        cli_fail(CLI_BAD_INPUT, "expected %s NAME, --equation TEXT, --terms FILE; see --help",
-                 chosen ? "only one of" : "one of");
-    if (choice->constant_count > 0 && !choice->equation)
-        cli_fail(CLI_BAD_INPUT, "--let: only an --equation has constants");
-    if (choice->rounded && choice->terms)
-        cli_fail(CLI_BAD_INPUT, "--coefficients: those of --terms are exact");
-    if (choice->equation) {
-        algsurf_surface *surface = from_equation(choice, "--equation", choice->equation);
-        release_constants(choice);
-        return surface;
-    }
-    if (choice->terms) return from_terms(choice->terms);
-    const catalogue_entry *entry = catalogue_find(choice->name);
-    if (!entry)
-        cli_fail(CLI_BAD_INPUT, "unknown surface '%s'; render --list shows the names",
-                 cli_quote(choice->name).text);
-    return from_equation(choice, entry->name, entry->equation);
 }

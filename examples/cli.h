@@ -10,6 +10,7 @@
 #include <stdio.h>
 
 #include "algsurf/algsurf.h"
+#include "cli_text.h"
 
 enum { CLI_BROKEN = 1, CLI_BAD_INPUT = 2 };
 
@@ -26,11 +27,9 @@ _Noreturn void cli_fail(int status, const char *format, ...) CLI_FORMAT(2, 3);
 void cli_complain(const char *format, ...) CLI_FORMAT(1, 2);
 _Noreturn void cli_no_memory(void);
 
-/* Text of a user's, fit to be quoted in one line: shortened, printable ASCII only. */
-typedef struct cli_quoted {
-    char text[48];
-} cli_quoted;
-cli_quoted cli_quote(const char *text);
+/* The end of the program, status 2: one line, then the text and a mark below `length` bytes of it. */
+_Noreturn void cli_fail_in(const char *text, size_t offset, size_t length, const char *format, ...)
+    CLI_FORMAT(4, 5);
 
 /* ---- options ---- */
 
@@ -79,37 +78,10 @@ void cli_set_extent(const cli_option *option, const char *value, void *field);  
 void cli_set_method(const cli_option *option, const char *value, void *field);    /* algsurf_method */
 void cli_set_tier(const cli_option *option, const char *value, void *field);      /* algsurf_tier */
 void cli_set_tolerance(const cli_option *option, const char *value, void *field); /* double */
-void cli_set_let(const cli_option *option, const char *value, void *field);       /* cli_surface */
 void cli_set_choice(const cli_option *option, const char *value, void *field);    /* int, cli_choice */
 
 /* Which of the words of an argument "one|two|three" the value is, from 0. */
 int cli_choice(const cli_option *option, const char *value);
-
-/* ---- the surface: NAME, --equation TEXT [--let A=VALUE ...], or --terms FILE ---- */
-
-typedef struct cli_surface {
-    const char *name, *equation, *terms; /* exactly one of them is set */
-    algsurf_constant *constants;         /* from --let */
-    size_t constant_count;
-    int rounded; /* --coefficients: answers allow for the rounding of the equation's */
-} cli_surface;
-
-/* clang-format off */
-/* The rows of the option table for the member `surface` of a structure. */
-#define CLI_SURFACE_OPTIONS(type)                                                                            \
-    {"--equation", "TEXT", "the surface as an equation in x, y, z: \"x^2 + y^2 = 1 - z^2\"", cli_set_text,   \
-     offsetof(type, surface.equation), 0, 0},                                                                \
-    {"--let", "A=VALUE", "a constant for the equation (repeatable)", cli_set_let,                            \
-     offsetof(type, surface), 0, 0},                                                                         \
-    {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
-     offsetof(type, surface.terms), 0, 0},                                                                   \
-    {"--coefficients", "exact|rounded", "the doubles are the surface (default), or they are roundings of\n"   \
-     "the equation's: what is certain then holds for the equation", cli_set_choice,                          \
-     offsetof(type, surface.rounded), 0, 0}
-/* clang-format on */
-
-/* Makes the surface that was asked for, and releases the constants. */
-algsurf_surface *cli_make_surface(cli_surface *choice);
 
 /* ---- numbers and lines ---- */
 

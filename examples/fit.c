@@ -280,7 +280,11 @@ static double fit_camera(view *v, const view_options *options, const algsurf_sur
     return reach;
 }
 
-void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only) {
+void fit_view(view *v, const view_options *asked, const algsurf_surface *surface, int extent_only) {
+    view_options usual = *asked; /* what magnifies does so afterwards */
+    const view_options *options = &usual;
+    usual.fov = usual.zoom = 0;
+    *v = view_make(options, NULL);
     int choose_extent = !options->extent.given && !options->centre.given, bounded = 1;
     int choose_camera =
         !options->eye.given && !options->look_at.given && !(options->orthographic > 0) && !extent_only;
@@ -298,6 +302,7 @@ void fit_view(view *v, const view_options *options, const algsurf_surface *surfa
         }
         round_camera(v);
     }
-    tell(v, choose_extent, choose_camera, v->fov != fov && !(options->fov > 0));
-    if (options->fov > 0) v->fov = options->fov;
+    tell(v, choose_extent, choose_camera, v->fov != fov && !(asked->fov > 0));
+    if (asked->fov > 0) v->fov = asked->fov;
+    view_zoom(v, asked->zoom);
 }

@@ -7,7 +7,9 @@
 
 #include "canvas.h"
 #include "catalogue.h"
+#include "cli_surface.h"
 #include "output.h"
+#include "progress.h"
 #include "view.h"
 
 enum { COLUMNS = 5, TILE_WIDTH = 232, TILE_HEIGHT = 174, ANTIALIAS = 4 };
@@ -46,11 +48,15 @@ static int count_surfaces(void) {
 }
 
 /* A tile whose upper left corner is at (x,y) of the sheet. */
-static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *entry) {
+static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *entry, progress *bar) {
     const view_options size = {.width = TILE_WIDTH, .height = TILE_HEIGHT};
     const view shown = view_make(&size, entry);
     const algsurf_camera camera = view_camera(&shown, 0, 1);
-    const algsurf_render_options how = {.size = sizeof how, .width = TILE_WIDTH, .height = TILE_HEIGHT};
+    const algsurf_render_options how = {.size = sizeof how,
+                                        .width = TILE_WIDTH,
+                                        .height = TILE_HEIGHT,
+                                        .progress = progress_rows,
+                                        .progress_data = bar};
     const algsurf_picture tile = {.size = sizeof tile,
                                   .pixels = sheet->pixels + 3 * ((size_t)y * WIDTH + (size_t)x),
                                   .stride = 3 * (size_t)WIDTH};
@@ -73,13 +79,17 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
 /* Row by row, the last one in the middle. */
 static void draw_sheet(const canvas *sheet, int count) {
     int i = 0;
+    progress bar;
+    progress_begin(&bar, PROGRESS_AUTO, count);
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         if (is_second_name(entry)) continue;
         int row = i / COLUMNS, left = count - row * COLUMNS, in_row = left < COLUMNS ? left : COLUMNS;
         int x = (COLUMNS - in_row) * TILE_WIDTH / 2 + i % COLUMNS * TILE_WIDTH;
-        draw_tile(sheet, x, row * ROW_HEIGHT, entry);
+        bar.picture = i + 1;
+        draw_tile(sheet, x, row * ROW_HEIGHT, entry, &bar);
         i++;
     }
+    progress_end(&bar);
 }
 
 int main(int argc, char **argv) {

@@ -14,6 +14,7 @@
 #endif
 
 #include "catalogue.h"
+#include "cli_surface.h"
 #include "host_renderer_host.h"
 #include "output.h"
 #include "view.h"

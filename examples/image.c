@@ -55,10 +55,14 @@ static const char *write_bmp(FILE *file, int width, int height, const uint8_t *p
     return NULL;
 }
 
+const char *image_write_alpha(FILE *file, int width, int height, const uint8_t *pixels) {
+    return png_write(file, width, height, 4, pixels);
+}
+
 const char *image_write(FILE *file, image_format format, int width, int height, const uint8_t *pixels) {
     switch (format) {
     case IMAGE_PNG:
-        return png_write(file, width, height, pixels);
+        return png_write(file, width, height, 3, pixels);
     case IMAGE_BMP:
         return write_bmp(file, width, height, pixels);
     case IMAGE_PPM:

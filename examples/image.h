@@ -16,6 +16,9 @@ int image_format_of(const char *path, image_format *format);
  * a write error is left to the caller to see, in ferror(file). */
 const char *image_write(FILE *file, image_format format, int width, int height, const uint8_t *pixels);
 
+/* The same for pixels of four bytes, the last one alpha, as a PNG. */
+const char *image_write_alpha(FILE *file, int width, int height, const uint8_t *pixels);
+
 /* A PPM with a line of comment, null for none. */
 void image_write_ppm(FILE *file, const char *comment, int width, int height, const uint8_t *pixels);
 

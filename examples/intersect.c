@@ -4,13 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "cli_surface.h"
+#include "progress.h"
+#include "table.h"
 
 typedef struct intersect_options {
     cli_surface surface;
     cli_extent extent;
     cli_vector centre;
-    int all;
+    int all, json;
     algsurf_intersect_options how;
 } intersect_options;
 
@@ -30,11 +32,13 @@ static const cli_option options_table[] = {
      "every ray decided, by integers where doubles leave it open (default);\n"
      "doubles alone, the rest uncertain; signs as computed, which may be wrong",
      cli_set_tier, FIELD(how.tier)},
+    {"--format", "tsv|json", "a table (default); or an object a line, with null for '-', and inf as a string",
+     cli_set_choice, FIELD(json)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "intersect",
-    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
+    .synopsis = "[options] (NAME | EQUATION | --terms FILE)",
     .about = "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal\n"
              "or hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table\n"
              "with the columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z,\n"
@@ -46,7 +50,7 @@ static const cli_program program = {
     .options = options_table,
     .positional = offsetof(intersect_options, surface.name),
     .examples = "echo '-4 0.25 0  1 0 0  0 inf' | intersect torus\n"
-                "echo '-4 0 0  1 0 0  0 inf' | intersect --equation 'x^2 + y^2 + z^2 = 1' --all",
+                "echo '-4 0 0  1 0 0  0 inf' | intersect 'x^2 + y^2 + z^2 = 1' --all",
 };
 
 /* What every line needs. */
@@ -58,41 +62,44 @@ typedef struct run {
     algsurf_hit *hits;
     int capacity;
     int bad_lines;
+    table out;
 } run;
 
-static void print_absent(int columns) {
-    while (columns-- > 0) fputs("\t-", stdout);
+static void add_absent(table *out, int columns) {
+    while (columns-- > 0) table_add(out, "\t-");
 }
 
-static void print_numbers(const double *values, int count) {
-    for (int i = 0; i < count; i++) printf("\t%.17g", values[i]);
+static void add_numbers(table *out, const double *values, int count) {
+    for (int i = 0; i < count; i++) table_add(out, "\t%.17g", values[i]);
 }
 
-static void print_hit(const run *r, size_t line, const algsurf_hit *hit) {
-    printf("%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "uncertain");
-    print_numbers(&hit->t, 1);
+static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
+    table *out = &r->out;
+    table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "uncertain");
+    add_numbers(out, &hit->t, 1);
     if (r->how->tier == ALGSURF_TIER_FAST) {
-        print_absent(2);
+        add_absent(out, 2);
     } else {
-        print_numbers(&hit->t_lo, 1);
-        print_numbers(&hit->t_hi, 1);
+        add_numbers(out, &hit->t_lo, 1);
+        add_numbers(out, &hit->t_hi, 1);
     }
-    print_numbers(hit->position, 3);
+    add_numbers(out, hit->position, 3);
     const double *n = hit->normal;
     if (n[0] == 0 && n[1] == 0 && n[2] == 0)
-        print_absent(3);
+        add_absent(out, 3);
     else
-        print_numbers(n, 3);
+        add_numbers(out, n, 3);
     if (hit->state == ALGSURF_HIT)
-        printf("\t%d\t%d\n", hit->multiplicity, hit->side);
+        table_add(out, "\t%d\t%d", hit->multiplicity, hit->side);
     else
-        printf("\t-\t-\n");
+        add_absent(out, 2);
+    table_end(out);
 }
 
-static void print_empty(size_t line, const char *state) {
-    printf("%zu\t%s", line, state);
-    print_absent(11);
-    putchar('\n');
+static void print_empty(run *r, size_t line, const char *state) {
+    table_add(&r->out, "%zu\t%s", line, state);
+    add_absent(&r->out, 11);
+    table_end(&r->out);
 }
 
 /* The ray of a line's eight fields; 0 and a complaint when there is none. */
@@ -113,7 +120,7 @@ static int parse_ray(size_t line, char **field, algsurf_ray *ray) {
 }
 
 /* The hits of one ray; 0 and a complaint when the library refuses it. */
-static int meet(const run *r, size_t line, const algsurf_ray *ray) {
+static int meet(run *r, size_t line, const algsurf_ray *ray) {
     int count = 1;
     algsurf_status status =
         r->all ? algsurf_intersect_all(r->surface, r->extent, ray, r->how, r->hits, r->capacity, &count)
@@ -123,7 +130,7 @@ static int meet(const run *r, size_t line, const algsurf_ray *ray) {
         return 0;
     }
     if (count == 0 || r->hits[0].state == ALGSURF_MISS)
-        print_empty(line, "miss");
+        print_empty(r, line, "miss");
     else
         for (int i = 0; i < count; i++) print_hit(r, line, &r->hits[i]);
     return 1;
@@ -142,18 +149,22 @@ static void take_line(run *r, cli_line *line) {
     else if (parse_ray(line->number, field, &ray) && meet(r, line->number, &ray))
         return;
     r->bad_lines++;
-    print_empty(line->number, "error");
+    print_empty(r, line->number, "error");
 }
 
 static void take_lines(run *r) {
     cli_line line = {.number = 0};
     cli_line_result got;
-    fputs("#line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\tmultiplicity\tside\n", stdout);
+    progress bar;
+    progress_begin_lines(&bar);
+    table_head(&r->out);
     while ((got = cli_read_line(stdin, &line)) == CLI_LINE_READ) {
         take_line(r, &line);
+        progress_lines(&bar, line.number);
         if (ferror(stdout)) break;
     }
     int read_error = errno;
+    progress_end(&bar);
     cli_finish_output();
     if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
     if (got == CLI_LINE_TOO_LONG) cli_fail(CLI_BAD_INPUT, "line %zu: too long", line.number + 1);
@@ -164,17 +175,24 @@ static void take_lines(run *r) {
 int main(int argc, char **argv) {
     intersect_options options = {.how = {.size = sizeof options.how}};
     cli_parse(&program, argc, argv, &options);
+    cli_settle_surface(&options.surface);
     if (options.centre.given && !options.extent.given)
         cli_fail(CLI_BAD_INPUT, "--centre: there is no --extent to be moved");
     memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
     algsurf_surface *surface = cli_make_surface(&options.surface);
-    run r = {.surface = surface, .how = &options.how, .all = options.all};
+    run r = {.surface = surface,
+             .how = &options.how,
+             .all = options.all,
+             .out = {.columns = "line\tstate\tt\tt_lo\tt_hi\tx\ty\tz\tnx\tny\tnz\tmultiplicity\tside",
+                     .json = options.json}};
     if (options.extent.given) r.extent = &options.extent.extent;
     r.capacity = algsurf_surface_degree(surface) + 1; /* at least 1, for a constant */
     r.hits = malloc((size_t)r.capacity * sizeof *r.hits);
     if (!r.hits) cli_no_memory();
     take_lines(&r);
     free(r.hits);
+    free(r.out.row);
     algsurf_surface_free(surface);
+    cli_forget_surface(&options.surface);
     return r.bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

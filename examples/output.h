@@ -1,9 +1,10 @@
 /* output.h - files that are whole or not there.
  *
  * A regular file is written beside its target under another name, and renamed when all files of its
- * set are complete; whatever goes wrong before, it is removed and the target is as it was.  A target
- * that exists and is no regular file (a device, a pipe, a link) is written directly, "-" is standard
- * output.  Every function here ends the program, status 1, with one line when it cannot do its work.
+ * set are complete; whatever goes wrong before, an interruption too, it is removed and the target is as it
+ * was.  A target that exists keeps its permissions; links are followed, but for those that lead nowhere.  A
+ * target that is no regular file (a device, a pipe) is written directly, "-" is standard output.  Every
+ * function here ends the program, status 1, with one line when it cannot do its work.
  */
 #ifndef OUTPUT_H
 #define OUTPUT_H
@@ -16,6 +17,7 @@
 typedef struct output_file {
     const char *path;
     char *temporary; /* null: written directly */
+    char *target;    /* the path, its links followed; null with temporary */
     FILE *open;      /* null once it is closed */
 } output_file;
 
@@ -25,7 +27,7 @@ typedef struct output_set {
     int count;
 } output_set;
 
-/* Whether the path is a device, a pipe, a link: there, but neither a regular file nor a folder. */
+/* Whether the path is, or leads to, a device or a pipe: there, but neither a regular file nor a folder. */
 int output_is_special(const char *path);
 
 /* Tells early whether a file can be written: tries, and leaves nothing behind. */
@@ -33,6 +35,7 @@ void output_check(const char *path);
 
 void output_image(output_set *set, const char *path, image_format format, int width, int height,
                   const uint8_t *pixels);
+void output_alpha(output_set *set, const char *path, int width, int height, const uint8_t *pixels);
 void output_ppm(output_set *set, const char *path, const char *comment, int width, int height,
                 const uint8_t *pixels);
 void output_hits(output_set *set, const char *path, const double *hits, size_t count);

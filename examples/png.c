@@ -208,37 +208,40 @@ static int predict(int filter, int a, int b, int c) {
     }
 }
 
-/* A row behind its filter's number; returns the sum of the residuals' magnitudes. */
+/* A row behind its filter's number, the neighbour of a byte being `left` bytes before it; returns the sum of
+ * the residuals' magnitudes. */
 static unsigned long filter_row(int filter, const uint8_t *row, const uint8_t *above, size_t length,
-                                uint8_t *out) {
+                                size_t left, uint8_t *out) {
     unsigned long sum = 0;
     *out++ = (uint8_t)filter;
     for (size_t i = 0; i < length; i++) {
-        int a = i < 3 ? 0 : row[i - 3], b = above ? above[i] : 0, c = i < 3 || !above ? 0 : above[i - 3];
+        int a = i < left ? 0 : row[i - left], b = above ? above[i] : 0;
+        int c = i < left || !above ? 0 : above[i - left];
         out[i] = (uint8_t)(row[i] - predict(filter, a, b, c));
         sum += out[i] < 128 ? out[i] : 256u - out[i];
     }
     return sum;
 }
 
-static void filter_best(const uint8_t *row, const uint8_t *above, size_t length, uint8_t *out) {
+static void filter_best(const uint8_t *row, const uint8_t *above, size_t length, size_t left, uint8_t *out) {
     int best = 0;
-    unsigned long least = filter_row(0, row, above, length, out);
+    unsigned long least = filter_row(0, row, above, length, left, out);
     for (int filter = 1; filter < 5; filter++) {
-        unsigned long sum = filter_row(filter, row, above, length, out);
+        unsigned long sum = filter_row(filter, row, above, length, left, out);
         if (sum >= least) continue;
         least = sum;
         best = filter;
     }
-    filter_row(best, row, above, length, out);
+    filter_row(best, row, above, length, left, out);
 }
 
-const char *png_write(FILE *file, int width, int height, const uint8_t *pixels) {
+const char *png_write(FILE *file, int width, int height, int channels, const uint8_t *pixels) {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    size_t length = 3 * (size_t)width, size = (length + 1) * (size_t)height;
+    size_t left = (size_t)channels, length = left * (size_t)width, size = (length + 1) * (size_t)height;
     png_writer *png = calloc(1, sizeof *png);
     uint8_t *filtered = malloc(size);
-    uint8_t header[13] = {[8] = 8, [9] = 2}; /* 8 bits a sample, red green blue */
+    uint8_t header[13] = {
+        [8] = 8, [9] = channels == 4 ? 6 : 2}; /* bits a sample, colour with alpha or without */
     if (!png || !filtered) {
         free(png);
         free(filtered);
@@ -247,7 +250,7 @@ const char *png_write(FILE *file, int width, int height, const uint8_t *pixels) 
     png->file = file;
     make_crc_table(png);
     for (size_t y = 0; y < (size_t)height; y++)
-        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length,
+        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length, left,
                     filtered + y * (length + 1));
     put_big_endian(header, (uint32_t)width);
     put_big_endian(header + 4, (uint32_t)height);

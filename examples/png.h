@@ -4,8 +4,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Writes width x height pixels of red, green, blue as an 8-bit RGB PNG.  Returns null or "out of
- * memory"; write errors are left in ferror(file). */
-const char *png_write(FILE *file, int width, int height, const uint8_t *pixels);
+/* Writes width x height pixels of red, green, blue (channels 3), or those and alpha (4), 8 bits each, as a
+ * PNG.  Returns null or "out of memory"; write errors are left in ferror(file). */
+const char *png_write(FILE *file, int width, int height, int channels, const uint8_t *pixels);
 
 #endif

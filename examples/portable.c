@@ -1,10 +1,11 @@
 /* portable.c - see portable.h. */
-#define _POSIX_C_SOURCE 200809L
-#define _DARWIN_C_SOURCE /* POSIX alone hides _SC_NPROCESSORS_ONLN there */
+#define _XOPEN_SOURCE 700 /* POSIX, and realpath */
+#define _DARWIN_C_SOURCE  /* POSIX alone hides _SC_NPROCESSORS_ONLN there */
 #include "portable.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,6 +30,12 @@ int portable_rename(const char *from, const char *to) {
 
 int portable_make_folder(const char *path) { return _mkdir(path); }
 
+char *portable_path_behind(const char *path) {
+    (void)path;
+    errno = ENOSYS;
+    return NULL;
+}
+
 long portable_processors(void) {
     SYSTEM_INFO system;
     GetSystemInfo(&system);
@@ -47,6 +54,8 @@ int portable_rename(const char *from, const char *to) { return rename(from, to);
 
 int portable_make_folder(const char *path) { return mkdir(path, 0777); }
 
+char *portable_path_behind(const char *path) { return realpath(path, NULL); }
+
 long portable_processors(void) {
 #if defined(_SC_NPROCESSORS_ONLN)
     return sysconf(_SC_NPROCESSORS_ONLN);
@@ -56,10 +65,75 @@ long portable_processors(void) {
 }
 #endif
 
+/* ---- signals, and what the mask of permissions took away: neither on Windows nor on WebAssembly ---- */
+
+#if defined(_WIN32) || defined(__wasi__)
+static void set_mode(int descriptor, mode_t mode) {
+    (void)descriptor;
+    (void)mode;
+}
+
+void portable_remember(const char *path) { (void)path; }
+void portable_forget(const char *path) { (void)path; }
+#else
+#include <signal.h>
+
+static void set_mode(int descriptor, mode_t mode) { (void)fchmod(descriptor, mode); }
+
+enum { MOST_FILES = 8 };
+static const char *volatile remembered[MOST_FILES];
+
+/* Only calls that a handler may make; the signal is raised again, and ends the program as it would have. */
+static void remove_remembered(int number) {
+    for (int i = 0; i < MOST_FILES; i++) {
+        const char *path = remembered[i];
+        if (path) (void)unlink(path);
+    }
+    (void)raise(number);
+}
+
+/* What is ignored, as under nohup, stays ignored. */
+static void catch_signals(void) {
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    static int done;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers && !done; i++) {
+        struct sigaction action, before;
+        memset(&action, 0, sizeof action);
+        action.sa_handler = remove_remembered;
+        action.sa_flags = (int)SA_RESETHAND;
+        if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+            (void)sigaction(numbers[i], &action, NULL);
+    }
+    done = 1;
+}
+
+void portable_remember(const char *path) {
+    catch_signals();
+    for (int i = 0; i < MOST_FILES; i++) {
+        if (remembered[i]) continue;
+        remembered[i] = path;
+        return;
+    }
+}
+
+void portable_forget(const char *path) {
+    for (int i = 0; i < MOST_FILES; i++)
+        if (remembered[i] == path) remembered[i] = NULL;
+}
+#endif
+
+static portable_kind kind_of(const struct stat *s) {
+    return S_ISREG(s->st_mode) ? PORTABLE_FILE : S_ISDIR(s->st_mode) ? PORTABLE_FOLDER : PORTABLE_OTHER;
+}
+
 portable_kind portable_kind_of(const char *path) {
     struct stat s;
-    if (about(path, &s) != 0) return PORTABLE_NOTHING;
-    return S_ISREG(s.st_mode) ? PORTABLE_FILE : S_ISDIR(s.st_mode) ? PORTABLE_FOLDER : PORTABLE_OTHER;
+    return about(path, &s) != 0 ? PORTABLE_NOTHING : kind_of(&s);
+}
+
+portable_kind portable_kind_behind(const char *path) {
+    struct stat s;
+    return stat(path, &s) != 0 ? PORTABLE_NOTHING : kind_of(&s);
 }
 
 int portable_folder_length(const char *path) {
@@ -68,9 +142,13 @@ int portable_folder_length(const char *path) {
     return length;
 }
 
-FILE *portable_create(const char *path) {
-    int descriptor = open(path, O_WRONLY | O_CREAT | O_EXCL | O_BINARY, 0666); /* as fopen creates */
+FILE *portable_create(const char *path, const char *like) {
+    struct stat s;
+    int known = stat(like, &s) == 0 && S_ISREG(s.st_mode);
+    mode_t mode = known ? s.st_mode & 0777 : 0666; /* as fopen creates */
+    int descriptor = open(path, O_WRONLY | O_CREAT | O_EXCL | O_BINARY, mode);
     if (descriptor < 0) return NULL;
+    if (known) set_mode(descriptor, mode);
     FILE *file = fdopen(descriptor, "wb");
     if (!file) (void)close(descriptor);
     return file;

@@ -14,12 +14,13 @@
 #include "render_join.h"
 #include "render_options.h"
 #include "render_slice.h"
+#include "table.h"
 #include "view.h"
 
 /* What the pictures of one run have in common. */
 typedef struct run {
     const render_options *options;
-    const algsurf_surface *surface;
+    algsurf_surface *surface;
     algsurf_scene *scene;
     int rows; /* drawn: all, or the slice */
     uint8_t *pixels;
@@ -44,19 +45,20 @@ static void demand(algsurf_status status) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 
-static const double thin_colour[3] = {0.8, 0.05, 0.1};
-
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
     algsurf_scene *scene;
     demand(algsurf_scene_create(surface, &scene));
     algsurf_material material = view_material(scene, entry);
+    render_paint(&options->look, &material);
     demand(algsurf_scene_set_extent(scene, extent));
     demand(algsurf_scene_set_material(scene, &material));
     demand(algsurf_scene_set_quality(scene, options->quality));
     demand(algsurf_scene_set_antialias(scene, options->antialias));
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
-    demand(algsurf_scene_set_thin(scene, options->thin ? thin_colour : NULL));
+    double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
+    if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
+    demand(algsurf_scene_set_thin(scene, options->thin == THIN_NONE ? NULL : thin_colour));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
@@ -102,6 +104,24 @@ static char *surface_text(const cli_surface *surface) {
     return line;
 }
 
+static int has_ending(const char *path, const char *ending) {
+    size_t length = strlen(path), n = strlen(ending);
+    return length > n && strcmp(path + length - n, ending) == 0;
+}
+
+/* Lines "key<TAB>value" as one JSON object. */
+static void write_members(output_set *set, const char *path, const char *lines) {
+    FILE *file = output_open(set, path);
+    for (const char *at = lines; *at;) {
+        size_t key = strcspn(at, "\t"), value = strcspn(at + key + 1, "\n");
+        fputs(at == lines ? "{" : ",\n ", file);
+        table_member(file, at, key, at + key + 1, value, at == lines); /* the first one is the surface */
+        at += key + 1 + value + 1;
+    }
+    fputs("}\n", file);
+    output_close(set, path, file);
+}
+
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
@@ -125,7 +145,10 @@ static void write_stats(output_set *set, const char *path, const run *r, const a
              stats->iterations, stats->tiles, stats->empty_tiles, stats->sheet_tiles, stats->leaf_tiles,
              stats->expand_s, stats->solve_s, stats->point_s, stats->shadow_s, stats->shade_s, stats->total_s,
              algsurf_version());
-    output_text(set, path, text);
+    if (has_ending(path, ".json"))
+        write_members(set, path, text);
+    else
+        output_text(set, path, text);
     free(text);
     free(surface);
 }
@@ -143,6 +166,10 @@ static void write_picture(output_set *set, const char *path, const run *r, const
                           const algsurf_camera *camera, const algsurf_complex_space *space) {
     const render_options *options = r->options;
     size_t count = (size_t)options->view.width * (size_t)r->rows;
+    if (options->look.transparent) {
+        output_alpha(set, path, options->view.width, r->rows, r->pixels);
+        return;
+    }
     if (options->row_end == 0 || options->format != IMAGE_PPM) {
         output_image(set, path, options->format, options->view.width, r->rows, r->pixels);
         return;
@@ -183,9 +210,33 @@ static void explain_nothing(const run *r, const view *shown) {
             lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }
 
+static algsurf_surface *make_surface(const render_options *options, int picture) {
+    const render_sweep *sweep = &options->sweep;
+    if (sweep->kind != SWEEP_LET) return cli_make_surface(&options->surface);
+    return cli_make_surface_with(&options->surface, sweep->name, render_sweep_value(sweep, picture));
+}
+
+static void release_surface(run *r) {
+    algsurf_scene_free(r->scene);
+    algsurf_surface_free(r->surface);
+    r->scene = NULL;
+    r->surface = NULL;
+}
+
+/* The surface of this picture and a scene with it: one for all unless a constant is swept. */
+static void prepare_surface(run *r, const view *shown, int picture) {
+    const cli_surface *given = &r->options->surface;
+    if (r->scene && r->options->sweep.kind != SWEEP_LET) return;
+    if (r->scene) release_surface(r);
+    if (!r->surface) r->surface = make_surface(r->options, picture);
+    r->scene =
+        make_scene(r->options, r->surface, given->name ? catalogue_find(given->name) : NULL, &shown->extent);
+}
+
 static void draw_picture(run *r, const view *shown, int picture) {
     const render_options *options = r->options;
     const render_sweep *sweep = &options->sweep;
+    prepare_surface(r, shown, picture);
     algsurf_camera camera = view_camera(shown, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
     algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
     char *output = numbered(options->output, r, picture);
@@ -199,17 +250,27 @@ static void draw_picture(run *r, const view *shown, int picture) {
     algsurf_render_options how = {
         sizeof how,       options->view.width, options->view.height, options->row_begin,
         options->row_end, options->threads,    progress_rows,        &r->bar};
-    const algsurf_picture planes = {.size = sizeof planes, .pixels = r->pixels, .t = r->hits, .way = r->ways};
+    const algsurf_picture planes = {.size = sizeof planes,
+                                    .pixels = r->pixels,
+                                    .format = options->look.transparent ? ALGSURF_RGBA8 : ALGSURF_RGB8,
+                                    .t = r->hits,
+                                    .way = r->ways};
     algsurf_render_stats counted = {.size = sizeof counted};
     r->bar.picture = options->frame > 0 ? 1 : picture + 1;
     demand(algsurf_scene_set_camera(r->scene, &camera));
+    demand(render_light_scene(&options->look, &camera, &shown->extent, r->scene));
     demand(algsurf_scene_set_complex_space(r->scene, options->space.is_complex ? &space : NULL));
     demand(algsurf_render(r->scene, &how, &planes, &counted));
     if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
         explain_nothing(r, shown);
+    if (counted.thin > 0 && options->thin == THIN_USUAL)
+        cli_complain("thin: %" PRIu64
+                     " samples show points or lines too thin for a ray; --thin none leaves them out",
+                     counted.thin);
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};
+    progress_say(&r->bar, "writing");
     if (stats) write_stats(&set, stats, r, &counted);
     if (hits) output_hits(&set, hits, r->hits, (size_t)options->view.width * (size_t)r->rows);
     if (heatmap) write_heatmap(&set, heatmap, r, &shown->extent, &camera);
@@ -221,31 +282,46 @@ static void draw_picture(run *r, const view *shown, int picture) {
     free(heatmap);
 }
 
-static void draw(const render_options *options, const algsurf_surface *surface,
-                 const catalogue_entry *entry) {
-    view shown = view_make(&options->view, entry);
-    if (!entry)
-        fit_view(&shown, &options->view, surface,
+static void check_degree(const render_options *options, const algsurf_surface *surface) {
+    int degree = algsurf_surface_degree(surface);
+    if (options->thin == THIN_ASKED && degree > RENDER_THIN_DEGREE)
+        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", degree, RENDER_THIN_DEGREE);
+    render_check_degree(&options->space, &options->sweep, degree);
+}
+
+/* Makes the surface of the first picture; what is bad about any is told before one is drawn. */
+static void check_surfaces(run *r, int first, int end) {
+    r->surface = make_surface(r->options, first);
+    check_degree(r->options, r->surface);
+    if (r->options->sweep.kind != SWEEP_LET) return;
+    for (int i = first + 1; i < end; i++) {
+        algsurf_surface *surface = make_surface(r->options, i);
+        check_degree(r->options, surface);
+        algsurf_surface_free(surface);
+    }
+}
+
+static void draw(const render_options *options) {
+    const cli_surface *given = &options->surface;
+    int first = options->frame > 0 ? options->frame - 1 : 0;
+    int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
+    run r = {.options = options};
+    check_surfaces(&r, first, end);
+    view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
+    if (!given->name)
+        fit_view(&shown, &options->view, r.surface,
                  options->space.is_complex || options->sweep.kind == SWEEP_TURN);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
-    if (options->thin && algsurf_surface_degree(surface) > RENDER_THIN_DEGREE)
-        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", algsurf_surface_degree(surface),
-                 RENDER_THIN_DEGREE);
-    render_check_degree(&options->space, &options->sweep, algsurf_surface_degree(surface));
-    run r = {.options = options, .surface = surface};
-    r.scene = make_scene(options, surface, entry, &shown.extent);
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
-    r.pixels = malloc(3 * count);
+    r.pixels = malloc((options->look.transparent ? 4 : 3) * count);
     if (options->hits) r.hits = malloc(count * sizeof *r.hits);
     if (options->heatmap) r.ways = malloc(count);
     if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
-    int first = options->frame > 0 ? options->frame - 1 : 0;
-    int end = options->frame > 0 ? options->frame : options->sweep.pictures > 0 ? options->sweep.pictures : 1;
     progress_begin(&r.bar, options->progress, end - first);
     for (int i = first; i < end; i++) draw_picture(&r, &shown, i);
     progress_end(&r.bar);
-    algsurf_scene_free(r.scene);
+    release_surface(&r);
     free(r.pixels);
     free(r.hits);
     free(r.ways);
@@ -260,9 +336,8 @@ int main(int argc, char **argv) {
         list_surfaces();
         return 0;
     }
-    algsurf_surface *surface = cli_make_surface(&options.surface);
-    draw(&options, surface, options.surface.name ? catalogue_find(options.surface.name) : NULL);
-    algsurf_surface_free(surface);
+    draw(&options);
+    cli_forget_surface(&options.surface);
     free(options.default_output);
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "output.h"
+#include "portable.h"
 
 enum { LARGEST = 65535 }; /* width, height: algsurf_render_options */
 
@@ -56,9 +57,11 @@ static void set_method(const cli_option *option, const char *value, void *field)
 }
 
 static void set_thin(const cli_option *option, const char *value, void *field) {
-    (void)value;
+    render_options *options = field;
+    options->thin = strcmp(value, "none") == 0 ? THIN_NONE : THIN_ASKED;
+    if (options->thin == THIN_NONE) return;
     (void)real_only(option, field);
-    ((render_options *)field)->thin = 1;
+    colour_set(option, value, &options->look.thin);
 }
 
 static void set_tolerance(const cli_option *option, const char *value, void *field) {
@@ -101,20 +104,35 @@ static const cli_option options_table[] = {
      "PPM, as for the names of devices and pipes;\n"
      "default NAME.png, or surface.png when the surface has no name",
      cli_set_text, FIELD(output)},
+    {"--colour", "COLOUR",
+     "of the surface: a name of CSS, as teal, or #rrggbb; default: as suits the\n"
+     "surface, one for each side",
+     colour_set, FIELD(look.outside)},
+    {"--inside", "COLOUR", "of the side where the equation's left side is less than its right, if another",
+     colour_set, FIELD(look.inside)},
+    {"--background", "COLOUR|none", "where nothing is seen, default white; none: transparent, in a .png",
+     render_set_background, FIELD(look)},
+    {"--light", "X,Y,Z|AZ:EL",
+     "where the light is: a point of space; or, seen from the eye, so many\n"
+     "degrees to the right and upwards, as -40:35",
+     render_set_light, FIELD(look)},
+    {"--lights", "usual|paper", "paper: two square lights of 5x5 points instead of one wide one",
+     render_set_lights, FIELD(look)},
     {"--quality", "preview|standard|full",
      "no illumination model; lights without shadows (default);\ntwo "
      "area lights with shadows",
      set_quality, FIELD(quality)},
-    {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 1", cli_set_int,
+    {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 4; see --antialias-threshold", cli_set_int,
      offsetof(render_options, antialias), 1, 16},
     {"--antialias-threshold", "X",
-     "with --antialias: its samples go only to pixels whose middle differs from\n"
-     "a neighbour's by more than X, 0 to 1, in red, green or blue; the others\n"
-     "get one; default 0: all pixels get them",
+     "they go only to pixels whose middle differs from a neighbour's by more than\n"
+     "X, 0 to 1, in red, green or blue, the others get one sample; default 0.1;\n"
+     "0: all pixels get them",
      set_threshold, FIELD(antialias_threshold)},
-    {"--thin", NULL,
-     "draws, in red, what is so thin that rays pass it by: isolated points, lines\n"
-     "without sheets, needles; up to degree 12",
+    {"--thin", "COLOUR|none",
+     "of what is so thin that rays pass it by: isolated points, lines without\n"
+     "sheets, needles; default that of the surface; none: it is left out, as it is\n"
+     "above degree 12 and in complex space",
      set_thin, 0, 0, 0},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
      0},
@@ -143,8 +161,9 @@ static const cli_option options_table[] = {
      "complex space: each ray's roots are found from scratch, or from those\n"
      "of its neighbours (default): the same picture in less time",
      render_set_coherence, FIELD(space)},
-    {"--sweep", "turn:N|delta:A:B:N|imag:K:A:B:N",
-     "N pictures NAME-0001.png ...: a turn about the upward axis; --delta\nfrom A to B; --imag K from A to B",
+    {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
+     "N pictures NAME-0001.png ...: a turn about the upward axis; --let NAME,\n--delta or --imag K from A to "
+     "B",
      render_set_sweep, FIELD(sweep)},
     {"--frame", "K", "only picture K of the --sweep, from 1 as in its name", cli_set_int,
      offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
@@ -167,9 +186,10 @@ static const cli_option options_table[] = {
      "rays on one thread), and which rays doubles leave open; names as --output",
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
-     "counts and times, a line 'key<TAB>value' each; - is standard output.\n"
+     "counts and times, a line 'key<TAB>value' each, or, by the ending .json, an\n"
+     "object; - is standard output.\n"
      "rays: samples of the picture; hits, uncertain: of them; thin: samples that\n"
-     "show what --thin draws; single_rays: of all, those not solved together with\n"
+     "show what is thin; single_rays: of all, those not solved together with\n"
      "their row; exact_rays: of these, decided by integers; empty_rays, sheet_rays:\n"
      "decided by tiles; shadow_rays: to lights;\n"
      "iterations: corrections of roots in complex space, 0 for a real surface;\n"
@@ -185,15 +205,19 @@ static const cli_option options_table[] = {
 
 static const cli_program program = {
     .name = "render",
-    .synopsis = "[options] (NAME | --equation TEXT | --terms FILE)",
-    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows.",
+    .synopsis = "[options] (NAME | EQUATION | FILE.jsurf | --terms FILE)",
+    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows;\n"
+             "FILE.jsurf a file of IMAGINARY's SURFER: equation, parameters, view and colours, as far\n"
+             "as options do not say otherwise.",
     .options = options_table,
     .positional = offsetof(render_options, surface.name),
     .examples = "render barth --output barth.png\n"
-                "render --equation 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
+                "render 'x^2 + y^2 = z^2' --output cone.png\n"
+                "render 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
                 "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
                 "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
+                "render 'x^2 + y^2 - a z^2 = 1' --sweep let:a:-1:1:24 --size 512x384 --output bend.png\n"
                 "render tangle --sweep turn:36 --size 512x384 --output turn.png",
 };
 
@@ -219,7 +243,17 @@ static image_format check_image(const render_options *options, const char *optio
     return render_image_format(option, path);
 }
 
+/* "folder/name.jsurf" becomes "name.png". */
+static char *picture_of(const char *path) {
+    const char *name = path + portable_folder_length(path);
+    char *picture = malloc(strlen(name) + sizeof ".png");
+    if (!picture) cli_no_memory();
+    strcpy(strrchr(strcpy(picture, name), '.'), ".png");
+    return picture;
+}
+
 static void check_output(render_options *options) {
+    if (!options->output && options->default_output) options->output = options->default_output;
     if (!options->output) {
         const char *name = options->surface.name ? options->surface.name : "surface";
         options->default_output = malloc(strlen(name) + sizeof ".png");
@@ -227,29 +261,58 @@ static void check_output(render_options *options) {
         options->output = strcat(strcpy(options->default_output, name), ".png");
     }
     options->format = check_image(options, "--output", options->output);
+    if (options->look.transparent && options->format != IMAGE_PNG)
+        cli_fail(CLI_BAD_INPUT, "--background none: only a .png is transparent, --output is '%s'",
+                 cli_quote(options->output).text);
+    if (options->look.transparent && options->heatmap)
+        cli_fail(CLI_BAD_INPUT, "--heatmap: plays no part with --background none");
     if (options->heatmap) options->heatmap_format = check_image(options, "--heatmap", options->heatmap);
     check_standard_output(options);
 }
 
+static void check_swept_constant(const render_options *options) {
+    const char *name = options->sweep.name;
+    if (options->sweep.kind != SWEEP_LET) return;
+    if (!options->surface.equation) cli_fail(CLI_BAD_INPUT, "--sweep let: only an equation has constants");
+    for (size_t i = 0; i < options->surface.let_count; i++)
+        if (!options->surface.lets[i].from_file && strcmp(options->surface.lets[i].name, name) == 0)
+            cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
+}
+
+enum { DEFAULT_ANTIALIAS = 4 };
+static const double DEFAULT_THRESHOLD = 0.1;
+
 render_options render_parse_options(int argc, char **argv) {
     render_options options = {.quality = ALGSURF_QUALITY_STANDARD,
-                              .antialias = 1,
+                              .antialias = DEFAULT_ANTIALIAS,
+                              .antialias_threshold = -1,
                               .intersect = {.size = sizeof options.intersect},
                               .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
     cli_parse(&program, argc, argv, &options);
+    const char *file = options.surface.name;
+    cli_settle_surface(&options.surface);
+    if (options.surface.file) {
+        view_follow(&options.view, options.surface.file);
+        render_look_follow(&options.look, options.surface.file);
+        options.default_output = picture_of(file);
+    }
     view_check(&options.view);
     if (options.list) return options;
     if (options.row_end > options.view.height)
         cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
                  options.view.height);
+    check_swept_constant(&options);
     if (options.frame > 0 && options.sweep.pictures == 0)
         cli_fail(CLI_BAD_INPUT, "--frame: plays no part without --sweep");
     if (options.frame > options.sweep.pictures)
         cli_fail(CLI_BAD_INPUT, "--frame: the --sweep has no picture %d, only %d", options.frame,
                  options.sweep.pictures);
     if (options.antialias_threshold > 0 && options.antialias < 2)
-        cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part without --antialias 2 or more");
-    if (options.thin && options.intersect.method != ALGSURF_METHOD_DEFAULT)
+        cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part with --antialias 1");
+    if (options.antialias_threshold < 0) options.antialias_threshold = DEFAULT_THRESHOLD;
+    if (options.look.light != LIGHT_DEFAULT && options.quality == ALGSURF_QUALITY_PREVIEW)
+        cli_fail(CLI_BAD_INPUT, "--light: plays no part in preview quality");
+    if (options.thin == THIN_ASKED && options.intersect.method != ALGSURF_METHOD_DEFAULT)
         cli_fail(CLI_BAD_INPUT, "--thin: plays no part with another --method");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
     if (options.heatmap) options.space.real_only = "--heatmap";

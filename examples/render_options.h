@@ -1,9 +1,10 @@
 /* render_options.h - the command line of render. */
 #ifndef RENDER_OPTIONS_H
 #define RENDER_OPTIONS_H
-#include "cli.h"
+#include "cli_surface.h"
 #include "image.h"
 #include "progress.h"
+#include "render_look.h"
 #include "render_space.h"
 #include "view.h"
 
@@ -20,11 +21,12 @@ typedef struct render_options {
     algsurf_quality quality;
     int antialias;
     double antialias_threshold;
-    int thin; /* 1: what is thin is drawn */
+    enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn where it can be */
     algsurf_intersect_options intersect;
     int threads;
     int row_begin, row_end; /* both 0: all rows */
     int frame;              /* of the sweep, from 1; 0: all */
+    render_look look;
     render_space space;
     render_sweep sweep;
     progress_mode progress;

@@ -73,6 +73,15 @@ static uint64_t add_camera(uint64_t digest, const algsurf_camera *camera) {
     return add_numbers(digest, (double[]){camera->half_height, camera->orthographic}, 2);
 }
 
+static uint64_t add_look(uint64_t digest, const render_look *look) {
+    const css_colour *const colours[] = {&look->outside, &look->inside, &look->background, &look->thin};
+    for (int i = 0; i < 4; i++) {
+        digest = add_byte(digest, (uint8_t)colours[i]->given);
+        for (int k = 0; k < 3; k++) digest = add_byte(digest, colours[i]->srgb[k]);
+    }
+    return add_numbers(add_byte(digest, (uint8_t)look->light), look->place, 3);
+}
+
 uint64_t render_job_digest(const render_options *options, const algsurf_surface *surface,
                            const algsurf_extent *extent, const algsurf_camera *camera,
                            const algsurf_complex_space *space) {
@@ -85,6 +94,7 @@ uint64_t render_job_digest(const render_options *options, const algsurf_surface 
     digest = add_text(digest, given->name ? given->name : given->equation ? given->equation : "");
     digest = add_surface(digest, surface);
     digest = add_numbers(digest, settings, sizeof settings / sizeof *settings);
+    digest = add_look(digest, &options->look);
     digest = add_numbers(digest, extent->centre, 3);
     digest = add_numbers(digest, extent->size, 3); /* of a sphere, only the first is not 0 */
     digest = add_camera(digest, camera);

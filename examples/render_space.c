@@ -77,8 +77,11 @@ static int read_sweep(const char *value, render_sweep *sweep) {
     *sweep = (render_sweep){.kind = SWEEP_TURN};
     if (!rest) return 0;
     if (strcmp(part, "turn") == 0) return cli_whole(rest, 1, RENDER_MOST_PICTURES, &sweep->pictures);
-    sweep->kind = strcmp(part, "imag") == 0 ? SWEEP_IMAG : SWEEP_DELTA;
+    sweep->kind = strcmp(part, "imag") == 0 ? SWEEP_IMAG : strcmp(part, "let") == 0 ? SWEEP_LET : SWEEP_DELTA;
     if (sweep->kind == SWEEP_DELTA && strcmp(part, "delta") != 0) return 0;
+    if (sweep->kind == SWEEP_LET &&
+        (!(rest = cut(rest, ":", sweep->name)) || !cli_is_constant_name(sweep->name)))
+        return 0;
     if (sweep->kind == SWEEP_IMAG &&
         (!(rest = cut(rest, ":", part)) || !cli_whole(part, 0, ALGSURF_MAX_DEGREE, &sweep->k)))
         return 0;
@@ -91,7 +94,8 @@ static int read_sweep(const char *value, render_sweep *sweep) {
 
 void render_set_sweep(const cli_option *option, const char *value, void *field) {
     if (!read_sweep(value, field))
-        cli_fail(CLI_BAD_INPUT, "%s: expected turn:N, delta:A:B:N or imag:K:A:B:N, N from 1 to %d, got '%s'",
+        cli_fail(CLI_BAD_INPUT,
+                 "%s: expected turn:N, let:NAME:A:B:N, delta:A:B:N or imag:K:A:B:N, N from 1 to %d, got '%s'",
                  option->name, RENDER_MOST_PICTURES, cli_quote(value).text);
 }
 
@@ -120,10 +124,14 @@ void render_check_degree(const render_space *space, const render_sweep *sweep, i
                      space->imaginary_given[k] ? "--imag" : "--sweep", k, degree);
 }
 
+double render_sweep_value(const render_sweep *sweep, int picture) {
+    double share = sweep->pictures > 1 ? (double)picture / (sweep->pictures - 1) : 0;
+    return (1 - share) * sweep->from + share * sweep->to;
+}
+
 algsurf_complex_space render_space_of(const render_space *space, const render_sweep *sweep, int picture) {
     algsurf_complex_space of = space->space;
-    double share = sweep->pictures > 1 ? (double)picture / (sweep->pictures - 1) : 0;
-    double value = (1 - share) * sweep->from + share * sweep->to;
+    double value = render_sweep_value(sweep, picture);
     if (sweep->kind == SWEEP_DELTA) of.sector.delta = value;
     if (sweep->kind == SWEEP_IMAG) of.imaginary[sweep->k] = value;
     of.size = sizeof of;

@@ -1,16 +1,17 @@
 /* render_space.h - the options of render about complex space, and those about sweeps. */
 #ifndef RENDER_SPACE_H
 #define RENDER_SPACE_H
-#include "cli.h"
+#include "cli_surface.h"
 
 enum { RENDER_MOST_PICTURES = 9999 }; /* of a sweep: their names have four digits */
 
 /* What --sweep changes from picture to picture. */
 typedef struct render_sweep {
-    enum { SWEEP_NONE, SWEEP_TURN, SWEEP_DELTA, SWEEP_IMAG } kind;
+    enum { SWEEP_NONE, SWEEP_TURN, SWEEP_DELTA, SWEEP_IMAG, SWEEP_LET } kind;
     int pictures;    /* 0: one picture, no sweep */
     int k;           /* of SWEEP_IMAG: the coefficient */
-    double from, to; /* of SWEEP_DELTA, SWEEP_IMAG: the first and the last picture's */
+    char name[64];   /* of SWEEP_LET: the constant */
+    double from, to; /* but for SWEEP_TURN: the first and the last picture's */
 } render_sweep;
 
 typedef struct render_space {
@@ -28,6 +29,9 @@ void render_set_delta(const cli_option *option, const char *value, void *field);
 void render_set_imaginary(const cli_option *option, const char *value, void *field); /* render_space */
 void render_set_coherence(const cli_option *option, const char *value, void *field); /* render_space */
 void render_set_sweep(const cli_option *option, const char *value, void *field);     /* render_sweep */
+
+/* What the sweep sets in picture number `picture`, from 0: not for SWEEP_TURN. */
+double render_sweep_value(const render_sweep *sweep, int picture);
 
 /* Settles which space it is and fills in the defaults; ends the program when options do not go together. */
 void render_check_space(render_space *space, const render_sweep *sweep);

@@ -3,6 +3,7 @@
  * One thread takes line by line, so that a line typed is a line answered.  Several take some hundred lines
  * each, and what they found is printed in the order of the lines. */
 #include <errno.h>
+#include <math.h>
 #if !defined(__wasi__)
 #include <pthread.h>
 #endif
@@ -10,14 +11,17 @@
 #include <string.h>
 
 #include "cli.h"
+#include "progress.h"
 #include "roots_line.h"
 #include "roots_write.h"
+#include "table.h"
 
 typedef struct roots_options {
     const char *extra; /* a plain argument, which this program does not take */
     roots_interval real;
     double tolerance;
-    int rounded, tsv, threads;
+    int rounded, threads;
+    enum { FORMAT_TEXT, FORMAT_TSV, FORMAT_JSON } format;
 } roots_options;
 
 static void set_interval(const cli_option *option, const char *value, void *field) {
@@ -49,7 +53,9 @@ static const cli_option options_table[] = {
      "of the rounded polynomial",
      cli_set_choice, FIELD(rounded)},
     {"--threads", "N", "1 (default) to 256", cli_set_int, offsetof(roots_options, threads), 1, 256},
-    {"--format", "text|tsv", "to be read by people (default) or programs", cli_set_choice, FIELD(tsv)},
+    {"--format", "text|tsv|json",
+     "to be read by people (default) or programs; json: an object a line, with\nnull for '-'", cli_set_choice,
+     FIELD(format)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
@@ -87,6 +93,16 @@ typedef struct batch {
     int bad_lines;
 } batch;
 
+/* Is the root the double itself?  The interval from there to there has a root then. */
+static int is_exact(const batch *b, const roots_row *row) {
+    const roots_interval here = {row->value.re, row->value.re, 1};
+    roots_row found[1];
+    roots_complaint why;
+    if (!b->polynomial.real || row->box.im.lo != 0 || row->box.im.hi != 0) return 0;
+    return isfinite(here.lo) && roots_real(&b->polynomial, &here, 0, found, &why) == 1 &&
+           found[0].multiplicity == row->multiplicity;
+}
+
 static void write_text(batch *b, size_t line, int count) {
     const roots_interval *real = &b->options->real;
     roots_text *to = &b->answers;
@@ -100,13 +116,16 @@ static void write_text(batch *b, size_t line, int count) {
     }
     roots_add(to, count > 0 ? "\n" : ", no roots\n");
     for (int i = 0; i < count; i++)
-        roots_write_sentence(to, b->powers, i + 1, &b->rows[i], b->options->rounded);
+        roots_write_sentence(to, b->powers, i + 1, &b->rows[i], is_exact(b, &b->rows[i]),
+                             b->options->rounded);
 }
 
 static void write_error(batch *b, size_t line, const roots_complaint *why) {
     b->bad_lines++;
     roots_add(&b->complaints, "%s: line %zu: %s\n", program.name, line, why->text);
-    roots_add(&b->answers, b->options->tsv ? "%zu\terror\t-\t-\t-\t-\t-\t-\t-\t-\n" : "line %zu: error\n",
+    roots_add(&b->answers,
+              b->options->format != FORMAT_TEXT ? "%zu\terror\t-\t-\t-\t-\t-\t-\t-\t-\n"
+                                                : "line %zu: error\n",
               line);
 }
 
@@ -130,7 +149,7 @@ static void take_line(batch *b, cli_line *line) {
     int count = solve(b, field, fields, &why);
     if (count < 0)
         write_error(b, line->number, &why);
-    else if (b->options->tsv)
+    else if (b->options->format != FORMAT_TEXT)
         roots_write_columns(&b->answers, b->powers, line->number, b->rows, count);
     else
         write_text(b, line->number, count);
@@ -160,6 +179,15 @@ static void take_batches(batch *b, int count) {
     for (int i = 1; i < started; i++) pthread_join(thread[i], NULL);
 }
 #endif
+
+static const table answers = {
+    .columns = "line\tindex\tre\tim\tre_lo\tre_hi\tim_lo\tim_hi\tmultiplicity\tverified", .json = 1};
+
+static void print_objects(roots_text *text) {
+    roots_add(text, "%s", ""); /* ends it, where there is no room yet, too */
+    table_print(&answers, text->text);
+    text->length = 0;
+}
 
 static void print(FILE *file, roots_text *text) {
     if (text->length > 0) fwrite(text->text, 1, text->length, file);
@@ -206,15 +234,22 @@ static int take_input(batch *b, int count, int most) {
     size_t number = 0;
     int bad_lines = 0, read_error = 0;
     cli_line_result got = CLI_LINE_READ;
+    progress bar;
+    progress_begin_lines(&bar);
     while (got == CLI_LINE_READ && !ferror(stdout)) {
         got = read_lines(b, count, most, &number);
         read_error = errno;
         take_batches(b, count);
         for (int i = 0; i < count; i++) {
             print(stderr, &b[i].complaints);
-            print(stdout, &b[i].answers);
+            if (b->options->format == FORMAT_JSON)
+                print_objects(&b[i].answers);
+            else
+                print(stdout, &b[i].answers);
         }
+        progress_lines(&bar, number);
     }
+    progress_end(&bar);
     for (int i = 0; i < count; i++) bad_lines += b[i].bad_lines;
     cli_finish_output();
     if (got == CLI_LINE_NO_MEMORY) cli_no_memory();
@@ -235,8 +270,7 @@ int main(int argc, char **argv) {
     if (!b) cli_no_memory();
     shortest_fill(&powers);
     make_batches(b, options.threads, lines, &options, &powers);
-    if (options.tsv)
-        fputs("#line\tindex\tre\tim\tre_lo\tre_hi\tim_lo\tim_hi\tmultiplicity\tverified\n", stdout);
+    if (options.format == FORMAT_TSV) printf("#%s\n", answers.columns);
     int bad_lines = take_input(b, options.threads, lines);
     free_batches(b, options.threads, lines);
     return bad_lines > 0 ? CLI_BAD_INPUT : 0;

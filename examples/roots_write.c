@@ -1,6 +1,8 @@
 /* roots_write.c - see roots_write.h. */
 #include "roots_write.h"
 
+#include "roots_outward.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -62,16 +64,14 @@ void roots_write_columns(roots_text *to, const shortest_powers *powers, size_t l
     }
 }
 
-static void add_interval(roots_text *to, const shortest_powers *powers, algsurf_interval x) {
-    add_text(to, "[");
-    roots_add_number(to, powers, x.lo);
-    add_text(to, ", ");
-    roots_add_number(to, powers, x.hi);
-    add_text(to, "]");
+static void add_interval(roots_text *to, algsurf_interval x) {
+    char text[ROOTS_OUTWARD_ROOM];
+    roots_outward(x, text);
+    add_text(to, text);
 }
 
 void roots_write_sentence(roots_text *to, const shortest_powers *powers, int index, const roots_row *row,
-                          int rounded) {
+                          int exact, int rounded) {
     int real = row->box.im.lo == 0 && row->box.im.hi == 0;
     roots_add(to, "%5d  %-7s  ", index, real ? "real" : "complex");
     roots_add_number(to, powers, row->value.re);
@@ -80,11 +80,11 @@ void roots_write_sentence(roots_text *to, const shortest_powers *powers, int ind
         roots_add_number(to, powers, row->value.im);
         add_text(to, " i");
     }
-    add_text(to, "   in ");
-    add_interval(to, powers, row->box.re);
+    add_text(to, exact ? "   exactly" : "   in ");
+    if (!exact) add_interval(to, row->box.re);
     if (!real) {
         add_text(to, " + ");
-        add_interval(to, powers, row->box.im);
+        add_interval(to, row->box.im);
         add_text(to, " i");
     }
     if (row->multiplicity > 1) roots_add(to, ", %d roots", row->multiplicity);

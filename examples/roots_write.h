@@ -17,9 +17,9 @@ void roots_add(roots_text *to, const char *format, ...) CLI_FORMAT(2, 3);
 void roots_write_columns(roots_text *to, const shortest_powers *powers, size_t line, const roots_row *rows,
                          int count);
 
-/* For people; rounded: of a polynomial whose numbers were rounded. */
+/* For people; exact: the root is the double itself; rounded: of a polynomial whose numbers were rounded. */
 void roots_write_sentence(roots_text *to, const shortest_powers *powers, int index, const roots_row *row,
-                          int rounded);
+                          int exact, int rounded);
 
 /* A number, as shortest_write has it. */
 void roots_add_number(roots_text *to, const shortest_powers *powers, double x);

@@ -11,6 +11,8 @@
 
 /* ---- options ---- */
 
+static const double PI = 3.14159265358979323846;
+
 enum { WIDTH = 1024, HEIGHT = 768 }; /* unless --size says otherwise */
 enum { LARGEST = 65535 };            /* width, height: algsurf_render_options */
 
@@ -45,6 +47,22 @@ void view_set_orthographic(const cli_option *option, const char *value, void *fi
     *(double *)field = height;
 }
 
+void view_set_zoom(const cli_option *option, const char *value, void *field) {
+    double zoom;
+    if (!cli_numbers(value, ',', 1, &zoom) || !(zoom >= 1e-6 && zoom <= 1e6))
+        cli_fail(CLI_BAD_INPUT, "%s: expected a number above 0, up to a million, got '%s'", option->name,
+                 cli_quote(value).text);
+    *(double *)field = zoom;
+}
+
+void view_set_turn(const cli_option *option, const char *value, void *field) {
+    double angle[2];
+    if (!cli_numbers(value, ',', 2, angle) || !(fabs(angle[0]) <= 3600 && fabs(angle[1]) <= 180))
+        cli_fail(CLI_BAD_INPUT, "%s: expected degrees AZ,EL, EL from -180 to 180, got '%s'", option->name,
+                 cli_quote(value).text);
+    memcpy(field, angle, sizeof angle);
+}
+
 void view_check(view_options *options) {
     if (options->width == 0) {
         options->width = WIDTH;
@@ -54,13 +72,36 @@ void view_check(view_options *options) {
         cli_fail(CLI_BAD_INPUT, "--orthographic: has no field of view; leave --fov out");
 }
 
+/* A camera asked for by any option is no longer the file's. */
+void view_follow(view_options *options, const jsurf_file *file) {
+    double distance = file->perspective ? 1 / sin(file->fov / 2 * PI / 180) : 2; /* in radii */
+    int own_extent = options->extent.given || options->centre.given;
+    int own_camera =
+        options->eye.given || options->look_at.given || options->fov > 0 || options->orthographic > 0;
+    if (!own_extent) {
+        options->extent.given = 1;
+        options->extent.extent = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {file->radius, 0, 0}};
+        options->centre = (cli_vector){{0, 0, 0}, 1};
+    }
+    if (own_extent || own_camera) return;
+    for (int i = 0; i < 3; i++) options->eye.x[i] = distance * file->radius * file->back[i];
+    options->eye.given = 1;
+    options->look_at = (cli_vector){{0, 0, 0}, 1};
+    if (!options->up.given) {
+        memcpy(options->up.x, file->up, sizeof file->up);
+        options->up.given = 1;
+    }
+    if (file->perspective)
+        options->fov = file->fov;
+    else
+        options->orthographic = file->height * file->radius;
+}
+
 /* ---- view and camera ---- */
 
 static const double DEFAULT_EXTENT = 3, DEFAULT_FOV = 25;
 static const double MARGIN = 1.04; /* of the distance, so that the extent does not touch the frame */
 static const double DEFAULT_DIRECTION[3] = {0.55, -0.72, 0.43}; /* from the centre to the eye */
-
-static const double PI = 3.14159265358979323846;
 
 static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
 
@@ -112,6 +153,39 @@ static void choose_up(view *v) {
     v->up[2] = !along_z;
 }
 
+/* Rodrigues' formula: v turned by an angle about an axis. */
+static void turn(double v[3], const double axis[3], double angle) {
+    double a[3], size = length(axis), c = cos(angle), s = sin(angle);
+    for (int i = 0; i < 3; i++) a[i] = axis[i] / size;
+    double cross[3] = {a[1] * v[2] - a[2] * v[1], a[2] * v[0] - a[0] * v[2], a[0] * v[1] - a[1] * v[0]};
+    double along = a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
+    for (int i = 0; i < 3; i++) v[i] = c * v[i] + s * cross[i] + (1 - c) * along * a[i];
+}
+
+/* Eye and upward direction turned about an axis through the point looked at. */
+static void turn_eye(view *v, const double axis[3], double angle) {
+    for (int i = 0; i < 3; i++) v->eye[i] -= v->look_at[i];
+    turn(v->eye, axis, angle);
+    turn(v->up, axis, angle);
+    for (int i = 0; i < 3; i++) v->eye[i] += v->look_at[i];
+}
+
+/* To the right about the upward axis, then upwards about the axis that points to the right. */
+static void turn_view(view *v, const double degrees[2]) {
+    double d[3], right[3];
+    if (degrees[0] != 0) turn_eye(v, v->axis, degrees[0] * PI / 180);
+    for (int i = 0; i < 3; i++) d[i] = v->look_at[i] - v->eye[i];
+    for (int i = 0; i < 3; i++)
+        right[i] = d[(i + 1) % 3] * v->up[(i + 2) % 3] - d[(i + 2) % 3] * v->up[(i + 1) % 3];
+    if (degrees[1] != 0 && length(right) > 0) turn_eye(v, right, -degrees[1] * PI / 180);
+}
+
+void view_zoom(view *v, double times) {
+    if (!(times > 0)) return;
+    v->fov = atan(tan(v->fov / 2 * PI / 180) / times) * 2 * 180 / PI;
+    v->orthographic /= times;
+}
+
 view view_make(const view_options *options, const catalogue_entry *entry) {
     view v = {.extent = choose_extent(options, entry)};
     if (entry && !options->extent.given && !options->centre.given)
@@ -129,30 +203,20 @@ view view_make(const view_options *options, const catalogue_entry *entry) {
         choose_up(&v);
     v.fov = options->fov > 0 ? options->fov : entry ? entry->fov : DEFAULT_FOV;
     v.orthographic = options->orthographic;
+    memcpy(v.axis, v.up, sizeof v.axis);
+    turn_view(&v, options->turn);
+    view_zoom(&v, options->zoom);
     return v;
-}
-
-/* Rodrigues' formula: v turned by an angle about an axis. */
-static void turn(double v[3], const double axis[3], double angle) {
-    double a[3], size = length(axis), c = cos(angle), s = sin(angle);
-    for (int i = 0; i < 3; i++) a[i] = axis[i] / size;
-    double cross[3] = {a[1] * v[2] - a[2] * v[1], a[2] * v[0] - a[0] * v[2], a[0] * v[1] - a[1] * v[0]};
-    double along = a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
-    for (int i = 0; i < 3; i++) v[i] = c * v[i] + s * cross[i] + (1 - c) * along * a[i];
 }
 
 algsurf_camera view_camera(const view *v, int picture, int pictures) {
     algsurf_camera camera;
-    double eye[3];
-    memcpy(eye, v->eye, sizeof eye);
-    if (picture > 0) {
-        for (int i = 0; i < 3; i++) eye[i] -= v->look_at[i];
-        turn(eye, v->up, 2 * PI * picture / pictures);
-        for (int i = 0; i < 3; i++) eye[i] += v->look_at[i];
-    }
+    view seen = *v;
+    if (picture > 0) turn_eye(&seen, v->axis, 2 * PI * picture / pictures);
     algsurf_status status =
-        v->orthographic > 0 ? algsurf_camera_orthographic(eye, v->look_at, v->up, v->orthographic, &camera)
-                            : algsurf_camera_pinhole(eye, v->look_at, v->up, v->fov, &camera);
+        v->orthographic > 0
+            ? algsurf_camera_orthographic(seen.eye, v->look_at, seen.up, v->orthographic, &camera)
+            : algsurf_camera_pinhole(seen.eye, v->look_at, seen.up, v->fov, &camera);
     if (status == ALGSURF_E_ARGUMENT)
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must be off the point looked at, and up "
                                 "not along the view");

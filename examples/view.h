@@ -4,11 +4,14 @@
 #define VIEW_H
 #include "catalogue.h"
 #include "cli.h"
+#include "jsurf_file.h"
 
 typedef struct view_options {
     int width, height; /* of the picture, in pixels; 0: not given */
     cli_vector eye, look_at, up;
     double fov, orthographic; /* 0: not given */
+    double zoom;              /* 0: not given */
+    double turn[2];           /* degrees about what is looked at, to the right and upwards */
     cli_extent extent;
     cli_vector centre;
 } view_options;
@@ -17,6 +20,8 @@ typedef struct view_options {
 void view_set_size(const cli_option *option, const char *value, void *field); /* view_options */
 void view_set_fov(const cli_option *option, const char *value, void *field);
 void view_set_orthographic(const cli_option *option, const char *value, void *field);
+void view_set_zoom(const cli_option *option, const char *value, void *field);
+void view_set_turn(const cli_option *option, const char *value, void *field);
 
 /* clang-format off */
 /* The rows of the option table for the member `view` of a structure. */
@@ -28,16 +33,23 @@ void view_set_orthographic(const cli_option *option, const char *value, void *fi
      offsetof(type, view.look_at), 0, 0},                                                                    \
     {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector,                            \
      offsetof(type, view.up), 0, 0},                                                                         \
-    {"--fov", "DEGREES", "vertical field of view, default 30; less magnifies, the eye stays", view_set_fov,   \
+    {"--fov", "DEGREES", "vertical field of view, default 25; less magnifies, the eye stays", view_set_fov,   \
      offsetof(type, view.fov), 0, 0},                                                                        \
     {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",                  \
      view_set_orthographic, offsetof(type, view.orthographic), 0, 0},                                        \
+    {"--zoom", "TIMES", "how many times larger than without this option; the eye stays", view_set_zoom,      \
+     offsetof(type, view.zoom), 0, 0},                                                                       \
+    {"--turn", "AZ,EL", "the eye goes so many degrees to the right and upwards, about the point looked at",   \
+     view_set_turn, offsetof(type, view.turn), 0, 0},                                                        \
     {"--extent", "sphere:R|box:X,Y,Z",                                                                       \
-     "what is shown (half sizes); default: as suits the named surface,\nsphere:3 for others",                \
+     "what is shown (half sizes); default: as suits the named surface,\nfor others so that\nall of it is in sight, or what is near the origin",                \
      cli_set_extent, offsetof(type, view.extent), 0, 0},                                                     \
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,            \
      offsetof(type, view.centre), 0, 0}
 /* clang-format on */
+
+/* Fills in what a file of SURFER says of extent and camera and the options do not. */
+void view_follow(view_options *options, const jsurf_file *file);
 
 /* Fills the default size in; ends the program when options do not go together. */
 void view_check(view_options *options);
@@ -45,6 +57,7 @@ void view_check(view_options *options);
 typedef struct view {
     algsurf_extent extent;
     double eye[3], look_at[3], up[3];
+    double axis[3];      /* that turns go about */
     double fov;          /* degrees, vertical */
     double orthographic; /* height of the picture in space; 0: a pinhole camera */
 } view;
@@ -52,7 +65,10 @@ typedef struct view {
 /* entry: the catalogue's, null for a surface without a name. */
 view view_make(const view_options *options, const catalogue_entry *entry);
 
-/* The camera of picture number `picture` (from 0) of a turn of `pictures` about the upward axis through
+/* A view so many times larger; 0: as it is. */
+void view_zoom(view *v, double times);
+
+/* The camera of picture number `picture` (from 0) of a turn of `pictures` about the axis through
  * the point looked at.  Ends the program when there is no such camera. */
 algsurf_camera view_camera(const view *v, int picture, int pictures);
 

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "cli_surface.h"
 #include "fit.h"
 #include "output.h"
+#include "table.h"
 #include "view.h"
 #include "zerofind_plot.h"
 #include "zerofind_solve.h"
@@ -27,7 +28,7 @@ typedef struct zerofind_options {
     zerofind_ray ray;
     int method;
     double tolerance;
-    int trace;
+    int trace, json;
     const char *output;
 } zerofind_options;
 
@@ -85,7 +86,7 @@ static const cli_option options_table[] = {
      set_pixel, FIELD(pixel)},
     {"--ray", "OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]",
      "the ray o + t d, default 0 <= t < inf; it needs no camera, and --size,\n"
-     "--eye, --look-at, --up, --fov, --orthographic are refused with it",
+     "--eye, --look-at, --up, --fov, --orthographic, --zoom, --turn are refused with\nit",
      set_ray, FIELD(ray)},
     VIEW_OPTIONS(zerofind_options),
     {"--method", "default|brent|bisection|regula-falsi",
@@ -100,12 +101,14 @@ static const cli_option options_table[] = {
      "then, the signs of a cell's Bernstein coefficients, and who looked:\n"
      "doubles or integers; makes --output optional",
      cli_set_flag, FIELD(trace)},
+    {"--format", "tsv|json", "of --trace: a table (default); or an object a line, with null for '-'",
+     cli_set_choice, FIELD(json)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "zerofind",
     .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
-                "                (NAME | --equation TEXT | --terms FILE)",
+                "                (NAME | EQUATION | --terms FILE)",
     .about = "Plots the polynomial P*(t) = P(o + t d) of a surface P = 0 along one ray, as far as it\n"
              "is inside the extent: the roots, the cell that isolates the first one, and every\n"
              "iterate on the way to it, as the library finds them.  NAME is one of those that render --list "
@@ -121,9 +124,11 @@ static void refuse_camera(const view_options *asked) {
     const struct {
         const char *name;
         int given;
-    } options[] = {{"--size", asked->width > 0},        {"--eye", asked->eye.given},
-                   {"--look-at", asked->look_at.given}, {"--up", asked->up.given},
-                   {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0}};
+    } options[] = {
+        {"--size", asked->width > 0},        {"--eye", asked->eye.given},
+        {"--look-at", asked->look_at.given}, {"--up", asked->up.given},
+        {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0},
+        {"--zoom", asked->zoom > 0},         {"--turn", asked->turn[0] != 0 || asked->turn[1] != 0}};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         if (options[i].given) cli_fail(CLI_BAD_INPUT, "%s: plays no part with --ray", options[i].name);
 }
@@ -131,14 +136,17 @@ static void refuse_camera(const view_options *asked) {
 static zerofind_options parse(int argc, char **argv) {
     zerofind_options options = {.output = NULL};
     cli_parse(&program, argc, argv, &options);
+    cli_settle_surface(&options.surface);
     if (options.pixel.given + options.ray.given != 1)
         cli_fail(CLI_BAD_INPUT, "expected %s --pixel X,Y and --ray OX,OY,OZ,DX,DY,DZ",
                  options.pixel.given ? "only one of" : "one of");
     if (!options.output && !options.trace)
         cli_fail(CLI_BAD_INPUT, "expected --output FILE.svg, or --trace for a table");
+    if (options.json && !options.trace) cli_fail(CLI_BAD_INPUT, "--format: plays no part without --trace");
     if (options.trace && options.output && strcmp(options.output, "-") == 0)
         cli_fail(CLI_BAD_INPUT, "--output: '-' holds the plot or the table of --trace, not both");
     if (options.ray.given) refuse_camera(&options.view);
+    if (options.surface.file) view_follow(&options.view, options.surface.file);
     view_check(&options.view);
     if (options.pixel.given &&
         (options.pixel.x >= options.view.width || options.pixel.y >= options.view.height))
@@ -167,30 +175,36 @@ static const char *engine_name(int engine) {
     return engine == ALGSURF_ENGINE_INTEGERS ? "integers" : "doubles";
 }
 
-static void print_row(const char *kind, double t, double value, double lo, double hi, const char *engine) {
-    printf("%s\t%.17g\t%.17g\t%.17g\t%.17g\t-\t%s\n", kind, t, value, lo, hi, engine);
+static void print_row(table *out, const char *kind, double t, double value, double lo, double hi,
+                      const char *engine) {
+    table_add(out, "%s\t%.17g\t%.17g\t%.17g\t%.17g\t-\t%s", kind, t, value, lo, hi, engine);
+    table_end(out);
 }
 
-static void print_hit(const algsurf_hit *hit, const char *kind, const algsurf_surface *surface) {
+static void print_hit(table *out, const algsurf_hit *hit, const char *kind, const algsurf_surface *surface) {
     double value = 0;
     (void)algsurf_surface_value(surface, hit->position, &value, NULL);
-    printf("-\t");
-    print_row(hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
+    table_add(out, "-\t");
+    print_row(out, hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
 }
 
-static void print_trace(const zerofind *z, const algsurf_surface *surface) {
-    printf("#k\tpoint\tt\tP\tt_lo\tt_hi\tsigns\tengine\n");
+static void print_trace(const zerofind *z, const algsurf_surface *surface, int json) {
+    table out = {.columns = "k\tpoint\tt\tP\tt_lo\tt_hi\tsigns\tengine", .json = json};
+    table_head(&out);
     for (int k = 0; k < z->cell_count; k++) {
         const zerofind_cell *c = &z->cells[k];
-        printf("%d\tcell\t-\t-\t%.17g\t%.17g\t%s\t%s\n", k, c->t_lo, c->t_hi, c->signs,
-               engine_name(c->engine));
+        table_add(&out, "%d\tcell\t-\t-\t%.17g\t%.17g\t%s\t%s", k, c->t_lo, c->t_hi, c->signs,
+                  engine_name(c->engine));
+        table_end(&out);
     }
     for (int k = 0; k < z->point_count; k++) {
         const zerofind_point *p = &z->points[k];
-        printf("%d\t", k);
-        print_row(p->is_end ? "end" : "iterate", p->t, p->value, p->t_lo, p->t_hi, engine_name(p->engine));
+        table_add(&out, "%d\t", k);
+        print_row(&out, p->is_end ? "end" : "iterate", p->t, p->value, p->t_lo, p->t_hi,
+                  engine_name(p->engine));
     }
-    for (int i = 0; i < z->count; i++) print_hit(z->hits + i, i == 0 ? "root" : "other", surface);
+    for (int i = 0; i < z->count; i++) print_hit(&out, z->hits + i, i == 0 ? "root" : "other", surface);
+    free(out.row);
     cli_finish_output();
 }
 
@@ -241,7 +255,8 @@ int main(int argc, char **argv) {
                                                     : "t, in lengths of the ray's direction"};
         write_plot(options.output, &z, &words);
     }
-    if (options.trace) print_trace(&z, surface);
+    if (options.trace) print_trace(&z, surface, options.json);
     algsurf_surface_free(surface);
+    cli_forget_surface(&options.surface);
     return 0;
 }

@@ -145,7 +145,7 @@ for (const [way, options] of Object.entries(ways)) {
 }
 
 /** The call throws an AlgsurfError with this code, and offset, whose text names the code. */
-function refused(code, call, offset) {
+function refused(code, call, offset, length) {
     try {
         call();
         check(false, `not refused: ${call}`);
@@ -153,12 +153,15 @@ function refused(code, call, offset) {
         const { status, message } = error;
         check(error instanceof AlgsurfError && error.code === code && status < 0, `${call}: ${error}`);
         check(message.startsWith(`${code}: `) && error.offset === offset, `${call}: ${message}, ${error.offset}`);
+        if (length !== undefined) check(error.length === length, `${call}: length ${error.length}`);
     }
 }
 refused("E_SYNTAX", () => algsurf.surface("x^2 + $"), 6);
 refused("E_SYNTAX", () => algsurf.surface("\u00e9 + x"), 0);
 refused("E_SYNTAX", () => algsurf.surface(""), 0);
-refused("E_SYNTAX", () => algsurf.surface("x + b y", { a: 2 }), 4);
+refused("E_NAME", () => algsurf.surface("x + b y", { a: 2 }), 4, 1);
+refused("E_NAME", () => algsurf.surface("x\u00b2 + radius x", { a: 2 }), 5, 6);
+refused("E_SYNTAX", () => algsurf.surface("x \u03b1"), 2, 1);
 refused("E_DEGREE", () => algsurf.surface("x + y^65"), 5);
 refused("E_ZERO", () => algsurf.surface("x - x"));
 refused("E_ARGUMENT", () => algsurf.surface("x", { x: 1 }));

@@ -26,10 +26,11 @@ typedef struct bytes {
     size_t size;
 } bytes;
 
-static bytes written(image_format format, int width, int height, const uint8_t *pixels) {
+static bytes written_with(int channels, image_format format, int width, int height, const uint8_t *pixels) {
     FILE *file = tmpfile();
     assert_non_null(file);
-    assert_null(image_write(file, format, width, height, pixels));
+    assert_null(channels == 4 ? image_write_alpha(file, width, height, pixels)
+                              : image_write(file, format, width, height, pixels));
     assert_int_equal(ferror(file), 0);
     bytes b = {NULL, (size_t)ftell(file)};
     b.at = malloc(b.size);
@@ -38,6 +39,10 @@ static bytes written(image_format format, int width, int height, const uint8_t *
     assert_int_equal(fread(b.at, 1, b.size, file), b.size);
     fclose(file);
     return b;
+}
+
+static bytes written(image_format format, int width, int height, const uint8_t *pixels) {
+    return written_with(3, format, width, height, pixels);
 }
 
 static void test_format_of(void **state) {
@@ -91,8 +96,9 @@ static uint32_t big_endian(const uint8_t *at) {
 }
 
 /* Checks all chunks, and joins the IDAT ones. */
-static bytes check_chunks(bytes png, int width, int height) {
-    static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10}, kind[5] = {8, 2, 0, 0, 0};
+static bytes check_chunks(bytes png, int width, int height, int channels) {
+    static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
+    const uint8_t kind[5] = {8, channels == 4 ? 6 : 2, 0, 0, 0};
     bytes data = {malloc(png.size), 0};
     assert_non_null(data.at);
     assert_memory_equal(png.at, signature, 8);
@@ -129,13 +135,14 @@ static int paeth(int a, int b, int c) {
 }
 
 /* Undoes the filters in place (ISO/IEC 15948, 9.2) and counts which were used. */
-static void unfilter(uint8_t *rows, int height, size_t length, int used[5]) {
+static void unfilter(uint8_t *rows, int height, size_t length, size_t left, int used[5]) {
     for (int y = 0; y < height; y++) {
         uint8_t *row = rows + (size_t)y * (length + 1) + 1, *above = row - (length + 1);
         assert_true(row[-1] < 5);
         used[row[-1]]++;
         for (size_t i = 0; i < length; i++) {
-            int a = i >= 3 ? row[i - 3] : 0, b = y > 0 ? above[i] : 0, c = y > 0 && i >= 3 ? above[i - 3] : 0;
+            int a = i >= left ? row[i - left] : 0, b = y > 0 ? above[i] : 0;
+            int c = y > 0 && i >= left ? above[i - left] : 0;
             int add[5] = {0, a, b, (a + b) / 2, paeth(a, b, c)};
             row[i] = (uint8_t)(row[i] + add[row[-1]]);
         }
@@ -143,15 +150,16 @@ static void unfilter(uint8_t *rows, int height, size_t length, int used[5]) {
 }
 
 /* Writes a PNG, decodes it, compares.  Returns the file's size. */
-static size_t round_trip(int width, int height, const uint8_t *pixels, int used[5]) {
-    size_t length = 3 * (size_t)width;
+static size_t round_trip(int channels, int width, int height, const uint8_t *pixels, int used[5]) {
+    size_t left = (size_t)channels, length = left * (size_t)width;
     uLongf size = (uLongf)((length + 1) * (size_t)height), got = size;
-    bytes png = written(IMAGE_PNG, width, height, pixels), data = check_chunks(png, width, height);
+    bytes png = written_with(channels, IMAGE_PNG, width, height, pixels);
+    bytes data = check_chunks(png, width, height, channels);
     uint8_t *rows = malloc(size);
     assert_non_null(rows);
     assert_int_equal(uncompress(rows, &got, data.at, (uLong)data.size), Z_OK); /* checks Adler-32, too */
     assert_int_equal(got, size);
-    unfilter(rows, height, length, used);
+    unfilter(rows, height, length, left, used);
     for (int y = 0; y < height; y++)
         assert_memory_equal(rows + (size_t)y * (length + 1) + 1, pixels + (size_t)y * length, length);
     free(rows);
@@ -167,8 +175,8 @@ static unsigned random_below(unsigned n) {
 }
 
 /* Kinds of content: noise, one colour, a smooth ramp, repeated stripes, rows repeated far above. */
-static uint8_t *content(int kind, int width, int height) {
-    size_t size = 3 * (size_t)width * (size_t)height;
+static uint8_t *content(int kind, int channels, int width, int height) {
+    size_t size = (size_t)channels * (size_t)width * (size_t)height;
     uint8_t *pixels = malloc(size);
     assert_non_null(pixels);
     uint8_t colour = (uint8_t)random_below(256);
@@ -195,9 +203,11 @@ static void test_png(void **state) {
     int used[5] = {0};
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++)
         for (int kind = 0; kind < 5; kind++) {
-            uint8_t *pixels = content(kind, sizes[s][0], sizes[s][1]);
-            round_trip(sizes[s][0], sizes[s][1], pixels, used);
-            free(pixels);
+            for (int channels = 3; channels <= 4; channels++) {
+                uint8_t *pixels = content(kind, channels, sizes[s][0], sizes[s][1]);
+                round_trip(channels, sizes[s][0], sizes[s][1], pixels, used);
+                free(pixels);
+            }
         }
     for (int filter = 0; filter < 5; filter++) assert_true(used[filter] > 0);
 }
@@ -207,8 +217,8 @@ static void test_png_random_sizes(void **state) {
     int used[5] = {0};
     for (int i = 0; i < 300; i++) {
         int width = 1 + (int)random_below(40), height = 1 + (int)random_below(40);
-        uint8_t *pixels = content((int)random_below(5), width, height);
-        round_trip(width, height, pixels, used);
+        uint8_t *pixels = content((int)random_below(5), 3, width, height);
+        round_trip(3, width, height, pixels, used);
         free(pixels);
     }
 }
@@ -217,8 +227,8 @@ static void test_png_random_sizes(void **state) {
 static void test_png_compresses(void **state) {
     (void)state;
     int used[5] = {0};
-    uint8_t *flat = content(1, 640, 480);
-    assert_true(round_trip(640, 480, flat, used) < 20000);
+    uint8_t *flat = content(1, 3, 640, 480);
+    assert_true(round_trip(3, 640, 480, flat, used) < 20000);
     free(flat);
 }
 

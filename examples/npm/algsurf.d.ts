@@ -22,11 +22,13 @@ export type Columns = readonly [Float64Array, Float64Array, Float64Array];
 export class AlgsurfError extends Error {
     /** The library's number for what is wrong, negative. */
     readonly status: number;
-    /** Its name: "E_SYNTAX", "E_ARGUMENT", "E_NOT_FINITE", "E_NO_MEMORY", ... */
+    /** Its name: "E_SYNTAX", "E_NAME", "E_ARGUMENT", "E_NOT_FINITE", "E_NO_MEMORY", ... */
     readonly code: string;
     /** Where in the text of an equation, as an index of the string. */
     readonly offset?: number;
-    constructor(status: number, code: string, text: string, offset?: number);
+    /** How long what is wrong there is: E_NAME tells the name of a parameter in want of a value. */
+    readonly length?: number;
+    constructor(status: number, code: string, text: string, offset?: number, length?: number);
 }
 
 /** A real root, between two neighbouring doubles, or equal to lo = hi. */

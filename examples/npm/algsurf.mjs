@@ -22,12 +22,14 @@ export const UNDECIDED = 2;
 
 /** What a call that cannot be answered throws. */
 export class AlgsurfError extends Error {
-    constructor(status, code, text, offset) {
+    constructor(status, code, text, offset, length) {
         super(text);
         this.name = "AlgsurfError";
         this.status = status;
         this.code = code;
-        if (offset !== undefined) this.offset = offset;
+        if (offset === undefined) return;
+        this.offset = offset;
+        this.length = length;
     }
 }
 
@@ -86,10 +88,10 @@ class Module {
         return new TextDecoder().decode(from.slice(0, from.indexOf(0)));
     }
 
-    error(status, detail, offset) {
+    error(status, detail, offset, length) {
         const code = this.text(this.wasm.algsurf_status_name(status)).replace("ALGSURF_", "");
         const text = this.text(this.wasm.algsurf_status_text(status));
-        return new AlgsurfError(status, code, `${code}: ${text}${detail ? `: ${detail}` : ""}`, offset);
+        return new AlgsurfError(status, code, `${code}: ${text}${detail ? `: ${detail}` : ""}`, offset, length);
     }
 
     /** The status or count of a call, unless it is an error. */
@@ -215,10 +217,11 @@ class Algsurf {
     #made(surface, result, text) {
         const module = this.#module;
         if (surface !== 0) return new Surface(module, surface);
-        const [status, offset, message] = module.integers(result, 3);
+        const [status, offset, message, bytes] = module.integers(result, 4);
         if (message === 0) throw module.error(status);
         const index = new TextDecoder().decode(text.subarray(0, offset)).length;
-        throw module.error(status, `${module.text(message)}, at ${index}`, index);
+        const { length } = new TextDecoder().decode(text.subarray(offset, offset + bytes));
+        throw module.error(status, `${module.text(message)}, at ${index}`, index, length);
     }
 
     firstHits(surface, rays, extent) {

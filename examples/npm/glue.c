@@ -59,6 +59,7 @@ typedef struct outcome {
     int32_t status;
     uint32_t offset;     /* in the text, in bytes, */
     const char *message; /* and what is wrong there; null: nothing is said about the text */
+    uint32_t length;     /* of what is wrong, in bytes */
 } outcome;
 
 /* A surface from an equation, or null.
@@ -67,7 +68,7 @@ EXPORTED(surface_from_equation)
 algsurf_surface *surface_from_equation(const char *text, const char *names, const double *values,
                                        size_t count, outcome *result) {
     algsurf_constant *constants = calloc(count + 1, sizeof *constants);
-    algsurf_parse_error error = {0, NULL};
+    algsurf_parse_error error = {0, 0, NULL};
     algsurf_surface *surface = NULL;
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (constants) {
@@ -76,7 +77,7 @@ algsurf_surface *surface_from_equation(const char *text, const char *names, cons
         status = algsurf_surface_from_equation(text, constants, count, &surface, &error);
     }
     free(constants);
-    *result = (outcome){status, (uint32_t)error.offset, error.message};
+    *result = (outcome){status, (uint32_t)error.offset, error.message, (uint32_t)error.length};
     return surface;
 }
 
@@ -93,7 +94,7 @@ algsurf_surface *surface_from_terms(const double *coefficients, const int32_t *e
         status = algsurf_surface_from_terms(terms, count, &surface);
     }
     free(terms);
-    *result = (outcome){status, 0, NULL};
+    *result = (outcome){status, 0, NULL, 0};
     return surface;
 }
 

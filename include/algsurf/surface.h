@@ -26,12 +26,13 @@ typedef struct algsurf_term {
 /* A named constant for algsurf_surface_from_equation. */
 typedef struct algsurf_constant {
     const char *name; /* a letter, then letters, digits, underscores; not x, y, z, sqrt */
-    double value;     /* finite */
+    double value;     /* finite; of a number that no double is, sqrt(5) say, the nearest one */
 } algsurf_constant;
 
 /* Where and why an equation was refused. */
 typedef struct algsurf_parse_error {
-    size_t offset;       /* of the offending character from the start of the text, in bytes */
+    size_t offset;       /* of what is wrong from the start of the text, in bytes */
+    size_t length;       /* of the name, number or sign there, in bytes; 0 at the end of the text */
     const char *message; /* what was expected or what is wrong there; static */
 } algsurf_parse_error;
 
@@ -47,17 +48,25 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
 
 /* A surface from an equation as text, "x^2 + y^2 = 1 - z^2".
  * Grammar: + - * / ^ ( ), numbers (decimal or hexadecimal, point and exponent allowed, independent of
- * the locale), variables x y z, the given constants, sqrt(...) of a constant, implicit multiplication
+ * the locale), variables x y z, the given constants, pi, sqrt(...) of a constant, implicit multiplication
  * (3x^2 y), blanks anywhere between tokens, at most one '=' (left minus right).  ^ binds tighter than
  * unary minus, is right associative and takes a constant integer exponent 0..64 (down to -64 for a
  * constant base); division only by a constant.  Implicit multiplication binds like *: 1/2x is x/2; its
- * right operand is never a number.  A name is read as long as it goes; one that is no constant but made
- * of x, y, z only is their product: xyz.
- * Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
- * double.  What double-double cannot tell from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
+ * right operand is never a number.  A name is read as long as it goes; one that is no constant is the
+ * product of what it is made of: xyz, and ax where a is a constant.
+ *     As equations are pasted, UTF-8: ** is ^, == is =, a middle dot, dot operator or cross is *, a minus
+ * sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of what
+ * follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
+ * variables, unless they are constants; spaces of typesetters are blanks; '=' may lead, ';' may trail.
+ *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
+ * double.  pi and roots are right to double-double, so that a coefficient made of them is the double nearest
+ * to what is written, or the one next to it: the surface is the one of that double
+ * (algsurf_surface_rounding).  What double-double cannot tell from zero is zero: p^2-p-1 for
+ * p = (1+sqrt(5))/2.
  *   constants, count  named values; may be null when count is 0
- *   error             may be null; filled only when E_SYNTAX, E_DEGREE, E_RANGE is returned
- * Errors: E_SYNTAX (also unknown names, sqrt of a negative number, division by zero or by x, y, z),
+ *   error             may be null; filled only when E_SYNTAX, E_NAME, E_DEGREE, E_RANGE is returned
+ * Errors: E_SYNTAX (also what is no polynomial: division by zero or by x, y, z, functions, fractions as
+ * exponents), E_NAME (a name that is neither variable nor constant: a parameter in want of a value),
  * E_DEGREE (a product or power above degree 64, even if it would cancel: at its operator), E_RANGE (a
  * number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
  * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26

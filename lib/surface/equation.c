@@ -35,7 +35,7 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
         if (!isfinite(a)) status = ALGSURF_E_RANGE;
     }
     if (status == ALGSURF_E_RANGE) {
-        *error = (algsurf_parse_error){offset, "a coefficient is too large for a double"};
+        *error = (algsurf_parse_error){offset, 0, "a coefficient is too large for a double"};
     } else {
         status = algsurf_i_surface_make(terms, value->count, 0, rounding * (1 + 0x1p-40), surface);
     }
@@ -104,6 +104,9 @@ algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_con
     algsurf_fpenv_enter(&saved);
     algsurf_status status = make(&p, constants, count, surface);
     algsurf_fpenv_leave(&saved);
-    if (error && p.error.message) *error = p.error;
+    if (error && p.error.message) {
+        *error = p.error;
+        error->length = p.unknown ? p.unknown : algsurf_i_wrong_length(text + error->offset);
+    }
     return status;
 }

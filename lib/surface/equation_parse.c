@@ -1,17 +1,18 @@
 /* equation_parse.c - from an equation as text to a polynomial: recursive descent that computes.
  *
- *     equation = sum [ "=" sum ]
+ *     equation = sum [ "=" sum ] [ ";" ]  |  "=" sum [ ";" ]
  *     sum      = product { ("+" | "-") product }
  *     product  = signed { "*" signed | "/" signed | power }        the last: implicit multiplication
  *     signed   = { "+" | "-" } power
- *     power    = primary [ "^" signed ]
- *     primary  = number | name | "(" sum ")" | "sqrt" "(" sum ")"
+ *     power    = primary [ "^" signed | superscript { superscript } ]
+ *     primary  = number | name | bracket | "sqrt" bracket | root-sign primary
+ *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
- * Every expression's value is a polynomial (equation_poly.h); what must be constant, divisors,
- * exponents, arguments of sqrt, is seen from its value.  Depth is counted, so text cannot exhaust
- * the stack.  A name is as long as it can be; one that is no constant but made of x, y, z only is a
- * product of variables, xyz.  A number never stands right of an implicit multiplication: x 2 could
- * be a slip for x^2 as well as a product.
+ * The signs are those of equation_token.h.  Every expression's value is a polynomial (equation_poly.h); what
+ * must be constant, divisors, exponents, arguments of roots, is seen from its value.  Depth is counted, so
+ * text cannot exhaust the stack.  A name is as long as it can be; one that is no constant is a product of
+ * what it consists of, letter by letter: variables, constants, pi.  A number never stands right of an
+ * implicit multiplication: x 2 could be a slip for x^2 as well as a product.
  */
 #include "../base/arithmetic.h"
 #include <math.h>
@@ -20,6 +21,7 @@
 
 #include "equation_number.h"
 #include "equation_parse.h"
+#include "equation_token.h"
 
 enum { DEPTH_LIMIT = 100, EXPONENT_LIMIT = 64 };
 
@@ -27,7 +29,7 @@ typedef algsurf_i_parser parser;
 
 static int fail(parser *p, algsurf_status status, size_t offset, const char *message) {
     p->status = status;
-    p->error = (algsurf_parse_error){offset, message};
+    p->error = (algsurf_parse_error){offset, 0, message};
     return 0;
 }
 
@@ -42,23 +44,18 @@ static int computed(parser *p, algsurf_status status, size_t offset) {
                 status == ALGSURF_E_RANGE ? "a constant leaves the range of numbers" : NULL);
 }
 
-static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/* The next token that is not blank; p->at is its place, p->token itself. */
+static int peek(parser *p) {
+    p->at += algsurf_i_blanks(p->text + p->at);
+    p->token = algsurf_i_token_at(p->text + p->at);
+    return p->token.kind;
+}
+
+/* Moves behind the token that peek has seen. */
+static void take(parser *p) { p->at += p->token.width; }
+
+static int is_letter(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
-static int is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
-size_t algsurf_i_name_length(const char *text) {
-    size_t n = 0;
-    if (is_letter(text[0])) {
-        while (is_name_part(text[n])) n++;
-    }
-    return n;
-}
-
-/* The next character that is not blank; p->at is its place. */
-static char peek(parser *p) {
-    while (p->text[p->at] == ' ' || (p->text[p->at] >= '\t' && p->text[p->at] <= '\r')) p->at++;
-    return p->text[p->at];
-}
 
 static int number_follows(const parser *p) {
     const char *c = p->text + p->at;
@@ -67,6 +64,7 @@ static int number_follows(const parser *p) {
 
 static int parse_sum(parser *p, algsurf_i_tripoly *out);
 static int parse_signed(parser *p, algsurf_i_tripoly *out);
+static int parse_primary(parser *p, algsurf_i_tripoly *out);
 
 static int enter(parser *p, size_t offset) {
     return ++p->depth <= DEPTH_LIMIT || refuse(p, offset, "nested deeper than 100");
@@ -92,33 +90,91 @@ static int parse_number(parser *p, algsurf_i_tripoly *out) {
     return fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 
-static int parse_parenthesis(parser *p, algsurf_i_tripoly *out) {
-    if (peek(p) != '(') return refuse(p, p->at, "expected '('");
-    if (!enter(p, p->at)) return 0;
-    p->at++;
-    if (!parse_sum(p, out)) return 0;
-    if (peek(p) != ')') {
-        algsurf_i_tripoly_free(out);
-        return refuse(p, p->at, "expected an operator or ')'");
+/* Refuses what stands here, with an explanation where it is something people try, or as `expected`. */
+static int refuse_token(parser *p, const char *expected) {
+    const char *why = expected;
+    switch (peek(p)) {
+    case '|':
+        why = "not a polynomial: an absolute value; an equation with |a| squared may do";
+        break;
+    case ALGSURF_I_TOKEN_INEQUALITY:
+        why = "expected '=': a surface is where both sides are equal";
+        break;
+    case ALGSURF_I_TOKEN_SUPERSCRIPT:
+        why = "an exponent with nothing before it to raise";
+        break;
+    case ',':
+        why = "a decimal point is written '.'";
+        break;
+    case '!':
+        why = "not a polynomial: a factorial";
+        break;
+    case ')':
+    case ']':
+    case '}':
+        if (p->depth == 0) why = "a closing bracket without an opening one";
+        break;
+    default:
+        if (number_follows(p))
+            why = "a number behind a factor: write x^2 for a power, 2x or x*2 for a product";
+        break;
     }
-    p->at++;
+    return refuse(p, p->at, why);
+}
+
+static const char *expected_closing(char closing) {
+    return closing == ')'   ? "expected an operator or ')'"
+           : closing == ']' ? "expected an operator or ']'"
+                            : "expected an operator or '}'";
+}
+
+static int parse_bracket(parser *p, algsurf_i_tripoly *out) {
+    char closing = algsurf_i_closing(peek(p));
+    if (!closing) return refuse(p, p->at, "expected '('");
+    if (!enter(p, p->at)) return 0;
+    take(p);
+    if (!parse_sum(p, out)) return 0;
+    if (peek(p) != closing) {
+        algsurf_i_tripoly_free(out);
+        return refuse_token(p, expected_closing(closing));
+    }
+    take(p);
     p->depth--;
     return 1;
 }
 
+/* *value becomes its square root; offset is where it stands. */
+static int take_root(parser *p, size_t offset, algsurf_i_tripoly *value) {
+    int constant = algsurf_i_tripoly_is_constant(value);
+    algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
+    if (constant && value->count) m = value->m[0];
+    algsurf_i_tripoly_free(value);
+    if (!constant) return refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
+    if (m.v.hi < 0) return refuse(p, offset, "the root of a negative number");
+    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sqrt(m), value), offset);
+}
+
 static int parse_sqrt(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly argument;
     p->at += strlen("sqrt");
     (void)peek(p);
     size_t offset = p->at;
-    if (!parse_parenthesis(p, &argument)) return 0;
-    int constant = algsurf_i_tripoly_is_constant(&argument);
-    algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
-    if (constant && argument.count) m = argument.m[0];
-    algsurf_i_tripoly_free(&argument);
-    if (!constant) return refuse(p, offset, "expected a constant as the argument of sqrt");
-    if (m.v.hi < 0) return refuse(p, offset, "the argument of sqrt is negative");
-    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sqrt(m), out), offset);
+    return parse_bracket(p, out) && take_root(p, offset, out);
+}
+
+static int parse_root_sign(parser *p, algsurf_i_tripoly *out) {
+    if (!enter(p, p->at)) return 0;
+    take(p);
+    (void)peek(p);
+    size_t offset = p->at;
+    if (!parse_primary(p, out) || !take_root(p, offset, out)) return 0;
+    p->depth--;
+    return 1;
+}
+
+/* In double-double; what that leaves out is below 2^-108 of it. */
+static int make_pi(parser *p, algsurf_i_tripoly *out) {
+    const algsurf_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+    return make_value(p, pi, ALGSURF_DD_U * pi.hi, 0, 0, out);
 }
 
 static const algsurf_constant *find_constant(const parser *p, const char *name, size_t length) {
@@ -137,30 +193,85 @@ static const algsurf_constant *find_constant(const parser *p, const char *name, 
     return NULL;
 }
 
+static int is_pi(const char *name, size_t length) {
+    return length == 2 && (name[0] == 'p' || name[0] == 'P') && (name[1] == 'i' || name[1] == 'I');
+}
+
+/* What a product written as one name begins with: a variable, else the longest constant, else pi.  Returns
+ * its length, 0 when it is none; *constant is null unless it is one of the caller's. */
+static size_t first_factor(const parser *p, const char *name, size_t length,
+                           const algsurf_constant **constant) {
+    *constant = NULL;
+    if (algsurf_i_variable(name[0])) return 1;
+    for (size_t n = length; n > 0; n--) {
+        *constant = find_constant(p, name, n);
+        if (*constant) return n;
+    }
+    return length >= 2 && is_pi(name, 2) ? 2 : 0;
+}
+
+/* The characters of a name from number `known` on are no factor: says which letters between variables have no
+ * value, or what people mean by such names. */
+static int refuse_name(parser *p, const char *name, size_t length, size_t known) {
+    size_t begin = known, end = known;
+    while (begin > 0 && !algsurf_i_variable(name[begin - 1])) begin--;
+    while (end < length && !algsurf_i_variable(name[end])) end++;
+    if (algsurf_i_is_function(name, length) || algsurf_i_is_function(name + begin, end - begin))
+        return refuse(p, p->at, "not a polynomial: the only function here is sqrt(...) of a constant");
+    if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return refuse(p, p->at, "expected '(' behind sqrt");
+    if (known > 0 && is_digit(name[known]))
+        return refuse(p, p->at, "a number behind a letter: write x^2 for a power, 2x or x*2 for a product");
+    for (size_t n = 0; n < length; n++)
+        if (!is_letter(name[n])) begin = 0, end = length; /* no product of letters */
+    p->unknown = end - begin;
+    return fail(p, ALGSURF_E_NAME, p->at + begin, "not x, y or z: it needs a value");
+}
+
+/* Is the name a product of factors that are known?  Then letters are read as such up to its end. */
+static int split_name(parser *p, const char *name, size_t length) {
+    const algsurf_constant *constant;
+    for (size_t known = 0; known < length;) {
+        size_t factor = first_factor(p, name + known, length - known, &constant);
+        if (factor == 0) return refuse_name(p, name, length, known);
+        known += factor;
+    }
+    p->letters_end = p->at + length;
+    return 1;
+}
+
 static int parse_name(parser *p, algsurf_i_tripoly *out) {
     const char *name = p->text + p->at;
-    if (p->at >= p->letters_end) {
-        size_t length = algsurf_i_name_length(name);
-        const algsurf_constant *constant = find_constant(p, name, length);
-        if (constant) {
-            p->at += length;
-            return make_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
-        }
-        if (length == strlen("sqrt") && strncmp(name, "sqrt", length) == 0) return parse_sqrt(p, out);
-        if (strspn(name, "xyz") < length) return refuse(p, p->at, "unknown name");
-        p->letters_end = p->at + length;
+    const algsurf_constant *constant;
+    size_t length;
+    if (p->at < p->letters_end) {
+        length = first_factor(p, name, p->letters_end - p->at, &constant);
+    } else {
+        length = algsurf_i_name_length(name);
+        constant = find_constant(p, name, length);
+        if (!constant && length == strlen("sqrt") && strncmp(name, "sqrt", length) == 0)
+            return parse_sqrt(p, out);
+        if (!constant && !split_name(p, name, length)) return 0;
+        if (!constant) length = first_factor(p, name, length, &constant);
     }
-    p->at++;
-    int key = *name == 'x' ? ALGSURF_I_KEY_X : *name == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
+    p->at += length;
+    if (constant) return make_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
+    char variable = algsurf_i_variable(*name);
+    if (!variable) return make_pi(p, out);
+    int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
     return make_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
 }
 
 static int parse_primary(parser *p, algsurf_i_tripoly *out) {
-    char c = peek(p);
+    int c = peek(p);
     if (number_follows(p)) return parse_number(p, out);
     if (is_letter(c)) return parse_name(p, out);
-    if (c == '(') return parse_parenthesis(p, out);
-    return refuse(p, p->at, "expected a number, x, y, z, a constant, sqrt or '('");
+    if (algsurf_i_closing(c)) return parse_bracket(p, out);
+    if (c == ALGSURF_I_TOKEN_ROOT) return parse_root_sign(p, out);
+    if (c == ALGSURF_I_TOKEN_PI) {
+        take(p);
+        return make_pi(p, out);
+    }
+    return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
 }
 
 /* *left *= right, which is freed. */
@@ -180,7 +291,7 @@ static int divide(parser *p, size_t offset, size_t divisor, algsurf_i_tripoly *l
                   algsurf_i_tripoly *right) {
     int ok;
     if (!algsurf_i_tripoly_is_constant(right)) {
-        ok = refuse(p, divisor, "expected a constant divisor");
+        ok = refuse(p, divisor, "not a polynomial: division by x, y or z; multiply both sides by it");
     } else if (right->count == 0) {
         ok = refuse(p, divisor, "division by zero");
     } else {
@@ -230,7 +341,7 @@ static int raise(parser *p, size_t offset, size_t exponent, const algsurf_i_trip
     }
     if (abs(n) > EXPONENT_LIMIT) return refuse(p, exponent, "expected an exponent up to 64");
     if (n >= 0) return repeat(p, offset, base, n, out);
-    if (!constant) return refuse(p, exponent, "expected an exponent that is not negative");
+    if (!constant) return refuse(p, exponent, "not a polynomial: x, y or z to a negative power");
     algsurf_i_tripoly power;
     if (!repeat(p, offset, base, -n, &power)) return 0;
     if (!make_value(p, algsurf_dd_from(1.0), 0.0, 0, 0, out)) {
@@ -240,31 +351,57 @@ static int raise(parser *p, size_t offset, size_t exponent, const algsurf_i_trip
     return divide(p, offset, offset, out, &power);
 }
 
+/* Why base^exponent is refused when the exponent is no whole number. */
+static const char *about_exponent(const algsurf_i_tripoly *base, const algsurf_i_tripoly *exponent) {
+    if (!algsurf_i_tripoly_is_constant(exponent)) return "not a polynomial: x, y or z in an exponent";
+    if (algsurf_i_tripoly_is_constant(base))
+        return "expected a whole number as exponent; a root of a constant is written sqrt(...)";
+    return "not a polynomial: expected a whole number from 0 to 64 as exponent";
+}
+
+/* The exponent behind '^', and base raised to it. */
+static int parse_exponent(parser *p, const algsurf_i_tripoly *base, algsurf_i_tripoly *out) {
+    algsurf_i_tripoly exponent;
+    size_t offset = p->at;
+    take(p);
+    (void)peek(p);
+    size_t exponent_offset = p->at;
+    if (!enter(p, offset) || !parse_signed(p, &exponent)) return 0;
+    int n, whole = whole_number(&exponent, &n);
+    const char *why = about_exponent(base, &exponent);
+    algsurf_i_tripoly_free(&exponent);
+    p->depth--;
+    return whole ? raise(p, offset, exponent_offset, base, n, out) : refuse(p, exponent_offset, why);
+}
+
+/* Superscripts in a row, and base raised to them. */
+static int parse_superscripts(parser *p, const algsurf_i_tripoly *base, algsurf_i_tripoly *out) {
+    size_t offset = p->at;
+    int n = 0;
+    do {
+        if (n <= EXPONENT_LIMIT) n = 10 * n + p->token.digit;
+        take(p);
+        p->token = algsurf_i_token_at(p->text + p->at);
+    } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
+    return raise(p, offset, offset, base, n, out);
+}
+
 static int parse_power(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly base, exponent;
+    algsurf_i_tripoly base;
     if (!parse_primary(p, &base)) return 0;
-    if (peek(p) != '^') {
+    int c = peek(p);
+    if (c != '^' && c != ALGSURF_I_TOKEN_SUPERSCRIPT) {
         *out = base;
         return 1;
     }
-    size_t offset = p->at++;
-    (void)peek(p);
-    size_t exponent_offset = p->at;
-    int ok = enter(p, offset) && parse_signed(p, &exponent);
-    if (ok) {
-        int n, whole = whole_number(&exponent, &n);
-        algsurf_i_tripoly_free(&exponent);
-        p->depth--;
-        ok = whole ? raise(p, offset, exponent_offset, &base, n, out)
-                   : refuse(p, exponent_offset, "expected a constant whole number from 0 to 64 as exponent");
-    }
+    int ok = c == '^' ? parse_exponent(p, &base, out) : parse_superscripts(p, &base, out);
     algsurf_i_tripoly_free(&base);
     return ok;
 }
 
 static int parse_signed(parser *p, algsurf_i_tripoly *out) {
     int negative = 0;
-    for (char c = peek(p); c == '+' || c == '-'; p->at++, c = peek(p)) negative ^= c == '-';
+    for (int c = peek(p); c == '+' || c == '-'; take(p), c = peek(p)) negative ^= c == '-';
     if (!parse_power(p, out)) return 0;
     if (negative) algsurf_i_tripoly_negate(out);
     return 1;
@@ -273,11 +410,11 @@ static int parse_signed(parser *p, algsurf_i_tripoly *out) {
 /* The next operator and operand of a product; *more becomes 0 when there is none. */
 static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
     algsurf_i_tripoly right;
-    char c = peek(p);
+    int c = peek(p);
     size_t offset = p->at;
     *more = 1;
     if (c == '*' || c == '/') {
-        p->at++;
+        take(p);
         (void)peek(p);
         size_t operand = p->at;
         if (!parse_signed(p, &right)) {
@@ -286,7 +423,7 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
         }
         return c == '*' ? multiply(p, offset, left, &right) : divide(p, offset, operand, left, &right);
     }
-    if (is_letter(c) || c == '(') {
+    if (is_letter(c) || algsurf_i_closing(c) || c == ALGSURF_I_TOKEN_ROOT || c == ALGSURF_I_TOKEN_PI) {
         if (parse_power(p, &right)) return multiply(p, offset, left, &right);
         algsurf_i_tripoly_free(left);
         return 0;
@@ -307,14 +444,14 @@ static int parse_product(parser *p, algsurf_i_tripoly *out) {
 
 static int parse_sum(parser *p, algsurf_i_tripoly *out) {
     algsurf_i_sum sum = {.parts = 0};
-    for (char sign = '+';;) {
+    for (int sign = '+';;) {
         algsurf_i_tripoly product;
         if (!parse_product(p, &product)) break;
         if (sign == '-') algsurf_i_tripoly_negate(&product);
         if (!computed(p, algsurf_i_sum_add(&sum, product), p->at)) break;
         sign = peek(p);
         if (sign != '+' && sign != '-') return computed(p, algsurf_i_sum_total(&sum, out), p->at);
-        p->at++;
+        take(p);
     }
     algsurf_i_sum_free(&sum);
     return 0;
@@ -322,41 +459,50 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out) {
 
 /* The end of the text, after a whole equation. */
 static int parse_end(parser *p, int equals_seen) {
+    if (peek(p) == ';') {
+        take(p);
+        if (peek(p) != '\0') return refuse(p, p->at, "behind ';': expected the end");
+    }
     switch (peek(p)) {
     case '\0':
         return 1;
-    case ')':
-        return refuse(p, p->at, "')' without '('");
     case '=':
         return refuse(p, p->at, "a second '='");
     default:
-        return refuse(p, p->at,
-                      equals_seen ? "expected an operator or the end"
-                                  : "expected an operator, '=' or the end");
+        return refuse_token(p, equals_seen ? "expected an operator or the end"
+                                           : "expected an operator, '=' or the end");
     }
 }
 
+/* *left minus the sum behind '='; *left is freed on failure. */
+static int parse_right(parser *p, algsurf_i_tripoly *left) {
+    algsurf_i_tripoly right, difference = {NULL, 0};
+    size_t offset = p->at;
+    take(p);
+    int ok = parse_sum(p, &right);
+    if (ok) {
+        algsurf_i_tripoly_negate(&right);
+        ok = computed(p, algsurf_i_tripoly_add(left, &right, &difference), offset);
+        algsurf_i_tripoly_free(&right);
+    }
+    algsurf_i_tripoly_free(left);
+    *left = difference;
+    return ok;
+}
+
 int algsurf_i_parse_equation(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly left, right;
-    if (!parse_sum(p, &left)) return 0;
+    algsurf_i_tripoly value;
     int equals = peek(p) == '=';
-    if (equals) {
-        size_t offset = p->at++;
-        algsurf_i_tripoly difference = {NULL, 0};
-        int ok = parse_sum(p, &right);
-        if (ok) {
-            algsurf_i_tripoly_negate(&right);
-            ok = computed(p, algsurf_i_tripoly_add(&left, &right, &difference), offset);
-            algsurf_i_tripoly_free(&right);
-        }
-        algsurf_i_tripoly_free(&left);
-        if (!ok) return 0;
-        left = difference;
+    if (equals) take(p);
+    if (!parse_sum(p, &value)) return 0;
+    if (!equals && peek(p) == '=') {
+        equals = 1;
+        if (!parse_right(p, &value)) return 0;
     }
     if (!parse_end(p, equals)) {
-        algsurf_i_tripoly_free(&left);
+        algsurf_i_tripoly_free(&value);
         return 0;
     }
-    *out = left;
+    *out = value;
     return 1;
 }

@@ -3,14 +3,17 @@
 #define ALGSURF_EQUATION_PARSE_H
 #include "algsurf/surface.h"
 #include "equation_poly.h"
+#include "equation_token.h"
 
 /* Set text and constants, the rest to 0. */
 typedef struct algsurf_i_parser {
     const char *text;
     const algsurf_constant **constants; /* sorted by name */
     size_t constant_count;
-    size_t at;          /* how far the text is read */
-    size_t letters_end; /* up to here, letters are variables, one by one */
+    size_t at;             /* how far the text is read */
+    size_t letters_end;    /* up to here, names are products of variables, constants and pi */
+    algsurf_i_token token; /* at that place */
+    size_t unknown;        /* the length of the name without a value, after ALGSURF_E_NAME */
     int depth;
     algsurf_status status; /* the failure, if any */
     algsurf_parse_error error;
@@ -19,8 +22,5 @@ typedef struct algsurf_i_parser {
 /* Computes left minus right; returns 1, or 0 after a failure: then status is set, error for the
  * statuses that have one, and *out is not. */
 int algsurf_i_parse_equation(algsurf_i_parser *p, algsurf_i_tripoly *out);
-
-/* The length of the name at the start of text: a letter, then letters, digits, underscores. */
-size_t algsurf_i_name_length(const char *text);
 
 #endif

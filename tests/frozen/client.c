@@ -42,7 +42,7 @@ static void *at_edge(const void *whole, size_t size) {
 
 static algsurf_surface *sphere(void) {
     algsurf_surface *surface = NULL;
-    algsurf_parse_error error = {0, NULL};
+    algsurf_parse_error error = {0, 0, NULL};
     const algsurf_constant r = {"r", 1};
     CHECK(algsurf_surface_from_equation("x^2 + y^2 + z^2 = r^2", &r, 1, &surface, &error) == ALGSURF_OK);
     CHECK(algsurf_surface_degree(surface) == 2 && algsurf_surface_term_count(surface) == 4);

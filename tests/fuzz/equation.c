@@ -1,4 +1,5 @@
-/* equation.c - fuzzes algsurf_surface_from_equation: "EQUATION ; NAME=VALUE ; NAME=VALUE".
+/* equation.c - fuzzes algsurf_surface_from_equation: "EQUATION ; NAME=VALUE ; NAME=VALUE", or ";;" for the
+ * first ';' where the equation is to have one at its end.
  *
  * What is accepted is evaluated again, straight from the text and in rational numbers, at points of small
  * coordinates, and must agree with the surface's terms: up to the rounding of each coefficient to a double,
@@ -40,9 +41,53 @@ static void limit(reader *r, value *a) {
     if (r->given_up || bits_of(a->v) > MOST_BITS || bits_of(a->size) > MOST_BITS) give_up(r, a);
 }
 
+enum { OTHER, ROOT, PI, SUPERSCRIPT }; /* what a sign beyond ASCII may be; ASCII is itself */
+
+/* Signs that mean the same are read as the same, written from the documentation in surface.h. */
+static const struct {
+    const char *text;
+    char as;
+} signs[] = {{"**", '^'},     {"==", '='},     {"\u00b7", '*'},  {"\u00d7", '*'}, {"\u22c5", '*'},
+             {"\u2217", '*'}, {"\u2062", '*'}, {"\u2212", '-'},  {"\u2013", '-'}, {"\u00f7", '/'},
+             {"\u2215", '/'}, {"\u2044", '/'}, {"\u221a", ROOT}, {"\u03c0", PI}};
+static const char *const superscripts[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                           "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+static const char *const blanks[] = {"\u00a0", "\u2002", "\u2003", "\u2004", "\u2005", "\u2006", "\u2007",
+                                     "\u2008", "\u2009", "\u200a", "\u200b", "\u202f", "\u205f", "\ufeff"};
+
+static size_t starts(const char *text, const char *with) {
+    size_t length = strlen(with);
+    return strncmp(text, with, length) == 0 ? length : 0;
+}
+
+static int digit_above(const char *text) {
+    for (int d = 0; d < 10; d++)
+        if (starts(text, superscripts[d])) return d;
+    return -1;
+}
+
+/* The sign at r->at, behind blanks; *width is its length in bytes. */
+static char sign_at(reader *r, size_t *width) {
+    for (size_t i = 0, n; i < sizeof blanks / sizeof *blanks; i++)
+        if ((n = starts(r->at, blanks[i])) || *r->at == ' ' || (*r->at >= '\t' && *r->at <= '\r'))
+            r->at += n ? n : 1, i = (size_t)-1;
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if ((*width = starts(r->at, signs[i].text))) return signs[i].as;
+    *width = *r->at != '\0';
+    if (digit_above(r->at) < 0) return *r->at;
+    *width = strlen(superscripts[digit_above(r->at)]);
+    return SUPERSCRIPT;
+}
+
 static char peek(reader *r) {
-    while (*r->at == ' ' || (*r->at >= '\t' && *r->at <= '\r')) r->at++;
-    return *r->at;
+    size_t width;
+    return sign_at(r, &width);
+}
+
+static void take(reader *r) {
+    size_t width;
+    (void)sign_at(r, &width);
+    r->at += width;
 }
 
 static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -106,16 +151,16 @@ static void sum(reader *r, value *a);
 static void with_sign(reader *r, value *a);
 
 static void parenthesis(reader *r, value *a) {
-    (void)peek(r), r->at++;
+    char open = peek(r);
+    take(r);
     sum(r, a);
-    fuzz_check(r->given_up || peek(r) == ')');
+    fuzz_check(r->given_up || peek(r) == (open == '(' ? ')' : open == '[' ? ']' : '}'));
     if (*r->at) r->at++;
 }
 
 /* To some 400 bits, which is as good as exact here; near zero the error counts. */
 static void square_root(reader *r, value *a) {
     mpf_t f;
-    parenthesis(r, a);
     if (mpq_sgn(a->v) == 0) return;
     mpq_t least;
     mpq_init(least), mpq_div_2exp(least, a->size, 60);
@@ -141,6 +186,32 @@ static int constant_named(reader *r, const char *name, size_t length, value *a) 
     return 0;
 }
 
+static void pi(value *a) {
+    mpq_set_str(a->v,
+                "31415926535897932384626433832795028841971693993751/10000000000000000000000000000000000000000"
+                "000000000",
+                10);
+    mpq_set(a->size, a->v);
+}
+
+/* A part of a product written as one name: a variable, the longest constant, pi. */
+static void factor(reader *r, value *a) {
+    const char *start = r->at;
+    char variable = *start >= 'a' ? *start : (char)(*start + 32);
+    if (variable >= 'x') {
+        r->at++;
+        mpq_set(a->v, r->point[variable - 'x']), mpq_abs(a->size, a->v);
+        return;
+    }
+    for (size_t n = (size_t)(r->letters_end - start); n > 0; n--) {
+        r->at = start + n;
+        if (constant_named(r, start, n, a)) return;
+    }
+    fuzz_check((start[0] | 32) == 'p' && (start[1] | 32) == 'i');
+    r->at = start + 2;
+    pi(a);
+}
+
 static void name(reader *r, value *a) {
     const char *start = r->at;
     if (start >= r->letters_end) {
@@ -149,24 +220,33 @@ static void name(reader *r, value *a) {
         r->at += length;
         if (constant_named(r, start, length, a)) return;
         if (length == 4 && strncmp(start, "sqrt", 4) == 0) {
-            square_root(r, a);
+            (void)peek(r);
+            parenthesis(r, a);
+            if (!r->given_up) square_root(r, a);
             return;
         }
         r->letters_end = start + length;
+        r->at = start;
     }
-    fuzz_check(*start >= 'x' && *start <= 'z');
-    r->at = start + 1;
-    mpq_set(a->v, r->point[*start - 'x']), mpq_abs(a->size, a->v);
+    factor(r, a);
 }
 
 static void primary(reader *r, value *a) {
     char c = peek(r);
-    if (is_digit(c) || c == '.')
+    if (is_digit(c) || c == '.') {
         number(r, a);
-    else if (is_letter(c))
+    } else if (is_letter(c)) {
         name(r, a);
-    else
+    } else if (c == ROOT) {
+        take(r);
+        primary(r, a);
+        if (!r->given_up) square_root(r, a);
+    } else if (c == PI) {
+        take(r);
+        pi(a);
+    } else {
         parenthesis(r, a);
+    }
 }
 
 static void times(reader *r, value *a, const value *b) {
@@ -186,13 +266,28 @@ static void over(reader *r, value *a, value *b) {
     limit(r, a);
 }
 
+/* The exponent behind a power's base. */
+static int exponent(reader *r) {
+    value e;
+    int n = 0;
+    if (peek(r) == SUPERSCRIPT) {
+        for (int d = digit_above(r->at); d >= 0; take(r), d = digit_above(r->at))
+            n = n <= 64 ? 10 * n + d : n;
+        return n;
+    }
+    take(r);
+    value_init(&e), with_sign(r, &e);
+    n = (int)lround(mpq_get_d(e.v));
+    value_clear(&e);
+    return n;
+}
+
 static void power(reader *r, value *a) {
     primary(r, a);
-    if (r->given_up || peek(r) != '^') return;
-    value exponent, one;
-    value_init(&exponent), value_init(&one);
-    r->at++, with_sign(r, &exponent);
-    int n = (int)lround(mpq_get_d(exponent.v));
+    if (r->given_up || (peek(r) != '^' && peek(r) != SUPERSCRIPT)) return;
+    value one;
+    value_init(&one);
+    int n = exponent(r);
     fuzz_check(r->given_up || (n >= -64 && n <= 64));
     mpq_set_ui(one.v, 1, 1), mpq_set_ui(one.size, 1, 1);
     for (int i = 0; i < abs(n) && !r->given_up; i++) times(r, &one, a);
@@ -202,23 +297,27 @@ static void power(reader *r, value *a) {
     } else {
         mpq_set(a->v, one.v), mpq_set(a->size, one.size);
     }
-    value_clear(&exponent), value_clear(&one);
+    value_clear(&one);
 }
 
 static void with_sign(reader *r, value *a) {
     int negative = 0;
-    for (char c = peek(r); c == '+' || c == '-'; r->at++, c = peek(r)) negative ^= c == '-';
+    for (char c = peek(r); c == '+' || c == '-'; take(r), c = peek(r)) negative ^= c == '-';
     power(r, a);
     if (negative) mpq_neg(a->v, a->v);
+}
+
+static int begins_factor(char c) {
+    return c == '(' || c == '[' || c == '{' || c == ROOT || c == PI || is_letter(c);
 }
 
 static void product(reader *r, value *a) {
     value b;
     value_init(&b);
     with_sign(r, a);
-    for (char c = peek(r); !r->given_up && (c == '*' || c == '/' || c == '(' || is_letter(c)); c = peek(r)) {
+    for (char c = peek(r); !r->given_up && (c == '*' || c == '/' || begins_factor(c)); c = peek(r)) {
         if (c == '*' || c == '/')
-            r->at++, with_sign(r, &b);
+            take(r), with_sign(r, &b);
         else
             power(r, &b);
         if (c == '/')
@@ -234,7 +333,7 @@ static void sum(reader *r, value *a) {
     value_init(&b);
     product(r, a);
     for (char c = peek(r); !r->given_up && (c == '+' || c == '-'); c = peek(r)) {
-        r->at++, product(r, &b);
+        take(r), product(r, &b);
         if (c == '-') mpq_neg(b.v, b.v);
         mpq_add(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
         limit(r, a);
@@ -245,11 +344,13 @@ static void sum(reader *r, value *a) {
 static void equation(reader *r, value *a) {
     value b;
     value_init(&b);
+    if (peek(r) == '=') take(r);
     sum(r, a);
     if (!r->given_up && peek(r) == '=') {
-        r->at++, sum(r, &b);
+        take(r), sum(r, &b);
         mpq_sub(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
     }
+    if (!r->given_up && peek(r) == ';') take(r);
     fuzz_check(r->given_up || peek(r) == '\0');
     value_clear(&b);
 }
@@ -319,15 +420,18 @@ static void check_surface(const char *text, const algsurf_constant *constants, s
 
 static void check_refusal(algsurf_status status, const char *text, const algsurf_parse_error *error) {
     fuzz_check(status < 0);
-    int told = status == ALGSURF_E_SYNTAX || status == ALGSURF_E_DEGREE || status == ALGSURF_E_RANGE;
+    int told = status == ALGSURF_E_SYNTAX || status == ALGSURF_E_NAME || status == ALGSURF_E_DEGREE ||
+               status == ALGSURF_E_RANGE;
     fuzz_check(told == (error->message != NULL));
-    if (told) fuzz_check(error->offset <= strlen(text) && error->message[0]);
+    if (told) fuzz_check(error->offset + error->length <= strlen(text) && error->message[0]);
+    if (status == ALGSURF_E_NAME) fuzz_check(is_letter(text[error->offset]) && error->length > 0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char *text = fuzz_string(data, size), *rest = strchr(text, ';');
     algsurf_constant constants[MOST_CONSTANTS];
     size_t count = 0;
+    if (rest && rest[1] == ';') rest++;
     while (rest && count < MOST_CONSTANTS) {
         *rest++ = '\0';
         rest += strspn(rest, " \n");
@@ -339,7 +443,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         rest = strchr(rest, ';');
     }
     algsurf_surface *const untouched = (algsurf_surface *)(void *)&text, *surface = untouched;
-    algsurf_parse_error error = {0, NULL};
+    algsurf_parse_error error = {0, 0, NULL};
     algsurf_status status = algsurf_surface_from_equation(text, constants, count, &surface, &error);
     if (status == ALGSURF_OK) {
         check_surface(text, constants, count, surface);

@@ -34,8 +34,8 @@ static void check_options(const render_options *o) {
         fuzz_check(isfinite(o->view.eye.x[i]) && isfinite(o->view.look_at.x[i]) && isfinite(o->view.up.x[i]));
         fuzz_check(isfinite(o->view.centre.x[i]) && isfinite(o->view.extent.extent.size[i]));
     }
-    for (size_t i = 0; i < o->surface.constant_count; i++)
-        fuzz_check(isfinite(o->surface.constants[i].value) && o->surface.constants[i].name[0]);
+    for (size_t i = 0; i < o->surface.let_count; i++)
+        fuzz_check(cli_is_constant_name(o->surface.lets[i].name) && o->surface.lets[i].value[0]);
 }
 
 /* From the options to the first camera, as render does it. */
@@ -66,10 +66,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         render_options options = render_parse_options(argc, argv);
         check_options(&options);
         if (!options.list) check_camera(&options);
+        if (!options.list && !options.surface.terms) algsurf_surface_free(cli_make_surface(&options.surface));
         free(options.default_output);
-        for (size_t i = 0; i < options.surface.constant_count; i++)
-            free((char *)(uintptr_t)options.surface.constants[i].name);
-        free(options.surface.constants);
+        cli_forget_surface(&options.surface);
     } else {
         fuzz_check(status == 256 + CLI_BAD_INPUT || status == 256);
     }

@@ -64,6 +64,7 @@ extern "C" {
     X(ALGSURF_E_RANGE, -7, "a value is out of range")                                                        \
     X(ALGSURF_E_THREAD, -8, "a thread could not be started")                                                 \
     X(ALGSURF_E_BUILD, -9, "this build of the library does not compute as its proofs need")                  \
+    X(ALGSURF_E_NAME, -10, "a name in the equation has no value")                                             \
     X(ALGSURF_OK, 0, "done")                                                                                 \
     X(ALGSURF_UNDECIDED_MULTIPLE, 1, "a multiple root, or roots too close to be told apart")                 \
     X(ALGSURF_UNDECIDED_END, 2, "a root at, or too close to, an end of the interval")                        \

@@ -1,0 +1,274 @@
+/* cli_surface.c - see cli_surface.h.
+ *
+ * Constants are evaluated by the library's own parser: a is the constant term of x = TEXT.
+ */
+#include "cli_surface.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue.h"
+#include "cli_guess.h"
+#include "terms_file.h"
+
+/* ---- options ---- */
+
+int cli_is_constant_name(const char *name) {
+    static const char *const taken[] = {"x", "y", "z", "sqrt"};
+    if (!isalpha((unsigned char)name[0])) return 0;
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_') return 0;
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (strcmp(name, taken[i]) == 0) return 0;
+    return 1;
+}
+
+static char *copy_of(const char *text, size_t length) {
+    char *copy = malloc(length + 1);
+    if (!copy) cli_no_memory();
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+static int has_let(const cli_surface *surface, const char *name) {
+    for (size_t i = 0; i < surface->let_count; i++)
+        if (strcmp(surface->lets[i].name, name) == 0) return 1;
+    return 0;
+}
+
+/* Takes name and value over. */
+static void add_let(cli_surface *surface, const char *what, char *name, char *value, int from_file) {
+    cli_let *lets = realloc(surface->lets, (surface->let_count + 1) * sizeof *lets);
+    if (!lets) cli_no_memory();
+    surface->lets = lets;
+    if (!cli_is_constant_name(name))
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", what, cli_quote(name).text);
+    lets[surface->let_count++] = (cli_let){name, value, from_file};
+}
+
+void cli_set_let(const cli_option *option, const char *value, void *field) {
+    size_t length = strcspn(value, "=");
+    if (!value[length] || !value[length + 1]) cli_expected(option, value);
+    char *name = copy_of(value, length);
+    if (has_let(field, name))
+        cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
+    add_let(field, option->name, name, copy_of(value + length + 1, strlen(value + length + 1)), 0);
+}
+
+/* Signs that no name has, or a text that is an equation as it stands, "xyz", or with constants, "kxy". */
+static int is_equation(const char *text, int has_constants) {
+    if (strpbrk(text, "=^+*/()[]{}|<>!,; ") || isdigit((unsigned char)text[0])) return 1;
+    for (const char *c = text; *c; c++)
+        if ((unsigned char)*c >= 0x80) return 1;
+    algsurf_surface *surface = NULL;
+    algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &surface, NULL);
+    algsurf_surface_free(surface);
+    return status == ALGSURF_OK || (status == ALGSURF_E_NAME && has_constants);
+}
+
+/* Equation and parameters of a file of SURFER; those that --let gives come before. */
+static void read_jsurf(cli_surface *choice) {
+    const char *path = choice->name;
+    FILE *file = fopen(path, "rb");
+    jsurf_file *read = malloc(sizeof *read);
+    jsurf_error error;
+    if (!read) cli_no_memory();
+    if (!file) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, strerror(errno));
+    if (jsurf_read(file, read, &error) != 0) {
+        if (error.no_memory) cli_no_memory();
+        if (error.line == 0) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, error.message);
+        cli_fail(CLI_BAD_INPUT, "%s: line %zu: %s", cli_quote(path).text, error.line, error.message);
+    }
+    fclose(file);
+    for (size_t i = 0; i < read->parameter_count; i++) {
+        const jsurf_parameter *p = &read->parameters[i];
+        if (!has_let(choice, p->name))
+            add_let(choice, path, copy_of(p->name, strlen(p->name)), copy_of(p->value, strlen(p->value)), 1);
+    }
+    choice->file = read;
+    choice->equation = read->equation;
+}
+
+void cli_settle_surface(cli_surface *choice) {
+    if (!choice->name || catalogue_find(choice->name)) return;
+    if (jsurf_is_name(choice->name) && !choice->equation && !choice->terms) {
+        read_jsurf(choice);
+        choice->name = NULL;
+        return;
+    }
+    if (!is_equation(choice->name, choice->let_count > 0)) return;
+    if (choice->equation) cli_fail(CLI_BAD_INPUT, "two equations: '%s'", cli_quote(choice->name).text);
+    choice->equation = choice->name;
+    choice->name = NULL;
+}
+
+void cli_forget_surface(cli_surface *choice) {
+    for (size_t i = 0; i < choice->let_count; i++) {
+        free(choice->lets[i].name);
+        free(choice->lets[i].value);
+    }
+    free(choice->lets);
+    if (choice->file) jsurf_release(choice->file);
+    free(choice->file);
+    choice->file = NULL;
+    choice->lets = NULL;
+    choice->let_count = 0;
+}
+
+/* ---- equations and constants ---- */
+
+/* Values of constants; names belong to the options. */
+typedef struct values {
+    algsurf_constant *all;
+    size_t count;
+} values;
+
+enum { MOST_NAMES = 6 }; /* without a value, told at once */
+
+/* Says which names have no value yet: one after the other, those before given one. */
+static _Noreturn void ask_for_values(const values *known, const char *text, const char *shown, size_t skipped,
+                                     const algsurf_parse_error *first) {
+    algsurf_constant *all = calloc(known->count + MOST_NAMES, sizeof *all);
+    char names[MOST_NAMES][32], list[256] = "", fix[256] = "";
+    algsurf_parse_error error = *first;
+    algsurf_surface *surface = NULL;
+    algsurf_status status = ALGSURF_E_NAME;
+    size_t n = 0;
+    if (!all) cli_no_memory();
+    for (size_t i = 0; i < known->count; i++) all[i] = known->all[i];
+    for (; status == ALGSURF_E_NAME && n < MOST_NAMES && error.length < sizeof names[0]; n++) {
+        size_t length = strlen(list), used = strlen(fix);
+        snprintf(names[n], sizeof names[n], "%.*s", (int)error.length, text + error.offset);
+        snprintf(list + length, sizeof list - length, "%s%s", n ? ", " : "", names[n]);
+        snprintf(fix + used, sizeof fix - used, " --let %s=...", names[n]);
+        all[known->count + n] = (algsurf_constant){names[n], 1.5};
+        status = algsurf_surface_from_equation(text, all, known->count + n + 1, &surface, &error);
+    }
+    algsurf_surface_free(surface);
+    free(all);
+    if (n == 0)
+        cli_fail_in(shown, first->offset - skipped, first->length, "column %zu: a name without a value",
+                    cli_column(shown, first->offset - skipped));
+    cli_fail_in(shown, first->offset - skipped, first->length, "%s: give %s:%s", list,
+                n == 1 ? "it a value" : "them values", fix);
+}
+
+/* Says why text, of which the first `skipped` bytes are not the user's, is no equation. */
+static _Noreturn void refuse_equation(const values *known, const char *what, const char *text, size_t skipped,
+                                      algsurf_status status, const algsurf_parse_error *error) {
+    const char *shown = text + skipped;
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status == ALGSURF_E_ZERO)
+        cli_fail(CLI_BAD_INPUT, "%s: %s", what,
+                 skipped ? "expected a constant, without x, y and z"
+                         : "both sides are equal everywhere: that is no surface");
+    if (!error->message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
+    if (status == ALGSURF_E_NAME) ask_for_values(known, text, shown, skipped, error);
+    cli_fail_in(shown, error->offset - skipped, error->length, "%s: column %zu: %s", what,
+                cli_column(shown, error->offset - skipped), error->message);
+}
+
+static algsurf_surface *parse(const values *known, const char *what, const char *text, size_t skipped) {
+    algsurf_surface *surface = NULL;
+    algsurf_parse_error error = {0, 0, NULL};
+    algsurf_status status = algsurf_surface_from_equation(text, known->all, known->count, &surface, &error);
+    if (status != ALGSURF_OK) refuse_equation(known, what, text, skipped, status, &error);
+    return surface;
+}
+
+static double constant_of(const values *known, const cli_let *let) {
+    static const char before[] = "x="; /* x minus the constant is a plane, whatever the constant */
+    char *text = malloc(sizeof before + strlen(let->value)), what[64];
+    if (!text) cli_no_memory();
+    strcat(strcpy(text, before), let->value);
+    snprintf(what, sizeof what, "--let %.40s", let->name);
+    algsurf_surface *plane = parse(known, what, text, strlen(before));
+    algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    size_t count = algsurf_surface_term_count(plane);
+    int is_plane = count <= 2 && algsurf_surface_terms(plane, terms) == ALGSURF_OK && terms[0].i == 1 &&
+                   terms[0].a == 1 && algsurf_surface_degree(plane) == 1 && terms[1].i == 0 &&
+                   terms[1].j == 0 && terms[1].k == 0;
+    if (!is_plane)
+        cli_fail(CLI_BAD_INPUT, "%s: expected a constant, without x, y and z: '%s'", what,
+                 cli_quote(let->value).text);
+    algsurf_surface_free(plane);
+    free(text);
+    return count == 2 ? -terms[1].a : 0;
+}
+
+/* The constants of the options, and one more before them if its name is not null. */
+static values evaluate(const cli_surface *choice, const char *name, double value) {
+    values known = {calloc(choice->let_count + 1, sizeof *known.all), 0};
+    if (!known.all) cli_no_memory();
+    if (name) known.all[known.count++] = (algsurf_constant){name, value};
+    for (size_t i = 0; i < choice->let_count; i++) {
+        const cli_let *let = &choice->lets[i];
+        if (name && let->from_file && strcmp(let->name, name) == 0) continue;
+        double x = constant_of(&known, let);
+        known.all[known.count++] = (algsurf_constant){let->name, x};
+    }
+    return known;
+}
+
+/* The surface with what rounding its coefficients may have changed. */
+static algsurf_surface *with_rounding(algsurf_surface *exact) {
+    algsurf_surface *surface = NULL;
+    algsurf_status status = algsurf_surface_with_error(exact, algsurf_surface_rounding(exact), &surface);
+    algsurf_surface_free(exact);
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK)
+        cli_fail(CLI_BAD_INPUT, "--coefficients: one of them is too small for a double");
+    return surface;
+}
+
+static algsurf_surface *from_equation(const cli_surface *choice, const char *text, const char *name,
+                                      double value) {
+    values known = evaluate(choice, name, value);
+    algsurf_surface *surface = parse(&known, "equation", text, 0);
+    free(known.all);
+    return choice->rounded ? with_rounding(surface) : surface;
+}
+
+static algsurf_surface *from_terms(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (!file) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, strerror(errno));
+    algsurf_surface *surface = NULL;
+    terms_error error;
+    if (terms_read_surface(file, &surface, &error) != 0) {
+        if (error.no_memory) cli_no_memory();
+        if (error.line == 0) cli_fail(CLI_BAD_INPUT, "--terms: %s: %s", cli_quote(path).text, error.message);
+        cli_fail(CLI_BAD_INPUT, "--terms: %s: line %zu: %s", cli_quote(path).text, error.line, error.message);
+    }
+    fclose(file);
+    return surface;
+}
+
+static const catalogue_entry *named(const char *name) {
+    const catalogue_entry *entry = catalogue_find(name);
+    if (entry) return entry;
+    cli_guess guess = cli_guess_begin(name, strlen(name));
+    for (entry = catalogue; entry->name; entry++) cli_guess_try(&guess, entry->name);
+    cli_fail(CLI_BAD_INPUT, "unknown surface '%s'; %s", cli_quote(name).text,
+             guess.name ? cli_guess_text(&guess).text : "render --list shows the names");
+}
+
+algsurf_surface *cli_make_surface_with(const cli_surface *choice, const char *name, double value) {
+    int chosen = (choice->name != NULL) + (choice->equation != NULL) + (choice->terms != NULL);
+    if (chosen != 1)
+        cli_fail(CLI_BAD_INPUT, "expected %s a NAME, an equation, --terms FILE; see --help",
+                 chosen ? "only one of" : "a surface:");
+    if (choice->let_count > 0 && !choice->equation)
+        cli_fail(CLI_BAD_INPUT, "--let: only an equation has constants");
+    if (choice->rounded && choice->terms)
+        cli_fail(CLI_BAD_INPUT, "--coefficients: those of --terms are exact");
+    if (choice->terms) return from_terms(choice->terms);
+    return from_equation(choice, choice->equation ? choice->equation : named(choice->name)->equation, name,
+                         value);
+}
+
+algsurf_surface *cli_make_surface(const cli_surface *choice) {
+    return cli_make_surface_with(choice, NULL, 0);
+}

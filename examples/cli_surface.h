@@ -1,0 +1,55 @@
+/* cli_surface.h - the surface on a command line: a name of the catalogue, an equation or a file of SURFER as
+ * a plain argument, --equation TEXT, constants for it, or --terms FILE. */
+#ifndef CLI_SURFACE_H
+#define CLI_SURFACE_H
+#include "cli.h"
+#include "jsurf_file.h"
+
+/* A constant of the equation; its value is an expression in those before it. */
+typedef struct cli_let {
+    char *name, *value;
+    int from_file; /* of SURFER: options come before it */
+} cli_let;
+
+typedef struct cli_surface {
+    const char *name, *equation, *terms; /* exactly one of them is set */
+    cli_let *lets;
+    size_t let_count;
+    jsurf_file *file; /* of SURFER, from which the equation is; null: from none */
+    int rounded;      /* --coefficients: answers allow for the rounding of the equation's */
+} cli_surface;
+
+void cli_set_let(const cli_option *option, const char *value, void *field); /* cli_surface */
+
+/* clang-format off */
+/* The rows of the option table for the member `surface` of a structure. */
+#define CLI_SURFACE_OPTIONS(type)                                                                            \
+    {"--equation", "TEXT", "the surface as an equation in x, y, z: 'x^2 + y^2 = 1 - z^2'; the same as a\n"    \
+     "plain argument", cli_set_text, offsetof(type, surface.equation), 0, 0},                                \
+    {"--let", "A=VALUE", "a constant for the equation: a number, or an expression in earlier\n"              \
+     "ones, (1+sqrt(5))/2, taken as the nearest double (repeatable)", cli_set_let,                           \
+     offsetof(type, surface), 0, 0},                                                                         \
+    {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
+     offsetof(type, surface.terms), 0, 0},                                                                   \
+    {"--coefficients", "exact|rounded", "the doubles are the surface (default), or they are roundings of\n"   \
+     "the equation's: what is certain then holds for the equation", cli_set_choice,                          \
+     offsetof(type, surface.rounded), 0, 0}
+/* clang-format on */
+
+/* Tells whether the plain argument is a name, an equation or a file, and reads the file; to be called when
+ * the command line is read. */
+void cli_settle_surface(cli_surface *choice);
+
+/* Is it a name that a constant may have? */
+int cli_is_constant_name(const char *name);
+
+/* Makes the surface that was asked for; ends the program when there is none. */
+algsurf_surface *cli_make_surface(const cli_surface *choice);
+
+/* The same with one constant more, before all others. */
+algsurf_surface *cli_make_surface_with(const cli_surface *choice, const char *name, double value);
+
+/* Releases what the options hold. */
+void cli_forget_surface(cli_surface *choice);
+
+#endif
