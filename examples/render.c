@@ -58,7 +58,8 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
-    demand(algsurf_scene_set_thin(scene, options->thin == THIN_NONE ? NULL : thin_colour));
+    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= RENDER_USUALLY_THIN;
+    demand(algsurf_scene_set_thin(scene, usual || options->thin == THIN_ASKED ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;

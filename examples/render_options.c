@@ -131,8 +131,8 @@ static const cli_option options_table[] = {
      set_threshold, FIELD(antialias_threshold)},
     {"--thin", "COLOUR|none",
      "of what is so thin that rays pass it by: isolated points, lines without\n"
-     "sheets, needles; default that of the surface; none: it is left out, as it is\n"
-     "above degree 12 and in complex space",
+     "sheets, needles, up to degree 12; default that of the surface up to degree 6;\n"
+     "none: it is left out",
      set_thin, 0, 0, 0},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
      0},

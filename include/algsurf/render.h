@@ -63,23 +63,23 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
 /* Shows what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
  * Whitney's umbrella, needles, tips.  With a colour, in linear light, samples beside whose rays there is
  * something thin show it, without light or shadow; null, the default: nothing is done.
- *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle.  It shows the
- * colour if the surface cannot be proved absent from the cell, before what its ray sees, and what may be
- * there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the
- * cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up to
- * half a cell's width beside where, at that depth, P has the other sign, as far as that hangs together with
- * the ray through the middle of a cell diagonally beside it.
- *     So no isolated point and no line without sheets is lost, however thin, unless hidden or within half a
- * cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
- * paler.  A surface of which nothing is narrower, nor more sharply bent, than some cells is drawn as if there
- * were no colour, to the byte; where the gradient vanishes, as in the tips of cones, there may be spots.
- *     All is drawn as if there were no colour in complex space, without a bounded extent, with another method
- * than the default, above degree 12, from an eye level with the extent's centre or some 10^7 of its radii
- * away, and, from an eye nearer than two radii, more than some 50 degrees from the direction of view.  In the
- * fast tier, which proves nothing, something thin may be lost.
- * Errors: as above.  Cost: a tenth to twice the picture's time; many times it where much is thin or singular,
- * some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source: beams, as tiles
- * (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
+ *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle; with a threshold
+ * of antialiasing only pixels as a whole are such cells, and those that show the colour have no more samples.
+ * It shows the colour if the surface cannot be proved absent from the cell, before what its ray sees, and
+ * what may be there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a
+ * cell of the cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An
+ * edge: up to half a cell's width beside where, at that depth, P has the other sign, as far as that hangs
+ * together with the ray through the middle of a cell diagonally beside it. So no isolated point and no line
+ * without sheets is lost, however thin, unless hidden or within half a cell of what is seen there: a line is
+ * one or two cells wide, without gaps.  More samples draw it finer, and paler.  A surface of which nothing is
+ * narrower, nor more sharply bent, than some cells is drawn as if there were no colour, to the byte; where
+ * the gradient vanishes, as in the tips of cones, there may be spots. All is drawn as if there were no colour
+ * in complex space, without a bounded extent, with another method than the default, above degree 12, from an
+ * eye level with the extent's centre or some 10^7 of its radii away, and, from an eye nearer than two radii,
+ * more than some 50 degrees from the direction of view.  In the fast tier, which proves nothing, something
+ * thin may be lost. Errors: as above.  Cost: a tenth to twice the picture's time; many times it where much is
+ * thin or singular, some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source:
+ * beams, as tiles (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 /* How points of the scene are lit, the default light among the others: for algsurf_shade(), which then gives
  * the colours of its pictures.
@@ -104,7 +104,8 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked at as in the whole
  * picture.
  * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n
- * samples for about one per cent of its pixels, as a rule as long as another one or two of them.  Since 1.0. */
+ * samples for about one per cent of its pixels, as a rule as long as another one or two of them.  Since 1.0.
+ */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */

@@ -6,7 +6,8 @@
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
  * middles alone would have, with alpha: what is chosen does not hang on which planes are asked for.  Where
- * there are tiles, a pixel through which no edge goes, by proof, is not chosen.
+ * there are tiles, a pixel through which no edge goes, by proof, is not chosen.  Nor is one that shows
+ * something thin, which many samples would make pale.
  *
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
@@ -43,14 +44,14 @@ static void compare(const algsurf_i_picture *picture, int row, algsurf_i_middles
 static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
-    const uint8_t *apart = worker->middles.apart;
+    const uint8_t *apart = worker->middles.apart, *state = worker->middles.shown[row % 3].state;
     int *list = worker->line.list, count = 0, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places; /* of the row's in the band's */
     for (int x = 0; x < picture->width; x++) {
         uint32_t four;
         memcpy(&four, apart + 4 * x, sizeof four);
         list[count] = x;
-        count += four != 0;
+        count += four != 0 && state[x] != ALGSURF_THIN;
     }
     if (!algsurf_i_is_within_bounds(picture, row + 0.5) || !picture->packets->beams) return count;
     int open = 0;

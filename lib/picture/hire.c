@@ -89,13 +89,14 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
 
 static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles) {
     const algsurf_picture *planes = s->planes;
+    /* what is thin is told by states */
     for (int slot = 0; slot < 3; slot++)
         middles->shown[slot] =
             (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
                                    .channels = 4,
                                    .t = planes->t ? take_doubles(a, s->width) : NULL,
                                    .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
-                                   .state = planes->state ? take_bytes(a, s->width) : NULL,
+                                   .state = take_bytes(a, s->width),
                                    .way = planes->way ? take_bytes(a, s->width) : NULL};
     middles->apart = take_bytes(a, 4 * s->width);
     middles->wanted = take_bytes(a, s->width);

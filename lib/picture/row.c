@@ -189,7 +189,8 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
                                              : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
-    if (status == ALGSURF_OK && picture->thin && picture->packets)
+    if (status == ALGSURF_OK && picture->thin && picture->packets &&
+        !(picture->selective && line->across > 1))
         algsurf_i_add_thin(picture, row, sx, sy, worker, tally);
     return status;
 }
