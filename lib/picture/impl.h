@@ -52,13 +52,14 @@ typedef struct algsurf_i_line {
     algsurf_i_points points;
     const algsurf_i_colour_job *colours; /* null: none are asked for */
     float *colour;                       /* 3 for each point; */
-    uint32_t *bytes;   /* with one sample a pixel these instead: red + 256 green + 65536 blue */
-    double *visible;   /* light_count + 1 for each point, in full quality */
-    double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
-    double *depth;     /* of each pixel: where packets found it */
-    double *imaginary; /* in complex space, the depth's imaginary part; else null */
-    uint8_t *state;    /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
-    uint8_t *way;      /* of each pixel: as algsurf_picture.way; null: it is not asked for */
+    uint32_t *bytes; /* with one sample a pixel these instead: red + 256 green + 65536 blue */
+    double *visible; /* light_count + 1 for each point, in full quality */
+    struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
+    double *solids;                     /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
+    double *depth;                      /* of each pixel: where packets found it */
+    double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
+    uint8_t *state; /* of each pixel: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    uint8_t *way;   /* of each pixel: as algsurf_picture.way; null: it is not asked for */
     algsurf_i_shown shown;
 } algsurf_i_line;
 
@@ -178,7 +179,7 @@ typedef struct algsurf_i_picture {
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
-    uint8_t curve[SRGB_STEPS];
+    uint8_t *curve;  /* of sRGB, SRGB_STEPS entries */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;

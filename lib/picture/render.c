@@ -7,6 +7,7 @@
 
 #include "camera_impl.h"
 #include "shade_impl.h"
+#include "shadow_rays.h"
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "../base/vec.h"
@@ -74,8 +75,6 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
                              &picture->colours);
-    algsurf_i_srgb_curve(picture->curve);
-    picture->colours.curve = picture->curve;
     algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
@@ -134,7 +133,8 @@ typedef struct work_memory {
 #define MIDDLE_DOUBLES 12 /* likewise, in a selective picture */
 #define MIDDLE_BYTES 16   /* likewise */
 #define MIDDLES 3         /* rows of them */
-#define APART 24          /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
+#define SHADOW_DOUBLES ((sizeof(algsurf_i_shadow_rays) + sizeof(double) - 1) / sizeof(double))
+#define APART 24 /* between a line's arrays: not a multiple of a page apart, for the cache's sake */
 
 static double *take(double **from, size_t count) {
     double *taken = *from;
@@ -256,18 +256,20 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t tiled = picture->tiled || picture->thin ? 1 : 0, places = tiled * places_of(picture),
            cube = tiled * side * side * side;
     size_t fans = fans_of(picture);
+    size_t shadow_rays = picture->shadows ? SHADOW_DOUBLES : 0;
     size_t solids = fans > 0 ? (size_t)(ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(degree)) : 0;
     size_t tile_doubles =
         places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
     memory->workers = calloc(count, sizeof *memory->workers);
-    memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + solids) +
+    memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + shadow_rays + solids) +
                                  frame * (1 + fans) + 5 * samples + cube,
                              sizeof *memory->doubles);
     memory->fans = calloc(fans + 1, sizeof *memory->fans);
     memory->ints = calloc(count * (2 * width + tiled * width + 4 * places), sizeof *memory->ints);
     memory->counts = calloc(count * width * rows, sizeof *memory->counts);
-    memory->bytes = calloc(count * width, LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES +
-                                              (planes->way ? 1 + rows : 0));
+    size_t bytes_each =
+        LINE_BYTES + middle * MIDDLE_BYTES + tiled * TILING_BYTES + (planes->way ? 1 + rows : 0);
+    memory->bytes = calloc(count * width * bytes_each + SRGB_STEPS, 1);
     if (!memory->fans || !memory->workers || !memory->doubles || !memory->ints || !memory->counts ||
         !memory->bytes)
         return 0;
@@ -282,6 +284,8 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->line.state = take_bytes(&bytes, width);
         worker->line.way = planes->way ? take_bytes(&bytes, width) : NULL;
         lay_out_line(&worker->line, width, shares, &doubles);
+        if (picture->shadows)
+            worker->line.rays = (algsurf_i_shadow_rays *)(void *)take(&doubles, shadow_rays);
         if (fans > 0) worker->line.solids = take(&doubles, solids);
         lay_out_shown(&worker->line.shown, width, planes, counts, &doubles, &bytes);
         if (picture->selective)
@@ -292,6 +296,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
         worker->trail.x = take(&doubles, roots * width);
         worker->trail.y = take(&doubles, roots * width);
     }
+    picture->curve = take_bytes(&bytes, SRGB_STEPS);
     for (int k = 0; k < 3; k++) picture->light_samples.place[k] = take(&doubles, samples);
     for (int k = 0; k < 2; k++) picture->light_samples.aside[k] = take(&doubles, samples);
     if (picture->packets) lay_out_frame(&picture->packets->frame, side, &doubles);
@@ -333,6 +338,8 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
     double begun = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     if (hire(picture, threads, &memory)) {
+        algsurf_i_srgb_curve(picture->curve);
+        picture->colours.curve = picture->curve;
         if (picture->shadows) algsurf_i_place_samples(picture);
         status = make_frame(picture);
     }
