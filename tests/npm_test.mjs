@@ -111,11 +111,9 @@ for (const name of ["sphere", "torus", "boy", "decic"]) {
     surface.free();
 }
 
-// Pictures: the program's colours are those of examples/view.c.
-const outside = [0.3, 0.55, 0.8], inside = [0.9, 0.65, 0.3];
-const material = { outside, inside, ambient: 0.12, diffuse: 0.78, specular: 0.3, roughness: 0.25 };
+// Pictures, in the colours of a scene.
 const eye = [4, 3, 2.5];
-const view = { width: 160, height: 120, camera: { eye }, extent: { sphere: 2.5 }, material, distances: true };
+const view = { width: 160, height: 120, camera: { eye }, extent: { sphere: 2.5 }, distances: true };
 const ways = {
     plain: {},
     fine: { antialias: 3, antialiasThreshold: 0.1, background: [1, 1, 1] },
@@ -143,6 +141,9 @@ for (const [way, options] of Object.entries(ways)) {
     equal(`${way}: a slice`, Array.from(picture.data.subarray(160 * 4 * 40, 160 * 4 * 77)), Array.from(slice.data));
     equal(`${way}: its size`, [160, 37, undefined], [slice.width, slice.height, slice.t]);
 }
+
+const usual = algsurf.render(barth, view), other = algsurf.render(barth, { ...view, material: { haze: 1 } });
+check(usual.data.some((byte, i) => byte !== other.data[i]), "the material changes nothing");
 
 /** The call throws an AlgsurfError with this code, and offset, whose text names the code. */
 function refused(code, call, offset, length) {
@@ -186,7 +187,7 @@ const badOptions = [
     { rows: [0.5, 1] }, { quality: "best" }, { antialias: 0 }, { antialiasThreshold: 2 }, { background: [-1, 0, 0] },
     { camera: { eye: [0, 0, 0] } }, { camera: { eye: [0, 0, 9] } }, { extent: { box: [1, 1, 0] } },
     { complexSpace: { delta: 9 } }, { complexSpace: { delta: 1, imaginary: new Float64Array(66) } },
-    { material: { ...material, roughness: 0 } },
+    { material: { roughness: 0 } },
 ];
 for (const bad of badOptions) refused("E_ARGUMENT", () => algsurf.render(barth, { ...view, ...bad }));
 refused("E_NO_MEMORY", () => algsurf.render(barth, { ...view, width: 65535, height: 65535 }));

@@ -392,7 +392,7 @@ static void pictures_are_those_of_rays(void **state) {
     uint64_t seed = first_seed, rays = 0, left = 0;
     for (int n = 0; n < 8; n++)
         for (int which = 0; which < 4; which++) {
-            static image fans, alone;
+            static image fans, alone, around;
             const catalogue_entry *entry = catalogue_find(names[n]);
             algsurf_surface *surface;
             algsurf_scene *scene;
@@ -410,11 +410,14 @@ static void pictures_are_those_of_rays(void **state) {
             draw(scene, 0, &fans);
             draw(scene, 1, &alone);
             assert_memory_equal(fans.pixels, alone.pixels, sizeof fans.pixels);
-            rays += alone.stats.shadow_rays, left += fans.stats.shadow_rays;
+            assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
+            draw(scene, 0, &around);
+            rays += alone.stats.shadow_rays - around.stats.shadow_rays;
+            left += fans.stats.shadow_rays - around.stats.shadow_rays;
             algsurf_scene_free(scene);
             algsurf_surface_free(surface);
         }
-    printf("pictures: of %llu shadow rays %llu were shot\n", (unsigned long long)rays,
+    printf("pictures: of %llu rays to lights %llu were shot\n", (unsigned long long)rays,
            (unsigned long long)left);
     assert_true(left * 5 < rays);
 }

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/* Largest number of lights of a scene. */
 #define ALGSURF_MAX_LIGHTS 16
 
 /* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0. */

@@ -3,6 +3,7 @@
  * It is laid out twice: the first time at no address, which tells how much it is. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "shadow_rays.h"
 
 #include <stdlib.h>
 
@@ -83,6 +84,7 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->depth = take_doubles(a, s->width);
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
+    line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
     line->solids = s->fans > 0 ? take_doubles(a, ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(s->side - 1)) : NULL;
     lay_out_shown(a, s, &line->shown);
 }
@@ -160,6 +162,7 @@ static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets
 static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
     const sizes s = sizes_of(picture);
     *workers = take(a, (size_t)threads, sizeof **workers);
+    picture->curve = take_bytes(a, SRGB_STEPS);
     lay_out_samples(a, picture);
     if (picture->packets) lay_out_packets(a, &s, picture->packets);
     for (int i = 0; i < threads; i++) {

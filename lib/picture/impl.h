@@ -62,12 +62,13 @@ typedef struct algsurf_i_line {
     float *colour;                       /* 3 for each point; */
     uint32_t *bytes; /* or, as_bytes, where each is a pixel of its own: red + 256 green + 65536 blue */
     int as_bytes;
-    double *visible;   /* light_count + 1 for each point, in full quality */
-    double *solids;    /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
-    double *depth;     /* of each entry: where packets found it */
-    double *imaginary; /* in complex space, the depth's imaginary part; else null */
-    uint8_t *state;    /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
-    uint8_t *way;      /* of each sample: as algsurf_picture.way; null: it is not asked for */
+    double *visible;                    /* light_count + 1 for each point, in full quality */
+    struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
+    double *solids;                     /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
+    double *depth;                      /* of each entry: where packets found it */
+    double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
+    uint8_t *state; /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    uint8_t *way;   /* of each sample: as algsurf_picture.way; null: it is not asked for */
     algsurf_i_shown shown;
 } algsurf_i_line;
 
@@ -198,7 +199,7 @@ typedef struct algsurf_i_picture {
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
-    uint8_t curve[SRGB_STEPS];
+    uint8_t *curve;  /* of sRGB, SRGB_STEPS entries */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;

@@ -1,4 +1,5 @@
 /* lattice.c - see lattice.h. */
+#include "../base/arithmetic.h"
 #include "lattice.h"
 
 static const unsigned bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};

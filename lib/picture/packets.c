@@ -193,8 +193,10 @@ static void find_points(const algsurf_i_picture *picture, const algsurf_i_row_jo
         return;
     }
     const algsurf_i_complex_job complex = algsurf_i_complex_job_of(picture, job, worker);
+    algsurf_i_points wanted = line->points;
+    if (!line->colours) wanted.looks = (algsurf_i_looks){{NULL}, {NULL}, {NULL}};
     picture->code->complex_points(&complex, surface, line->pixel, line->depth, line->imaginary, hits,
-                                  &line->points);
+                                  &wanted);
 }
 
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,

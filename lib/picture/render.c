@@ -74,8 +74,6 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     algsurf_i_colour_prepare(&picture->lighting, scene->quality == ALGSURF_QUALITY_PREVIEW,
                              &picture->colours);
-    algsurf_i_srgb_curve(picture->curve);
-    picture->colours.curve = picture->curve;
     algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
@@ -143,6 +141,8 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     void *memory = algsurf_i_hire(picture, threads, &workers);
     if (memory) {
+        algsurf_i_srgb_curve(picture->curve);
+        picture->colours.curve = picture->curve;
         if (picture->shadows) algsurf_i_place_samples(picture);
         status = make_frame(picture);
     }

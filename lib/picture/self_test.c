@@ -78,7 +78,7 @@ static void make_rays(problem *p) {
 static algsurf_status make_scene(problem *p) {
     static const algsurf_term terms[] = {{4, 0, 0, 1},  {0, 4, 0, 1},  {0, 0, 4, 1},   {2, 0, 0, -5},
                                          {0, 2, 0, -5}, {0, 0, 2, -5}, {0, 0, 0, 11.8}};
-    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 3, 1};
+    static const algsurf_light light = {{6, -4, 5}, {1, 1, 1}, {0.5, 0, 0}, {0, 0.5, 0}, 5, 3};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     static const double eye[3] = {8, 5, 6}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;

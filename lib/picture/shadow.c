@@ -345,22 +345,22 @@ static void make_shares(const algsurf_i_picture *picture, const algsurf_i_line *
 
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                         algsurf_i_tally *tally) {
-    algsurf_i_shadow_rays rays;
-    algsurf_i_begin_shadow_rays(&rays, picture);
+    algsurf_i_shadow_rays *rays = line->rays;
+    algsurf_i_begin_shadow_rays(rays, picture);
     for (group g = {.first = 0}; g.first < line->count; g.first += ALGSURF_I_FANS) {
         g.count = line->count - g.first < ALGSURF_I_FANS ? line->count - g.first : ALGSURF_I_FANS;
         begin_group(picture, &line->points, &g);
         for (int l = 0; l <= picture->light_count; l++) {
             if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
-            algsurf_status status = l < picture->light_count ? see_light(&rays, line, row, l, &g)
-                                                             : see_around(&rays, line, row, &g);
+            algsurf_status status = l < picture->light_count ? see_light(rays, line, row, l, &g)
+                                                             : see_around(rays, line, row, &g);
             if (status < 0) return status;
         }
     }
-    algsurf_status status = algsurf_i_send_shadow_rays(&rays);
+    algsurf_status status = algsurf_i_send_shadow_rays(rays);
     if (status < 0) return status;
     make_shares(picture, line);
-    tally->shadow_rays += rays.rays;
-    tally->without_memory += rays.without_memory;
+    tally->shadow_rays += rays->rays;
+    tally->without_memory += rays->without_memory;
     return ALGSURF_OK;
 }

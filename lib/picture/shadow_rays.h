@@ -3,7 +3,7 @@
 #define ALGSURF_SHADOW_RAYS_H
 #include "impl.h"
 
-enum { ALGSURF_I_SHADOW_RAYS = 96 }; /* enough to fill a call, few enough for the stack */
+enum { ALGSURF_I_SHADOW_RAYS = 96 }; /* enough to fill a call */
 
 /* Rays in groups: those of one group add to one light's share of one point. */
 typedef struct algsurf_i_shadow_rays {
