@@ -40,6 +40,7 @@
 #include "algsurf/select.h"
 #include "algsurf/surface.h"
 #include "algsurf/ray.h"
+#include "algsurf/enclose.h"
 #include "algsurf/expand.h"
 #include "algsurf/intersect.h"
 #include "algsurf/camera.h"
