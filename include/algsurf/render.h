@@ -143,8 +143,9 @@ typedef struct algsurf_render_options {
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
-                             middle of each pixel, and n x n for each pixel chosen, the middle not counted
-                             again where it is one of them.  Counts are those of the rows drawn */
+                             middle of each pixel, and n x n for each pixel chosen; the middle is not shot
+                             again where it is one of them, but for shadows.  Counts are those of the rows
+                             drawn */
     uint64_t hits;        /* of them, ALGSURF_HIT */
     uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */
@@ -251,7 +252,7 @@ typedef struct algsurf_picture {
  * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
  * drawn in doubles, without bounds.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
- * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  59 KiB of stack.
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  57 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,

@@ -38,8 +38,8 @@ typedef enum algsurf_undecided_as {
 
 /* What is known of a hit. */
 typedef enum algsurf_hit_state {
-    ALGSURF_MISS = 0,     /* no point of the surface on the ray: verified as algsurf_tier says */
-    ALGSURF_HIT = 1,      /* a point of the surface, and the first: verified as algsurf_tier says */
+    ALGSURF_MISS = 0,      /* no point of the surface on the ray: verified as algsurf_tier says */
+    ALGSURF_HIT = 1,       /* a point of the surface, and the first: verified as algsurf_tier says */
     ALGSURF_UNDECIDED = 2, /* not decided: coefficients known to an error only, or the bounded tier */
     ALGSURF_THIN = 3       /* in pictures only: the ray passes something thin (algsurf_scene_set_thin) */
 } algsurf_hit_state;

@@ -23,7 +23,7 @@ typedef struct algsurf_scene algsurf_scene;
 typedef enum algsurf_quality {
     ALGSURF_QUALITY_PREVIEW = 0,  /* no illumination model */
     ALGSURF_QUALITY_STANDARD = 1, /* lights at their middles, no shadows */
-    ALGSURF_QUALITY_FULL = 2      /* every sample of every light, with shadows */
+    ALGSURF_QUALITY_FULL = 2      /* shadows of lights, and of the light from all around */
 } algsurf_quality;
 
 /* What the iteration for the roots of a ray starts with, in complex space. */
@@ -33,11 +33,11 @@ typedef enum algsurf_coherence {
 } algsurf_coherence;
 
 /* A scene showing a surface with defaults: extent all of space, a pinhole camera at (4,3,2.5) looking
- * at the origin with z up and a field of view of 30 degrees, a warm outside and a cool inside, white
+ * at the origin with z up and a field of view of 30 degrees, a blue outside and an amber inside, white
  * background, standard quality, 1 sample a pixel, certified tier, real space, coherence by neighbours (for
- * complex space), and, until lights are set, two area lights of 5x5 samples that follow camera and
- * extent: above left and above right of what is shown, on the viewer's side, some 8 radii from its centre
- * (all of space: the radius that fills the picture at the origin).  The surface is borrowed: it must
+ * complex space), and, until lights are set, a wide light that follows camera and extent: above left of
+ * what is shown, on the viewer's side, 16 radii from its centre (all of space: the radius that fills the
+ * picture at the origin).  algsurf_scene_lighting() tells all of it.  The surface is borrowed: it must
  * outlive the scene.
  * Errors: E_ARGUMENT, E_NO_MEMORY.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_create(const algsurf_surface *surface, algsurf_scene **scene);
@@ -48,20 +48,21 @@ ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 /* Sets a part of the scene.  Setters copy their argument; a refused value leaves the scene as it was.  Not to
  * be called while the scene is being rendered.  A null extent is all of space, null options of intersection
  * are the defaults, a null complex space is real space, a null background is none, any other null is
- * E_ARGUMENT; so are negative colours and weights, and a camera whose axes are not orthonormal.  Errors:
- * E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
+ * E_ARGUMENT; so are colours and weights out of range (shade.h), and a camera whose axes are not orthonormal.
+ * Errors: E_ARGUMENT, E_NOT_FINITE.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
-/* At most 16 lights; count 0, lights may be null then, removes them all.  Errors: as above.  Since 1.0. */
+/* At most ALGSURF_MAX_LIGHTS; count 0, lights may be null then, removes them all.  Errors: as above.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
                                                     int count);
-/* The colour where nothing is seen: red, green, blue, each >= 0, 1 is full; null: there is no background, and
- * a picture with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
+/* The colour where nothing is seen, in linear light (shade.h); null: there is no background, and a picture
+ * with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Shows what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
- * Whitney's umbrella, needles, tips.  With a colour (red, green, blue, each >= 0), samples beside whose rays
- * there is something thin show it, without light or shadow; null, the default: nothing is done.
+ * Whitney's umbrella, needles, tips.  With a colour, in linear light, samples beside whose rays there is
+ * something thin show it, without light or shadow; null, the default: nothing is done.
  *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle.  It shows the
  * colour if the surface cannot be proved absent from the cell, before what its ray sees, and what may be
  * there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of the
@@ -80,6 +81,14 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
  * some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source: beams, as tiles
  * (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
+/* How points of the scene are lit, the default light among the others: for algsurf_shade(), which then gives
+ * the colours of its pictures.
+ *   lights    room for ALGSURF_MAX_LIGHTS
+ *   lighting  its size set by the caller; refers to lights, and to the scene's material: both must stay
+ * Errors: E_ARGUMENT (null; a size too small).  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_lighting(const algsurf_scene *scene,
+                                                  algsurf_light lights[ALGSURF_MAX_LIGHTS],
+                                                  algsurf_lighting *lighting);
 /* How points of the surface are lit.  Errors: as above, also for an unknown quality.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_quality(algsurf_scene *scene, algsurf_quality quality);
 /* n x n samples a pixel, 1 <= n <= 16, on a regular grid.  Errors: as above.  Since 1.0. */
@@ -134,13 +143,15 @@ typedef struct algsurf_render_options {
 typedef struct algsurf_render_stats {
     size_t size;          /* sizeof(algsurf_render_stats), set by the caller */
     uint64_t rays;        /* one for each sample of each pixel; with a threshold of antialiasing: one for the
-                             middle of each pixel, and n x n for each pixel chosen, the middle not counted
-                             again where it is one of them.  Counts are those of the rows drawn */
+                             middle of each pixel, and n x n for each pixel chosen; the middle is not shot
+                             again where it is one of them, but for shadows.  Counts are those of the rows
+                             drawn */
     uint64_t hits;        /* of them, ALGSURF_HIT */
     uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */
-    uint64_t shadow_rays; /* shot: only lights and samples above the tangent plane get one, and none where all
-                             rays from a point to a light, looked at together, tell what it sees */
+    uint64_t shadow_rays; /* shot, to lights and around: only what is above the tangent plane gets one, and
+                             nothing where all rays from a point to a light, looked at together, tell what it
+                             sees */
     double solve_s;       /* seconds spent in intersection, summed over threads */
     double shade_s;       /* seconds spent in shading, summed over threads */
     double total_s;       /* wall time */
@@ -148,8 +159,7 @@ typedef struct algsurf_render_stats {
     uint64_t iterations;  /* complex space: corrections of single roots, summed over all rays */
     uint64_t single_rays; /* rays solved one by one: what rows left undecided, or all */
     double expand_s;      /* seconds spent in bringing the surface to the view and its rows */
-    double point_s;       /* seconds spent in positions and normals of what packets found; in standard
-                             quality with one sample a pixel in their shading, too, which is not in shade_s */
+    double point_s;       /* seconds spent in positions and normals of what packets found */
     double shadow_s;      /* seconds spent in shadows; all but total_s are summed over threads */
     const char *kernel;   /* the SIMD code's name (algsurf_kernel_name) */
     uint64_t tiles;       /* of pixels that were searched, 16, 8 and 4 to a side: some are empty, some are
@@ -195,7 +205,7 @@ typedef enum algsurf_way {
  * middle alone, n is 1. */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
-    unsigned char *pixels; /* colours: the average of the samples' clamped colours, rounded to nearest */
+    unsigned char *pixels; /* sRGB bytes of the average of the samples' colours (algsurf_srgb_encode) */
     size_t stride;         /* from one row of pixels to the next, at least a row's bytes; 0: as many */
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
@@ -218,8 +228,10 @@ typedef struct algsurf_picture {
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at that place and counted; an undecided shadow ray counts
  * as occluded.
- * Full quality: one shadow ray for each light sample, from 1e-6 of the shown size above the
- * surface, in real space; in preview, depth runs along the view through the extent.
+ * Full quality, in real space: shadow rays start 1e-6 of the shown size above the surface.  With n x n
+ * samples a pixel, each sample shoots one ray at each sample of a light, at a light with 0, 0 samples 32/n^2
+ * of them, rounded up, and 16/n^2, rounded up, around the normal, half a radius of what is shown far on the
+ * average.  These differ from pixel to pixel, by where a pixel is in the whole picture and nothing else.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all; or, when single rays could not be decided
@@ -240,7 +252,7 @@ typedef struct algsurf_picture {
  * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
  * drawn in doubles, without bounds.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
- * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  59 KiB of stack.
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  57 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
