@@ -823,7 +823,7 @@ static const struct {
     STACK_OF(algsurf_real_roots_integers, 62, OTHERS),
     STACK_OF(algsurf_refine_function, USUAL, RENDERER),
     STACK_OF(algsurf_refine_poly, 42, RENDERER),
-    STACK_OF(algsurf_render, 59, RENDERER),
+    STACK_OF(algsurf_render, 57, RENDERER),
     STACK_OF(algsurf_scene_create, USUAL, OTHERS),
     STACK_OF(algsurf_scene_free, USUAL, OTHERS),
     STACK_OF(algsurf_scene_lighting, USUAL, OTHERS),

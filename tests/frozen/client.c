@@ -208,7 +208,7 @@ static void check_picture(const algsurf_surface *s) {
     static float normals[3 * W * H];
     const double eye[3] = {0, 0, 4}, look_at[3] = {0, 0, 0}, up[3] = {0, 1, 0}, black[3] = {0, 0, 0};
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
-    const algsurf_material matt = {sizeof matt, {1, 0, 0}, {0, 1, 0}, 0.2, 0.8, 0, 1};
+    const algsurf_material matt = {sizeof matt, {1, 0, 0}, {0, 1, 0}, 0.8, 0.2, 0, 0, 1, 0};
     const algsurf_light light = {{0, 0, 9}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 2, 2};
     algsurf_scene *scene = NULL;
     algsurf_camera camera;
@@ -243,6 +243,40 @@ static void check_picture(const algsurf_surface *s) {
     algsurf_scene_free(scene);
 }
 
+/* A grey sphere in light from the eye, which is half of what it shows. */
+static void check_colours(const algsurf_surface *s) {
+    const double top[3] = {0, 0, 1}, down[3] = {0, 0, -1};
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
+    double c[3], linear[3];
+    unsigned char bytes[3];
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_scene *scene = NULL;
+    BLANK(algsurf_material, grey);
+    BLANK(algsurf_lighting, found);
+    for (int i = 0; i < 3; i++) grey.outside[i] = grey.inside[i] = 0.5;
+    grey.diffuse = 0, grey.ambient = 0, grey.fill = 0.5, grey.specular = 0, grey.roughness = 1, grey.haze = 0;
+    CHECK(algsurf_scene_create(s, &scene) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_extent(scene, &extent) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_material(scene, at_edge(&grey, sizeof grey)) == ALGSURF_OK);
+    CHECK(algsurf_scene_set_lights(scene, NULL, 0) == ALGSURF_OK);
+    algsurf_lighting *of = at_edge(&found, sizeof found);
+    CHECK(algsurf_scene_lighting(scene, lights, of) == ALGSURF_OK);
+    CHECK(of->light_count == 0 && of->bounded == 1 && near(of->radius, sqrt(12)) && of->centre[0] == 0);
+    BLANK(algsurf_lighting, lighting);
+    lighting.material = at_edge(&grey, sizeof grey), lighting.lights = NULL, lighting.light_count = 0;
+    lighting.radius = 1, lighting.bounded = 0;
+    for (int i = 0; i < 3; i++)
+        lighting.up[i] = i == 1, lighting.forward[i] = -(i == 2), lighting.centre[i] = 0;
+    CHECK(algsurf_shade(at_edge(&lighting, sizeof lighting), NULL, top, top, down, c) == ALGSURF_OK);
+    CHECK(near(c[0], 0.25) && near(c[1], 0.25) && near(c[2], 0.25));
+    CHECK(algsurf_shade_preview(at_edge(&lighting, sizeof lighting), top, top, down, c) == ALGSURF_OK);
+    CHECK(near(c[0], 0.5 * (0.86 + 0.14 * 0.075)));
+    c[0] = 0, c[1] = 0.5, c[2] = 1;
+    CHECK(algsurf_srgb_encode(c, bytes) == ALGSURF_OK && bytes[0] == 0 && bytes[1] == 188 && bytes[2] == 255);
+    CHECK(algsurf_srgb_decode(bytes, linear) == ALGSURF_OK && fabs(linear[1] - 0.5) < 0.01 && linear[2] == 1);
+    algsurf_scene_free(scene);
+}
+
 int main(void) {
     algsurf_surface *s = sphere();
     check_values(s);
@@ -252,6 +286,7 @@ int main(void) {
     check_roots();
     check_many();
     check_picture(s);
+    check_colours(s);
     algsurf_surface_free(s);
     if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);
     return failures > 0;
