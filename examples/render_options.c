@@ -272,6 +272,13 @@ static void check_output(render_options *options) {
     check_standard_output(options);
 }
 
+static void check_animation(const render_options *options) {
+    if (options->sweep.pictures == 0) cli_fail(CLI_BAD_INPUT, "--animate: plays no part without --sweep");
+    if (options->frame > 0)
+        cli_fail(CLI_BAD_INPUT, "--animate: all pictures of the --sweep; leave --frame out");
+    if (options->row_end > 0) cli_fail(CLI_BAD_INPUT, "--animate: whole pictures; leave --rows out");
+}
+
 static void check_swept_constant(const render_options *options) {
     const char *name = options->sweep.name;
     if (options->sweep.kind != SWEEP_LET) return;
@@ -279,13 +286,6 @@ static void check_swept_constant(const render_options *options) {
     for (size_t i = 0; i < options->surface.let_count; i++)
         if (!options->surface.lets[i].from_file && strcmp(options->surface.lets[i].name, name) == 0)
             cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
-}
-
-static void check_animation(const render_options *options) {
-    if (options->sweep.pictures == 0) cli_fail(CLI_BAD_INPUT, "--animate: plays no part without --sweep");
-    if (options->frame > 0)
-        cli_fail(CLI_BAD_INPUT, "--animate: all pictures of the --sweep; leave --frame out");
-    if (options->row_end > 0) cli_fail(CLI_BAD_INPUT, "--animate: whole pictures; leave --rows out");
 }
 
 render_options render_parse_options(int argc, char **argv) {
