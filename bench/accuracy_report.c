@@ -173,21 +173,8 @@ static double settled(const record *records, int count, int method) {
     return accuracy_tolerances[most];
 }
 
-/* How much closer t is at tolerance 0 than at the least tolerance above: the last Newton step. */
-static range gained(const record *records, int count) {
-    range all = {INFINITY, 0};
-    for (const record *r = records; r < records + count; r++) {
-        const line *l = record_line(r, WAY_SINGLE, ALGSURF_METHOD_DEFAULT, ALGSURF_TIER_CERTIFIED);
-        double times = l->verdict[ALL_DIGITS - 1].usual / l->verdict[ALL_DIGITS].usual;
-        all.lo = fmin(all.lo, times);
-        all.hi = fmax(all.hi, times);
-    }
-    return all;
-}
-
 void report_advice(const record *records, int count) {
     char at_default[CELL], at_brent[CELL], at_bisection[CELL];
-    range step = gained(records, count);
     printf("\nWhat a choice costs, as a ratio of times, over the surfaces above:\n");
     for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++)
         print_ratio(records, count, ratios[i].text, &ratios[i].ratio);
@@ -200,9 +187,6 @@ void report_advice(const record *records, int count) {
            tolerance_text(at_default, settled(records, count, ALGSURF_METHOD_DEFAULT)),
            tolerance_text(at_brent, settled(records, count, ALGSURF_METHOD_BRENT)),
            tolerance_text(at_bisection, settled(records, count, ALGSURF_METHOD_BISECTION)));
-    printf("  - Measuring: tolerance 0, not a tiny one: it ends with a Newton step on P at the point "
-           "itself;\n    the error of t at 1e-15 is %.1f to %.1f times that at 0.\n",
-           step.lo, step.hi);
     printf("  - Certified decides every ray; only what doubles leave open, here %zu of %zu rays, goes to\n"
            "    integers.  Bounded leaves that undecided, for hosts that need a bounded time for every ray.\n"
            "  - Fast proves nothing; wrong here: %zu answers, in all tolerances.  Worth it where no one\n"

@@ -95,12 +95,10 @@ static int sign_at(const view *v, const algsurf_ray *ray, twofold t) {
     return at.p.hi > at.bound ? 1 : at.p.hi < -at.bound ? -1 : 0;
 }
 
-double view_noise(const view *v, size_t i, double t, double from, double to) {
+double view_noise(const view *v, size_t i, double t) {
     const algsurf_ray *ray = &v->ray[i];
     double size[3], total = 0;
-    for (int k = 0; k < 3; k++)
-        size[k] = fmax(fabs(fma(from, ray->direction[k], ray->origin[k])),
-                       fabs(fma(to, ray->direction[k], ray->origin[k])));
+    for (int k = 0; k < 3; k++) size[k] = fabs(fma(t, ray->direction[k], ray->origin[k]));
     for (const algsurf_term *a = v->terms; a < v->terms + v->term_count; a++)
         total += fabs(a->a) * pow(size[0], a->i) * pow(size[1], a->j) * pow(size[2], a->k);
     return fabs(value_at(v, ray, twice(t)).p.hi) / (0x1p-53 * total);

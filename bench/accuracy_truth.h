@@ -34,9 +34,8 @@ typedef struct view {
 view *view_open(const catalogue_entry *entry, int width, int height, int rows);
 void view_close(view *v);
 
-/* |P| at t on ray i, in units of 2^-53 sum |a| X^i Y^j Z^k over the terms of P, X, Y, Z the larger of |x|,
- * |y|, |z| at the places from and to on the ray: rounding the coefficients of P along that part gives as
- * much. */
-double view_noise(const view *v, size_t i, double t, double from, double to);
+/* |P| at t on ray i, in units of 2^-53 sum |a x^i y^j z^k| over the terms of P: rounding its coefficients
+ * gives as much. */
+double view_noise(const view *v, size_t i, double t);
 
 #endif

@@ -8,8 +8,8 @@
 #include "cli.h"
 #include "measure.h"
 
-/* How many units of view_noise the residual at t may have: rounding of the coefficients, of the ray's
- * expansion and of the position. */
+/* How many units of view_noise the residual at t may have: rounding of the coefficients, of P's value and of
+ * the position. */
 static const double FEW = 4;
 
 typedef struct answer {
@@ -209,18 +209,17 @@ int ways_settled(ways *w, const setting *s, const double *tolerances, int count)
 
 /* ---- the verdict ---- */
 
-/* Is t, a hit's, within what is stated of the root?  With a tolerance, the polynomial along the whole chord
- * is solved, and its rounding counts; without one, P itself at the hit has the last word. */
+/* Is t, a hit's, within what is stated of the root? */
 static int is_near(const view *v, const setting *s, size_t i, double t, double error) {
     const truth *known = &v->truth[i];
     const algsurf_ray *chord = &v->chord[i];
     double stated = s->tolerance + 0x1p-52 * fabs(t) + known->error;
+    if (s->tolerance > 0) stated += 0x1p-49 * (chord->t_max - chord->t_min);
     if (s->way == WAY_PICTURE)
         stated += (s->tier == ALGSURF_TIER_FAST ? 1e-3 : 0x1p-36) * v->entry->extent.size[0];
     if (error <= stated) return 1;
     double nearer = t < known->t ? t + stated : t - stated;
-    double from = s->tolerance > 0 ? chord->t_min : nearer, to = s->tolerance > 0 ? chord->t_max : nearer;
-    return nearer >= known->lo && nearer <= known->hi && view_noise(v, i, nearer, from, to) <= FEW;
+    return nearer >= known->lo && nearer <= known->hi && view_noise(v, i, nearer) <= FEW;
 }
 
 /* Null, or how an answer of a tier that proves contradicts the truth. */

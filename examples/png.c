@@ -1,10 +1,10 @@
 /* png.c - a PNG writer that needs nothing but libc.
  *
- * PNG (ISO/IEC 15948): each row is predicted by one of five filters, the one with the least sum of
- * magnitudes; the residuals are compressed by DEFLATE (RFC 1951) in the zlib format (RFC 1950).
- * DEFLATE comes in its smallest complete form: matches of up to 258 bytes within the last 32 KiB,
- * found by hash chains of limited length, and the fixed Huffman codes, in one single block.  Fixed
- * codes suit residuals badly (8 or 9 bits for a small number), matches suit synthetic pictures well.
+ * PNG (third edition, which has animations; else ISO/IEC 15948): each row is predicted by one of five
+ * filters, the one with the least sum of magnitudes; the residuals are compressed by DEFLATE (RFC 1951) in
+ * the zlib format (RFC 1950). DEFLATE comes in its smallest complete form: matches of up to 258 bytes within
+ * the last 32 KiB, found by hash chains of limited length, and the fixed Huffman codes, in one single block.
+ * Fixed codes suit residuals badly (8 or 9 bits for a small number), matches suit synthetic pictures well.
  */
 #include "png.h"
 
@@ -21,8 +21,11 @@ enum {
     ADLER_MODULUS = 65521 /* the largest prime below 2^16 */
 };
 
-typedef struct png_writer {
+struct png_writer {
     FILE *file;
+    int width, height, channels;
+    int frames, a_second; /* written; shown each second, 0: no animation */
+    uint32_t sequence;    /* of the animation's chunks */
     uint32_t crc_table[256];
     uint8_t chunk[CHUNK]; /* compressed bytes not yet written */
     size_t used;
@@ -30,7 +33,7 @@ typedef struct png_writer {
     int bit_count;
     size_t head[1 << HASH_BITS]; /* one more than the last position with this hash; 0: none */
     size_t previous[WINDOW];     /* one more than the position before with the same hash */
-} png_writer;
+};
 
 /* ---- chunks ---- */
 
@@ -61,11 +64,19 @@ static void write_chunk(png_writer *png, const char *type, const uint8_t *data, 
     fwrite(tail, 1, sizeof tail, png->file);
 }
 
-static void put_byte(png_writer *png, uint8_t byte) {
-    png->chunk[png->used++] = byte;
-    if (png->used < CHUNK) return;
-    write_chunk(png, "IDAT", png->chunk, png->used);
+/* Frames after the first one have chunks of another name that begin with a number. */
+static void write_data(png_writer *png) {
+    write_chunk(png, png->frames > 0 ? "fdAT" : "IDAT", png->chunk, png->used);
     png->used = 0;
+}
+
+static void put_byte(png_writer *png, uint8_t byte) {
+    if (png->used == 0 && png->frames > 0) {
+        put_big_endian(png->chunk, png->sequence++);
+        png->used = 4;
+    }
+    png->chunk[png->used++] = byte;
+    if (png->used == CHUNK) write_data(png);
 }
 
 /* ---- DEFLATE ---- */
@@ -166,6 +177,9 @@ static uint32_t adler32(const uint8_t *data, size_t size) {
 }
 
 static void write_compressed(png_writer *png, const uint8_t *data, size_t size) {
+    memset(png->head, 0, sizeof png->head);
+    png->bits = 0;
+    png->bit_count = 0;
     uint8_t check[4];
     put_byte(png, 0x78); /* DEFLATE, window of 32 KiB */
     put_byte(png, 0x01); /* no dictionary; makes the two bytes a multiple of 31 */
@@ -186,7 +200,7 @@ static void write_compressed(png_writer *png, const uint8_t *data, size_t size) 
     put_bits(png, 0, 7); /* fills the last byte */
     put_big_endian(check, adler32(data, size));
     for (int i = 0; i < 4; i++) put_byte(png, check[i]);
-    if (png->used > 0) write_chunk(png, "IDAT", png->chunk, png->used);
+    if (png->used > 0) write_data(png);
 }
 
 /* ---- filters ---- */
@@ -235,30 +249,65 @@ static void filter_best(const uint8_t *row, const uint8_t *above, size_t length,
     filter_row(best, row, above, length, left, out);
 }
 
-const char *png_write(FILE *file, int width, int height, int channels, const uint8_t *pixels) {
+png_writer *png_begin(FILE *file, int width, int height, int channels) {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    size_t left = (size_t)channels, length = left * (size_t)width, size = (length + 1) * (size_t)height;
-    png_writer *png = calloc(1, sizeof *png);
-    uint8_t *filtered = malloc(size);
     uint8_t header[13] = {
         [8] = 8, [9] = channels == 4 ? 6 : 2}; /* bits a sample, colour with alpha or without */
-    if (!png || !filtered) {
-        free(png);
-        free(filtered);
-        return "out of memory";
-    }
+    png_writer *png = calloc(1, sizeof *png);
+    if (!png) return NULL;
     png->file = file;
+    png->width = width;
+    png->height = height;
+    png->channels = channels;
     make_crc_table(png);
-    for (size_t y = 0; y < (size_t)height; y++)
-        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length, left,
-                    filtered + y * (length + 1));
     put_big_endian(header, (uint32_t)width);
     put_big_endian(header + 4, (uint32_t)height);
     fwrite(signature, 1, sizeof signature, file);
     write_chunk(png, "IHDR", header, sizeof header);
+    return png;
+}
+
+void png_animate(png_writer *png, int frames, int a_second) {
+    uint8_t control[8] = {0}; /* frames, and how often they are shown: 0, for ever */
+    put_big_endian(control, (uint32_t)frames);
+    write_chunk(png, "acTL", control, sizeof control);
+    png->a_second = a_second;
+}
+
+/* Before each picture of an animation: all of it is replaced, and stays for its time. */
+static void write_frame_control(png_writer *png) {
+    uint8_t control[26] = {[21] = 1}; /* the delay's numerator is 1 */
+    put_big_endian(control, png->sequence++);
+    put_big_endian(control + 4, (uint32_t)png->width);
+    put_big_endian(control + 8, (uint32_t)png->height);
+    control[23] = (uint8_t)png->a_second;
+    write_chunk(png, "fcTL", control, sizeof control);
+}
+
+int png_frame(png_writer *png, const uint8_t *pixels) {
+    size_t left = (size_t)png->channels, length = left * (size_t)png->width;
+    size_t size = (length + 1) * (size_t)png->height;
+    uint8_t *filtered = malloc(size);
+    if (!filtered) return 0;
+    for (size_t y = 0; y < (size_t)png->height; y++)
+        filter_best(pixels + y * length, y > 0 ? pixels + (y - 1) * length : NULL, length, left,
+                    filtered + y * (length + 1));
+    if (png->a_second > 0) write_frame_control(png);
     write_compressed(png, filtered, size);
-    write_chunk(png, "IEND", signature, 0);
-    free(png);
     free(filtered);
-    return NULL;
+    png->frames++;
+    return 1;
+}
+
+void png_end(png_writer *png) {
+    write_chunk(png, "IEND", png->chunk, 0);
+    free(png);
+}
+
+const char *png_write(FILE *file, int width, int height, int channels, const uint8_t *pixels) {
+    png_writer *png = png_begin(file, width, height, channels);
+    if (!png) return "out of memory";
+    int written = png_frame(png, pixels);
+    png_end(png);
+    return written ? NULL : "out of memory";
 }

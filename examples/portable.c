@@ -83,12 +83,17 @@ static void set_mode(int descriptor, mode_t mode) { (void)fchmod(descriptor, mod
 enum { MOST_FILES = 8 };
 static const char *volatile remembered[MOST_FILES];
 
-/* Only calls that a handler may make; the signal is raised again, and ends the program as it would have. */
-static void remove_remembered(int number) {
+/* Only calls that a handler may make. */
+static void remove_remembered(void) {
     for (int i = 0; i < MOST_FILES; i++) {
         const char *path = remembered[i];
         if (path) (void)unlink(path);
     }
+}
+
+/* The signal is raised again, and ends the program as it would have. */
+static void end_by(int number) {
+    remove_remembered();
     (void)raise(number);
 }
 
@@ -99,11 +104,12 @@ static void catch_signals(void) {
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers && !done; i++) {
         struct sigaction action, before;
         memset(&action, 0, sizeof action);
-        action.sa_handler = remove_remembered;
+        action.sa_handler = end_by;
         action.sa_flags = (int)SA_RESETHAND;
         if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
             (void)sigaction(numbers[i], &action, NULL);
     }
+    if (!done) (void)atexit(remove_remembered);
     done = 1;
 }
 

@@ -27,8 +27,8 @@ int portable_make_folder(const char *path);
  * null with errno set, EEXIST where there was one. */
 FILE *portable_create(const char *path, const char *like);
 
-/* From now on, a signal that ends the program (an interruption at the keyboard, a request to end) removes the
- * file first, if its name is still that; until it is forgotten.  The name must live as long.  At most 8
+/* From now on the file is removed, if its name is still that, when the program ends or a signal ends it (an
+ * interruption at the keyboard, a request to end); until it is forgotten.  The name must live as long.  At most 8
  * files. Not on Windows, which removes no open file. */
 void portable_remember(const char *path);
 void portable_forget(const char *path);

@@ -9,6 +9,7 @@
 #include "fit.h"
 #include "cli.h"
 #include "output.h"
+#include "png.h"
 #include "progress.h"
 #include "render_heatmap.h"
 #include "render_join.h"
@@ -27,6 +28,8 @@ typedef struct run {
     double *hits;  /* null when not wanted */
     uint8_t *ways; /* likewise */
     progress bar;
+    output_set film; /* one animated file, and its writer; null: a file for each picture */
+    png_writer *frames;
 } run;
 
 static void list_surfaces(void) {
@@ -167,6 +170,10 @@ static void write_picture(output_set *set, const char *path, const run *r, const
                           const algsurf_camera *camera, const algsurf_complex_space *space) {
     const render_options *options = r->options;
     size_t count = (size_t)options->view.width * (size_t)r->rows;
+    if (r->frames) {
+        if (!png_frame(r->frames, r->pixels)) cli_no_memory();
+        return;
+    }
     if (options->look.transparent) {
         output_alpha(set, path, options->view.width, r->rows, r->pixels);
         return;
@@ -240,10 +247,10 @@ static void draw_picture(run *r, const view *shown, int picture) {
     prepare_surface(r, shown, picture);
     algsurf_camera camera = view_camera(shown, sweep->kind == SWEEP_TURN ? picture : 0, sweep->pictures);
     algsurf_complex_space space = render_space_of(&options->space, sweep, picture);
-    char *output = numbered(options->output, r, picture);
+    char *output = r->frames ? NULL : numbered(options->output, r, picture);
     char *hits = numbered(options->hits, r, picture), *stats = numbered(options->stats, r, picture);
     char *heatmap = numbered(options->heatmap, r, picture);
-    output_check(output);
+    if (output) output_check(output);
     if (hits) output_check(hits);
     if (stats) output_check(stats);
     if (heatmap) output_check(heatmap);
@@ -302,6 +309,22 @@ static void check_surfaces(run *r, int first, int end) {
     }
 }
 
+/* One file for all pictures; until its end, whatever ends the program removes it. */
+static FILE *begin_film(run *r, int pictures) {
+    const render_options *options = r->options;
+    FILE *file = output_open(&r->film, options->output);
+    r->frames = png_begin(file, options->view.width, options->view.height, options->look.transparent ? 4 : 3);
+    if (!r->frames) cli_no_memory();
+    png_animate(r->frames, pictures, options->a_second);
+    return file;
+}
+
+static void end_film(run *r, FILE *file) {
+    png_end(r->frames);
+    output_close(&r->film, r->options->output, file);
+    output_commit(&r->film);
+}
+
 static void draw(const render_options *options) {
     const cli_surface *given = &options->surface;
     int first = options->frame > 0 ? options->frame - 1 : 0;
@@ -320,7 +343,9 @@ static void draw(const render_options *options) {
     if (options->heatmap) r.ways = malloc(count);
     if (!r.pixels || (options->hits && !r.hits) || (options->heatmap && !r.ways)) cli_no_memory();
     progress_begin(&r.bar, options->progress, end - first);
+    FILE *film = options->a_second > 0 ? begin_film(&r, end - first) : NULL;
     for (int i = first; i < end; i++) draw_picture(&r, &shown, i);
+    if (film) end_film(&r, film);
     progress_end(&r.bar);
     release_surface(&r);
     free(r.pixels);

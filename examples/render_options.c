@@ -165,6 +165,8 @@ static const cli_option options_table[] = {
      "N pictures NAME-0001.png ...: a turn about the upward axis; --let NAME,\n--delta or --imag K from A to "
      "B",
      render_set_sweep, FIELD(sweep)},
+    {"--animate", "RATE", "the --sweep as one animated .png, RATE pictures a second, 1 to 60", cli_set_int,
+     offsetof(render_options, a_second), 1, 60},
     {"--frame", "K", "only picture K of the --sweep, from 1 as in its name", cli_set_int,
      offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
     {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
@@ -218,6 +220,7 @@ static const cli_program program = {
                 "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
                 "render 'x^2 + y^2 - a z^2 = 1' --sweep let:a:-1:1:24 --size 512x384 --output bend.png\n"
+                "render barth --sweep turn:72 --animate 24 --size 400x400 --output turn.png\n"
                 "render tangle --sweep turn:36 --size 512x384 --output turn.png",
 };
 
@@ -238,7 +241,8 @@ image_format render_image_format(const char *option, const char *path) {
 }
 
 static image_format check_image(const render_options *options, const char *option, const char *path) {
-    if (options->sweep.pictures > 0 && options->frame == 0 && strcmp(path, "-") == 0)
+    int is_film = options->a_second > 0 && path == options->output;
+    if (options->sweep.pictures > 0 && options->frame == 0 && !is_film && strcmp(path, "-") == 0)
         cli_fail(CLI_BAD_INPUT, "%s: '-' holds one picture, not a --sweep", option);
     return render_image_format(option, path);
 }
@@ -261,6 +265,9 @@ static void check_output(render_options *options) {
         options->output = strcat(strcpy(options->default_output, name), ".png");
     }
     options->format = check_image(options, "--output", options->output);
+    if (options->a_second > 0 && options->format != IMAGE_PNG)
+        cli_fail(CLI_BAD_INPUT, "--animate: only a .png is animated, --output is '%s'",
+                 cli_quote(options->output).text);
     if (options->look.transparent && options->format != IMAGE_PNG)
         cli_fail(CLI_BAD_INPUT, "--background none: only a .png is transparent, --output is '%s'",
                  cli_quote(options->output).text);
@@ -268,6 +275,13 @@ static void check_output(render_options *options) {
         cli_fail(CLI_BAD_INPUT, "--heatmap: plays no part with --background none");
     if (options->heatmap) options->heatmap_format = check_image(options, "--heatmap", options->heatmap);
     check_standard_output(options);
+}
+
+static void check_animation(const render_options *options) {
+    if (options->sweep.pictures == 0) cli_fail(CLI_BAD_INPUT, "--animate: plays no part without --sweep");
+    if (options->frame > 0)
+        cli_fail(CLI_BAD_INPUT, "--animate: all pictures of the --sweep; leave --frame out");
+    if (options->row_end > 0) cli_fail(CLI_BAD_INPUT, "--animate: whole pictures; leave --rows out");
 }
 
 static void check_swept_constant(const render_options *options) {
@@ -307,6 +321,7 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.frame > options.sweep.pictures)
         cli_fail(CLI_BAD_INPUT, "--frame: the --sweep has no picture %d, only %d", options.frame,
                  options.sweep.pictures);
+    if (options.a_second > 0) check_animation(&options);
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part with --antialias 1");
     if (options.antialias_threshold < 0) options.antialias_threshold = DEFAULT_THRESHOLD;

@@ -27,6 +27,7 @@ typedef struct render_options {
     int threads;
     int row_begin, row_end; /* both 0: all rows */
     int frame;              /* of the sweep, from 1; 0: all */
+    int a_second;           /* pictures of the sweep, in one animated file; 0: a file for each */
     render_look look;
     render_space space;
     render_sweep sweep;

@@ -93,10 +93,11 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
 /* The first hit on the ray inside the extent, t in [t_min, t_max], both ends included.
  *   extent   null: all of space
  *   options  null: certified tier, default method, full accuracy
- * Guarantee: see algsurf_tier.  With the default method and absolute_tolerance 0, |t - exact| is within a few
- * u S(X)/|p'(t)|, u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit
- * in the last place where integers decided.  A ray's answer has the same bits alone as in a packet
- * (algsurf_intersect_packet), by whatever kernel.
+ * Guarantee: see algsurf_tier.  With absolute_tolerance 0, |t - exact| is within a few u S(X)/|p'(t)|,
+ * u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit in the last place
+ * where integers decided.  A tolerance adds itself, and 2^-49 of the part of the ray inside the extent.
+ * Regula falsi, and any method at the limit of iterations, promise less: t is in [t_lo, t_hi].  A ray's
+ * answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
  * Returns OK also for a miss and for undecided: the state is in hit.
  * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction),
  * E_NO_MEMORY.

@@ -5,6 +5,7 @@
  * these leave it undecided, with those from powers. */
 #ifndef ALGSURF_RAYS_SINGLE_TEMPLATE_H
 #define ALGSURF_RAYS_SINGLE_TEMPLATE_H
+#include "../roots/refine_impl.h"
 #include "packet_template.h"
 
 /* One ray on its way. */
@@ -15,63 +16,58 @@ typedef struct single_ray {
     chord_line line;
     lanes middle, half;
     packet k;
+    double length, newton; /* of the bracket that the caller's method refines, and the step from its point */
     algsurf_i_watch watch; /* where k says so */
     int from_powers;
 } single_ray;
 
-/* The bracket's polynomial at x in [0,1]. */
-static double bracket_value(double x, void *data) {
-    const single_ray *s = data;
-    double b[ALGSURF_MAX_DEGREE + 1];
-    int n = s->job->surface->node_degree;
-    for (int j = 0; j <= n; j++) b[j] = s->k.at.w[j][0];
-    for (int i = 1; i <= n; i++)
-        for (int j = 0; j <= n - i; j++) b[j] = (1 - x) * b[j] + x * b[j + 1];
-    return b[0];
-}
-
-/* A point of that, to whoever watches. */
-static void tell_bracket_point(double x, double value, int engine, void *data) {
-    const single_ray *s = data;
+/* x in the bracket's [0,1] as v in the packet's. */
+static double in_packet(const single_ray *s, double x) {
     double p = s->k.at.p[0], q = s->k.at.q[0];
-    algsurf_i_tell_point(&s->watch, algsurf_i_watched_place(&s->watch, p + (q - p) * x),
-                         s->k.at.side[0] ? -value : value, 0, engine);
+    return p + (q - p) * x;
 }
 
-/* Its coefficients of x^k: differences of those that there are, times binomials. */
-static void bracket_powers(const single_ray *s, double *c) {
-    int n = s->job->surface->node_degree;
-    double binomial = 1;
-    for (int j = 0; j <= n; j++) c[j] = s->k.at.w[j][0];
-    for (int i = 1; i <= n; i++)
-        for (int j = n; j >= i; j--) c[j] -= c[j - 1];
-    for (int k = 1; k <= n; k++) {
-        binomial = binomial * (n - k + 1) / k;
-        c[k] *= binomial;
-    }
+/* The point at v in the packet's [0,1], and its t, rounded. */
+static lanes point_at(const single_ray *s, double v, lanes x[3]) {
+    lanes low, t = exact_sum(s->middle, s->half * (2 * v - 1), &low);
+    for (int i = 0; i < 3; i++)
+        x[i] = along(s->ray.origin[i], low * s->ray.direction[i], t, s->ray.direction[i]);
+    return t;
 }
 
-/* The root in the bracket by the caller's method, in the packet's [0,1]. */
-static double refine_single(const single_ray *s) {
-    double width = s->k.at.q[0] - s->k.at.p[0], c[ALGSURF_MAX_DEGREE + 1];
+/* P itself at x in the bracket's [0,1], and Newton's step from there.  The polynomial along the chord would
+ * not do: its rounding, of the whole chord, can move the root by more than the tolerance, on the Barth decic
+ * by 5 10^4 times what rounding P at the hit does.  Only at the ends do its values count, whose signs are
+ * proved. */
+static double bracket_value(double x, void *data) {
+    single_ray *s = data;
+    lanes at[PAIR][3];
+    (void)point_at(s, in_packet(s, x), at[0]);
+    jets p = surface_jets(s->job->surface, at, 1);
+    const lanes gradient[3] = {p.x[0], p.y[0], p.z[0]};
+    double value = p.v[0][0], end = s->k.at.w[x == 0 ? 0 : s->job->surface->node_degree][0];
+    s->newton = -value / (dot(gradient, s->ray.direction)[0] * s->length);
+    if (x == 0 || x == 1) value = s->k.at.side[0] ? -end : end;
+    if (s->k.watch)
+        algsurf_i_tell_point(&s->watch, algsurf_i_watched_place(&s->watch, in_packet(s, x)), value, 0,
+                             ALGSURF_ENGINE_DOUBLES);
+    return value;
+}
+
+/* Where the caller's method stops, in the packet's [0,1]. */
+static double refine_single(single_ray *s) {
     algsurf_refine_options how = *s->how;
     algsurf_refined_root root = {.root = 0.5};
-    algsurf_observer told = {.size = sizeof told, .data = (void *)s, .on_point = tell_bracket_point};
-    how.observer = s->k.watch ? &told : NULL;
-    how.absolute_tolerance /= (2 * s->half[0] * s->ray.t_unit[0] * width);
-    bracket_powers(s, c);
-    if (how.method != ALGSURF_METHOD_DEFAULT ||
-        algsurf_refine_poly(c, NULL, s->job->surface->node_degree, 0, 1, &how, &root) < 0)
-        (void)algsurf_refine_function(bracket_value, (void *)s, 0, 1, &how, &root);
-    return s->k.at.p[0] + width * root.root;
+    s->length = 2 * s->half[0] * (s->k.at.q[0] - s->k.at.p[0]);
+    how.absolute_tolerance /= s->length * s->ray.t_unit[0];
+    (void)algsurf_i_refine_function(bracket_value, s, &s->newton, 0, 1, &how, &root);
+    return in_packet(s, root.root);
 }
 
-/* The hit where a method has stopped too far from the root for the last step. */
-static void hit_as_it_is(single_ray *s, lanes v, lanes_hit *hit) {
-    lanes x[PAIR][3], low, normal[3];
-    lanes t = exact_sum(s->middle, s->half * v, &low);
-    for (int i = 0; i < 3; i++)
-        x[0][i] = along(s->ray.origin[i], low * s->ray.direction[i], t, s->ray.direction[i]);
+/* The hit at v, where a method has stopped, without a step on P. */
+static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
+    lanes x[PAIR][3], normal[3];
+    lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
     make_unit(normal);
@@ -94,7 +90,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     if (!s->how && any(s->k.doubtful)) return 0;
     if (any(s->k.doubtful) || wide) {
         s->k.doubtful = no_lane();
-        hit_as_it_is(s, 2 * v - 1, &hit);
+        hit_as_it_is(s, v[0], &hit);
     }
     to->state = ALGSURF_HIT;
     to->reason = ALGSURF_OK;

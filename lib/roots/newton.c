@@ -1,4 +1,4 @@
-/* newton.c - Newton's method on a polynomial whose signs are certain, guarded by its bracket.
+/* newton.c - Newton's method, guarded by a bracket.
  *
  * The first point is the zero of the chord.  From then on a Newton step from the newest point, which is
  * always an end of the bracket, is taken if it stays inside and is at most half as long as the one before;

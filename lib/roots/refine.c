@@ -124,19 +124,23 @@ static double call_in_host(double x, void *data) {
     return y;
 }
 
-static ALGSURF_NOINLINE algsurf_status refine_function(visit *v, double lo, double hi,
+/* newton: null, or Newton's step, for the default method. */
+static ALGSURF_NOINLINE algsurf_status refine_function(algsurf_i_search *s, algsurf_observer **observer,
+                                                       const double *newton, double lo, double hi,
                                                        const algsurf_refine_options *options,
                                                        algsurf_refined_root *result) {
-    algsurf_i_search s = {.f = call_in_host, .data = v};
     int method;
-    algsurf_status status = prepare(&s, options, &method, &v->watch.observer);
+    algsurf_status status = prepare(s, options, &method, observer);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (lo > hi) return ALGSURF_E_ARGUMENT;
-    int bracketed = search_start(&s, lo, hi);
-    if (!s.nan && !bracketed) return ALGSURF_E_ARGUMENT;
-    run(&s, method);
-    return search_finish(&s, result);
+    int bracketed = search_start(s, lo, hi);
+    if (!s->nan && !bracketed) return ALGSURF_E_ARGUMENT;
+    if (newton && method == ALGSURF_METHOD_DEFAULT)
+        algsurf_i_refine_newton(s, newton);
+    else
+        run(s, method);
+    return search_finish(s, result);
 }
 
 algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
@@ -145,9 +149,18 @@ algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo
     algsurf_fpenv host;
     algsurf_fpenv_enter(&host);
     visit v = {.f = f, .data = data, .host = &host};
-    algsurf_status status = refine_function(&v, lo, hi, options, result);
+    algsurf_i_search s = {.f = call_in_host, .data = &v};
+    algsurf_status status = refine_function(&s, &v.watch.observer, NULL, lo, hi, options, result);
     algsurf_fpenv_leave(&host);
     return status;
+}
+
+algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const double *newton, double lo,
+                                         double hi, const algsurf_refine_options *options,
+                                         algsurf_refined_root *result) {
+    algsurf_i_search s = {.f = f, .data = data};
+    algsurf_observer *nobody;
+    return refine_function(&s, &nobody, newton, lo, hi, options, result);
 }
 
 /* ---- a polynomial ---- */

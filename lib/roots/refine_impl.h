@@ -52,8 +52,15 @@ void algsurf_i_refine_regula_falsi(algsurf_i_search *s);
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
                                         algsurf_refined_root *result);
 
-/* f is a polynomial, its signs are certain; *newton is Newton's step from s->x, -f/f', written whenever f is
- * called. */
+/* As algsurf_refine_function, with f in the library's environment, and the default method Newton's, guarded.
+ * Nobody is told.
+ *   newton  Newton's step from where f was called last, -f/f' */
+algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const double *newton, double lo,
+                                         double hi, const algsurf_refine_options *options,
+                                         algsurf_refined_root *result);
+
+/* *newton is Newton's step from s->x, -f/f', written whenever f is called.  The bracket is as sure as the
+ * signs of f. */
 void algsurf_i_refine_newton(algsurf_i_search *s, const double *newton);
 
 /* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */

@@ -5,7 +5,7 @@
  *     product  = signed { "*" signed | "/" signed | power }        the last: implicit multiplication
  *     signed   = { "+" | "-" } power
  *     power    = primary [ "^" signed | superscript { superscript } ]
- *     primary  = number | name | bracket | "sqrt" bracket | root-sign primary
+ *     primary  = number | name | bracket | ("sqrt" | "sin" | "cos") bracket | root-sign primary
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
  * The signs are those of equation_token.h.  Every expression's value is a polynomial (equation_poly.h); what
@@ -21,9 +21,13 @@
 
 #include "equation_number.h"
 #include "equation_parse.h"
+#include "equation_sine.h"
 #include "equation_token.h"
 
 enum { DEPTH_LIMIT = 100, EXPONENT_LIMIT = 64 };
+
+static const char NOT_POLYNOMIAL[] =
+    "not a polynomial: of functions, only sqrt, sin and cos of constants are known";
 
 typedef algsurf_i_parser parser;
 
@@ -171,10 +175,24 @@ static int parse_root_sign(parser *p, algsurf_i_tripoly *out) {
     return 1;
 }
 
-/* In double-double; what that leaves out is below 2^-108 of it. */
+/* sin (quarters 0) or cos (1) and what stands behind it. */
+static int parse_sine(parser *p, int quarters, algsurf_i_tripoly *out) {
+    algsurf_i_tripoly argument;
+    size_t offset = p->at;
+    p->at += strlen("sin");
+    if (!parse_bracket(p, &argument)) return 0;
+    int constant = algsurf_i_tripoly_is_constant(&argument);
+    algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
+    if (constant && argument.count) m = argument.m[0];
+    algsurf_i_tripoly_free(&argument);
+    if (!constant) return refuse(p, offset, NOT_POLYNOMIAL);
+    if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
+        return refuse(p, offset, "sin and cos take at most 100 radians");
+    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sine(&m, quarters), out), offset);
+}
+
 static int make_pi(parser *p, algsurf_i_tripoly *out) {
-    const algsurf_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-    return make_value(p, pi, ALGSURF_DD_U * pi.hi, 0, 0, out);
+    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_pi(), out), p->at);
 }
 
 static const algsurf_constant *find_constant(const parser *p, const char *name, size_t length) {
@@ -217,7 +235,7 @@ static int refuse_name(parser *p, const char *name, size_t length, size_t known)
     while (begin > 0 && !algsurf_i_variable(name[begin - 1])) begin--;
     while (end < length && !algsurf_i_variable(name[end])) end++;
     if (algsurf_i_is_function(name, length) || algsurf_i_is_function(name + begin, end - begin))
-        return refuse(p, p->at, "not a polynomial: the only function here is sqrt(...) of a constant");
+        return refuse(p, p->at, NOT_POLYNOMIAL);
     if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return refuse(p, p->at, "expected '(' behind sqrt");
     if (known > 0 && is_digit(name[known]))
         return refuse(p, p->at, "a number behind a letter: write x^2 for a power, 2x or x*2 for a product");
@@ -239,6 +257,10 @@ static int split_name(parser *p, const char *name, size_t length) {
     return 1;
 }
 
+static int is_called(const char *name, size_t length, const char *function) {
+    return length == strlen(function) && strncmp(name, function, length) == 0;
+}
+
 static int parse_name(parser *p, algsurf_i_tripoly *out) {
     const char *name = p->text + p->at;
     const algsurf_constant *constant;
@@ -248,8 +270,9 @@ static int parse_name(parser *p, algsurf_i_tripoly *out) {
     } else {
         length = algsurf_i_name_length(name);
         constant = find_constant(p, name, length);
-        if (!constant && length == strlen("sqrt") && strncmp(name, "sqrt", length) == 0)
-            return parse_sqrt(p, out);
+        if (!constant && is_called(name, length, "sqrt")) return parse_sqrt(p, out);
+        if (!constant && is_called(name, length, "sin")) return parse_sine(p, 0, out);
+        if (!constant && is_called(name, length, "cos")) return parse_sine(p, 1, out);
         if (!constant && !split_name(p, name, length)) return 0;
         if (!constant) length = first_factor(p, name, length, &constant);
     }

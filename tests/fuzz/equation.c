@@ -176,6 +176,25 @@ static void square_root(reader *r, value *a) {
     limit(r, a);
 }
 
+/* To some 600 bits: Taylor's series at |x| <= 101, with all the bits that it cancels. */
+static void sine(value *a, int is_cosine) {
+    enum { BITS = 1200, TERMS = 700 };
+    mpf_t x, term, sum;
+    mpf_init2(x, BITS), mpf_init2(term, BITS), mpf_init2(sum, BITS);
+    mpf_set_q(x, a->v), mpf_mul(x, x, x), mpf_neg(x, x);
+    mpf_set_ui(term, 1), mpf_set_ui(sum, 1);
+    for (unsigned long n = is_cosine ? 1 : 2; n < TERMS; n += 2) {
+        mpf_mul(term, term, x), mpf_div_ui(term, term, n), mpf_div_ui(term, term, n + 1);
+        mpf_add(sum, sum, term);
+    }
+    if (!is_cosine) mpf_set_q(x, a->v), mpf_mul(sum, sum, x);
+    mpf_set_prec(term, 600), mpf_set(term, sum);
+    mpq_set_f(a->v, term);
+    mpq_t one;
+    mpq_init(one), mpq_set_ui(one, 1, 1), mpq_add(a->size, a->size, one), mpq_clear(one);
+    mpf_clears(x, term, sum, NULL);
+}
+
 static int constant_named(reader *r, const char *name, size_t length, value *a) {
     for (size_t i = 0; i < r->count; i++) {
         if (strlen(r->constants[i].name) != length || strncmp(r->constants[i].name, name, length) != 0)
@@ -223,6 +242,14 @@ static void name(reader *r, value *a) {
             (void)peek(r);
             parenthesis(r, a);
             if (!r->given_up) square_root(r, a);
+            return;
+        }
+        int is_sine = length == 3 && strncmp(start, "sin", 3) == 0;
+        if (is_sine || (length == 3 && strncmp(start, "cos", 3) == 0)) {
+            (void)peek(r);
+            parenthesis(r, a);
+            if (!r->given_up) sine(a, !is_sine);
+            limit(r, a);
             return;
         }
         r->letters_end = start + length;

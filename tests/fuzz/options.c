@@ -27,6 +27,8 @@ static void check_options(const render_options *o) {
     fuzz_check(o->row_begin >= 0 && o->row_begin <= o->row_end);
     fuzz_check(o->list || o->row_end <= o->view.height);
     fuzz_check(o->antialias >= 1 && o->antialias <= 16 && o->threads >= 0 && o->threads <= 256);
+    fuzz_check(o->a_second >= 0 && o->a_second <= 60 &&
+               (o->a_second == 0 || o->list || o->sweep.pictures > 0));
     fuzz_check(o->view.fov >= 0 && o->view.fov < 180 && o->view.orthographic >= 0 &&
                isfinite(o->view.orthographic));
     fuzz_check(o->intersect.absolute_tolerance >= 0 && isfinite(o->intersect.absolute_tolerance));
