@@ -103,6 +103,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[1], out->at[2], out->at[3]},
                                {out->at[4], out->at[5], out->at[6]},
                                {out->at[7], out->at[8], out->at[9]},
+                               NULL,
                                NULL};
     const algsurf_i_point_job job = {s->surface, &s->job, NULL};
     algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, &points);

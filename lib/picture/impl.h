@@ -84,12 +84,13 @@ typedef struct algsurf_i_tiling {
     double *square; /* (degree+1)^2 */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
+    double *to;
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     uint8_t *sure;
     /* and the pixels of leaves */
     int leaves, *leaf;
-    double *leaf_low, *leaf_depth;
+    double *leaf_low, *leaf_high, *leaf_depth;
     uint8_t *leaf_state;
 } algsurf_i_tiling;
 
@@ -174,7 +175,7 @@ typedef struct algsurf_i_picture {
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
-    int at_once;     /* 1: points get their bytes where they are found */
+    int at_once;     /* 1: points get their colours where they are found */
     int selective;   /* 1: only some pixels get all samples */
     atomic_int stop; /* 1: rows in the making are to be abandoned */
 } algsurf_i_picture;

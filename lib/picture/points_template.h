@@ -129,15 +129,19 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, canv
     }
 }
 
-/* Their colours. */
-INLINE void colour_packets(const algsurf_i_colour_job *job, canvas c[PAIR], int packets, uint32_t *bytes,
-                           int count) {
+/* Their colours, to the entries from `first` on. */
+INLINE void colour_packets(const algsurf_i_colour_job *job, canvas c[PAIR], int packets,
+                           const algsurf_i_points *points, int first, int count) {
     for (int w = 0; w < packets; w++) begin_canvas(job->material, &c[w]);
     for (int l = 0; l < job->light_count; l++) {
         for (int w = 0; w < packets; w++) aim(&job->lights[l], &c[w]);
         for (int w = 0; w < packets; w++) add_light(job->material, &job->lights[l], all_lanes(1), &c[w]);
     }
-    for (int w = 0; w < packets; w++) store_bytes(&c[w], count, bytes + w * LANES);
+    for (int w = 0; w < packets; w++, first += LANES)
+        if (points->bytes)
+            store_bytes(&c[w], count, points->bytes + first);
+        else
+            store_colours(&c[w], count, points->colour + 3 * first);
 }
 
 /* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
@@ -180,7 +184,7 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
         if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, from, count);
         finish_packet(s, &r[w], r[w].z + step[w], &c[w], points, from, count);
     }
-    if (points->bytes) colour_packets(job->colours, c, packets, points->bytes + first, count);
+    if (points->bytes || points->colour) colour_packets(job->colours, c, packets, points, first, count);
     return all;
 }
 

@@ -79,8 +79,8 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->light_count = algsurf_i_scene_lights(scene, picture->lights);
     picture->shadows = scene->quality == ALGSURF_QUALITY_FULL && !scene->complex;
     picture->colours = (algsurf_i_colour_job){&scene->material, picture->lights, picture->light_count};
-    picture->at_once = picture->planes.pixels && scene->antialias == 1 && !scene->complex &&
-                       !picture->shadows && scene->quality != ALGSURF_QUALITY_PREVIEW;
+    picture->at_once = picture->planes.pixels && !scene->complex && !picture->shadows &&
+                       scene->quality != ALGSURF_QUALITY_PREVIEW;
     algsurf_i_count_samples(picture);
     algsurf_i_scene_ball(scene, picture->centre, &picture->radius);
     picture->reach = reach_of(scene, picture->radius);
@@ -199,7 +199,7 @@ static void lay_out_middles(algsurf_i_middles *middles, size_t width, const algs
 }
 
 #define TILE_DOUBLES (sizeof(algsurf_i_tile) / sizeof(double))
-#define TILING_DOUBLES 5 /* for each pixel of a row */
+#define TILING_DOUBLES 6 /* for each pixel of a row */
 #define TILING_BYTES 2   /* likewise */
 
 /* Two bands, two levels of lists; side: degree + 1. */
@@ -213,11 +213,13 @@ static void lay_out_tiling(algsurf_i_tiling *tiling, size_t width, size_t places
     tiling->beam.c = take(doubles, side * side * side);
     tiling->square = take(doubles, side * side);
     tiling->from = take(doubles, 2 * places);
+    tiling->to = take(doubles, 2 * places);
     tiling->at = take_ints(ints, 2 * places);
     tiling->low = take(doubles, width);
     tiling->high = take(doubles, width);
     tiling->enough = take(doubles, width);
     tiling->leaf_low = take(doubles, width);
+    tiling->leaf_high = take(doubles, width);
     tiling->leaf_depth = take(doubles, width);
     tiling->leaf = take_ints(ints, width);
     tiling->sure = take_bytes(bytes, width);
@@ -255,7 +257,7 @@ static int hire(algsurf_i_picture *picture, int threads, work_memory *memory) {
     size_t fans = fans_of(picture);
     size_t solids = fans > 0 ? (size_t)(ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(degree)) : 0;
     size_t tile_doubles =
-        places * (2 * TILE_DOUBLES + 2) + cube + tiled * (side * side + TILING_DOUBLES * width);
+        places * (2 * TILE_DOUBLES + 4) + cube + tiled * (side * side + TILING_DOUBLES * width);
     memory->workers = calloc(count, sizeof *memory->workers);
     memory->doubles = calloc(count * ((width + APART) * doubles_each + tile_doubles + solids) +
                                  frame * (1 + fans) + 5 * samples + cube,

@@ -98,6 +98,7 @@ algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, cons
         points.bytes = NULL;
         return points;
     }
+    if (!points.bytes) points.colour = line->colour + 3 * first;
     for (int k = 0; k < 3; k++) {
         points.position[k] = points.direction[k] = NULL;
         if (!picture->planes.normals) points.normal[k] = NULL;
@@ -125,7 +126,8 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, algsurf_i_lin
     } else {
         const algsurf_i_points rest = points_from(&line->points, line->done);
         picture->code->colours(&picture->colours, &rest, line->count - line->done,
-                               picture->shadows ? line->visible : NULL, rest.bytes ? NULL : line->colour);
+                               picture->shadows ? line->visible : NULL,
+                               rest.bytes ? NULL : line->colour + 3 * line->done);
     }
     tally->shade_s += algsurf_i_render_clock() - begun;
     return ALGSURF_OK;
