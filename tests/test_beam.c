@@ -4,16 +4,18 @@
  * their edges among them.  A row of tiles: the Bernstein coefficients of P along a ray may differ from those
  * of the form by what its radius says.  Tiles that a kernel has searched: along a ray of an empty one P has
  * no root on its chord, along a ray of a sheet one root between low and high, none on the chord before, and
- * |P'| is there what `enough` says.  P is what the frame has, each of its doubles taken as it is; the frame
+ * |P'| is there what `enough` says; along a ray of a leaf the first root on the chord, if any, is between low
+ * and high.  P is what the frame has, each of its doubles taken as it is; the frame
  * itself is attacked through pictures, by test_masks.
  *
  * Breaks tried, each caught by the test named:
- *   terms of the fourth order left out of the rest; the rest a tenth: the_rest_is_felt
+ *   terms of the fourth order left out of the rest, or those beyond it; the rest a tenth: the_rest_is_felt
  *   the extent not widened, or not narrowed, for chords; half of the first order; a root before taken for
  *   none behind; differences of the middle ray alone: tiles_are_what_is_said
  *   tiles four fifths as large: both
  *   a number of turns that depends on what is searched beside: kernels_find_the_same_tiles
  *   no rounding: errors_are_felt
+ * Caught with 20000 rays: a last depth for tiles whose chords begin behind p; a size left out of the search.
  * Caught with 60000 rays: the first sign taken as known.  Not caught: a hundredth of the rounding's weight,
  * which is far below what else a tile leaves open.
  *
