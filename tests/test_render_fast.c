@@ -154,7 +154,7 @@ static void errors_are_few(void **state) {
     printf("%ld hits, %ld wrong, normals of %ld differ by 2 degrees; t by %.2g radii on average\n",
            found.hits, found.wrong, found.unlike, found.far / (double)found.hits);
     assert_true(found.hits > 500000);
-    assert_true(found.wrong * 1900 < found.hits);
+    assert_true(found.wrong * 1700 < found.hits);
     assert_true(found.unlike * 700 < found.hits);
     assert_true(found.far < 2.2e-7 * (double)found.hits);
 }

@@ -108,6 +108,7 @@ enum part {
     STATES,
     ONE_RAY,
     ROW,
+    LEAVES,
     TILES,
     SHEETS,
     POINTS,
@@ -219,6 +220,13 @@ static void wrong_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixe
         if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
 }
 
+static void wrong_leaves(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
+                         uint8_t *state) {
+    real_picture->solve_leaves(job, leaves, depth, state);
+    for (int i = 0; i < leaves->count; i++)
+        if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
+}
+
 static void wrong_tiles(algsurf_i_tile_job *job) {
     int before = job->tile_count;
     real_picture->search_tiles(job);
@@ -268,6 +276,7 @@ static void wrong_complex_points(const algsurf_i_complex_job *job, const algsurf
 
 static void break_picture(void) {
     if (broken == ROW) wrong_picture.solve_row = wrong_row;
+    if (broken == LEAVES) wrong_picture.solve_leaves = wrong_leaves;
     if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
     if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
     if (broken == POINTS) wrong_picture.points = wrong_points;

@@ -68,7 +68,7 @@ static void make_box(test_box *b, uint64_t *seed) {
     algsurf_i_beam_expand(&b->frame, b->g);
     double h = ldexp(uniform(seed, 0.5, 1), -exact_random_int(seed, 8));
     b->row.c = b->c;
-    algsurf_i_beam_row_expand(&b->frame, b->g, uniform(seed, -0.7, 0.7), -h, b->square, &b->row);
+    algsurf_i_beam_row_expand(&b->frame, b->g, uniform(seed, -0.7, 0.7), -h, h, b->square, &b->row);
     b->box = (algsurf_i_thin_box){.view = view, .beam = &b->row, .u = uniform(seed, -0.7, 0.7), .h = h};
     algsurf_i_solid_expand(&b->box, &b->solid);
 }

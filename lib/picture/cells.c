@@ -29,6 +29,7 @@ int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, algsur
     double h = -p->per_slope * (0.5 * size * f->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height * f->across - (f->y + 0.5)) * f->pixel);
     algsurf_i_row_job rays = f->rays;
+    for (int i = 0; i < count; i++) t->leaf_depth[i] = 1;
     rays.offset = f->offset + 0.5 - 0.5 * size;
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
@@ -39,7 +40,8 @@ int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, algsur
                               .to = t->leaf_depth,
                               .within = t->leaf_low,
                               .noise = p->frame.value_error};
-    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h), t->square, &t->beam);
+    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
+                              fabs(h) + ALGSURF_I_WIDER, t->square, &t->beam);
     algsurf_i_picture_kernel_for(picture->kernel)->search_tiles(&job);
     return job.count;
 }

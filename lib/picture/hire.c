@@ -114,11 +114,13 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
     t->from = take_doubles(a, s->width + 2 * s->places);
+    t->to = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
     t->leaf_low = take_doubles(a, s->width);
+    t->leaf_high = take_doubles(a, s->width);
     t->leaf_depth = take_doubles(a, s->width);
     t->leaf = take_ints(a, s->dense * s->width);
     t->sure = take_bytes(a, s->width);

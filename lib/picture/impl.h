@@ -100,12 +100,13 @@ typedef struct algsurf_i_tiling {
     double *square; /* (degree+1)^2 */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
+    double *to;
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     uint8_t *sure;
     /* and the pixels of leaves */
     int leaves, *leaf;
-    double *leaf_low, *leaf_depth;
+    double *leaf_low, *leaf_high, *leaf_depth;
     uint8_t *leaf_state;
 } algsurf_i_tiling;
 

@@ -24,17 +24,24 @@ typedef struct algsurf_i_row_job {
     double tolerance;                    /* wanted error of the depth; 0: all that the coefficients tell */
 } algsurf_i_row_job;
 
-/* Pixels of a row: those that follow `first`; or, if `at` is there, any, with no root before their depth in
- * `low`. */
+/* Pixels of a row that follow `first`. */
 typedef struct algsurf_i_pixels {
     int first, count;
-    const int *at;
-    const double *low;
 } algsurf_i_pixels;
+
+/* Pixels of a row, any: the first root of each ray, if there is one on its chord, is between `low` and
+ * `high`. */
+typedef struct algsurf_i_leaves {
+    int count;
+    const int *at;
+    const double *low, *high;
+} algsurf_i_leaves;
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
 
 #define ALGSURF_I_WIDER 0x1p-42 /* added to half sizes of tiles, for the rounding of u and v */
+
+#define ALGSURF_I_SERIES 10 /* terms up to the third order in two variables */
 
 /* A tile of pixels that is not empty.  A sheet: along each ray through it there is one root with low < z <
  * high in the view's unit, none before, and P is monotone between; where |P| <= enough it is ALGSURF_I_NEAR
@@ -42,7 +49,8 @@ typedef struct algsurf_i_pixels {
  * high, as far as chords allow. */
 typedef struct algsurf_i_tile {
     double x, y, inverse; /* its middle in pixels, one over half its side */
-    double depth[6];      /* of a sheet, about: with powers 1, xi, eta, xi^2, xi eta, eta^2 */
+    double
+        depth[ALGSURF_I_SERIES]; /* of a sheet, about: with powers 1, xi, eta, xi^2, xi eta, eta^2, xi^3 .. */
     double low, high, enough;
 } algsurf_i_tile;
 
@@ -54,9 +62,9 @@ typedef struct algsurf_i_tile_job {
     const algsurf_i_beam_row *beam;
     int y, size;    /* of the first pixels; a power of two */
     int count, *at; /* the tiles' first pixels, */
-    double *from;   /* there is nothing before these depths */
-    double *to;     /* receives where the tiles end that are not decided; null: not asked for */
-    double *within; /* with it, a depth on each chord of such a tile; 2: none is known */
+    double *from;   /* the first root of each ray on its chord, if there is one, is between these depths */
+    double *to;
+    double *within; /* receives a depth on each chord of the tiles that are left; 2: none is known; or null */
     double noise;   /* bound on rounding of P as the points' kernel evaluates it */
     int *cell;      /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is empty,
                        -side, as the caller has set it; null: tiles are not kept, and those of any size
@@ -142,6 +150,9 @@ typedef struct algsurf_i_picture_kernel {
     /* depth[i], state[i] of pixel i: the first root along its ray. */
     void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
                       uint8_t *state);
+    /* depth[i], state[i] of leaf i. */
+    void (*solve_leaves)(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
+                         uint8_t *state);
     /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
      * are leaves. */
     void (*search_tiles)(algsurf_i_tile_job *job);

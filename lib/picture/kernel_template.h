@@ -8,6 +8,7 @@
 #endif
 #define WATCHED 0
 #include "kernel.h"
+#include "leaves_template.h"
 #include "points_template.h"
 #include "row_template.h"
 #include "tiles_template.h"
@@ -28,6 +29,7 @@ const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.see_light = see_lig
                                                             .complex_points = find_complex_points,
 #endif
                                                            .solve_row = solve_row,
+                                                           .solve_leaves = solve_leaves,
                                                            .search_tiles = search_tiles,
                                                            .points = find_points,
                                                            .sheet_points = find_sheet_points};

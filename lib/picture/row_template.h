@@ -113,15 +113,18 @@ INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
     }
 }
 
-/* The LANES of them from i on; the last one or the first is repeated behind the end. */
+/* The LANES of them from i on; the last one is repeated behind the end. */
 INLINE lanes pixels_from(const algsurf_i_pixels *p, int i) {
-    if (p->at) return load_some_integers(p->at + i, p->count - i);
     return smaller(all_lanes(p->first + i) + numbered(), all_lanes(p->first + p->count - 1));
 }
 
-INLINE lanes nearest_from(const algsurf_i_row_job *job, const algsurf_i_pixels *p, int i) {
-    lanes near = all_lanes(job->near);
-    return p->low ? larger(load_some(p->low + i, p->count - i), near) : near;
+INLINE sight sight_at(const algsurf_i_row_job *job, lanes pixel) {
+    lanes place = (pixel + all_lanes(job->offset)) * all_lanes(job->pixel);
+    lanes u = all_lanes(job->u0) + all_lanes(job->du) * place;
+    return (sight){.u = u,
+                   .a = all_lanes(job->view->alpha) * u + all_lanes(job->view->beta[0]),
+                   .v = all_lanes(job->row->v),
+                   .b = all_lanes(job->slope)};
 }
 
 /* Lines of sight of pixels from i on, chords and their range; returns 0 when there are no chords. */
@@ -129,12 +132,8 @@ INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p
     lanes lo = all_lanes(1), hi = all_lanes(-1);
     for (int i = 0; i < SEGMENT / LANES && first + i * LANES < p->count; i++) {
         sight *at = s->sights + i;
-        at->v = all_lanes(job->row->v);
-        at->b = all_lanes(job->slope);
-        lanes place = (pixels_from(p, first + i * LANES) + all_lanes(job->offset)) * all_lanes(job->pixel);
-        at->u = all_lanes(job->u0) + all_lanes(job->du) * place;
-        at->a = all_lanes(job->view->alpha) * at->u + all_lanes(job->view->beta[0]);
-        s->chords[i] = clip(job, at, nearest_from(job, p, first + i * LANES), s->open + i);
+        *at = sight_at(job, pixels_from(p, first + i * LANES));
+        s->chords[i] = clip(job, at, all_lanes(job->near), s->open + i);
         lanes blur = 2 * s->chords[i].blur;
         lo = choose(s->open[i], smaller(lo, s->chords[i].near - blur), lo);
         hi = choose(s->open[i], larger(hi, s->chords[i].far + blur), hi);
@@ -149,6 +148,15 @@ INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p
     return least < most;
 }
 
+/* What the coefficients of rays at u are off by at most. */
+INLINE lanes radius_at(const algsurf_i_row_job *job, lanes u, int n) {
+    lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
+              all_lanes(fabs(job->view->beta[0]) + job->view->noise);
+    lanes radius = all_lanes(0);
+    for (int i = n; !job->unbounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
+    return radius;
+}
+
 INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u, packet *k, int n) {
     for (int j = 0; j <= n; j++) {
         const scalar *c = s->b + j * ALGSURF_ROW_STRIDE;
@@ -156,11 +164,7 @@ INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u
         for (int m = n - 1; m >= 0; m--) sum = sum * u + all_lanes(c[m]);
         k->b[j] = sum;
     }
-    lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
-              all_lanes(fabs(job->view->beta[0]) + job->view->noise);
-    lanes radius = all_lanes(0);
-    for (int i = n; !job->unbounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
-    k->e[0] = radius;
+    k->e[0] = radius_at(job, u, n);
 }
 
 /* What of the segment's range is the chord. */
@@ -210,6 +214,15 @@ INLINE void cuts_in_segment(const segment *s, const cuts *depths, cuts *c) {
     }
 }
 
+/* What was found of so many lanes, at most. */
+INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
+    unsigned hits = bits(k->hit), doubts = bits(k->doubtful);
+    for (int l = 0; l < LANES && l < count; l++) {
+        state[l] = (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+    }
+    for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
+}
+
 /* The pixels from number x on, packet i of the segment; the cuts of its last pixel go to cut. */
 INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const trail *t, int x,
                          int end, double *depth, uint8_t *state, cuts *cut, int n) {
@@ -246,15 +259,9 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
         for (int j = 0; j < cut->count && j < MOST_CUTS; j++) cut->at[j] = s->lo + s->length * cut->at[j];
     }
     if (!last_open) cut->count = 0;
-    unsigned hits = bits(k.hit), doubts = bits(k.doubtful);
-    for (int l = 0; l < LANES && x + l < end; l++) {
-        state[x + l] =
-            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
-    }
-    for (int l = 0; hits && l < LANES && x + l < end; l++) depth[x + l] = z[l];
+    store_solved(&k, z, end - x, depth + x, state + x);
 }
 
-/* Guesses are for pixels that follow each other. */
 INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
                         uint8_t *state, int n) {
     if (n < 1) __builtin_unreachable();
@@ -271,7 +278,7 @@ INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p,
         for (int i = 0; first + i * LANES < stop; i++) {
             int at = first + i * LANES;
             solve_packet(job, &s, i, &t, at, stop, depth, state, &cut, n);
-            if (p->at || (i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* a short block */
+            if ((i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* a short block */
             set_trail(&t, depth, state, at + LANES);
             t.empty = cut;
         }

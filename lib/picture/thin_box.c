@@ -21,8 +21,8 @@
  *
  * Roundings.  To those of a tile's coefficients (surface/beam.c: 1, 4n, 2n, n + 2, 3n, 2n) come 5 cuts of 6n,
  * of the box to its depths, three more as it is narrowed, and of a part from its column; 4n + 12 for a
- * column; 9 in sums: 46n + 24.  With the 26n + 13 and 24n that are counted there too it is less than 96 (n +
- * 1). */
+ * column; 9 in sums: 46n + 24.  With the 31n + 14 and 24n that are counted there too it is less than 112
+ * (n + 1). */
 #include "../base/arithmetic.h"
 #include "thin_box.h"
 

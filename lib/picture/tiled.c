@@ -13,7 +13,8 @@
 static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
                       algsurf_i_line *line, algsurf_i_tiling *t, int check) {
     const double *c = tile->depth;
-    double at_zero = c[0] + eta * (c[2] + eta * c[5]), slope = c[1] + eta * c[4], bend = c[3];
+    double at_zero = c[0] + eta * (c[2] + eta * (c[5] + eta * c[9]));
+    double slope = c[1] + eta * (c[4] + eta * c[8]), bend = c[3] + eta * c[7], third = c[6];
     double middle = tile->x, inverse = tile->inverse, step = 1.0 / line->dense;
     double offset = line->dense > 1 ? 0.5 : sx;
     int *restrict pixel = line->pixel + line->count;
@@ -22,20 +23,19 @@ static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta
     for (int i = 0; i < end - first; i++) {
         double xi = ((first + i + offset) * step - middle) * inverse;
         pixel[i] = first + i;
-        depth[i] = at_zero + xi * (slope + xi * bend);
+        depth[i] = at_zero + xi * (slope + xi * (bend + xi * third));
         low[i] = tile->low;
-    }
-    for (int i = 0; check && i < end - first; i++) {
         high[i] = tile->high;
-        enough[i] = tile->enough;
     }
+    for (int i = 0; check && i < end - first; i++) enough[i] = tile->enough;
     line->count += end - first;
     memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
 }
 
-static void add_leaf(algsurf_i_tiling *t, int x, double low) {
+static void add_leaf(algsurf_i_tiling *t, int x, double low, double high) {
     t->leaf[t->leaves] = x;
-    t->leaf_low[t->leaves++] = low;
+    t->leaf_low[t->leaves] = low;
+    t->leaf_high[t->leaves++] = high;
 }
 
 static void set_ways(const algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
@@ -59,7 +59,7 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
         if (tile->enough > 0)
             add_sheet(tile, dense * x, dense * (x + 1), eta, sx, line, t, check);
         else
-            for (int i = dense * x; i < dense * (x + 1); i++) add_leaf(t, i, tile->low);
+            for (int i = dense * x; i < dense * (x + 1); i++) add_leaf(t, i, tile->low, tile->high);
     }
 }
 
@@ -67,7 +67,7 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
 static void collect_listed(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
                            algsurf_i_worker *worker) {
     const algsurf_i_line *line = &worker->line;
-    static const algsurf_i_tile anywhere = {.inverse = 2, .low = -1};
+    static const algsurf_i_tile anywhere = {.inverse = 2, .low = -1, .high = 1};
     int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     int first = (int)y % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
     worker->tiling.leaves = 0;
@@ -118,7 +118,7 @@ static void keep_sure(algsurf_i_line *line, algsurf_i_tiling *t) {
     for (int i = 0; i < line->count; i++) {
         int x = line->pixel[i];
         if (!t->sure[i]) {
-            add_leaf(t, x, t->low[i]);
+            add_leaf(t, x, t->low[i], t->high[i]);
             if (line->way) line->way[x] += ALGSURF_WAY_ROW - ALGSURF_WAY_SHEET;
             continue;
         }
@@ -143,10 +143,10 @@ static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_jo
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     const algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_pixels leaves = {.count = t->leaves, .at = t->leaf, .low = t->leaf_low};
+    const algsurf_i_leaves leaves = {t->leaves, t->leaf, t->leaf_low, t->leaf_high};
     int doubtful = 0;
     algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
-    picture->code->solve_row(job, &leaves, t->leaf_depth, t->leaf_state);
+    picture->code->solve_leaves(job, &leaves, t->leaf_depth, t->leaf_state);
     for (int i = 0; i < t->leaves; i++) {
         int x = t->leaf[i];
         line->state[x] = t->leaf_state[i];

@@ -14,12 +14,12 @@
 #include <math.h>
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
-#define FEW 0.13 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
+#define FEW 0.21 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
 
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
     int count, *at;
-    double *from;
+    double *from, *to;
 } tile_list;
 
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *p) {
@@ -39,6 +39,7 @@ static void lay_out_lists(const algsurf_i_tiling *t, int level, int rows, int st
     for (int r = 0; r < rows; r++) {
         lists[r].at = t->at + offset + r * room;
         lists[r].from = t->from + offset + r * room;
+        lists[r].to = t->to + offset + r * room;
     }
 }
 
@@ -46,7 +47,8 @@ static void take_all(int size, int begin, int end, tile_list *list) {
     list->count = 0;
     for (int x = begin; x < end; x += size) {
         list->at[list->count] = x;
-        list->from[list->count++] = -1;
+        list->from[list->count] = -1;
+        list->to[list->count++] = 1;
     }
 }
 
@@ -57,7 +59,8 @@ static void take_halves(const tile_list *large, int size, int width, tile_list *
         int x = large->at[i / 2] + i % 2 * size;
         if (x >= width) continue;
         list->at[list->count] = x;
-        list->from[list->count++] = large->from[i / 2];
+        list->from[list->count] = large->from[i / 2];
+        list->to[list->count++] = large->to[i / 2];
     }
 }
 
@@ -78,11 +81,13 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     const algsurf_i_packets *p = picture->packets;
     double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
-    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h), t->square, &t->beam);
+    algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
+                              fabs(h) + ALGSURF_I_WIDER, t->square, &t->beam);
     set_empty(job, list);
     job->count = list->count;
     job->at = list->at;
     job->from = list->from;
+    job->to = list->to;
     picture->code->search_tiles(job);
     list->count = job->count;
 }

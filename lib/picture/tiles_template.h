@@ -1,8 +1,8 @@
 /* tiles_template.h - tiles of pixels: which are empty, which see one sheet of the surface.
  *
  * The rays of a tile share one polynomial in depth (surface/beam.h).  Its terms in xi and eta up to the third
- * order are kept; the others become a radius, `rest`.  LANES tiles of a row are searched side by side; none
- * of them depends on its neighbours.
+ * order are kept; the others become a radius, `rest`, those beyond the fourth by a bound of their row.  LANES
+ * tiles of a row are searched side by side; none of them depends on its neighbours.
  *
  * Chords.  Points of two rays of a tile at one depth are at most
  *     d = sqrt(h_u^2 + h_v^2) (1 + |alpha|)
@@ -10,6 +10,10 @@
  * extent larger by d in each direction, and holds that of the middle ray with an extent smaller by d.
  *
  * Range.  From the cut to the tile's chords on, the third order belongs to the rest, too (search_template.h).
+ *
+ * First cell.  Where the tile's rays are known to have no root up to a depth `from`, they may have one right
+ * behind it, where the sign of a coefficient is in doubt.  So the first cell begins a little before: 1 or 16
+ * times as far as rays are apart leaves a tenth more pixels to leaves than 4 times.
  *
  * Empty: the cells from the first depth to the last have no variation of sign, so that no ray of the tile has
  * a root on its chord.
@@ -21,6 +25,11 @@
  * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
  * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
  *
+ * Last place.  No ray has a root before p, nor before the place `from` that is known.  Where P surely has one
+ * sign before the first roots and the other at q, each ray has a root between.  If all chords begin before p
+ * or `from`, the first such root is the first on the ray's chord, unless the chord ends before it: nothing
+ * behind q need be searched.
+ *
  * Differences of the rest.  Over the tile's depths they are at most 2 max rest; n times that bounds the
  * derivative, and so in a part of a share s of these depths differences are at most 2 s max rest.  Rounding
  * has no derivative: it counts twice in full. */
@@ -30,13 +39,16 @@
 #include "row_template.h"
 #include "search_template.h"
 
+#define ORDER ALGSURF_I_BEAM_ORDER
 #define LEAST_WIDTH 0x1p-12 /* of a sheet's cell about its middle ray's root */
+#define BEFORE 4            /* of what rays are apart: see First cell */
 #define SLACK 0x1p-22       /* of the ends of chords, whose error is far below it */
 
 /* LANES tiles of a size.  Places of depths are those in [-1,1] as parts of its length, multiples of 2^-40. */
 typedef struct tile_packet {
     lanes t[TERMS][BEAM_DEGREE + 1]; /* Bernstein coefficients over [-1,1] */
     lanes lo, hi;                    /* places: all chords are between */
+    lanes from;                      /* place: no root is before */
     lanes least, most;               /* places: each chord reaches from least to most; most < least: none */
     lanes rest, rounding;            /* bounds, of each coefficient, on the terms left out and the errors */
     lanes x, u;                      /* the first pixel, the middle ray */
@@ -61,7 +73,7 @@ INLINE int widen_extent(algsurf_i_row_job *job, double by) {
     return some;
 }
 
-/* Depths of the chords, from those on that the caller knows to be of interest.  Closes tiles without any. */
+/* Depths of the chords, but for what is far before `from`.  Closes tiles without any. */
 INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g) {
     const algsurf_i_view *view = job->row->view;
     algsurf_i_row_job wide = *job->row, narrow = *job->row;
@@ -74,9 +86,11 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     chord c = chord_in(&wide, &s);
     lanes slack = 4 * c.blur + SLACK;
     g->open &= less(c.near - slack, c.far + slack);
-    lanes lo = larger(larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK)), from);
+    lanes lo = larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK));
+    lo = larger(lo, from - all_lanes(BEFORE * apart));
     lanes hi = larger(c.near, c.far) + slack;
     g->lo = larger(floor40(0.5 * lo + 0.5), all_lanes(0));
+    g->from = 0.5 * from + 0.5;
     g->hi = smaller(-floor40(all_lanes(-0.5) * hi - 0.5), all_lanes(1));
     g->open &= less(g->lo, g->hi);
     g->least = all_lanes(2);
@@ -95,7 +109,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
     const algsurf_i_view *view = job->row->view;
     lanes rest = all_lanes(0), reach = absolute(g->u) + all_lanes(fabs(g->hu));
     lanes x = reach + all_lanes(fabs(view->alpha)) * reach + all_lanes(fabs(view->beta[0]) + view->noise);
-    lanes radius = all_lanes(0);
+    lanes radius = all_lanes(0), beyond = radius;
     for (int k = 0; k <= n; k++) {
         lanes sum = all_lanes(0);
         for (int j = 0; j <= n; j++) {
@@ -104,11 +118,11 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             double power = 1;
             for (int i = 0; i + j <= n; i++) p[i] = all_lanes(c[i]);
             UNROLLED
-            for (int m = 0; m + j < n; m++) {
+            for (int m = 0; m + j < (n <= ORDER ? n : ORDER + 1); m++) {
                 UNROLLED
                 for (int i = n - j - 1; i >= m; i--) p[i] += g->u * p[i + 1];
             }
-            for (int i = 0; i + j <= n; i++) {
+            for (int i = 0; i + j <= n && i + j <= ORDER; i++) {
                 lanes term = all_lanes(power) * p[i];
                 if (i + j <= 3)
                     g->t[term_at[i][j]][k] = term;
@@ -123,7 +137,8 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
                 if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
     }
     for (int i = n; !job->row->unbounded && i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
-    g->rest = rest * all_lanes(1 + 0x1p-20);
+    for (int i = n; i >= 0; i--) beyond = beyond * reach + all_lanes(row->beyond[i]);
+    g->rest = (rest + beyond) * all_lanes(1 + 0x1p-20);
     g->rounding = radius * all_lanes(1 + 0x1p-20);
 }
 
@@ -147,29 +162,83 @@ INLINE void range_of(const tile_packet *g, beam *r, int n) {
 
 #define SERIES_ROUNDS 4
 
-/* The series of the middle ray's root: Newton's method between p and q, where P has different signs. */
-INLINE void series_n(const beam *g, lanes x, lanes p, lanes q, words side, lanes z[6], int n) {
+/* Of the first m+1 coefficients, m <= 3. */
+INLINE lanes difference(const lanes *b, int m) {
+    if (m == 3) return b[3] - b[0] - 3 * (b[2] - b[1]);
+    return m == 2 ? b[2] - b[1] - (b[1] - b[0]) : b[1] - b[0];
+}
+
+/* A polynomial about a point: a[m] is its derivative m over m!, m <= order <= 3: of the coefficients that de
+ * Casteljau's scheme leaves when it has come down to degree m, their difference m, C(n,m) times. */
+INLINE void taylor_at(const lanes *w, int n, lanes x, int order, lanes a[4]) {
+    lanes b[BEAM_DEGREE + 1], rest = 1 - x;
+    double choices = 1; /* C(n,left) */
+    for (int j = 0; j <= n; j++) b[j] = w[j];
+    for (int m = 0; m < 4; m++) a[m] = all_lanes(0);
+    UNROLLED
+    for (int left = n; left > 0; left--) {
+        if (left <= order) a[left] = all_lanes(choices) * difference(b, left);
+        choices *= left / (n - left + 1.0);
+        UNROLLED
+        for (int j = 0; j < left; j++) b[j] = rest * b[j] + x * b[j + 1];
+    }
+    a[0] = b[0];
+}
+
+/* The third order's terms at a place of all depths. */
+INLINE void third_at(const tile_packet *g, lanes x, lanes c[TERMS - T30], int n) {
+    lanes rest = 1 - x, power = all_lanes(1);
+    double binomial = 1;
+    for (int i = T30; i < TERMS; i++) c[i - T30] = g->t[i][0];
+    for (int k = 1; k <= n; k++) {
+        binomial = binomial * (n - k + 1) / k;
+        power *= x;
+        for (int i = T30; i < TERMS; i++)
+            c[i - T30] = c[i - T30] * rest + g->t[i][k] * (all_lanes(binomial) * power);
+    }
+}
+
+/* The middle ray's root: Newton's method between p and q, where P has different signs. */
+INLINE lanes middle_root(const beam *whole, lanes x, lanes p, lanes q, words side, int n) {
     for (int round = 0; round < SERIES_ROUNDS; round++) {
-        jet f = jet_at(g->t[T00], n, x);
+        jet f = jet_at(whole->t[T00], n, x);
         mask before = ~negative((words)f.f ^ side);
         p = choose(before, x, p);
         q = choose(before, q, x);
         lanes next = x - f.f / f.slope;
         x = choose(less(p, next) & less(next, q), next, 0.5 * (p + q));
     }
-    jet f = jet_at(g->t[T00], n, x), fx = jet_at(g->t[T10], n, x), fy = jet_at(g->t[T01], n, x);
-    lanes inverse = -1 / f.slope, a = fx.f * inverse, b = fy.f * inverse;
-    z[0] = x + f.f * inverse;
+    return x;
+}
+
+/* Its series about x: what makes sum T_ij(z) xi^i eta^j vanish, order by order. */
+INLINE void series_n(const tile_packet *g, const beam *whole, lanes x, lanes z[ALGSURF_I_SERIES], int n) {
+    lanes f[4], fx[4], fy[4], fxx[4], fxy[4], fyy[4], c[TERMS - T30];
+    taylor_at(whole->t[T00], n, x, 3, f);
+    taylor_at(whole->t[T10], n, x, 2, fx);
+    taylor_at(whole->t[T01], n, x, 2, fy);
+    taylor_at(whole->t[T20], n, x, 1, fxx);
+    taylor_at(whole->t[T11], n, x, 1, fxy);
+    taylor_at(whole->t[T02], n, x, 1, fyy);
+    third_at(g, g->lo + x * (g->hi - g->lo), c, n);
+    lanes inverse = -1 / f[1], a = fx[0] * inverse, b = fy[0] * inverse;
+    z[0] = x + f[0] * inverse;
     z[1] = a;
     z[2] = b;
-    z[3] = (jet_at(g->t[T20], n, x).f + fx.slope * a + f.bend * a * a) * inverse;
-    z[4] = (jet_at(g->t[T11], n, x).f + fx.slope * b + fy.slope * a + 2 * f.bend * a * b) * inverse;
-    z[5] = (jet_at(g->t[T02], n, x).f + fy.slope * b + f.bend * b * b) * inverse;
+    lanes aa = z[3] = (fxx[0] + fx[1] * a + f[2] * a * a) * inverse;
+    lanes ab = z[4] = (fxy[0] + fx[1] * b + fy[1] * a + 2 * f[2] * a * b) * inverse;
+    lanes bb = z[5] = (fyy[0] + fy[1] * b + f[2] * b * b) * inverse;
+    lanes by_x = fx[1] + 2 * f[2] * a, by_y = fy[1] + 2 * f[2] * b; /* what a second order in z adds to */
+    lanes u = fx[2] + f[3] * a, v = fy[2] + f[3] * b;
+    z[6] = (c[0] + fxx[1] * a + u * a * a + by_x * aa) * inverse;
+    z[7] = (c[1] + fxx[1] * b + fxy[1] * a + 2 * u * a * b + v * a * a + by_x * ab + by_y * aa) * inverse;
+    z[8] = (c[2] + fyy[1] * a + fxy[1] * b + 2 * v * a * b + u * b * b + by_x * bb + by_y * ab) * inverse;
+    z[9] = (c[3] + fyy[1] * b + v * b * b + by_y * bb) * inverse;
 }
 
 /* Is that a sheet?  Narrows [p,q] to its cell; steep: n m / (high - low). */
-INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const beam *whole,
-                       const lanes z[6], lanes *p, lanes *q, lanes *steep, int n) {
+INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const beam *whole, const lanes *z,
+                       lanes *p, lanes *q, lanes *steep, int n) {
     beam part;
     cell c;
     lanes first = absolute(z[1]) + absolute(z[2]);
@@ -224,8 +293,15 @@ INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *
                             .high = depth_at(g, l, to[l])};
 }
 
-/* Tells of each tile what it is, and returns those that are not decided; p: no root before. */
-INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
+/* No ray has its first root behind it.  Who looks for what is thin looks there, too. */
+INLINE lanes last_place(const algsurf_i_tile_job *job, const tile_packet *g, const verdict *v) {
+    mask ends = v->crossed & at_most(g->least, larger(g->from, g->lo + v->p * (g->hi - g->lo)));
+    return job->within ? all_lanes(1) : choose(ends, v->beyond, all_lanes(1));
+}
+
+/* Tells of each tile what it is, and returns those that are not decided: each of their rays has its first
+ * root between p and q, or none. */
+INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q, int n) {
     beam whole;
     expand_tiles_n(job, g, n);
     range_of(g, &whole, n);
@@ -233,16 +309,17 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     search(&whole, g->rounding, g->open, n, &v);
     mask sheets = g->open & v.one;
     *p = v.p;
+    *q = last_place(job, g, &v);
     if (any(sheets)) {
-        lanes z[6], from = v.p, to = v.q, steep;
-        series_n(&whole, v.guess, from, to, v.side, z, n);
+        lanes z[ALGSURF_I_SERIES], from = v.p, to = v.q, steep;
+        series_n(g, &whole, middle_root(&whole, v.guess, from, to, v.side, n), z, n);
         sheets &= is_sheet_n(job, g, &whole, z, &from, &to, &steep, n);
         unsigned which = bits(sheets);
         for (int l = 0; l < LANES; l++) {
             if (!(which >> l & 1)) continue;
             algsurf_i_tile tile = tile_of(job, g, l, from, to);
             tile.depth[0] = depth_at(g, l, z[0][l]);
-            for (int i = 1; i < 6; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
+            for (int i = 1; i < ALGSURF_I_SERIES; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
             tile.enough = 0.5 * ALGSURF_I_NEAR * steep[l];
             record(job, &tile, (int)g->x[l]);
         }
@@ -250,9 +327,9 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     return g->open & ~v.empty & ~sheets;
 }
 
-APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
+APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q, int n) {
     mask open = no_lane();
-    FOR_DEGREE(n, open = decide_n(job, g, p, N))
+    FOR_DEGREE(n, open = decide_n(job, g, p, q, N))
     return open;
 }
 
@@ -261,29 +338,29 @@ APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
 INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open_count) {
     const algsurf_i_row_job *row = job->row;
     double half = 0.5 * job->size;
-    tile_packet g = {.y = job->y, .v = job->beam->v, .hv = job->beam->h};
-    lanes p;
-    g.hu = row->du * row->pixel * half;
-    g.hu += copysign(ALGSURF_I_WIDER, g.hu);
+    tile_packet g = {
+        .y = job->y, .v = job->beam->v, .hu = copysign(job->beam->hu, row->du), .hv = job->beam->h};
+    lanes p, q;
     g.x = load_some_integers(job->at + first, count);
     g.u = all_lanes(row->u0) +
           all_lanes(row->du) * ((g.x + all_lanes(half + row->offset)) * all_lanes(row->pixel));
     g.open = less(numbered(), all_lanes(count));
-    clip_tiles(job, load_some(job->from + first, count), &g);
+    lanes to = load_some(job->to + first, count), from = load_some(job->from + first, count);
+    clip_tiles(job, from, &g);
     if (!any(g.open)) return open_count;
-    unsigned open = bits(decide(job, &g, &p, job->beam->degree));
+    unsigned open = bits(decide(job, &g, &p, &q, job->beam->degree));
     for (int l = 0; l < LANES; l++) {
         if (!(open >> l & 1)) continue;
         if (job->cell && job->size == ALGSURF_I_LEAF) {
-            const algsurf_i_tile leaf = tile_of(job, &g, l, p, all_lanes(1));
+            algsurf_i_tile leaf = tile_of(job, &g, l, p, q);
+            leaf.high = fmin(leaf.high, to[l]);
+            leaf.low = fmax(leaf.low, from[l]);
             record(job, &leaf, (int)g.x[l]);
         } else {
             job->at[open_count] = (int)g.x[l];
-            if (job->to) {
-                job->to[open_count] = depth_at(&g, l, 1);
-                job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
-            }
-            job->from[open_count++] = depth_at(&g, l, p[l]);
+            job->to[open_count] = fmin(to[l], depth_at(&g, l, q[l]));
+            if (job->within) job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
+            job->from[open_count++] = fmax(from[l], depth_at(&g, l, p[l]));
         }
     }
     return open_count;

@@ -222,14 +222,26 @@ INLINE void follow_n(packet *k, int n, const guess *g) {
     close(k, n, tried, &part);
 }
 
+/* Where the control polygon, positive first, crosses zero for the last time. */
+INLINE lanes polygon_root(const lanes *w, int n) {
+    lanes before = w[0], after = w[1], place = all_lanes(0);
+    for (int j = 1; j < n; j++) {
+        mask here = less(all_lanes(0), w[j]);
+        before = choose(here, w[j], before);
+        after = choose(here, w[j + 1], after);
+        place = choose(here, all_lanes(j), place);
+    }
+    return (place + before / (before - after)) * all_lanes(1.0 / n);
+}
+
 /* The roots of the hits as numbers in [0,1]: Chebyshev's iteration (Traub, Iterative Methods for the Solution
- * of Equations, 1964, 5.1) from where the root is expected, kept between lo and hi.  With the Newton step s
- * and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is about 2 s r^2: it ends when twice
- * that is below tolerance, and r so small that it tells that. */
+ * of Equations, 1964, 5.1) from where the root is expected, or the control polygon has it, kept between lo
+ * and hi.  With the Newton step s and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is
+ * about 2 s r^2: it ends when twice that is below tolerance, and r so small that it tells that. */
 INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const algsurf_i_watch *watch) {
     const cell *c = &k->at;
     lanes width = c->q - c->p, lo = all_lanes(0), hi = all_lanes(1);
-    lanes x = c->w[0] / (c->w[0] - c->w[n]), expected = (g->near - c->p) / width;
+    lanes x = polygon_root(c->w, n), expected = (g->near - c->p) / width;
     x = choose(g->known & less(lo, expected) & less(expected, hi), expected, x);
     mask moving = k->hit;
     for (int round = 0; any(moving); round++) {

@@ -14,13 +14,13 @@
  * - n + 2 in the basis: its entry, the product, n sums;
  * - 2n + n for v, the shift and the powers of h_v; 2n + n for u;
  * - 6n in a tile's cut to its chords;
- * - 4 (5n + 1) in up to four cells within cells;
+ * - 5 (5n + 1) in up to five cells within cells;
  * - 6n in a cell cut from the tile for itself;
  * - 9 in the sums that make a range of the T.
- * Together less than 45 n + 16, each of relative size u.  Sizes of terms that become radii meet the same cuts
- * and sums once more, 26 n + 13, and are at most that bound themselves.  A depth is recorded but for 2^-51 of
+ * Together less than 50 n + 17, each of relative size u.  Sizes of terms that become radii meet the same cuts
+ * and sums once more, 31 n + 14, and are at most that bound themselves.  A depth is recorded but for 2^-51 of
  * where the cut was made, up to six times, which moves b_k by at most n 2^-51 of the bound each time, as
- * |dp/dz| <= n max|b_k|: 24 n.  The weight 96 (n + 1) takes all that in, with its higher orders.  Half sizes
+ * |dp/dz| <= n max|b_k|: 24 n.  The weight 112 (n + 1) takes all that in, with its higher orders.  Half sizes
  * are taken a little too large (picture/tiles.c), which takes in the rounding of u and v.
  *
  * Noise and errors of the surface's coefficients are those of a row of pixels, for the tile's X and Y.
@@ -74,14 +74,33 @@ void algsurf_i_beam_expand(const algsurf_i_frame_form *frame, double *g) {
             finish_depth(frame, i + j, g + ((size_t)i * side + (size_t)j) * side);
 }
 
+/* row->beyond.  T_k,ij = h_u^i sum over m >= i of C(m,i) c_kjm u^(m-i); the sizes of c are taken at their
+ * largest of all k. */
+static void bound_beyond(algsurf_i_beam_row *row) {
+    int n = row->degree;
+    memset(row->beyond, 0, sizeof row->beyond);
+    for (int j = 0; j <= n; j++)
+        for (int m = 0; j + m <= n; m++) {
+            double most = 0, choose = 1, power = 1; /* C(m,i), h_u^i */
+            if (j + m <= ALGSURF_I_BEAM_ORDER) continue;
+            for (int k = 0; k <= n; k++) most = fmax(most, fabs(row->c[(k * (n + 1) + j) * (n + 1) + m]));
+            for (int i = 0; i <= m; i++) {
+                if (i + j > ALGSURF_I_BEAM_ORDER) row->beyond[m - i] += choose * power * most;
+                choose = choose * (m - i) / (i + 1);
+                power *= row->hu;
+            }
+        }
+}
+
 void algsurf_i_beam_row_expand(const algsurf_i_frame_form *frame, const double *g, double v, double h,
-                               double *memory, algsurf_i_beam_row *row) {
+                               double hu, double *memory, algsurf_i_beam_row *row) {
     int n = frame->degree;
     size_t side = (size_t)n + 1;
     const algsurf_i_view *view = &frame->view;
     row->degree = n;
     row->v = v;
     row->h = h;
+    row->hu = fabs(hu);
     for (int i = 0; i <= n; i++) {
         double power = 1;
         memcpy(memory, g + (size_t)i * side * side, side * side * sizeof *memory);
@@ -93,7 +112,8 @@ void algsurf_i_beam_row_expand(const algsurf_i_frame_form *frame, const double *
                 row->c[((size_t)k * side + (size_t)j) * side + (size_t)i] =
                     power * memory[(size_t)j * side + (size_t)k];
     }
+    bound_beyond(row);
     double most = fabs(v) + fabs(h);
     algsurf_i_view_radius(frame, most + fabs(view->alpha) * most + fabs(view->beta[1]) + view->noise, 0,
-                          96 * (n + 1), row->radius);
+                          112 * (n + 1), row->radius);
 }

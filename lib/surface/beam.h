@@ -11,13 +11,17 @@
 #define ALGSURF_SURFACE_BEAM_H
 #include "view.h"
 
+#define ALGSURF_I_BEAM_ORDER 4     /* terms beyond it in xi and eta are known by a bound of their row only */
 #define ALGSURF_MAX_BEAM_DEGREE 12 /* beyond it tiles cost more than they save */
 
 /* For a row of tiles: b_k = sum c_kji u^i eta^j. */
 typedef struct algsurf_i_beam_row {
     int degree;
-    double v, h; /* v_c and h_v */
-    double *c;   /* (degree+1)^3: c_kji at (k (degree+1) + j) (degree+1) + i */
+    double v, h, hu; /* v_c, h_v, |h_u| */
+    double *c;       /* (degree+1)^3: c_kji at (k (degree+1) + j) (degree+1) + i */
+    /* The T_k,ij beyond the fourth order of a tile with |u_c| <= U add up to sum beyond[i] U^i at most, for
+     * each k. */
+    double beyond[ALGSURF_MAX_BEAM_DEGREE + 1];
     /* All T of a tile, in each cell that it is cut to (beam.c), are off by so little together that each of
      * its rays' coefficients is off by at most sum radius[i] x^i, x = U + |alpha| U + |beta[0]| for the
      * tile's largest |u| = U, x <= 4. */
@@ -28,9 +32,9 @@ typedef struct algsurf_i_beam_row {
  * b_k = sum g_kij u^i v^j.  Cost: some degree^4 operations. */
 void algsurf_i_beam_expand(const algsurf_i_frame_form *frame, double *g);
 
-/* The row of tiles about v, |eta| <= 1 for |v' - v| <= |h|, for (|v| + |h|) (1 + |alpha|) + |beta[1]| <= 4.
- * `memory` has room for (degree+1)^2 doubles.  Cost: some degree^4 / 3 operations. */
+/* The row of tiles about v, |eta| <= 1 for |v' - v| <= |h|, for (|v| + |h|) (1 + |alpha|) + |beta[1]| <= 4;
+ * hu: their |h_u|.  `memory` has room for (degree+1)^2 doubles.  Cost: some degree^4 / 3 operations. */
 void algsurf_i_beam_row_expand(const algsurf_i_frame_form *frame, const double *g, double v, double h,
-                               double *memory, algsurf_i_beam_row *row);
+                               double hu, double *memory, algsurf_i_beam_row *row);
 
 #endif
