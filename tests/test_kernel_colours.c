@@ -2,7 +2,8 @@
  * their bytes.
  *
  * Breaks tried, each caught by the test named:
- *   BREAKS
+ *   entries behind the last one written; shares of another entry       same_bits, public_functions
+ *   bytes cut off instead of rounded; points beyond all bounds          public_functions
  */
 #include <setjmp.h>
 #include <stdarg.h>

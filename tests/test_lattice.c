@@ -1,7 +1,11 @@
 /* test_lattice.c - the points that soft shadows look at.
  *
  * Breaks tried, each caught by the test named:
- *   BREAKS
+ *   samples of a pixel that overlap, a pixel with another's points, a wrong count       tiles
+ *   a shift by pixel instead of tile                                                    tiles
+ *   a generator that leaves the square uneven                                           pixels
+ *   one shift for all purposes or all rows of tiles, none across, none up               shifts
+ *   pixels of a tile in the order of their rows                                         neighbours
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -2,7 +2,14 @@
  * scene's setters; threads, slices and options are in test_render_crew.c.
  *
  * Breaks tried, each caught by the test named:
- *   BREAKS
+ *   sample grid off, the background counted otherwise                       pixel_by_pixel
+ *   a box's ball by one of its sides, haze along another direction          preview_depth
+ *   rays start below the surface, places below the tangent plane dark       shadows, penumbra
+ *   lights that still shine given up as too low                             shadows
+ *   a light's points not about its middle, or those of another light        spread_light, spread_evenly
+ *   the lattice of the first sample, or of a point's number, for all        spread_light
+ *   directions in half of each quarter, 15 of them, their reach             openness
+ *   the default light behind what is shown                                  lighting_of_scenes, defaults
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -339,6 +346,9 @@ static void shadows(void **state) {
     light.position[0] = 1.5;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
     assert_true(found.lit > 200 && found.dark == 0);
+    light.position[0] = 3, light.position[2] = -2.5; /* below the plane, which hides it from the ball */
+    check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
+    assert_true(found.dark > 5 && found.between == 0);
 }
 
 static void penumbra(void **state) {

@@ -1,7 +1,16 @@
 /* test_shade.c - light samples and colours of points, against the formula and values worked out by hand.
  *
  * Breaks tried, each caught by the test named:
- *   BREAKS
+ *   normal not turned to the viewer, colours or richness of the sides exchanged       sides
+ *   black shadows, openness from the first light's share                              shares
+ *   fill without N.V, the edge squared only                                           edge_on, random_points
+ *   where soft light ends, how a highlight fades, its shape                           random_points
+ *   highlights without a limit                                                        burnt_out
+ *   haze by z, none of the unbounded; openness of what is outside                     depth
+ *   singular points seen edge-on, or not facing                                       singular_point
+ *   far lights kept near by each component, or out of the range of double             distance
+ *   haze, a vector's length, the last share, 0 samples one way unchecked              bad_material,
+ * bad_shade, bad_lighting a sample beyond the last one bad_samples
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -326,18 +335,20 @@ static void nothing_exceeds_one(void **state) {
     assert_true(full > 50);
 }
 
-/* A highlight that is full in every channel is white, no more. */
+/* Highlights that are full in every channel are white, no more, and no less where there are two. */
 static void burnt_out(void **state) {
     algsurf_material shiny = material;
-    algsurf_light light = light_towards(0, 0, 1);
-    algsurf_lighting lighting = lighting_of(&light, 1);
+    algsurf_light lights[2] = {light_towards(0, 0, 1), light_towards(0, 0, 2)};
     double c[3];
     (void)state;
     shiny.haze = 0, shiny.specular = 1;
-    lighting.material = &shiny;
-    for (int i = 0; i < 3; i++) light.colour[i] = 1000;
-    assert_int_equal(algsurf_shade(&lighting, NULL, point, up, down, c), ALGSURF_OK);
-    assert_true(c[0] == 1 && c[1] == 1 && c[2] == 1);
+    for (int i = 0; i < 6; i++) lights[i / 3].colour[i % 3] = 1000;
+    for (int count = 1; count <= 2; count++) {
+        algsurf_lighting lighting = lighting_of(lights, count);
+        lighting.material = &shiny;
+        assert_int_equal(algsurf_shade(&lighting, NULL, point, up, down, c), ALGSURF_OK);
+        assert_true(c[0] == 1 && c[1] == 1 && c[2] == 1);
+    }
 }
 
 static void samples(void **state) {

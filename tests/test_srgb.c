@@ -1,7 +1,11 @@
 /* test_srgb.c - the bytes of linear light, against the definition of sRGB.
  *
  * Breaks tried, each caught by the test named:
- *   BREAKS
+ *   a threshold that is one higher, bytes one step late                    every_step
+ *   steps cut off instead of rounded                                       between_steps
+ *   another power, the straight part too long                              there_and_back
+ *   no clamping                                                            ends
+ *   NaN and infinities accepted                                            refused
  */
 #include <setjmp.h>
 #include <stdarg.h>
