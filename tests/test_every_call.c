@@ -286,6 +286,17 @@ static void call_algsurf_surface_value(void) {
     algsurf_surface_free(surface);
 }
 
+static void call_algsurf_surface_enclose(void) {
+    algsurf_surface *surface = made();
+    algsurf_extent extent = extent_made(ALGSURF_EXTENT_SPHERE);
+    double lo[3] = {0}, hi[3] = {0}, precision = number(0.0625);
+    int empty = 1;
+    algsurf_status s;
+    STATUS_IN_HOST(algsurf_surface_enclose(surface, &extent, ALGSURF_PART_ALL, precision, lo, hi, &empty));
+    WRITTEN(empty), WRITTEN(lo), WRITTEN(hi);
+    algsurf_surface_free(surface);
+}
+
 static void call_algsurf_surface_gradient(void) {
     algsurf_surface *surface = made();
     double point[3], value[2] = {0}, gradient[6] = {0};
@@ -1294,6 +1305,7 @@ static const struct {
     CALL(algsurf_status_name),
     CALL(algsurf_status_text),
     CALL(algsurf_surface_degree),
+    CALL(algsurf_surface_enclose),
     CALL(algsurf_surface_free),
     CALL(algsurf_surface_from_equation),
     CALL(algsurf_surface_from_terms),

@@ -527,6 +527,13 @@ static void run_algsurf_surface_value(void) {
         (void)algsurf_surface_value(surfaces[i], far, &value, &bound);
     }
 }
+static void run_algsurf_surface_enclose(void) {
+    double lo[3], hi[3];
+    int empty;
+    for (int i = 0; i < SURFACES; i++)
+        for (int part = 0; part < 2; part++)
+            (void)algsurf_surface_enclose(surfaces[i], &extents[1], part, 0.25, lo, hi, &empty);
+}
 static void run_algsurf_surface_gradient(void) {
     double value, gradient[3];
     for (int i = 0; i < SURFACES; i++) {
@@ -850,6 +857,7 @@ static const struct {
     STACK_OF(algsurf_status_name, USUAL, OTHERS),
     STACK_OF(algsurf_status_text, USUAL, OTHERS),
     STACK_OF(algsurf_surface_degree, USUAL, OTHERS),
+    STACK_OF(algsurf_surface_enclose, USUAL, RENDERER),
     STACK_OF(algsurf_surface_free, USUAL, OTHERS),
     STACK_OF(algsurf_surface_from_equation, 96, OTHERS),
     STACK_OF(algsurf_surface_from_terms, 38, OTHERS),

@@ -98,13 +98,13 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * left or right by more than 255 threshold in a channel of 0..255, alpha among them, whatever the planes
  * asked for, and there is no proof, up to degree 12, that it holds nothing of the surface or one sheet of it;
  * any other pixel shows its middle alone.  So each pixel equals that of the picture of n x n
- * samples or that of one sample, drawn without a threshold, and the latter tells which; so do the other
- * planes, but for last bits, which may depend on what is solved beside them, not on slices or threads.
- * Threshold 1 chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths outlines on a bright
- * background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked at as in the whole
- * picture.
- * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture of one sample, and n x n
- * samples for about one per cent of its pixels, as a rule as long as another one or two of them.  Since 1.0.
+ * samples or that of one sample, drawn without a threshold, and so do the other planes, but for last bits of
+ * t, which move a byte by one in a pixel of millions: they may depend on what is solved beside them, not on
+ * slices or threads. Threshold 1 chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths
+ * outlines on a bright background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked
+ * at as in the whole picture. Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture
+ * of one sample, and n x n samples for about one per cent of its pixels, as a rule as long as another one or
+ * two of them.  Since 1.0.
  */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.

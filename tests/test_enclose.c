@@ -1,0 +1,286 @@
+/* test_enclose.c - boxes about surfaces: nothing of a surface is outside of its box.
+ *
+ * Breaks tried, each caught by the tests named:
+ *   no bound on rounding, or a thousandth of it              hits, points, tips
+ *   a surface's error left out                               approximate
+ *   even terms below 0 counted as 0                          known
+ *   odd terms with their sign                                hits, points, tips, known
+ *   derivatives without their factor, without their error    tips, known
+ *   cells beside the sphere by their middles                 hits
+ *   one round                                                points, tips, known
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <fenv.h>
+#include <math.h>
+#include <string.h>
+
+#include "algsurf/algsurf.h"
+#include "exact.h"
+
+static const uint64_t seed = 20250923;
+
+typedef struct box {
+    double lo[3], hi[3];
+    int empty;
+} box;
+
+static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent, int part) {
+    box b = {.empty = -1};
+    assert_int_equal(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty),
+                     ALGSURF_OK);
+    assert_true(b.empty == 0 || b.empty == 1);
+    for (int i = 0; i < 3 && !b.empty; i++) assert_true(b.lo[i] <= b.hi[i]);
+    return b;
+}
+
+static algsurf_surface *surface_of(const char *equation) {
+    algsurf_surface *surface;
+    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    return surface;
+}
+
+static int holds(const box *b, const double p[3], double slack) {
+    int inside = !b->empty;
+    for (int i = 0; i < 3; i++) inside &= p[i] >= b->lo[i] - slack && p[i] <= b->hi[i] + slack;
+    return inside;
+}
+
+/* ---- random surfaces, random rays ---- */
+
+static algsurf_surface *random_surface(uint64_t *state) {
+    algsurf_term terms[24];
+    int degree = 1 + (int)(exact_random(state) % 12), count = 3 + (int)(exact_random(state) % 20);
+    algsurf_surface *surface;
+    for (int k = 0; k < count; k++) {
+        int left = (int)(exact_random(state) % (unsigned)(degree + 1)),
+            i = (int)(exact_random(state) % (unsigned)(left + 1));
+        int j = (int)(exact_random(state) % (unsigned)(left - i + 1));
+        terms[k] = (algsurf_term){i, j, left - i - j, exact_random_unit(state)};
+    }
+    return algsurf_surface_from_terms(terms, (size_t)count, &surface) == ALGSURF_OK ? surface : NULL;
+}
+
+static algsurf_extent random_extent(uint64_t *state) {
+    algsurf_extent e = {.kind = exact_random(state) % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
+    for (int i = 0; i < 3; i++) {
+        e.centre[i] = 2 * exact_random_unit(state);
+        e.size[i] = 0.1 + 2 * fabs(exact_random_unit(state));
+    }
+    return e;
+}
+
+/* Hits of a ray through a random point of the extent's neighbourhood are in the box; returns how many. */
+static int check_ray(const algsurf_surface *surface, const algsurf_extent *extent, const box *b,
+                     uint64_t *state) {
+    algsurf_ray ray = {.t_min = -INFINITY, .t_max = INFINITY};
+    algsurf_hit hits[ALGSURF_MAX_DEGREE];
+    int count = 0;
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = extent->centre[i] + exact_random_unit(state);
+        ray.direction[i] = exact_random_unit(state);
+    }
+    algsurf_status status =
+        algsurf_intersect_all(surface, extent, &ray, NULL, hits, ALGSURF_MAX_DEGREE, &count);
+    assert_true(status >= 0);
+    for (int k = 0; k < count; k++) {
+        if (hits[k].state != ALGSURF_HIT || holds(b, hits[k].position, 1e-12)) continue;
+        fail_msg("seed %llu: a hit at %a %a %a is outside of the box", (unsigned long long)seed,
+                 hits[k].position[0], hits[k].position[1], hits[k].position[2]);
+    }
+    return count;
+}
+
+static void hits(void **state) {
+    uint64_t random = seed;
+    int found = 0, empty = 0, smaller = 0;
+    (void)state;
+    for (int turn = 0; turn < 400; turn++) {
+        algsurf_surface *surface = random_surface(&random);
+        if (!surface) continue;
+        const algsurf_extent extent = random_extent(&random);
+        const box b = enclosed(surface, &extent, ALGSURF_PART_ALL);
+        empty += b.empty;
+        smaller += !b.empty && b.hi[0] - b.lo[0] < 1.5 * extent.size[0];
+        for (int k = 0; k < 40; k++) found += check_ray(surface, &extent, &b, &random);
+        algsurf_surface_free(surface);
+    }
+    assert_true(found > 2000 && empty > 10 && smaller > 10);
+}
+
+/* ---- points, which rounding may lose ---- */
+
+static double coordinate(uint64_t *state, int bits) {
+    return (double)(int64_t)(exact_random(state) >> (64 - bits));
+}
+
+/* (x-a)^2 + m (y-b)^2 + (z-c)^2: one point, where all terms cancel. */
+static void point_terms(const double p[3], double m, double sign_z, algsurf_term terms[7]) {
+    const double w[3] = {1, m, sign_z};
+    terms[0] = (algsurf_term){0, 0, 0, w[0] * p[0] * p[0] + w[1] * p[1] * p[1] + w[2] * p[2] * p[2]};
+    for (int i = 0; i < 3; i++) {
+        terms[1 + i] = (algsurf_term){i == 0, i == 1, i == 2, -2 * w[i] * p[i]};
+        terms[4 + i] = (algsurf_term){2 * (i == 0), 2 * (i == 1), 2 * (i == 2), w[i]};
+    }
+}
+
+static void check_point(const algsurf_surface *surface, const double p[3], int part, double most) {
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {p[0] + 0.3, p[1] - 0.4, p[2] + 0.1}, {1, 1, 1}};
+    const box b = enclosed(surface, &extent, part);
+    if (!holds(&b, p, 0)) fail_msg("the point %a %a %a is lost", p[0], p[1], p[2]);
+    for (int i = 0; i < 3; i++) assert_true(b.hi[i] - b.lo[i] < most);
+}
+
+/* Coordinates of 14 bits: squares, and sums of them, are doubles. */
+static void points(void **state) {
+    uint64_t random = seed + 1;
+    (void)state;
+    for (int turn = 0; turn < 300; turn++) {
+        double p[3];
+        algsurf_term terms[7];
+        algsurf_surface *surface;
+        for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
+        point_terms(p, 3, 1, terms);
+        assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
+        check_point(surface, p, ALGSURF_PART_ALL, 0.5);
+        algsurf_surface_free(surface);
+    }
+}
+
+/* The tips of cones. */
+static void tips(void **state) {
+    uint64_t random = seed + 2;
+    (void)state;
+    for (int turn = 0; turn < 300; turn++) {
+        double p[3];
+        algsurf_term terms[7];
+        algsurf_surface *surface;
+        for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
+        point_terms(p, 3, -1, terms);
+        assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
+        check_point(surface, p, ALGSURF_PART_SINGULAR, 0.5);
+        algsurf_surface_free(surface);
+    }
+}
+
+/* A surface that stands for others has their points in its box. */
+static void approximate(void **state) {
+    algsurf_surface *unit = surface_of("x^2 + y^2 + z^2 - 1"), *about;
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
+    (void)state;
+    assert_int_equal(algsurf_surface_with_error(unit, 0.125, &about), ALGSURF_OK);
+    const box b = enclosed(about, &extent, ALGSURF_PART_ALL);
+    const double farthest[3] = {sqrt(1.125 / 0.875), 0, 0}, nearest[3] = {0, 0, -farthest[0]};
+    assert_true(holds(&b, farthest, 0) && holds(&b, nearest, 0));
+    algsurf_surface_free(unit), algsurf_surface_free(about);
+}
+
+/* ---- boxes that are known ---- */
+
+static void check_known(const char *equation, int part, double size, const double lo[3], const double hi[3],
+                        double slack) {
+    algsurf_surface *surface = surface_of(equation);
+    const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}};
+    const box b = enclosed(surface, &extent, part);
+    assert_int_equal(b.empty, 0);
+    for (int i = 0; i < 3; i++) {
+        double room = slack * fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2])) + 1e-5;
+        if (!(b.lo[i] <= lo[i] && b.lo[i] >= lo[i] - room && b.hi[i] >= hi[i] && b.hi[i] <= hi[i] + room))
+            fail_msg("%s: %g..%g, not %g..%g", equation, b.lo[i], b.hi[i], lo[i], hi[i]);
+    }
+    algsurf_surface_free(surface);
+}
+
+static void known(void **state) {
+    (void)state;
+    check_known("x^2 + y^2 + z^2 = 9", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
+                0.1);
+    check_known("9 = x^2 + y^2 + z^2", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
+                0.1);
+    check_known("(x-50)^2 + y^2 + z^2 = 1", ALGSURF_PART_ALL, 1000, (double[]){49, -1, -1},
+                (double[]){51, 1, 1}, 0.1);
+    check_known("x^2 + y^2 + z^2 = 1000000", ALGSURF_PART_ALL, 1e5, (double[]){-1e3, -1e3, -1e3},
+                (double[]){1e3, 1e3, 1e3}, 0.1);
+    check_known("x^4 + y^4 + z^4 = 1", ALGSURF_PART_ALL, 20, (double[]){-1, -1, -1}, (double[]){1, 1, 1},
+                0.25);
+    check_known("z = x y", ALGSURF_PART_ALL, 3, (double[]){-3, -3, -3}, (double[]){3, 3, 3}, 0);
+    check_known("(x-1)^2 + (y-2)^2 - (z-3)^2", ALGSURF_PART_SINGULAR, 10, (double[]){1, 2, 3},
+                (double[]){1, 2, 3}, 0.01);
+}
+
+static void nothing(void **state) {
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {10, 0, 0}};
+    const char *const equations[] = {"x^2 + y^2 + z^2 + 1", "x^2 + y^2 + z^2 = 130", "z - 11 = 0", "7 = 0"};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        algsurf_surface *surface = surface_of(equations[k]);
+        assert_int_equal(enclosed(surface, &extent, ALGSURF_PART_ALL).empty, 1);
+        algsurf_surface_free(surface);
+    }
+    algsurf_surface *ball = surface_of("x^2 + y^2 + z^2 = 9");
+    assert_int_equal(enclosed(ball, &extent, ALGSURF_PART_SINGULAR).empty, 1);
+    algsurf_surface_free(ball);
+}
+
+/* Every rounding mode of the caller gives the same box. */
+static void rounding_modes(void **state) {
+    static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {4, 0, 0}};
+    algsurf_surface *surface = surface_of("(x^2+y^2+z^2+3)^2 = 16 (x^2+y^2)");
+    box first = {.empty = -1};
+    (void)state;
+    for (int m = 0; m < 4; m++) {
+        box b;
+        memset(&b, 0, sizeof b);
+        fesetround(modes[m]);
+        algsurf_status status =
+            algsurf_surface_enclose(surface, &extent, ALGSURF_PART_ALL, 0.1, b.lo, b.hi, &b.empty);
+        fesetround(FE_TONEAREST);
+        assert_int_equal(status, ALGSURF_OK);
+        if (m == 0) memcpy(&first, &b, sizeof b);
+        assert_memory_equal(b.lo, first.lo, sizeof b.lo);
+        assert_memory_equal(b.hi, first.hi, sizeof b.hi);
+    }
+    algsurf_surface_free(surface);
+}
+
+static void bad_arguments(void **state) {
+    algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 - 1");
+    algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    double lo[3] = {7, 7, 7}, hi[3] = {8, 8, 8};
+    int empty = 5;
+    (void)state;
+#define REFUSED(status, ...) assert_int_equal(algsurf_surface_enclose(__VA_ARGS__), ALGSURF_E_##status)
+    REFUSED(ARGUMENT, NULL, &extent, 0, 0.1, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, NULL, 0, 0.1, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, 0.1, NULL, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, NULL, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, hi, NULL);
+    REFUSED(ARGUMENT, surface, &extent, 2, 0.1, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, -1, 0.1, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, 0, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, 1.5, lo, hi, &empty);
+    REFUSED(ARGUMENT, surface, &extent, 0, NAN, lo, hi, &empty);
+    extent.size[0] = 0;
+    REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, hi, &empty);
+    extent.size[0] = INFINITY;
+    REFUSED(NOT_FINITE, surface, &extent, 0, 0.1, lo, hi, &empty);
+    extent.kind = ALGSURF_EXTENT_ALL;
+    REFUSED(ARGUMENT, surface, &extent, 0, 0.1, lo, hi, &empty);
+#undef REFUSED
+    assert_true(lo[0] == 7 && hi[2] == 8 && empty == 5);
+    algsurf_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hits),           cmocka_unit_test(points),        cmocka_unit_test(tips),
+        cmocka_unit_test(approximate),    cmocka_unit_test(known),         cmocka_unit_test(nothing),
+        cmocka_unit_test(rounding_modes), cmocka_unit_test(bad_arguments),
+    };
+    return cmocka_run_group_tests_name("enclose", tests, NULL, NULL);
+}
