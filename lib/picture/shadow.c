@@ -141,12 +141,18 @@ static void spread_spots(const algsurf_i_picture *picture, int light, const algs
 
 static int is_spread(const algsurf_light *light) { return light->samples_u == 0; }
 
+/* Places of a light that a sample looks at. */
+static int count_places(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
+    const algsurf_light *l = &picture->lights[light];
+    return is_spread(l) ? each_of(LIGHT_RAYS, line->across) : l->samples_u * l->samples_v;
+}
+
 /* Of a light that the sample of a pixel looks at. */
 static void find_spots(const algsurf_i_picture *picture, const algsurf_i_line *line, int light,
                        const algsurf_i_sample *sample, spots *s) {
     const algsurf_i_samples *samples = &picture->light_samples;
     if (is_spread(&picture->lights[light])) {
-        spread_spots(picture, light, sample, each_of(LIGHT_RAYS, line->across), s);
+        spread_spots(picture, light, sample, count_places(picture, line, light), s);
         return;
     }
     s->places = places_of(samples, light);
@@ -233,10 +239,8 @@ enum { LEAST_FOR_FAN = 12 }; /* places: fewer rays cost less than a fan */
 
 /* The light's fan, if that pays. */
 static int has_fan(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
-    const algsurf_light *l = &picture->lights[light];
-    int places = is_spread(l) ? each_of(LIGHT_RAYS, line->across) : l->samples_u * l->samples_v;
     return picture->packets && picture->packets->fans && picture->packets->fans[light].usable &&
-           places >= LEAST_FOR_FAN;
+           count_places(picture, line, light) >= LEAST_FOR_FAN;
 }
 
 /* The sample of a line's point. */
@@ -245,13 +249,35 @@ static algsurf_i_sample sample_of(const algsurf_i_line *line, int row, int point
     return (algsurf_i_sample){x / line->dense, row, number, line->across * line->across};
 }
 
-/* How many places of a light reach each point of a group, as shares. */
+/* Adds the places of a light that reach a point, of which some may be hidden; `how` as its fan tells. */
+static algsurf_status see_places(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int light,
+                                 const algsurf_i_sample *sample, const algsurf_i_fan_job *job, uint8_t how,
+                                 const algsurf_i_fan_point *point, const algsurf_i_start *start,
+                                 double *seen) {
+    const algsurf_i_picture *picture = rays->picture;
+    spots s;
+    find_spots(picture, line, light, sample, &s);
+    if (how == ALGSURF_I_DARK) *seen += count_below(&s.places, start);
+    if (how == ALGSURF_I_DARK) return ALGSURF_OK;
+    if (!point) return algsurf_i_shoot(rays, &s.places, start, seen);
+    if (is_spread(&picture->lights[light])) {
+        double *const aside[2] = {s.from_middle[0], s.from_middle[1]};
+        place_aside(&s.places, picture->scene->surface->unit, picture->lights[light].position,
+                    &job->fan->frame.view, aside);
+        for (int k = 0; k < 2; k++) s.aside[k] = aside[k];
+    }
+    return ask_places(rays, job, &s, point, start, seen);
+}
+
+/* How many places of a light reach each point of a group. */
 static algsurf_status see_light(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light,
                                 const group *g) {
     const algsurf_i_picture *picture = rays->picture;
+    const int places = count_places(picture, line, light);
     uint8_t how[ALGSURF_I_FANS];
     algsurf_i_fan_point unknown[ALGSURF_I_FANS], *next = unknown;
     algsurf_i_fan_job job = {.fan = NULL};
+    algsurf_status status = ALGSURF_OK;
     if (has_fan(picture, line, light)) {
         for (int i = 0; i < ALGSURF_I_FANS; i++)
             unknown[i].r = line->solids + i * ALGSURF_I_FAN_SOLID(picture->scene->surface->degree);
@@ -260,35 +286,18 @@ static algsurf_status see_light(algsurf_i_shadow_rays *rays, const algsurf_i_lin
     } else {
         memset(how, ALGSURF_I_ASIDE, sizeof how);
     }
-    for (int i = 0; i < g->count; i++) {
+    for (int i = 0; i < g->count && status >= 0; i++) {
         const int from = g->first + i;
         const algsurf_i_sample sample = sample_of(line, row, from);
-        double *seen = line->visible + from * (picture->light_count + 1) + light;
         const algsurf_i_start *start = &g->start[i];
         const algsurf_i_fan_point *point = how[i] == ALGSURF_I_UNKNOWN ? next++ : NULL;
-        spots s;
-        algsurf_status status = ALGSURF_OK;
-        *seen = 0;
-        find_spots(picture, line, light, &sample, &s);
+        double *seen = line->visible + from * (picture->light_count + 1) + light;
         above lit_from = how_much_above(&picture->lights[light], start);
-        if (lit_from == NOTHING || how[i] == ALGSURF_I_LIT) {
-            *seen = s.places.count;
-        } else if (how[i] == ALGSURF_I_DARK) {
-            *seen = lit_from == ALL ? 0 : count_below(&s.places, start);
-        } else if (point) {
-            if (is_spread(&picture->lights[light])) {
-                double *const aside[2] = {s.from_middle[0], s.from_middle[1]};
-                place_aside(&s.places, picture->scene->surface->unit, picture->lights[light].position,
-                            &job.fan->frame.view, aside);
-                for (int k = 0; k < 2; k++) s.aside[k] = aside[k];
-            }
-            status = ask_places(rays, &job, &s, point, start, seen);
-        } else {
-            status = algsurf_i_shoot(rays, &s.places, start, seen);
-        }
-        if (status < 0) return status;
+        *seen = lit_from == NOTHING || how[i] == ALGSURF_I_LIT ? places : 0;
+        if (*seen > 0 || (how[i] == ALGSURF_I_DARK && lit_from == ALL)) continue;
+        status = see_places(rays, line, light, &sample, &job, how[i], point, start, seen);
     }
-    return ALGSURF_OK;
+    return status < 0 ? status : ALGSURF_OK;
 }
 
 /* A point of the unit circle at a share of its way round from -45 degrees, within 2e-5: with t about the
@@ -331,15 +340,12 @@ static algsurf_status see_around(algsurf_i_shadow_rays *rays, const algsurf_i_li
     return ALGSURF_OK;
 }
 
-/* How many places of each light there are for a sample, and of directions. */
+/* From counts to shares. */
 static void make_shares(const algsurf_i_picture *picture, const algsurf_i_line *line) {
-    int shares = picture->light_count + 1;
-    for (int l = 0; l < shares; l++) {
-        const algsurf_light *light = &picture->lights[l];
-        int all = l == picture->light_count ? each_of(AMBIENT_RAYS, line->across)
-                  : is_spread(light)        ? each_of(LIGHT_RAYS, line->across)
-                                            : light->samples_u * light->samples_v;
-        for (int i = 0; i < line->count; i++) line->visible[i * shares + l] /= all;
+    int lights = picture->light_count;
+    for (int l = 0; l <= lights; l++) {
+        int all = l < lights ? count_places(picture, line, l) : each_of(AMBIENT_RAYS, line->across);
+        for (int i = 0; i < line->count; i++) line->visible[i * (lights + 1) + l] /= all;
     }
 }
 
