@@ -271,7 +271,7 @@ static void draw_picture(run *r, const view *shown, int picture) {
     demand(algsurf_render(r->scene, &how, &planes, &counted));
     if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
         explain_nothing(r, shown);
-    if (counted.thin > 0 && options->thin == THIN_USUAL)
+    if (counted.thin > 0 && options->thin == THIN_USUAL && !options->surface.name)
         cli_complain("thin: %" PRIu64
                      " samples show points or lines too thin for a ray; --thin none leaves them out",
                      counted.thin);

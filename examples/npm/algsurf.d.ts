@@ -83,7 +83,7 @@ export interface Hits {
     normal: Columns;
 }
 
-/** Where a picture is seen from: with fov, the degrees from its top to its bottom (30), or in parallel. */
+/** Where a picture is seen from: with fov, the degrees from its top to its bottom (25), or in parallel. */
 export interface Camera {
     eye: Triple;
     /** The origin, unless given. */

@@ -329,7 +329,7 @@ class Algsurf {
         const { kind, places } = extentOf(options.extent);
         module.checked(wasm.scene_extent(scene, kind, put(places)));
         if (camera !== undefined) {
-            const { eye, lookAt = [0, 0, 0], up = [0, 0, 1], fov = 30, orthographic } = camera;
+            const { eye, lookAt = [0, 0, 0], up = [0, 0, 1], fov = 25, orthographic } = camera;
             const parallel = orthographic !== undefined;
             const view = put([...eye, ...lookAt, ...up]);
             module.checked(wasm.scene_camera(scene, view, parallel ? 1 : 0, parallel ? orthographic : fov));
