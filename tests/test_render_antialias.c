@@ -78,36 +78,48 @@ static int same_normal(const float *a, const float *b) {
     return fmaxf(fabsf(a[0] - b[0]), fmaxf(fabsf(a[1] - b[1]), fabsf(a[2] - b[2]))) <= 1e-6F;
 }
 
-/* Do all samples of a pixel, n x n in a picture of so many times more pixels, hit or all miss?  Only then may a proof
- * have found no edge in it. */
-static int is_of_one_kind(const picture *finer, int n, int x, int y) {
+/* t of a picture with n times more pixels each way: of the samples of n x n a pixel. */
+static double *samples_of(algsurf_scene *scene, int n) {
+    const algsurf_render_options o = {.size = sizeof o, .width = n * W, .height = n * H, .threads = 1};
+    double *t = malloc((size_t)(n * W * n * H) * sizeof *t);
+    const algsurf_picture planes = {.size = sizeof planes, .t = t};
+    assert_non_null(t);
+    set(scene, 1, 0);
+    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    return t;
+}
+
+/* Do all samples of a pixel hit, or all miss?  Only then may a proof have found no edge in it. */
+static int is_of_one_kind(const double *samples, int n, int x, int y) {
     int hits = 0;
-    for (int k = 0; k < n * n; k++) hits += isfinite(finer->hits[(n * y + k / n) * n * W + n * x + k % n]);
+    for (int k = 0; k < n * n; k++) hits += isfinite(samples[(n * y + k / n) * n * W + n * x + k % n]);
     return hits == 0 || hits == n * n;
 }
 
-static int same_bytes_at(const picture *a, const picture *b, int x, int y) {
-    return memcmp(a->bytes + y * STRIDE + 3 * x, b->bytes + y * STRIDE + 3 * x, 3) == 0;
+static int shows(const picture *p, const picture *expected, int x, int y) {
+    int i = y * W + x;
+    return memcmp(p->bytes + y * STRIDE + 3 * x, expected->bytes + y * STRIDE + 3 * x, 3) == 0 &&
+           same_hit(p->hits[i], expected->hits[i]) && p->states[i] == expected->states[i] &&
+           same_normal(p->normals + 3 * i, expected->normals + 3 * i);
 }
 
-static void check(const struct way *way, const picture *one, const picture *all, const double *finer,
+/* A pixel that stands out shows all its samples; or its middle alone, if there was a proof. */
+static void check(const struct way *way, const picture *one, const picture *all, const double *samples,
                   const picture *p, int n, double threshold) {
-    uint64_t chosen = 0;
+    uint64_t chosen = 0, proved = 0;
     for (int i = 0; i < W * H; i++) {
         int x = i % W, y = i / W, out = stands_out(one->bytes, STRIDE, W, H, x, y, threshold);
-        if (out && same_bytes_at(p, one, x, y) && p->hits[i] == one->hits[i] && is_of_one_kind(finer, n, x, y))
-            out = same_bytes_at(one, all, x, y) && all->hits[i] == one->hits[i];
-        const picture *expected = out ? all : one;
-        if (memcmp(p->bytes + y * STRIDE + 3 * x, expected->bytes + y * STRIDE + 3 * x, 3) != 0 ||
-            !same_hit(p->hits[i], expected->hits[i]) || p->states[i] != expected->states[i] ||
-            !same_normal(p->normals + 3 * i, expected->normals + 3 * i))
+        int is_all = shows(p, all, x, y), is_one = shows(p, one, x, y);
+        if (out ? !is_all && !(is_one && is_of_one_kind(samples, n, x, y)) : !is_one)
             fail_msg("%s, n = %d, threshold %g: pixel %d,%d is not that of %s", way->name, n, threshold, x, y,
                      out ? "n x n samples" : "one sample");
-        chosen += (uint64_t)out;
+        chosen += out && !is_one;
+        proved += out && is_one;
     }
-    assert_in_range(chosen, W * H / 50, W * H * 3 / 4);
-    int again = n % 2 && (way->quality != ALGSURF_QUALITY_FULL || way->complex); /* shadows take other rays */
-    assert_true(p->stats.rays == W * H + chosen * (uint64_t)(n * n - again));
+    assert_in_range(chosen + proved, W * H / 50, W * H * 3 / 4);
+    assert_true(way->complex || way->method ? proved < W * H / 20 : chosen > 0);
+    uint64_t more = p->stats.rays - W * H, each = (uint64_t)(n * n);
+    assert_true(more % each == 0 && more >= chosen * each && more <= (chosen + proved) * each);
     assert_true(p->stats.hits > one->stats.hits && p->stats.hits <= one->stats.hits + all->stats.hits);
     assert_true(way->quality != ALGSURF_QUALITY_FULL || way->complex || p->stats.shadow_rays > 0);
     for (int y = 0; y < H; y++)
@@ -123,15 +135,16 @@ static void one_of_two(void **state) {
         algsurf_scene *scene = scene_in(way, surface);
         picture *one = drawn(scene, 1);
         for (int n = 2; n <= 3; n++) {
+            double *samples = samples_of(scene, n);
             set(scene, n, 0);
             picture *all = drawn(scene, 1);
             for (int k = 0; k < 3; k++) {
                 set(scene, n, thresholds[k]);
                 picture *p = drawn(scene, 1);
-                check(way, one, all, p, n, thresholds[k]);
+                check(way, one, all, samples, p, n, thresholds[k]);
                 free(p);
             }
-            free(all);
+            free(all), free(samples);
         }
         free(one);
         algsurf_scene_free(scene);
@@ -236,7 +249,9 @@ static void thin_pictures(void **state) {
         }
         for (int i = 0; i < w * h; i++) {
             int out = stands_out(bytes[0], 3 * w, w, h, i % w, i / w, 0.1);
-            assert_memory_equal(bytes[2] + 3 * i, bytes[out] + 3 * i, 3);
+            if (!out ||
+                memcmp(bytes[2] + 3 * i, bytes[1] + 3 * i, 3) != 0) /* or a proof that there is no edge */
+                assert_memory_equal(bytes[2] + 3 * i, bytes[0] + 3 * i, 3);
             chosen += out;
         }
         assert_true(w * h == 1 ? chosen == 0 : s < 3 || chosen > 0);
@@ -245,8 +260,8 @@ static void thin_pictures(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-/* As many rays and hits as ray by ray: no pixel is sampled because it lies between two that are wanted.  Also
- * from inside, so near and wide that packets leave rows to single rays. */
+/* No more rays and hits than ray by ray, where nothing is proved of pixels; not many fewer.  Also from
+ * inside, so near and wide that packets leave rows to single rays. */
 static void counts_as_by_rays(void **state) {
     const algsurf_camera cameras[2] = {camera_at(7, 4, 5, 36), camera_at(0.5, 0.3, 0.2, 150)};
     algsurf_surface *surface = torus();
@@ -260,7 +275,8 @@ static void counts_as_by_rays(void **state) {
             p[singly] = drawn(scene, 1);
             algsurf_scene_free(scene);
         }
-        assert_true(p[0]->stats.rays == p[1]->stats.rays && p[0]->stats.hits == p[1]->stats.hits);
+        assert_true(p[0]->stats.rays <= p[1]->stats.rays && p[0]->stats.hits <= p[1]->stats.hits);
+        assert_true(p[0]->stats.rays > p[1]->stats.rays / 2);
         assert_true(p[1]->stats.single_rays == p[1]->stats.rays);
         assert_true(k == 0 ? p[0]->stats.single_rays < W * H / 50 : p[0]->stats.single_rays > W * H / 2);
         free(p[0]), free(p[1]);
