@@ -28,8 +28,8 @@ int portable_make_folder(const char *path);
 FILE *portable_create(const char *path, const char *like);
 
 /* From now on the file is removed, if its name is still that, when the program ends or a signal ends it (an
- * interruption at the keyboard, a request to end); until it is forgotten.  The name must live as long.  At most 8
- * files. Not on Windows, which removes no open file. */
+ * interruption at the keyboard, a request to end); until it is forgotten.  The name must live as long.  At
+ * most 8 files. Not on Windows, which removes no open file. */
 void portable_remember(const char *path);
 void portable_forget(const char *path);
 

@@ -23,7 +23,7 @@ static void writes(double lo, double hi, const char *expected) {
 static void test_known(void **unused) {
     (void)unused;
     writes(0.9999, 1.0001, "[0.9999, 1.0001]"); /* the doubles are above 0.9999 and below 1.0001 */
-    writes(99.96, 99.99, "[99.959, 99.99]");      /* both below */
+    writes(99.96, 99.99, "[99.959, 99.99]");    /* both below */
     writes(-1.5, 2.5, "[-2, 3]");
     writes(-0.0625, 0.0625, "[-0.07, 0.07]");
     writes(0, 3, "[0, 3]");

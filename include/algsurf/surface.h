@@ -48,19 +48,20 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
 
 /* A surface from an equation as text, "x^2 + y^2 = 1 - z^2".
  * Grammar: + - * / ^ ( ), numbers (decimal or hexadecimal, point and exponent allowed, independent of
- * the locale), variables x y z, the given constants, pi, sqrt(...) of a constant, sin(...) and cos(...)
- * of a constant, at most 100 radians, implicit multiplication (3x^2 y), blanks anywhere between tokens, at most one '=' (left minus right).  ^ binds tighter than
- * unary minus, is right associative and takes a constant integer exponent 0..64 (down to -64 for a
- * constant base); division only by a constant.  Implicit multiplication binds like *: 1/2x is x/2; its
- * right operand is never a number.  A name is read as long as it goes; one that is no constant is the
- * product of what it is made of: xyz, and ax where a is a constant.
+ * the locale), variables x y z, the given constants, pi, sqrt(...) of a constant, sin(...) and cos(...) of
+ * a constant, at most 100 radians, implicit multiplication (3x^2 y), blanks anywhere between tokens, at
+ * most one '=' (left minus right).  ^ binds tighter than unary minus, is right associative and takes a
+ * constant integer exponent 0..64 (down to -64 for a constant base); division only by a constant.
+ * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is read
+ * as long as it goes; one that is no constant is the product of what it is made of: xyz, and ax where a is
+ * a constant.
  *     As equations are pasted, UTF-8: ** is ^, == is =, a middle dot, dot operator or cross is *, a minus
  * sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of what
  * follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
  * variables, unless they are constants; spaces of typesetters are blanks; '=' may lead, ';' may trail.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
- * double.  pi, roots, sines and cosines are right to double-double, so that a coefficient made of them is the double nearest
- * to what is written, or the one next to it: the surface is the one of that double
+ * double.  pi, roots, sines and cosines are right to double-double, so that a coefficient made of them is
+ * the double nearest to what is written, or the one next to it: the surface is the one of that double
  * (algsurf_surface_rounding).  What double-double cannot tell from zero is zero: p^2-p-1 for
  * p = (1+sqrt(5))/2.
  *   constants, count  named values; may be null when count is 0

@@ -19,34 +19,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equation_name.h"
 #include "equation_number.h"
 #include "equation_parse.h"
 #include "equation_sine.h"
+#include "equation_steps.h"
 #include "equation_token.h"
 
-enum { DEPTH_LIMIT = 100, EXPONENT_LIMIT = 64 };
-
-static const char NOT_POLYNOMIAL[] =
-    "not a polynomial: of functions, only sqrt, sin and cos of constants are known";
+enum { DEPTH_LIMIT = 100 };
 
 typedef algsurf_i_parser parser;
-
-static int fail(parser *p, algsurf_status status, size_t offset, const char *message) {
-    p->status = status;
-    p->error = (algsurf_parse_error){offset, 0, message};
-    return 0;
-}
-
-static int refuse(parser *p, size_t offset, const char *message) {
-    return fail(p, ALGSURF_E_SYNTAX, offset, message);
-}
-
-/* Turns the outcome of arithmetic at an offset into 1 or 0. */
-static int computed(parser *p, algsurf_status status, size_t offset) {
-    if (status == ALGSURF_OK) return 1;
-    return fail(p, status, offset,
-                status == ALGSURF_E_RANGE ? "a constant leaves the range of numbers" : NULL);
-}
 
 /* The next token that is not blank; p->at is its place, p->token itself. */
 static int peek(parser *p) {
@@ -71,11 +53,7 @@ static int parse_signed(parser *p, algsurf_i_tripoly *out);
 static int parse_primary(parser *p, algsurf_i_tripoly *out);
 
 static int enter(parser *p, size_t offset) {
-    return ++p->depth <= DEPTH_LIMIT || refuse(p, offset, "nested deeper than 100");
-}
-
-static int make_value(parser *p, algsurf_dd v, double err, int exponent, int key, algsurf_i_tripoly *out) {
-    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_make(v, err, exponent, key), out), p->at);
+    return ++p->depth <= DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
 }
 
 static int parse_number(parser *p, algsurf_i_tripoly *out) {
@@ -88,10 +66,10 @@ static int parse_number(parser *p, algsurf_i_tripoly *out) {
         algsurf_i_monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
         if (isfinite(algsurf_i_monomial_round(&m))) {
             p->at += length;
-            return computed(p, algsurf_i_tripoly_make(m, out), at);
+            return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(m, out), at);
         }
     }
-    return fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
+    return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 
 /* Refuses what stands here, with an explanation where it is something people try, or as `expected`. */
@@ -123,7 +101,7 @@ static int refuse_token(parser *p, const char *expected) {
             why = "a number behind a factor: write x^2 for a power, 2x or x*2 for a product";
         break;
     }
-    return refuse(p, p->at, why);
+    return algsurf_i_parse_refuse(p, p->at, why);
 }
 
 static const char *expected_closing(char closing) {
@@ -134,7 +112,7 @@ static const char *expected_closing(char closing) {
 
 static int parse_bracket(parser *p, algsurf_i_tripoly *out) {
     char closing = algsurf_i_closing(peek(p));
-    if (!closing) return refuse(p, p->at, "expected '('");
+    if (!closing) return algsurf_i_parse_refuse(p, p->at, "expected '('");
     if (!enter(p, p->at)) return 0;
     take(p);
     if (!parse_sum(p, out)) return 0;
@@ -153,9 +131,10 @@ static int take_root(parser *p, size_t offset, algsurf_i_tripoly *value) {
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
     if (constant && value->count) m = value->m[0];
     algsurf_i_tripoly_free(value);
-    if (!constant) return refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
-    if (m.v.hi < 0) return refuse(p, offset, "the root of a negative number");
-    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sqrt(m), value), offset);
+    if (!constant)
+        return algsurf_i_parse_refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
+    if (m.v.hi < 0) return algsurf_i_parse_refuse(p, offset, "the root of a negative number");
+    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sqrt(m), value), offset);
 }
 
 static int parse_sqrt(parser *p, algsurf_i_tripoly *out) {
@@ -185,76 +164,15 @@ static int parse_sine(parser *p, int quarters, algsurf_i_tripoly *out) {
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
     if (constant && argument.count) m = argument.m[0];
     algsurf_i_tripoly_free(&argument);
-    if (!constant) return refuse(p, offset, NOT_POLYNOMIAL);
+    if (!constant) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
-        return refuse(p, offset, "sin and cos take at most 100 radians");
-    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sine(&m, quarters), out), offset);
+        return algsurf_i_parse_refuse(p, offset, "sin and cos take at most 100 radians");
+    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sine(&m, quarters), out),
+                                    offset);
 }
 
 static int make_pi(parser *p, algsurf_i_tripoly *out) {
-    return computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_pi(), out), p->at);
-}
-
-static const algsurf_constant *find_constant(const parser *p, const char *name, size_t length) {
-    size_t low = 0, high = p->constant_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        const char *candidate = p->constants[middle]->name;
-        int order = strncmp(candidate, name, length);
-        if (order == 0 && candidate[length] == '\0') return p->constants[middle];
-        if (order < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return NULL;
-}
-
-static int is_pi(const char *name, size_t length) {
-    return length == 2 && (name[0] == 'p' || name[0] == 'P') && (name[1] == 'i' || name[1] == 'I');
-}
-
-/* What a product written as one name begins with: a variable, else the longest constant, else pi.  Returns
- * its length, 0 when it is none; *constant is null unless it is one of the caller's. */
-static size_t first_factor(const parser *p, const char *name, size_t length,
-                           const algsurf_constant **constant) {
-    *constant = NULL;
-    if (algsurf_i_variable(name[0])) return 1;
-    for (size_t n = length; n > 0; n--) {
-        *constant = find_constant(p, name, n);
-        if (*constant) return n;
-    }
-    return length >= 2 && is_pi(name, 2) ? 2 : 0;
-}
-
-/* The characters of a name from number `known` on are no factor: says which letters between variables have no
- * value, or what people mean by such names. */
-static int refuse_name(parser *p, const char *name, size_t length, size_t known) {
-    size_t begin = known, end = known;
-    while (begin > 0 && !algsurf_i_variable(name[begin - 1])) begin--;
-    while (end < length && !algsurf_i_variable(name[end])) end++;
-    if (algsurf_i_is_function(name, length) || algsurf_i_is_function(name + begin, end - begin))
-        return refuse(p, p->at, NOT_POLYNOMIAL);
-    if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return refuse(p, p->at, "expected '(' behind sqrt");
-    if (known > 0 && is_digit(name[known]))
-        return refuse(p, p->at, "a number behind a letter: write x^2 for a power, 2x or x*2 for a product");
-    for (size_t n = 0; n < length; n++)
-        if (!is_letter(name[n])) begin = 0, end = length; /* no product of letters */
-    p->unknown = end - begin;
-    return fail(p, ALGSURF_E_NAME, p->at + begin, "not x, y or z: it needs a value");
-}
-
-/* Is the name a product of factors that are known?  Then letters are read as such up to its end. */
-static int split_name(parser *p, const char *name, size_t length) {
-    const algsurf_constant *constant;
-    for (size_t known = 0; known < length;) {
-        size_t factor = first_factor(p, name + known, length - known, &constant);
-        if (factor == 0) return refuse_name(p, name, length, known);
-        known += factor;
-    }
-    p->letters_end = p->at + length;
-    return 1;
+    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_pi(), out), p->at);
 }
 
 static int is_called(const char *name, size_t length, const char *function) {
@@ -266,22 +184,22 @@ static int parse_name(parser *p, algsurf_i_tripoly *out) {
     const algsurf_constant *constant;
     size_t length;
     if (p->at < p->letters_end) {
-        length = first_factor(p, name, p->letters_end - p->at, &constant);
+        length = algsurf_i_first_factor(p, name, p->letters_end - p->at, &constant);
     } else {
         length = algsurf_i_name_length(name);
-        constant = find_constant(p, name, length);
+        constant = algsurf_i_find_constant(p, name, length);
         if (!constant && is_called(name, length, "sqrt")) return parse_sqrt(p, out);
         if (!constant && is_called(name, length, "sin")) return parse_sine(p, 0, out);
         if (!constant && is_called(name, length, "cos")) return parse_sine(p, 1, out);
-        if (!constant && !split_name(p, name, length)) return 0;
-        if (!constant) length = first_factor(p, name, length, &constant);
+        if (!constant && !algsurf_i_split_name(p, name, length)) return 0;
+        if (!constant) length = algsurf_i_first_factor(p, name, length, &constant);
     }
     p->at += length;
-    if (constant) return make_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
+    if (constant) return algsurf_i_parse_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
     char variable = algsurf_i_variable(*name);
     if (!variable) return make_pi(p, out);
     int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
-    return make_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
+    return algsurf_i_parse_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
 }
 
 static int parse_primary(parser *p, algsurf_i_tripoly *out) {
@@ -295,83 +213,6 @@ static int parse_primary(parser *p, algsurf_i_tripoly *out) {
         return make_pi(p, out);
     }
     return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
-}
-
-/* *left *= right, which is freed. */
-static int multiply(parser *p, size_t offset, algsurf_i_tripoly *left, algsurf_i_tripoly *right) {
-    algsurf_i_tripoly product = {NULL, 0};
-    int fits = algsurf_i_tripoly_degree(left) + algsurf_i_tripoly_degree(right) <= ALGSURF_MAX_DEGREE;
-    int ok = fits ? computed(p, algsurf_i_tripoly_multiply(left, right, &product), offset)
-                  : fail(p, ALGSURF_E_DEGREE, offset, "the degree of this product is above 64");
-    algsurf_i_tripoly_free(left);
-    algsurf_i_tripoly_free(right);
-    *left = product;
-    return ok;
-}
-
-/* *left /= right, which is freed; offsets are those of the operator and the divisor. */
-static int divide(parser *p, size_t offset, size_t divisor, algsurf_i_tripoly *left,
-                  algsurf_i_tripoly *right) {
-    int ok;
-    if (!algsurf_i_tripoly_is_constant(right)) {
-        ok = refuse(p, divisor, "not a polynomial: division by x, y or z; multiply both sides by it");
-    } else if (right->count == 0) {
-        ok = refuse(p, divisor, "division by zero");
-    } else {
-        ok = computed(p, algsurf_i_tripoly_divide(left, right->m), offset);
-    }
-    algsurf_i_tripoly_free(right);
-    if (!ok) algsurf_i_tripoly_free(left);
-    return ok;
-}
-
-/* Is the value, within its error bound, a whole number of magnitude up to 1000? */
-static int whole_number(const algsurf_i_tripoly *value, int *n) {
-    *n = 0;
-    if (value->count == 0) return 1;
-    if (!algsurf_i_tripoly_is_constant(value) || value->m[0].e < -1) return 0;
-    double nearest = rint(algsurf_i_monomial_round(value->m));
-    if (!(fabs(nearest) <= 1000)) return 0;
-    algsurf_i_monomial m = value->m[0];
-    double shift = ldexp(1.0, 256 * m.e);
-    double rest = fabs(algsurf_dd_add_d(algsurf_dd_scale(m.v, shift), -nearest).hi);
-    *n = (int)nearest;
-    return rest <= m.err * shift;
-}
-
-/* base^n, n >= 0, by repeated multiplication: for polynomials cheaper than squaring. */
-static int repeat(parser *p, size_t offset, const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly power;
-    if (!make_value(p, algsurf_dd_from(1.0), 0.0, 0, 0, &power)) return 0;
-    for (int i = 0; i < n; i++) {
-        algsurf_i_tripoly next;
-        int ok = computed(p, algsurf_i_tripoly_multiply(&power, base, &next), offset);
-        algsurf_i_tripoly_free(&power);
-        if (!ok) return 0;
-        power = next;
-    }
-    *out = power;
-    return 1;
-}
-
-/* base^n with all its conditions; offsets are those of the operator and the exponent. */
-static int raise(parser *p, size_t offset, size_t exponent, const algsurf_i_tripoly *base, int n,
-                 algsurf_i_tripoly *out) {
-    int constant = algsurf_i_tripoly_is_constant(base);
-    int degree = algsurf_i_tripoly_degree(base);
-    if (n > 0 && degree * n > ALGSURF_MAX_DEGREE) {
-        return fail(p, ALGSURF_E_DEGREE, offset, "the degree of this power is above 64");
-    }
-    if (abs(n) > EXPONENT_LIMIT) return refuse(p, exponent, "expected an exponent up to 64");
-    if (n >= 0) return repeat(p, offset, base, n, out);
-    if (!constant) return refuse(p, exponent, "not a polynomial: x, y or z to a negative power");
-    algsurf_i_tripoly power;
-    if (!repeat(p, offset, base, -n, &power)) return 0;
-    if (!make_value(p, algsurf_dd_from(1.0), 0.0, 0, 0, out)) {
-        algsurf_i_tripoly_free(&power);
-        return 0;
-    }
-    return divide(p, offset, offset, out, &power);
 }
 
 /* Why base^exponent is refused when the exponent is no whole number. */
@@ -390,11 +231,12 @@ static int parse_exponent(parser *p, const algsurf_i_tripoly *base, algsurf_i_tr
     (void)peek(p);
     size_t exponent_offset = p->at;
     if (!enter(p, offset) || !parse_signed(p, &exponent)) return 0;
-    int n, whole = whole_number(&exponent, &n);
+    int n, whole = algsurf_i_parse_whole(&exponent, &n);
     const char *why = about_exponent(base, &exponent);
     algsurf_i_tripoly_free(&exponent);
     p->depth--;
-    return whole ? raise(p, offset, exponent_offset, base, n, out) : refuse(p, exponent_offset, why);
+    return whole ? algsurf_i_parse_raise(p, offset, exponent_offset, base, n, out)
+                 : algsurf_i_parse_refuse(p, exponent_offset, why);
 }
 
 /* Superscripts in a row, and base raised to them. */
@@ -402,11 +244,11 @@ static int parse_superscripts(parser *p, const algsurf_i_tripoly *base, algsurf_
     size_t offset = p->at;
     int n = 0;
     do {
-        if (n <= EXPONENT_LIMIT) n = 10 * n + p->token.digit;
+        if (n <= ALGSURF_I_EXPONENT_LIMIT) n = 10 * n + p->token.digit;
         take(p);
         p->token = algsurf_i_token_at(p->text + p->at);
     } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
-    return raise(p, offset, offset, base, n, out);
+    return algsurf_i_parse_raise(p, offset, offset, base, n, out);
 }
 
 static int parse_power(parser *p, algsurf_i_tripoly *out) {
@@ -444,10 +286,11 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
             algsurf_i_tripoly_free(left);
             return 0;
         }
-        return c == '*' ? multiply(p, offset, left, &right) : divide(p, offset, operand, left, &right);
+        return c == '*' ? algsurf_i_parse_multiply(p, offset, left, &right)
+                        : algsurf_i_parse_divide(p, offset, operand, left, &right);
     }
     if (is_letter(c) || algsurf_i_closing(c) || c == ALGSURF_I_TOKEN_ROOT || c == ALGSURF_I_TOKEN_PI) {
-        if (parse_power(p, &right)) return multiply(p, offset, left, &right);
+        if (parse_power(p, &right)) return algsurf_i_parse_multiply(p, offset, left, &right);
         algsurf_i_tripoly_free(left);
         return 0;
     }
@@ -471,9 +314,10 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out) {
         algsurf_i_tripoly product;
         if (!parse_product(p, &product)) break;
         if (sign == '-') algsurf_i_tripoly_negate(&product);
-        if (!computed(p, algsurf_i_sum_add(&sum, product), p->at)) break;
+        if (!algsurf_i_parse_computed(p, algsurf_i_sum_add(&sum, product), p->at)) break;
         sign = peek(p);
-        if (sign != '+' && sign != '-') return computed(p, algsurf_i_sum_total(&sum, out), p->at);
+        if (sign != '+' && sign != '-')
+            return algsurf_i_parse_computed(p, algsurf_i_sum_total(&sum, out), p->at);
         take(p);
     }
     algsurf_i_sum_free(&sum);
@@ -484,13 +328,13 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out) {
 static int parse_end(parser *p, int equals_seen) {
     if (peek(p) == ';') {
         take(p);
-        if (peek(p) != '\0') return refuse(p, p->at, "behind ';': expected the end");
+        if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "behind ';': expected the end");
     }
     switch (peek(p)) {
     case '\0':
         return 1;
     case '=':
-        return refuse(p, p->at, "a second '='");
+        return algsurf_i_parse_refuse(p, p->at, "a second '='");
     default:
         return refuse_token(p, equals_seen ? "expected an operator or the end"
                                            : "expected an operator, '=' or the end");
@@ -505,7 +349,7 @@ static int parse_right(parser *p, algsurf_i_tripoly *left) {
     int ok = parse_sum(p, &right);
     if (ok) {
         algsurf_i_tripoly_negate(&right);
-        ok = computed(p, algsurf_i_tripoly_add(left, &right, &difference), offset);
+        ok = algsurf_i_parse_computed(p, algsurf_i_tripoly_add(left, &right, &difference), offset);
         algsurf_i_tripoly_free(&right);
     }
     algsurf_i_tripoly_free(left);
