@@ -67,16 +67,23 @@ static int ends_within(const box *b, double half) {
     return !b->empty;
 }
 
+/* The number that is read where this one is told. */
+static double as_told(double x) {
+    char text[32];
+    snprintf(text, sizeof text, "%.15g", x + 0.0); /* no -0 */
+    return strtod(text, NULL);
+}
+
 /* To two digits, upward. */
 static double rounded_up(double x) {
     double step = pow(10, floor(log10(x)) - 1);
-    return ceil(x / step - 1e-9) * step;
+    return as_told(ceil(x / step - 1e-9) * step);
 }
 
 /* To three digits of the radius. */
 static double rounded_place(double x, double radius) {
     double step = pow(10, floor(log10(radius)) - 2);
-    return round(x / step) * step;
+    return as_told(round(x / step) * step);
 }
 
 /* A ball about the box, the corners at that part of its radius or nearer. */
@@ -230,8 +237,8 @@ static int move(glance *g, view *v, double radius) {
     return fabs(times - 1) > 0.01 || fabs(aside) > 1 || fabs(down) > 1;
 }
 
-/* All numbers as they will be told. */
-static void round_camera(view *v) {
+/* All numbers as they will be told; what is up has changed when the view was turned. */
+static void round_camera(view *v, int turned) {
     double back[3];
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
     double distance = length(back);
@@ -239,22 +246,29 @@ static void round_camera(view *v) {
         v->eye[i] = rounded_place(v->eye[i], distance / 10);
         v->look_at[i] = rounded_place(v->look_at[i], distance / 10);
     }
-    v->fov = round(100 * v->fov) / 100;
+    v->fov = rounded_place(v->fov, v->fov / 10);
+    double size = length(v->up);
+    for (int i = 0; i < 3 && turned; i++) v->up[i] = rounded_place(v->up[i], size / 100);
 }
 
 /* ---- both ---- */
 
-static void tell(const view *v, int extent, int camera, int fov) {
-    const double *c = v->extent.centre, *e = v->eye, *l = v->look_at;
-    char text[400];
+static void tell(const view *v, int extent, int camera, int fov, int turned) {
+    const double *c = v->extent.centre, *e = v->eye, *l = v->look_at, *u = v->up;
+    char text[600];
     int at = 0;
-    if (extent) at += snprintf(text + at, sizeof text - (size_t)at, " --extent sphere:%g", v->extent.size[0]);
+    if (extent)
+        at += snprintf(text + at, sizeof text - (size_t)at, " --extent sphere:%.15g", v->extent.size[0]);
     if (extent && (c[0] != 0 || c[1] != 0 || c[2] != 0))
-        at += snprintf(text + at, sizeof text - (size_t)at, " --centre %g,%g,%g", c[0], c[1], c[2]);
+        at += snprintf(text + at, sizeof text - (size_t)at, " --centre %.15g,%.15g,%.15g", c[0], c[1], c[2]);
     if (camera)
-        at += snprintf(text + at, sizeof text - (size_t)at, " --eye %g,%g,%g --look-at %g,%g,%g", e[0], e[1],
-                       e[2], l[0], l[1], l[2]);
-    if (fov) snprintf(text + at, sizeof text - (size_t)at, " --fov %g", v->fov);
+        at += snprintf(text + at, sizeof text - (size_t)at,
+                       " --eye %.15g,%.15g,%.15g --look-at %.15g,%.15g,%.15g", e[0], e[1], e[2], l[0], l[1],
+                       l[2]);
+    if (camera && turned) /* the eye has been turned already */
+        at += snprintf(text + at, sizeof text - (size_t)at, " --up %.15g,%.15g,%.15g --turn 0,0", u[0], u[1],
+                       u[2]);
+    if (fov) snprintf(text + at, sizeof text - (size_t)at, " --fov %.15g", v->fov);
     if (extent || camera) cli_complain("chosen:%s", text);
 }
 
@@ -293,6 +307,7 @@ void fit_view(view *v, const view_options *asked, const algsurf_surface *surface
         stand_off(v, options);
     }
     double fov = v->fov;
+    int turned = options->turn[0] != 0 || options->turn[1] != 0;
     if (choose_camera) {
         double reach = fit_camera(v, options, surface);
         if (!bounded && reach > 0 && reach < LONELY * v->extent.size[0]) { /* all that goes on are lines */
@@ -300,9 +315,9 @@ void fit_view(view *v, const view_options *asked, const algsurf_surface *surface
             stand_off(v, options);
             (void)fit_camera(v, options, surface);
         }
-        round_camera(v);
+        round_camera(v, turned);
     }
-    tell(v, choose_extent, choose_camera, v->fov != fov && !(asked->fov > 0));
+    tell(v, choose_extent, choose_camera, v->fov != fov && !(asked->fov > 0), turned);
     if (asked->fov > 0) v->fov = asked->fov;
     view_zoom(v, asked->zoom);
 }
