@@ -1,6 +1,6 @@
 /* gallery_sheet.c - all named surfaces in one picture, each with its name below: gallery_sheet --help.
  *
- * Each is what `render NAME --size 232x174 --antialias 4` draws.
+ * Each is what `render NAME --size 232x174 --quality full --antialias-threshold 0` draws.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +68,10 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     demand(algsurf_scene_set_extent(scene, &shown.extent), entry->name);
     demand(algsurf_scene_set_camera(scene, &camera), entry->name);
     demand(algsurf_scene_set_material(scene, &material), entry->name);
+    demand(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), entry->name);
     demand(algsurf_scene_set_antialias(scene, ANTIALIAS), entry->name);
+    if (entry->degree <= VIEW_USUALLY_THIN)
+        demand(algsurf_scene_set_thin(scene, material.outside), entry->name);
     demand(algsurf_render(scene, &how, &tile, NULL), entry->name);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);

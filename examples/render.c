@@ -61,7 +61,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
-    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= RENDER_USUALLY_THIN;
+    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
     demand(algsurf_scene_set_thin(scene, usual || options->thin == THIN_ASKED ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
@@ -212,10 +212,10 @@ static void explain_nothing(const run *r, const view *shown) {
             "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
             extent_text(&shown->extent).text);
     else
-        cli_complain(
-            "nothing of the surface is in the picture: what there is lies within x %.3g..%.3g, y %.3g..%.3g, "
-            "z %.3g..%.3g; --eye, --look-at, --fov choose another view",
-            lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+        cli_complain("nothing of the surface is in the picture: it lies within x %.3g..%.3g, y %.3g..%.3g, z "
+                     "%.3g..%.3g; "
+                     "--eye, --look-at choose another view",
+                     lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }
 
 static algsurf_surface *make_surface(const render_options *options, int picture) {

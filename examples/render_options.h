@@ -9,7 +9,6 @@
 #include "view.h"
 
 #define RENDER_THIN_DEGREE 12 /* algsurf_scene_set_thin */
-#define RENDER_USUALLY_THIN 6 /* beyond it the search takes longer than the picture */
 
 typedef struct render_options {
     int list;
@@ -22,7 +21,7 @@ typedef struct render_options {
     algsurf_quality quality;
     int antialias;
     double antialias_threshold;
-    enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn up to RENDER_USUALLY_THIN */
+    enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn up to VIEW_USUALLY_THIN */
     algsurf_intersect_options intersect;
     int threads;
     int row_begin, row_end; /* both 0: all rows */

@@ -6,6 +6,10 @@
 #include "cli.h"
 #include "jsurf_file.h"
 
+/* Degrees up to which a program shows what is thin (algsurf_scene_set_thin) without being asked: beyond it the
+ * search takes longer than the picture. */
+#define VIEW_USUALLY_THIN 6
+
 typedef struct view_options {
     int width, height; /* of the picture, in pixels; 0: not given */
     cli_vector eye, look_at, up;
