@@ -148,7 +148,7 @@ FILENAME ~ /\.md$/ {
         else if (link !~ /\]\((https?:|#|(\.\.\/\.\.\/)?(include\/algsurf\/)?README\.md|((\.\.\/\.\.\/)?examples\/guide\/)?[a-z-]+\.md)/) {
             sub(/\]\(.*$/, "", link)
             sub(/^\[/, "", link)
-        }
+        } else sub(/\.md#[^)]*/, ".md", link) # headings of other pages have other names there
         out = out link
     }
     print out line
