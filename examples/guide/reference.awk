@@ -145,10 +145,10 @@ FILENAME ~ /\.md$/ {
         out = out substr(line, 1, RSTART - 1)
         line = substr(line, RSTART + RLENGTH)
         if (link ~ /^!/) sub(/\(.*\//, "(", link)
-        else if (link !~ /\]\((https?:|#|(\.\.\/\.\.\/)?README\.md|(examples\/guide\/)?how-it-works\.md)/) {
+        else if (link !~ /\]\((https?:|#|(\.\.\/\.\.\/)?(include\/algsurf\/)?README\.md|((\.\.\/\.\.\/)?examples\/guide\/)?[a-z-]+\.md)/) {
             sub(/\]\(.*$/, "", link)
             sub(/^\[/, "", link)
-        }
+        } else sub(/\.md#[^)]*/, ".md", link) # headings of other pages have other names there
         out = out link
     }
     print out line
