@@ -119,8 +119,8 @@ static const cli_option options_table[] = {
     {"--lights", "usual|paper", "paper: two square lights of 5x5 points instead of one wide one",
      render_set_lights, FIELD(look)},
     {"--quality", "preview|standard|full",
-     "no illumination model; lights without shadows (default);\ntwo "
-     "area lights with shadows",
+     "no illumination model; lights without shadows (default);\n"
+     "soft shadows, and light from all around",
      set_quality, FIELD(quality)},
     {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 4; see --antialias-threshold", cli_set_int,
      offsetof(render_options, antialias), 1, 16},

@@ -6,8 +6,8 @@
 #include "cli.h"
 #include "jsurf_file.h"
 
-/* Degrees up to which a program shows what is thin (algsurf_scene_set_thin) without being asked: beyond it the
- * search takes longer than the picture. */
+/* Degrees up to which a program shows what is thin (algsurf_scene_set_thin) without being asked: beyond it
+ * the search takes longer than the picture. */
 #define VIEW_USUALLY_THIN 6
 
 typedef struct view_options {
@@ -46,7 +46,7 @@ void view_set_turn(const cli_option *option, const char *value, void *field);
     {"--turn", "AZ,EL", "the eye goes so many degrees to the right and upwards, about the point looked at",   \
      view_set_turn, offsetof(type, view.turn), 0, 0},                                                        \
     {"--extent", "sphere:R|box:X,Y,Z",                                                                       \
-     "what is shown (half sizes); default: as suits the named surface,\nfor others so that\nall of it is in sight, or what is near the origin",                \
+     "what is shown (half sizes); default: as suits the named surface;\nof an equation all of it, or what is near the origin",                \
      cli_set_extent, offsetof(type, view.extent), 0, 0},                                                     \
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,            \
      offsetof(type, view.centre), 0, 0}
