@@ -212,9 +212,8 @@ static void explain_nothing(const run *r, const view *shown) {
             "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
             extent_text(&shown->extent).text);
     else
-        cli_complain("nothing of the surface is in the picture: it lies within x %.3g..%.3g, y %.3g..%.3g, z "
-                     "%.3g..%.3g; "
-                     "--eye, --look-at choose another view",
+        cli_complain("nothing of the surface is in the picture: it lies within x %.3g..%.3g, y %.3g..%.3g, "
+                     "z %.3g..%.3g; --eye, --look-at choose another view",
                      lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }
 
