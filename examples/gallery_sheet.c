@@ -1,6 +1,6 @@
 /* gallery_sheet.c - all named surfaces in one picture, each with its name below: gallery_sheet --help.
  *
- * Each is what `render NAME --size 232x174 --quality full --antialias-threshold 0` draws.
+ * Each is what `render NAME --size 232x174 --quality full` draws.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "progress.h"
 #include "view.h"
 
-enum { COLUMNS = 5, TILE_WIDTH = 232, TILE_HEIGHT = 174, ANTIALIAS = 4 };
+enum { COLUMNS = 5, TILE_WIDTH = 232, TILE_HEIGHT = 174 };
 enum { GAP = 4, CAPTION_HEIGHT = 36 }; /* below a tile: to its name, and with the space below that */
 enum { WIDTH = COLUMNS * TILE_WIDTH, ROW_HEIGHT = TILE_HEIGHT + CAPTION_HEIGHT };
 
@@ -69,7 +69,8 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     demand(algsurf_scene_set_camera(scene, &camera), entry->name);
     demand(algsurf_scene_set_material(scene, &material), entry->name);
     demand(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), entry->name);
-    demand(algsurf_scene_set_antialias(scene, ANTIALIAS), entry->name);
+    demand(algsurf_scene_set_antialias(scene, VIEW_ANTIALIAS), entry->name);
+    demand(algsurf_scene_set_antialias_threshold(scene, VIEW_THRESHOLD), entry->name);
     if (entry->degree <= VIEW_USUALLY_THIN)
         demand(algsurf_scene_set_thin(scene, material.outside), entry->name);
     demand(algsurf_render(scene, &how, &tile, NULL), entry->name);

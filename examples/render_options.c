@@ -293,12 +293,9 @@ static void check_swept_constant(const render_options *options) {
             cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
 }
 
-enum { DEFAULT_ANTIALIAS = 4 };
-static const double DEFAULT_THRESHOLD = 0.1;
-
 render_options render_parse_options(int argc, char **argv) {
     render_options options = {.quality = ALGSURF_QUALITY_STANDARD,
-                              .antialias = DEFAULT_ANTIALIAS,
+                              .antialias = VIEW_ANTIALIAS,
                               .antialias_threshold = -1,
                               .intersect = {.size = sizeof options.intersect},
                               .space = {.coherence = ALGSURF_COHERENCE_NEIGHBOURS}};
@@ -324,7 +321,7 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.a_second > 0) check_animation(&options);
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part with --antialias 1");
-    if (options.antialias_threshold < 0) options.antialias_threshold = DEFAULT_THRESHOLD;
+    if (options.antialias_threshold < 0) options.antialias_threshold = VIEW_THRESHOLD;
     if (options.look.light != LIGHT_DEFAULT && options.quality == ALGSURF_QUALITY_PREVIEW)
         cli_fail(CLI_BAD_INPUT, "--light: plays no part in preview quality");
     if (options.thin == THIN_ASKED && options.intersect.method != ALGSURF_METHOD_DEFAULT)
