@@ -32,7 +32,7 @@ void render_set_light(const cli_option *option, const char *value, void *field) 
 void render_set_lights(const cli_option *option, const char *value, void *field) {
     render_look *look = field;
     (void)value;
-    look->light = cli_choice(option, value) == 0 ? LIGHT_DEFAULT : LIGHT_PAPER;
+    look->paper = cli_choice(option, value);
 }
 
 void render_look_follow(render_look *look, const jsurf_file *file) {
@@ -124,8 +124,8 @@ algsurf_status render_light_scene(const render_look *look, const algsurf_camera 
     algsurf_status status = ALGSURF_OK;
     if (look->transparent || look->background.given)
         status = algsurf_scene_set_background(scene, look->transparent ? NULL : rgb);
-    if (status != ALGSURF_OK || look->light == LIGHT_DEFAULT) return status;
-    if (look->light == LIGHT_PAPER) {
+    if (status != ALGSURF_OK || (look->light == LIGHT_DEFAULT && !look->paper)) return status;
+    if (look->paper) {
         algsurf_light lights[ALGSURF_MAX_LIGHTS];
         algsurf_lighting usual = {.size = sizeof usual};
         status = algsurf_scene_lighting(scene, lights, &usual);

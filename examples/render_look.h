@@ -8,8 +8,9 @@
 typedef struct render_look {
     css_colour outside, inside, background, thin;
     int transparent; /* 1: no background */
+    int paper;       /* 1: the lights of the paper */
     /* Where the light is: a point of space, or seen from the eye so many degrees to the right and above. */
-    enum { LIGHT_DEFAULT, LIGHT_POINT, LIGHT_ANGLES, LIGHT_PAPER } light;
+    enum { LIGHT_DEFAULT, LIGHT_POINT, LIGHT_ANGLES } light;
     double place[3]; /* of a light: the point, or both angles and 0 */
 } render_look;
 

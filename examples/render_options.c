@@ -322,8 +322,12 @@ render_options render_parse_options(int argc, char **argv) {
     if (options.antialias_threshold > 0 && options.antialias < 2)
         cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part with --antialias 1");
     if (options.antialias_threshold < 0) options.antialias_threshold = VIEW_THRESHOLD;
-    if (options.look.light != LIGHT_DEFAULT && options.quality == ALGSURF_QUALITY_PREVIEW)
-        cli_fail(CLI_BAD_INPUT, "--light: plays no part in preview quality");
+    if (options.look.light != LIGHT_DEFAULT && options.look.paper)
+        cli_fail(CLI_BAD_INPUT, "--light: plays no part with --lights paper");
+    if ((options.look.light != LIGHT_DEFAULT || options.look.paper) &&
+        options.quality == ALGSURF_QUALITY_PREVIEW)
+        cli_fail(CLI_BAD_INPUT, "%s: plays no part in preview quality",
+                 options.look.paper ? "--lights" : "--light");
     if (options.thin == THIN_ASKED && options.intersect.method != ALGSURF_METHOD_DEFAULT)
         cli_fail(CLI_BAD_INPUT, "--thin: plays no part with another --method");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";

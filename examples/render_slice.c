@@ -79,7 +79,8 @@ static uint64_t add_look(uint64_t digest, const render_look *look) {
         digest = add_byte(digest, (uint8_t)colours[i]->given);
         for (int k = 0; k < 3; k++) digest = add_byte(digest, colours[i]->srgb[k]);
     }
-    return add_numbers(add_byte(digest, (uint8_t)look->light), look->place, 3);
+    digest = add_byte(add_byte(digest, (uint8_t)look->light), (uint8_t)look->paper);
+    return add_numbers(digest, look->place, 3);
 }
 
 uint64_t render_job_digest(const render_options *options, const algsurf_surface *surface,
