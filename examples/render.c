@@ -212,7 +212,8 @@ static void explain_nothing(const run *r, const view *shown) {
             "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
             extent_text(&shown->extent).text);
     else
-        cli_complain("nothing of the surface is in the picture: it lies within x %.3g..%.3g, y %.3g..%.3g, "
+        cli_complain("nothing is seen: what there is of the surface, if anything, lies within x %.3g..%.3g, "
+                     "y %.3g..%.3g, "
                      "z %.3g..%.3g; --eye, --look-at choose another view",
                      lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }
@@ -271,9 +272,10 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
         explain_nothing(r, shown);
     if (counted.thin > 0 && options->thin == THIN_USUAL && !options->surface.name)
-        cli_complain("thin: %" PRIu64
-                     " samples show points or lines too thin for a ray; --thin none leaves them out",
-                     counted.thin);
+        cli_complain(
+            "thin: %" PRIu64
+            " samples show what is too thin for a ray, or cannot be proved absent; --thin none leaves it out",
+            counted.thin);
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};

@@ -17,16 +17,20 @@ typedef enum algsurf_part {
 /* A box that holds all points of a part of the surface within an extent.
  *   extent     a sphere or a box
  *   part       an algsurf_part
- *   precision  0 < precision <= 1: the search ends where the box is that much longer than what it could not
- * do without; 1/16 is usual lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may
- * reach over the sphere, not over a box empty      receives 1: there is no such point, and lo and hi are not
- * written; 0: there may be some Guarantee: verified.  No point is outside of the box, and where `empty` is 1
- * there is none; the box is as small as precision says unless that takes too long, as in degrees above 12 or
- * where P is small in large parts of space.  Whether a surface is bounded is not asked: a box that does not
- * touch the extent tells of all points in the extent. Errors: E_ARGUMENT (null; all of space; extent, part,
- * precision out of range), E_NOT_FINITE (extent), E_NO_MEMORY.  Cost: milliseconds in degree 4 to 8, at most
- * some 0.3 s.  Source: branch and bound (Skelboe 1974) on Taylor forms of P about the middles of cells, with
- * a bound on rounding.  Since 1.0. */
+ *   precision  0 < precision <= 1: the search ends where a face cannot be pushed in by more than this share
+ *              of the box's length; 1/16 is usual
+ *   lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may reach over the sphere, not
+ *              over a box
+ *   empty      receives 1: there is no such point, and lo and hi are not written; 0: there may be some
+ *
+ * Guarantee: verified.  No point is outside of the box, and where `empty` is 1 there is none.  The box is as
+ * small as precision says unless that takes too long, as in degrees above 12 or where P is small in large
+ * parts of space.  It tells of points in the extent only, also where it does not touch the extent's end.
+ * Errors: E_ARGUMENT (null; all of space; extent, part, precision out of range), E_NOT_FINITE (extent),
+ * E_NO_MEMORY.
+ * Cost: milliseconds in degree 4 to 8, at most some 0.3 s.
+ * Source: branch and bound (Skelboe 1974) on Taylor forms of P about the middles of cells, with a bound on
+ * rounding.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_enclose(const algsurf_surface *surface,
                                                    const algsurf_extent *extent, int part, double precision,
                                                    double lo[3], double hi[3], int *empty);

@@ -53,7 +53,7 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
         list[count] = x;
         count += four != 0 && state[x] != ALGSURF_THIN;
     }
-    if (!algsurf_i_is_within_bounds(picture, row + 0.5) || !picture->packets->beams) return count;
+    if (!algsurf_i_has_cells(picture, row + 0.5)) return count;
     int open = 0;
     for (int i = 0; i < count; i++) {
         int number = band ? band->cell[first + list[i] / ALGSURF_I_LEAF] : 0;

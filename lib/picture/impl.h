@@ -274,8 +274,8 @@ int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, a
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job);
 
-/* Are all rays of a row within the bounds of forms? */
-int algsurf_i_is_within_bounds(const algsurf_i_picture *picture, double y);
+/* Are there forms for tiles as small as pixels, and all rays of a row within their bounds? */
+int algsurf_i_has_cells(const algsurf_i_picture *picture, double y);
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);

@@ -41,10 +41,10 @@ static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
     return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
 }
 
-int algsurf_i_is_within_bounds(const algsurf_i_picture *picture, double y) {
+int algsurf_i_has_cells(const algsurf_i_picture *picture, double y) {
     algsurf_i_row_form form;
     algsurf_i_row_job job;
-    if (!picture->packets || picture->scene->complex) return 0;
+    if (!picture->packets || !picture->packets->beams) return 0;
     algsurf_i_make_row(picture, y, 0.5, &form, &job);
     return within_bounds(&job, 0, picture->width);
 }

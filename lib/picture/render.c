@@ -123,7 +123,10 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     const algsurf_surface *surface = picture->scene->surface;
     void *memory = malloc(algsurf_i_frame_memory(surface->degree));
     if (!memory) return ALGSURF_E_NO_MEMORY;
-    if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) picture->packets = NULL;
+    if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) {
+        picture->packets = NULL;
+        picture->tiled = picture->thin = 0;
+    }
     if (picture->packets && picture->packets->fans) algsurf_i_make_fans(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)

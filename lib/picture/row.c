@@ -307,7 +307,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->as_bytes = 0;
     algsurf_i_begin_shown(&line->shown, picture->width);
     if (status == ALGSURF_OK && line->wanted_count > 0) {
-        int dense = picture->selective && algsurf_i_is_within_bounds(picture, row + 0.5);
+        int dense = picture->selective && algsurf_i_has_cells(picture, row + 0.5);
         status =
             dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);
     }

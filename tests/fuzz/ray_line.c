@@ -42,6 +42,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     take(&r, data, size, take_line);
     r.all = 1, r.extent = &ball;
     take(&r, data, size, check_line);
+    free(r.out.row);
     (void)program, (void)take_lines;
     return 0;
 }
