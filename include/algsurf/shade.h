@@ -19,7 +19,9 @@ extern "C" {
 /* Largest number of lights of a scene. */
 #define ALGSURF_MAX_LIGHTS 16
 
-/* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0. */
+/* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0.  A 0 is 0 here, not a
+ * default: to change a colour, copy the material that algsurf_scene_lighting() tells of a new scene (diffuse
+ * 0.72, ambient 0.135, fill 0.135, specular 0.32, roughness 0.2, haze 0.2), and set the copy. */
 typedef struct algsurf_material {
     size_t size;       /* sizeof(algsurf_material) */
     double outside[3]; /* colour where P grows towards the viewer (P > 0 in front) */
@@ -27,9 +29,9 @@ typedef struct algsurf_material {
     double diffuse;    /* weight of the lights */
     double ambient;    /* weight of light from all around, half as much more from above */
     double fill;       /* weight of light from the eye, which no shadow takes away */
-    double specular;   /* how near to white the middle of a highlight is */
+    double specular;   /* of the highlight; 1: its middle is white */
     double roughness;  /* how wide the highlight is: 0.1 is small and sharp, 0.5 covers half of a ball */
-    double haze;       /* how far the farthest points lose their shading */
+    double haze;       /* how much of its shading the farthest point loses; 1: all of it */
 } algsurf_material;
 
 /* A light: a point, or points of the parallelogram position + p edge_u + q edge_v, |p|, |q| <= 1/2.
@@ -87,6 +89,7 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  * It is computed in single precision, with +, -, *, / and square roots only: the same bits everywhere, and
  * within 1e-4 of the formula, nearly always 1e-5, for a roughness of 0.1 or more and lights at least a tenth
  * of the radius away.  A roughness below 2^-10 counts as that.
+ * Such is the way of a pixel: algsurf_camera_ray, algsurf_intersect_first, this, algsurf_srgb_encode.
  * Errors: E_ARGUMENT (null; a number out of its range; a vector that is not a unit vector within 1e-6),
  * E_NOT_FINITE.  Cost: some 130 ns; pictures pay about 6 ns (AVX-512).
  * Source: Lambert; Blinn 1977 and Trowbridge, Reitz 1975 for the highlight.  Since 1.0. */

@@ -60,26 +60,36 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
 /* The colour where nothing is seen, in linear light (shade.h); null: there is no background, and a picture
  * with alpha is transparent there (algsurf_pixel_format).  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
-/* Shows what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
- * Whitney's umbrella, needles, tips.  With a colour, in linear light, samples beside whose rays there is
- * something thin show it, without light or shadow; null, the default: nothing is done.
- *     A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle; with a threshold
- * of antialiasing only pixels as a whole are such cells, and those that show the colour have no more samples.
- * It shows the colour if the surface cannot be proved absent from the cell, before what its ray sees, and
- * what may be there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a
- * cell of the cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An
- * edge: up to half a cell's width beside where, at that depth, P has the other sign, as far as that hangs
- * together with the ray through the middle of a cell diagonally beside it. So no isolated point and no line
- * without sheets is lost, however thin, unless hidden or within half a cell of what is seen there: a line is
- * one or two cells wide, without gaps.  More samples draw it finer, and paler.  A surface of which nothing is
- * narrower, nor more sharply bent, than some cells is drawn as if there were no colour, to the byte; where
- * the gradient vanishes, as in the tips of cones, there may be spots. All is drawn as if there were no colour
- * in complex space, without a bounded extent, with another method than the default, above degree 12, from an
- * eye level with the extent's centre or some 10^7 of its radii away, and, from an eye nearer than two radii,
- * more than some 50 degrees from the direction of view.  In the fast tier, which proves nothing, something
- * thin may be lost. Errors: as above.  Cost: a tenth to twice the picture's time; many times it where much is
- * thin or singular, some 0.2 milliseconds for each sample that shows it in degree 4, 1 in degree 10.  Source:
- * beams, as tiles (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
+/* Draws what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
+ * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin has it, without light or
+ * shadow; null, the default: nothing is done.  It may draw too much, never too little, but for the
+ * exceptions.
+ *
+ * Cells.  A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle; with a
+ * threshold of antialiasing only whole pixels are cells, and those that show the colour get no more samples.
+ * A cell shows the colour if the surface cannot be proved absent from it, before what its ray sees, and what
+ * may be there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of
+ * the cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up
+ * to half a cell's width beside where, at that depth, P has the other sign, as far as that hangs together
+ * with the ray through the middle of a cell diagonally beside it.
+ *
+ * So no isolated point and no line without sheets is lost, however thin, unless hidden or within half a cell
+ * of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
+ * paler. A surface of which nothing is narrower, nor more sharply bent, than some cells is drawn as if there
+ * were no colour, to the byte.  Where the gradient vanishes, as in the tips of cones, there may be spots;
+ * where P is small without a zero, what is drawn may not be there.
+ *
+ * Exceptions, where nothing thin is drawn:
+ * - complex space; all of space as extent; another method than the default; a degree above 12;
+ * - an eye that has the extent's centre right beside it, or some 10^7 radii away; from an eye nearer than
+ *   two radii, what is more than some 50 degrees from the direction of view;
+ * - pictures so coarse, of some 20 rows, or numbers so far out of range that there are no forms for tiles;
+ * - in the fast tier, which proves nothing, something thin may be lost.
+ *
+ * Errors: as above.
+ * Cost: a tenth to twice the picture's time; many times it where much is thin or singular, some 0.2
+ * milliseconds for each sample that shows it in degree 4, 1 in degree 10.
+ * Source: beams, as tiles (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 /* How points of the scene are lit, the default light among the others: for algsurf_shade(), which then gives
  * the colours of its pictures.
@@ -96,16 +106,16 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
 /* Which pixels get their n x n samples.  Threshold 0, the default: all.  0 < threshold <= 1: a pixel gets
  * them if the colour seen through its middle differs from that through the middle of the pixel above, below,
  * left or right by more than 255 threshold in a channel of 0..255, alpha among them, whatever the planes
- * asked for, and there is no proof, up to degree 12, that it holds nothing of the surface or one sheet of it;
- * any other pixel shows its middle alone.  So each pixel equals that of the picture of n x n
- * samples or that of one sample, drawn without a threshold, and so do the other planes, but for last bits of
- * t, which move a byte by one in a pixel of millions: they may depend on what is solved beside them, not on
- * slices or threads. Threshold 1 chooses no pixel, and where n = 1 none is to be chosen.  0.3 smooths
- * outlines on a bright background, 0.1 most other edges too.  A slice's upper and lower neighbours are looked
- * at as in the whole picture. Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.  Cost: the picture
- * of one sample, and n x n samples for about one per cent of its pixels, as a rule as long as another one or
- * two of them.  Since 1.0.
- */
+ * asked for; and if there is no proof, up to degree 12, that it holds nothing of the surface, or one sheet.
+ * Any other pixel shows its middle alone.  Threshold 1 chooses no pixel; where n = 1 none is to be chosen.
+ * 0.3 smooths outlines on a bright background, 0.1 most other edges too.
+ *     Each pixel is that of the picture of n x n samples or that of the picture of one; one byte in millions
+ * may differ by one, and last bits of t, by what is solved beside it, not by slices or threads: a slice's
+ * upper and lower neighbours are looked at as in the whole picture.
+ *
+ * Errors: E_ARGUMENT for a null scene, NaN, below 0, above 1.
+ * Cost: as a rule two to three times the picture of one sample; about one per cent of the pixels are chosen.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
 /* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
  * Since 1.0. */
@@ -182,7 +192,7 @@ typedef enum algsurf_pixel_format {
     ALGSURF_RGB8 = 0, /* red, green, blue.  No background is a black one */
     /* Red, green, blue, alpha.  With a background alpha is 255 throughout.  Without one it is the share of
      * the pixel's samples that are hits, undecided or thin, and the colour is the average of those alone,
-     * not multiplied by alpha; both are 0 where there are none. */
+     * not multiplied by alpha; both are 0 where nothing is seen. */
     ALGSURF_RGBA8 = 1
 } algsurf_pixel_format;
 
