@@ -30,12 +30,6 @@ int portable_rename(const char *from, const char *to) {
 
 int portable_make_folder(const char *path) { return _mkdir(path); }
 
-char *portable_path_behind(const char *path) {
-    (void)path;
-    errno = ENOSYS;
-    return NULL;
-}
-
 long portable_processors(void) {
     SYSTEM_INFO system;
     GetSystemInfo(&system);
@@ -54,8 +48,6 @@ int portable_rename(const char *from, const char *to) { return rename(from, to);
 
 int portable_make_folder(const char *path) { return mkdir(path, 0777); }
 
-char *portable_path_behind(const char *path) { return realpath(path, NULL); }
-
 long portable_processors(void) {
 #if defined(_SC_NPROCESSORS_ONLN)
     return sysconf(_SC_NPROCESSORS_ONLN);
@@ -65,9 +57,16 @@ long portable_processors(void) {
 }
 #endif
 
-/* ---- signals, and what the mask of permissions took away: neither on Windows nor on WebAssembly ---- */
+/* ---- links, signals, and what the mask of permissions took away: neither on Windows nor on WebAssembly ----
+ */
 
 #if defined(_WIN32) || defined(__wasi__)
+char *portable_path_behind(const char *path) {
+    (void)path;
+    errno = ENOSYS;
+    return NULL;
+}
+
 static void set_mode(int descriptor, mode_t mode) {
     (void)descriptor;
     (void)mode;
@@ -77,6 +76,8 @@ void portable_remember(const char *path) { (void)path; }
 void portable_forget(const char *path) { (void)path; }
 #else
 #include <signal.h>
+
+char *portable_path_behind(const char *path) { return realpath(path, NULL); }
 
 static void set_mode(int descriptor, mode_t mode) { (void)fchmod(descriptor, mode); }
 
