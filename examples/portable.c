@@ -57,8 +57,7 @@ long portable_processors(void) {
 }
 #endif
 
-/* ---- links, signals, and what the mask of permissions took away: neither on Windows nor on WebAssembly ----
- */
+/* ---- links, signals, modes: neither on Windows nor on WebAssembly ---- */
 
 #if defined(_WIN32) || defined(__wasi__)
 char *portable_path_behind(const char *path) {
