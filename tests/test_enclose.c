@@ -135,36 +135,29 @@ static void check_point(const algsurf_surface *surface, const double p[3], int p
     for (int i = 0; i < 3; i++) assert_true(b.hi[i] - b.lo[i] < most);
 }
 
-/* Coordinates of 14 bits: squares, and sums of them, are doubles. */
-static void points(void **state) {
-    uint64_t random = seed + 1;
-    (void)state;
+/* Points with coordinates of 14 bits: squares, and sums of them, are doubles. */
+static void check_points(uint64_t random, double sign_z, int part) {
     for (int turn = 0; turn < 300; turn++) {
         double p[3];
         algsurf_term terms[7];
         algsurf_surface *surface;
         for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
-        point_terms(p, 3, 1, terms);
+        point_terms(p, 3, sign_z, terms);
         assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
-        check_point(surface, p, ALGSURF_PART_ALL, 0.5);
+        check_point(surface, p, part, 0.5);
         algsurf_surface_free(surface);
     }
 }
 
+static void points(void **state) {
+    (void)state;
+    check_points(seed + 1, 1, ALGSURF_PART_ALL);
+}
+
 /* The tips of cones. */
 static void tips(void **state) {
-    uint64_t random = seed + 2;
     (void)state;
-    for (int turn = 0; turn < 300; turn++) {
-        double p[3];
-        algsurf_term terms[7];
-        algsurf_surface *surface;
-        for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
-        point_terms(p, 3, -1, terms);
-        assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
-        check_point(surface, p, ALGSURF_PART_SINGULAR, 0.5);
-        algsurf_surface_free(surface);
-    }
+    check_points(seed + 2, -1, ALGSURF_PART_SINGULAR);
 }
 
 /* A surface that stands for others has their points in its box. */
