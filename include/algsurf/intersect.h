@@ -25,7 +25,7 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_BOUNDED = 1,
     /* No bounds are kept.  Of rays: signs of doubles as computed, which may be wrong within rounding of a
      * tangency, or of a root at an end.  Pictures are drawn in single precision where that suits them
-     * (algsurf_render): some 1.6 times as fast, for previews and moving pictures. */
+     * (algsurf_render): some 1.4 times as fast, for previews and moving pictures. */
     ALGSURF_TIER_FAST = 2
 } algsurf_tier;
 

@@ -257,7 +257,7 @@ typedef struct algsurf_picture {
  * sheet of the surface, at once: there time grows with the outlines, not with the area.
  *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side,
  * where a pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from
- * its centre: 1.7 times as fast as certified, 1.6 times where t is asked for, geometric means of the named
+ * its centre: 1.4 times as fast as certified, also where t is asked for, geometric means of the named
  * surfaces at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or
  * another sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 %
  * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
