@@ -102,24 +102,12 @@ INLINE void take_cells(const poly_block *block, int i, cell *s, lanes *id, lanes
     for (int j = 0; j <= n; j++) s->w[j] = load_row(block, CELL_W(n) + j, i, n);
 }
 
-/* Where the control polygon of one variation crosses zero. */
-INLINE lanes crossing(const lanes *w, int n) {
-    lanes before = w[0], after = w[1], place = all_lanes(0);
-    for (int j = 1; j < n; j++) {
-        mask further = less(all_lanes(0), w[j]);
-        before = choose(further, w[j], before);
-        after = choose(further, w[j + 1], after);
-        place = choose(further, all_lanes(j), place);
-    }
-    return (place + before / (before - after)) * (1.0 / n);
-}
-
 INLINE void add_brackets(poly_block *block, const cell *s, lanes id, unsigned chosen, int n) {
     int i = block->hits;
     store_chosen(in_row(block, HIT_ID, i, n), id, chosen);
     store_chosen(in_row(block, BEGIN, i, n), 2 * s->p - 1, chosen);
     store_chosen(in_row(block, END, i, n), 2 * s->q - 1, chosen);
-    store_chosen(in_row(block, NEAR, i, n), 2 * (s->p + crossing(s->w, n) * (s->q - s->p)) - 1, chosen);
+    store_chosen(in_row(block, NEAR, i, n), 2 * (s->p + polygon_root(s->w, n) * (s->q - s->p)) - 1, chosen);
     block->hits += __builtin_popcount(chosen);
 }
 

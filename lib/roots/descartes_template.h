@@ -227,4 +227,16 @@ INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes s
     return which & unsure;
 }
 
+/* Where the control polygon, positive first, crosses zero for the last time. */
+INLINE lanes polygon_root(const lanes *w, int n) {
+    lanes before = w[0], after = w[1], place = all_lanes(0);
+    for (int j = 1; j < n; j++) {
+        mask here = less(all_lanes(0), w[j]);
+        before = choose(here, w[j], before);
+        after = choose(here, w[j + 1], after);
+        place = choose(here, all_lanes(j), place);
+    }
+    return (place + before / (before - after)) * all_lanes(1.0 / n);
+}
+
 #endif

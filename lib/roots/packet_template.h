@@ -222,18 +222,6 @@ INLINE void follow_n(packet *k, int n, const guess *g) {
     close(k, n, tried, &part);
 }
 
-/* Where the control polygon, positive first, crosses zero for the last time. */
-INLINE lanes polygon_root(const lanes *w, int n) {
-    lanes before = w[0], after = w[1], place = all_lanes(0);
-    for (int j = 1; j < n; j++) {
-        mask here = less(all_lanes(0), w[j]);
-        before = choose(here, w[j], before);
-        after = choose(here, w[j + 1], after);
-        place = choose(here, all_lanes(j), place);
-    }
-    return (place + before / (before - after)) * all_lanes(1.0 / n);
-}
-
 /* The roots of the hits as numbers in [0,1]: Chebyshev's iteration (Traub, Iterative Methods for the Solution
  * of Equations, 1964, 5.1) from where the root is expected, or the control polygon has it, kept between lo
  * and hi.  With the Newton step s and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is
