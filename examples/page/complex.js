@@ -1,0 +1,108 @@
+// complex.js - complex space: on or off, the sector of arguments, imaginary parts, and the sweeps of the paper.
+import { element } from "./dom.js";
+import { numberField } from "./fields.js";
+import { ImaginaryParts } from "./imaginary.js";
+import { lowered } from "./number.js";
+import { PAPER_SWEEPS } from "./papersweeps.js";
+import { sectorOf, toDegrees, toRadians, withDelta, withSigma } from "./sector.js";
+import { SURFACES } from "./surfaces.js";
+import { SweepFields } from "./sweepfields.js";
+import { button, mover } from "./widgets.js";
+
+const FIRST = { sigma: 0, delta: toRadians(10), imaginary: {} };
+
+function presetName({ surface, sweep }, text) {
+    const symbol = sweep.what === "imaginary" ? `p${lowered(sweep.k)}` : "δ";
+    return `${text(`complex.surface.${surface}`)}, ${symbol}`;
+}
+
+class Panel {
+    #kept = FIRST; // what is shown when complex space is switched on again
+
+    constructor(room, { store, text }) {
+        this.store = store;
+        this.text = text;
+        this.move = mover(store);
+        this.on = element("input", { type: "checkbox", change: () => this.#switch() });
+        this.angles = {
+            sigma: this.#angle("sigma", withSigma),
+            delta: this.#angle("delta", withDelta),
+        };
+        this.parts = new ImaginaryParts(text, (k, value) => this.#setPart(k, value));
+        this.sweep = new SweepFields({ store, text });
+        this.inside = element(
+            "div",
+            {},
+            this.angles.sigma.node,
+            this.angles.delta.node,
+            this.parts.node,
+            this.sweep.node,
+        );
+        room.append(
+            element("label", { class: "complex-switch" }, this.on, ` ${text("complex.on")}`),
+            element("p", { class: "ray-said" }, text("complex.what")),
+            this.inside,
+            element("h3", {}, text("complex.presets")),
+            element("div", { class: "complex-presets" }, ...PAPER_SWEEPS.map((preset) => this.#preset(preset))),
+        );
+        this.#show(store.get());
+        store.subscribe((state, { changed }) => {
+            if (changed.has("complex") || changed.has("picture")) this.#show(state);
+        });
+    }
+
+    #angle(name, change) {
+        return numberField(this.text(`complex.${name}`), {
+            range: { min: 0, max: 180, step: 0.1 },
+            number: { min: 0, max: 180 },
+            unit: "°",
+            onInput: (degrees) => {
+                const { complex } = this.store.get();
+                this.move({ complex: { ...complex, ...change(complex, toRadians(degrees)) } });
+            },
+        });
+    }
+
+    #setPart(k, value) {
+        const { complex } = this.store.get();
+        const imaginary = { ...complex.imaginary, [k]: value };
+        if (value === 0) delete imaginary[k];
+        this.move({ complex: { ...complex, imaginary } });
+    }
+
+    #switch() {
+        const { complex } = this.store.get();
+        if (complex) this.#kept = complex;
+        this.store.set({ complex: this.on.checked ? this.#kept : null });
+    }
+
+    #preset(preset) {
+        return button(presetName(preset, this.text), () => {
+            const { name, equation } = SURFACES.find((surface) => surface.name === preset.surface);
+            this.sweep.set(preset.sweep);
+            this.store.set({
+                name,
+                equation,
+                parameters: {},
+                clip: [],
+                ...preset.view,
+                complex: { sigma: 0, delta: toRadians(preset.delta), imaginary: preset.imaginary },
+            });
+        });
+    }
+
+    #show(state) {
+        const { complex, picture } = state;
+        const degree = picture?.degree ?? 0;
+        this.on.checked = complex !== null;
+        this.inside.hidden = complex === null;
+        const sector = sectorOf(state);
+        this.angles.sigma.show(toDegrees(sector.sigma));
+        this.angles.delta.show(toDegrees(sector.delta));
+        this.parts.show(complex?.imaginary ?? {}, degree);
+        this.sweep.setDegree(degree);
+    }
+}
+
+/** Puts the panel into an element. */
+export const mount = (room, services) => new Panel(room, services);

@@ -1,0 +1,102 @@
+// sweepfields.js - which number of complex space is swept, from where to where, and the button that plays it.
+import { element } from "./dom.js";
+import { lowered } from "./number.js";
+import { Player, complexAt } from "./sweep.js";
+import { button, labelled } from "./widgets.js";
+
+const PERIOD = 6000; // milliseconds there and back
+const STILLS = 8; // pictures there, for those who want no motion
+
+const reduced = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+const nameOf = ({ what, k }) => (what === "imaginary" ? `imaginary-${k}` : what);
+
+function sweepNamed(name) {
+    const [what, k] = name.split("-");
+    return k === undefined ? { what } : { what, k: Number(k) };
+}
+
+export class SweepFields {
+    #player = new Player(PERIOD);
+    #still = 0;
+
+    constructor({ store, text }) {
+        this.store = store;
+        this.text = text;
+        this.what = element("select", { change: () => this.#stop() });
+        const end = () => element("input", { type: "number", step: "any", change: () => this.#stop() });
+        [this.from, this.to] = [end(), end()];
+        this.play = button("", () => this.#toggle());
+        this.node = element(
+            "fieldset",
+            { class: "sweep" },
+            element("legend", {}, text("complex.sweep")),
+            labelled(text("complex.sweep.what"), this.what),
+            labelled(text("complex.sweep.from"), this.from),
+            labelled(text("complex.sweep.to"), this.to),
+            this.play,
+        );
+        store.subscribe((state, { changed }) => {
+            if (!state.complex && this.#player.playing) this.#stop();
+            if (changed.has("picture")) this.#player.pictureCame();
+        });
+        this.set({ what: "delta", from: 0, to: 70 });
+        this.#label();
+    }
+
+    /** The sweep of the fields. */
+    get() {
+        return { ...sweepNamed(this.what.value), from: Number(this.from.value), to: Number(this.to.value) };
+    }
+
+    set(sweep) {
+        this.#stop();
+        const name = nameOf(sweep);
+        if (![...this.what.options].some((option) => option.value === name)) this.#list(sweep.k ?? 0, name);
+        this.what.value = name;
+        this.from.value = sweep.from;
+        this.to.value = sweep.to;
+    }
+
+    /** As many coefficients as the surface has. */
+    setDegree(degree) {
+        if (this.what.options.length !== degree + 3) this.#list(degree, this.what.value);
+    }
+
+    #list(degree, chosen) {
+        const choice = (name, label) => element("option", { value: name }, label);
+        const parts = Array.from({ length: degree + 1 }, (_, k) => choice(`imaginary-${k}`, `Im p${lowered(k)}`));
+        this.what.replaceChildren(choice("delta", "δ (°)"), choice("sigma", "σ (°)"), ...parts);
+        this.what.value = chosen;
+        if (this.what.selectedIndex < 0) this.what.value = "delta";
+    }
+
+    #show(share, moving) {
+        const { complex } = this.store.get();
+        if (complex) this.store.set({ complex: complexAt(complex, this.get(), share) }, { moving });
+    }
+
+    #toggle() {
+        if (reduced()) {
+            this.#still = (this.#still + 1) % (STILLS + 1);
+            this.#show(this.#still / STILLS, false);
+        } else if (this.#player.playing) {
+            this.#stop();
+        } else {
+            this.#player.start((share) => this.#show(share, true));
+            this.#label();
+        }
+    }
+
+    #stop() {
+        if (!this.#player.playing) return;
+        this.#player.stop();
+        this.#label();
+        this.store.set({}, { moving: false });
+    }
+
+    #label() {
+        const playing = this.#player.playing;
+        this.play.textContent = this.text(reduced() ? "complex.still" : playing ? "complex.stop" : "complex.play");
+    }
+}
