@@ -5,7 +5,7 @@ import { ImaginaryParts } from "./imaginary.js";
 import { lowered } from "./number.js";
 import { PAPER_SWEEPS } from "./papersweeps.js";
 import { sectorOf, toDegrees, toRadians, withDelta, withSigma } from "./sector.js";
-import { SURFACES } from "./surfaces.js";
+import { surfaceOf } from "./surfaces.js";
 import { SweepFields } from "./sweepfields.js";
 import { button, mover } from "./widgets.js";
 
@@ -13,13 +13,13 @@ const FIRST = { sigma: 0, delta: toRadians(10), imaginary: {} };
 
 function presetName({ surface, sweep }, text) {
     const symbol = sweep.what === "imaginary" ? `p${lowered(sweep.k)}` : "δ";
-    return `${text(`complex.surface.${surface}`)}, ${symbol}`;
+    return `${text(`name.${surface}`)}, ${symbol}`;
 }
 
 class Panel {
     #kept = FIRST; // what is shown when complex space is switched on again
 
-    constructor(room, { store, text }) {
+    constructor(room, { painter, store, text }) {
         this.store = store;
         this.text = text;
         this.move = mover(store);
@@ -29,7 +29,7 @@ class Panel {
             delta: this.#angle("delta", withDelta),
         };
         this.parts = new ImaginaryParts(text, (k, value) => this.#setPart(k, value));
-        this.sweep = new SweepFields({ store, text });
+        this.sweep = new SweepFields({ painter, store, text });
         this.inside = element(
             "div",
             {},
@@ -78,12 +78,13 @@ class Panel {
 
     #preset(preset) {
         return button(presetName(preset, this.text), () => {
-            const { name, equation } = SURFACES.find((surface) => surface.name === preset.surface);
+            const { name, equation, parameters, colours } = surfaceOf(preset.surface);
             this.sweep.set(preset.sweep);
             this.store.set({
                 name,
                 equation,
-                parameters: {},
+                parameters,
+                colours,
                 clip: [],
                 ...preset.view,
                 complex: { sigma: 0, delta: toRadians(preset.delta), imaginary: preset.imaginary },

@@ -52,6 +52,15 @@ function axes(view) {
     return nodes;
 }
 
+/** A box as far as it is in view; a line where it has no height. */
+function rectangle(view, [reLo, reHi, imLo, imHi]) {
+    const within = (pixels, size) => Math.max(-2, Math.min(size + 2, pixels));
+    const [left, right] = [reLo, reHi].map((re) => within(view.x(re), view.width));
+    const [top, bottom] = [imHi, imLo].map((im) => within(view.y(im), view.height));
+    const size = { width: Math.max(1, right - left), height: Math.max(1, bottom - top) };
+    return svg("rect", { class: "root-box", x: left, y: top, ...size });
+}
+
 function boxOf(view, root, selected) {
     const [reLo, reHi, imLo, imHi] = root.box;
     const [x, y] = [view.x(root.re), view.y(root.im)];
@@ -59,11 +68,7 @@ function boxOf(view, root, selected) {
     if (Math.abs(x) > far || Math.abs(y) > far) return [];
     const state = `${root.real ? " root-real" : ""}${root.chosen ? " root-chosen" : ""}`;
     const nodes = [];
-    const [wide, high] = [(reHi - reLo) * view.scale, (imHi - imLo) * view.scale];
-    if (Math.max(wide, high) > SMALLEST) {
-        const corner = { x: view.x(reLo), y: view.y(imHi) };
-        nodes.push(svg("rect", { class: "root-box", ...corner, width: Math.max(1, wide), height: Math.max(1, high) }));
-    }
+    if (Math.max(reHi - reLo, imHi - imLo) * view.scale > SMALLEST) nodes.push(rectangle(view, root.box));
     if (root.chosen) nodes.push(svg("circle", { class: "root-ring", cx: x, cy: y, r: 9 }));
     nodes.push(svg("circle", { class: `root${state}`, cx: x, cy: y, r: selected ? 5 : 4 }));
     const notes = [];

@@ -18,7 +18,7 @@ function frameOf(width, height, strip, x, y) {
     const rows = y.scale.ticks(Math.max(2, Math.floor((height - BELOW) / ROW)));
     const left = 22 + LETTER * Math.max(2, ...rows.map((tick) => tick.name.length));
     const frame = { left, top: 10, width: Math.max(60, width - left - 12), height: height - BELOW - 10, rows };
-    frame.columns = x.scale.ticks(Math.max(2, Math.floor(frame.width / 70)));
+    frame.columns = x.scale.ticks(Math.max(2, Math.floor(frame.width / 55)));
     frame.bottom = frame.top + frame.height;
     frame.right = frame.left + frame.width;
     frame.strip = { top: height + 2, height: strip };

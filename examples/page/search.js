@@ -7,7 +7,7 @@ import { Plot, area, band, line, marks, zero } from "./plot.js";
 import { svg } from "./svg.js";
 import { stepper } from "./widgets.js";
 
-const DEEPEST = 9; // rows of cells below the plot; smaller cells share the last one
+const DEEPEST = 12; // row of cells below the plot, from 0; smaller cells share it
 const ROW = 9; // pixels
 const SIGNS = { "-1": "−", 0: "0", 1: "+", 2: "?" };
 
@@ -20,10 +20,14 @@ function fateOf(cell) {
     return cell.variations === 1 ? "isolates" : "cut";
 }
 
-/** The cells that were looked at so far, below the plot, one row for each halving. */
+/** In which row below the plot a cell stands: one for each halving. */
+function levelOf(cell, chord) {
+    const halvings = Math.round(Math.log2((chord[1] - chord[0]) / (cell.hi - cell.lo)));
+    return Math.max(0, Math.min(DEEPEST, halvings || 0));
+}
+
+/** The cells that were looked at so far; step 0: all of them. */
 function rowsOfCells(cells, step, chord, shift) {
-    const level = (cell) =>
-        Math.max(0, Math.min(DEEPEST - 1, Math.round(Math.log2((chord[1] - chord[0]) / (cell.hi - cell.lo))) || 0));
     return (frame) =>
         cells.slice(0, step || cells.length).map((cell, i) => {
             const from = Math.max(frame.left, frame.x(Math.max(cell.lo, chord[0]) - shift));
@@ -31,7 +35,7 @@ function rowsOfCells(cells, step, chord, shift) {
             return svg("rect", {
                 class: `cell cell-${fateOf(cell)}${i + 1 === step ? " cell-now" : ""}`,
                 x: Math.min(from, frame.right - 2),
-                y: frame.strip.top + ROW * level(cell),
+                y: frame.strip.top + ROW * levelOf(cell, chord),
                 width: Math.max(2, to - from),
                 height: ROW - 2,
             });
@@ -45,7 +49,7 @@ export class Search {
 
     constructor(text) {
         this.text = text;
-        this.plot = new Plot({ height: 250, strip: ROW * DEEPEST + 4 });
+        this.plot = new Plot({ height: 250 });
         const words = { back: text("ray.back"), on: text("ray.on") };
         this.steps = stepper(text("ray.cells"), words, (step) => this.#go(step));
         this.said = element("p", { class: "ray-said", "aria-live": "polite" });
@@ -69,9 +73,9 @@ export class Search {
     }
 
     #sentence() {
-        const { cells, brackets } = this.#report;
-        if (cells.length === 0) return this.text("ray.cells.none", { roots: brackets.length });
-        if (this.#step === 0) return this.text("ray.cells.all", { cells: cells.length, roots: brackets.length });
+        const { cells, hits } = this.#report;
+        if (cells.length === 0) return this.text("ray.cells.none", { roots: hits.length });
+        if (this.#step === 0) return this.text("ray.cells.all", { cells: cells.length, roots: hits.length });
         const cell = cells[this.#step - 1];
         const what = this.text(`ray.cell.${fateOf(cell)}`);
         const who = this.text(`ray.engine.${cell.engine}`);
@@ -98,14 +102,16 @@ export class Search {
     }
 
     #draw() {
-        const { cells, brackets, hull, curve, root } = this.#report;
+        const { cells, brackets, hits, hull, curve, root } = this.#report;
         const chord = [curve[0][0], curve[curve.length - 1][0]];
         const shift = anchorOf(...chord);
         const moved = (points) => points.map(([t, value]) => [t - shift, value]);
         const margin = 0.03 * (chord[1] - chord[0]);
         const { scale, even } = ofValues([...curve, ...hull].map((point) => point[1]));
-        const roots = brackets.map(({ lo, hi }) => [(lo + hi) / 2 - shift, 0]);
+        const roots = hits.filter((hit) => hit.state === "hit").map((hit) => [hit.t - shift, 0]);
         const polygon = moved(this.#polygon());
+        const rows = Math.max(0, ...cells.map((cell) => 1 + levelOf(cell, chord)));
+        this.plot.strip = ROW * rows + 4;
         this.plot.draw({
             about: this.text("ray.plot.about", { chord: between(...chord), roots: roots.length }),
             x: {

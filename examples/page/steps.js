@@ -1,5 +1,6 @@
 // steps.js - how a method goes to the root inside its bracket, step by step, and what each method costs.
 import { anchorOf, linear, log, ofValues } from "./axis.js";
+import { samples } from "./bernstein.js";
 import { element } from "./dom.js";
 import { short, whole } from "./number.js";
 import { Plot, band, line, marks, numbered, zero } from "./plot.js";
@@ -7,12 +8,14 @@ import { freshId, stepper } from "./widgets.js";
 
 export const METHODS = ["default", "brent", "regula-falsi", "bisection"];
 
+const SAMPLES = 120;
 const MOST_SHOWN = 64; // evaluations on the abscissa: bisection's, about; regula falsi may need many more
 
-/** The curve between lo and hi: what was evaluated, and what the samples of the whole curve have there. */
-function curveIn(curve, points, lo, hi) {
-    const all = [...curve, ...points.map(({ t, value }) => [t, value])];
-    return all.filter(([t]) => t >= lo && t <= hi).sort((a, b) => a[0] - b[0]);
+/** The curve from lo to hi. */
+function curveIn(hull, points, lo, hi) {
+    const values = hull.map((point) => point[1]);
+    const drawn = samples(values, hull[0][0], hull[hull.length - 1][0], lo, hi, SAMPLES);
+    return [...drawn, ...points.map(({ t, value }) => [t, value])].sort((a, b) => a[0] - b[0]);
 }
 
 /** What to show: the bracket, or where there is none, all that was evaluated. */
@@ -55,7 +58,7 @@ export class Steps {
     /** runs: by method, what the engine's refine() returns; isolated: what isolate() returned; root: t. */
     show(runs, isolated, root) {
         const bracket = isolated.brackets.find(({ lo, hi }) => lo <= root && root <= hi);
-        this.#report = { runs, bracket, curve: isolated.curve, root };
+        this.#report = { runs, bracket, hull: isolated.hull, root };
         this.#fillTable();
         this.#choose(this.#method);
         this.#drawCourse();
@@ -75,7 +78,7 @@ export class Steps {
                 {},
                 element("td", {}, name),
                 count,
-                element("td", { class: "ray-number" }, whole(root)),
+                element("td", { class: "ray-number" }, short(root, 12)),
             );
         });
         this.rows.replaceChildren(...rows);
@@ -114,11 +117,11 @@ export class Steps {
     }
 
     #drawBracket() {
-        const { runs, bracket, curve, root } = this.#report;
+        const { runs, bracket, hull, root } = this.#report;
         const { points } = runs[this.#method];
         const [lo, hi] = windowOf(bracket, { one: runs[this.#method] });
         const shift = anchorOf(lo, hi);
-        const part = curveIn(curve, points, lo, hi).map(([t, value]) => [t - shift, value]);
+        const part = curveIn(hull, points, lo, hi).map(([t, value]) => [t - shift, value]);
         const { scale, even } = ofValues(part.map((point) => point[1]));
         const seen = points.slice(0, this.#step).map(({ t, value }) => [t - shift, value]);
         const kind = `method-${this.#method}`;

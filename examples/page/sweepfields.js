@@ -1,6 +1,8 @@
 // sweepfields.js - which number of complex space is swept, from where to where, and the button that plays it.
-import { element } from "./dom.js";
+import { stemOf } from "./command.js";
+import { download, element } from "./dom.js";
 import { lowered } from "./number.js";
+import { filmOf } from "./record.js";
 import { Player, complexAt } from "./sweep.js";
 import { button, labelled } from "./widgets.js";
 
@@ -19,14 +21,16 @@ function sweepNamed(name) {
 export class SweepFields {
     #player = new Player(PERIOD);
     #still = 0;
+    #recording = null; // AbortController
 
-    constructor({ store, text }) {
-        this.store = store;
-        this.text = text;
+    constructor({ painter, store, text }) {
+        Object.assign(this, { painter, store, text });
         this.what = element("select", { change: () => this.#stop() });
         const end = () => element("input", { type: "number", step: "any", change: () => this.#stop() });
         [this.from, this.to] = [end(), end()];
         this.play = button("", () => this.#toggle());
+        this.record = button("", () => this.#record());
+        this.said = element("span", { role: "status" });
         this.node = element(
             "fieldset",
             { class: "sweep" },
@@ -35,6 +39,8 @@ export class SweepFields {
             labelled(text("complex.sweep.from"), this.from),
             labelled(text("complex.sweep.to"), this.to),
             this.play,
+            this.record,
+            this.said,
         );
         store.subscribe((state, { changed }) => {
             if (!state.complex && this.#player.playing) this.#stop();
@@ -88,6 +94,27 @@ export class SweepFields {
         }
     }
 
+    /** Draws the sweep as a film, and hands it to the user; once more: gives up. */
+    async #record() {
+        if (this.#recording) return this.#recording.abort();
+        const state = this.store.get();
+        if (!state.complex) return undefined;
+        this.#stop();
+        this.#recording = new AbortController();
+        this.#label();
+        const { signal } = this.#recording;
+        const onProgress = (share) => (this.said.textContent = `${Math.round(100 * share)} %`);
+        try {
+            const film = await filmOf(this.painter, state, this.get(), { onProgress, signal });
+            download(film, `${stemOf(state)}-${this.what.value}.png`);
+            this.said.textContent = "";
+        } catch (error) {
+            this.said.textContent = signal.aborted ? "" : this.text("complex.record.failed", { reason: error.message });
+        }
+        this.#recording = null;
+        return this.#label();
+    }
+
     #stop() {
         if (!this.#player.playing) return;
         this.#player.stop();
@@ -97,6 +124,7 @@ export class SweepFields {
 
     #label() {
         const playing = this.#player.playing;
+        this.record.textContent = this.text(this.#recording ? "complex.record.cancel" : "complex.record");
         this.play.textContent = this.text(reduced() ? "complex.still" : playing ? "complex.stop" : "complex.play");
     }
 }

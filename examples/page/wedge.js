@@ -10,8 +10,8 @@ const KEY_STEP = 1; // degrees; with shift a tenth
 const KEYS = { ArrowUp: 1, ArrowRight: -1, ArrowDown: -1, ArrowLeft: 1, PageUp: 10, PageDown: -10 };
 
 const EDGES = [
-    { name: "sigma", share: 0.62, angle: (sector) => sector.sigma, move: withFirstEdge },
-    { name: "delta", share: 0.86, angle: (sector) => sector.sigma + sector.delta, move: withLastEdge },
+    { name: "sigma", share: 0.32, angle: (sector) => sector.sigma, move: withFirstEdge },
+    { name: "delta", share: 0.5, angle: (sector) => sector.sigma + sector.delta, move: withLastEdge },
 ];
 
 const pathOf = (view, points) =>
