@@ -16,12 +16,18 @@ function presetName({ surface, sweep }, text) {
     return `${text(`name.${surface}`)}, ${symbol}`;
 }
 
+/** The camera with a field of view that shows the same on a canvas that is higher than wide: the eye has to stay
+ * where it is, since what complex space shows depends on it. */
+function seenWhole(camera, { clientWidth, clientHeight }) {
+    const half = Math.tan(toRadians(camera.fov / 2)) * Math.max(1, clientHeight / clientWidth);
+    return { ...camera, fov: Number(toDegrees(2 * Math.atan(half)).toPrecision(6)) };
+}
+
 class Panel {
     #kept = FIRST; // what is shown when complex space is switched on again
 
-    constructor(room, { painter, store, text }) {
-        this.store = store;
-        this.text = text;
+    constructor(room, { painter, store, text, canvas, open }) {
+        Object.assign(this, { store, text, canvas, open });
         this.move = mover(store);
         this.on = element("input", { type: "checkbox", change: () => this.#switch() });
         this.angles = {
@@ -80,15 +86,10 @@ class Panel {
         return button(presetName(preset, this.text), () => {
             const { name, equation, parameters, colours } = surfaceOf(preset.surface);
             this.sweep.set(preset.sweep);
-            this.store.set({
-                name,
-                equation,
-                parameters,
-                colours,
-                clip: [],
-                ...preset.view,
-                complex: { sigma: 0, delta: toRadians(preset.delta), imaginary: preset.imaginary },
-            });
+            const { extent, camera } = preset.view;
+            const complex = { sigma: 0, delta: toRadians(preset.delta), imaginary: preset.imaginary };
+            const state = { name, equation, parameters, colours, extent, complex };
+            this.open(state, { camera: seenWhole(camera, this.canvas) });
         });
     }
 
@@ -105,5 +106,5 @@ class Panel {
     }
 }
 
-/** Puts the panel into an element. */
+/** Puts the panel into an element; open(state, { camera }) shows another surface. */
 export const mount = (room, services) => new Panel(room, services);

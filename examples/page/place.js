@@ -18,11 +18,13 @@ function cross() {
 /** Watches a canvas. */
 export class Place {
     #share = null; // of the picture's width and height, so that it stays where it is when the size changes
+    #size;
 
     /** onChange(): there is another place. */
     constructor(canvas, onChange) {
         this.canvas = canvas;
         this.onChange = onChange;
+        this.#size = { width: canvas.width, height: canvas.height };
         this.cross = cross();
         this.cross.setAttribute("aria-hidden", "true");
         this.cross.style.display = "none";
@@ -38,16 +40,23 @@ export class Place {
         this.onChange();
     }
 
+    /** The size of the picture at rest, in which pixels count; is it another one? */
+    resize({ width, height }) {
+        const changed = width !== this.#size.width || height !== this.#size.height;
+        this.#size = { width, height };
+        return changed && this.#share !== null;
+    }
+
     /** The pixel, from 0,0 in the upper left corner, and the picture's size; null when there is none yet. */
     get() {
         if (!this.#share) return null;
-        const { width, height } = this.canvas;
+        const { width, height } = this.#size;
         return { width, height, x: Math.floor(this.#share[0] * width), y: Math.floor(this.#share[1] * height) };
     }
 
     /** To a pixel; nothing given: the middle. */
-    move(x = this.canvas.width >> 1, y = this.canvas.height >> 1) {
-        this.#goTo((x + 0.5) / this.canvas.width, (y + 0.5) / this.canvas.height);
+    move(x = this.#size.width >> 1, y = this.#size.height >> 1) {
+        this.#goTo((x + 0.5) / this.#size.width, (y + 0.5) / this.#size.height);
     }
 
     clear() {

@@ -44,16 +44,16 @@ class Panel {
     constructor(room, { painter, store, text, canvas }) {
         Object.assign(this, { painter, store, text });
         this.ask = latest(() => this.#ask());
-        this.place = new Place(canvas, () => {
-            if (this.place.get()) room.closest("details")?.setAttribute("open", "");
-            this.#changed();
-        });
+        this.place = new Place(canvas, () => this.#changed());
         this.search = new Search(text);
         this.steps = new Steps(text);
         const move = mover(store);
         this.plane = new Plane(text, (sector) => move({ complex: complexWith(store.get(), sector) }));
         this.#build(room);
         store.subscribe((state, { changed, moving }) => {
+            const resized =
+                changed.has("picture") && state.picture.stage !== "moving" && this.place.resize(state.picture);
+            if (resized) this.#changed();
             const rests = changed.size === 0 && !moving;
             if (!rests && !MATTERS.some((key) => changed.has(key))) return;
             if (changed.has("complex")) this.plane.setSector(sectorOf(state));
