@@ -4,7 +4,7 @@
 import { element, fill } from "./dom.js";
 import { constantsOf, isName, LIMITS, usualRange } from "./state.js";
 
-const WAIT = 120; // milliseconds after a key
+const WAIT = 30; // milliseconds after a key
 
 export class EquationBox {
     #box;
@@ -75,9 +75,9 @@ export class EquationBox {
             const { parameters, compiled } = await compiledWith(painter, equation, store.get().parameters);
             if (turn !== this.#latest) return;
             this.#mark(null);
-            onSurface({ name: "", equation, parameters }, compiled);
+            await onSurface({ name: "", equation, parameters }, compiled);
         } catch (error) {
-            if (turn === this.#latest) this.#mark(error);
+            if (turn === this.#latest && error.code !== "E_CANCELLED") this.#mark(error);
         }
     }
 

@@ -30,9 +30,8 @@ export function fillHelp(dialog, text) {
     ]);
     fill(
         dialog,
-        element("h2", { id: "help-title" }, text("help.title")),
-        element("dl", {}, ...keys),
-        element("dl", {}, ...pointers),
+        element("h2", { id: "help-title", tabindex: -1, autofocus: true }, text("help.title")),
+        element("div", { class: "lists" }, element("dl", {}, ...keys), element("dl", {}, ...pointers)),
         button(text("close"), () => dialog.close(), { class: "main" }),
     );
 }

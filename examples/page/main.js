@@ -36,6 +36,7 @@ translate(document, text);
 const canvas = at("picture"), stage = at("stage");
 let home = null; // the camera of the surface before it was moved
 let wanted = null; // the same before it was made to suit the window
+let fitted = ""; // what that camera was fitted to
 
 function start() {
     const linked = stateOfLink(location.hash, { ...checkedState({}).state, ...SURFACES[0] });
@@ -86,6 +87,18 @@ function isHome() {
     return JSON.stringify(store.get().camera) === JSON.stringify(home);
 }
 
+/** What a fitted camera depends on. */
+function fittedTo({ equation, parameters, extent }) {
+    return JSON.stringify([equation, Object.entries(parameters).map(([name, p]) => [name, p.value]), extent]);
+}
+
+/** The state's link: without a camera where who opens it gets the same one, made to suit that window. */
+function link() {
+    const state = store.get();
+    const isKnown = surfaceOf(state.name)?.equation === state.equation || fitted === fittedTo(state);
+    return new URL(linkOf(state, isKnown ? home : null), location.href).href;
+}
+
 /** The camera before it is moved; it is made to suit the window, now and when the window changes. */
 function setHome(camera) {
     wanted = camera;
@@ -116,24 +129,27 @@ async function openTyped(partial) {
     const { extent } = store.get();
     const { width, height } = size();
     const asked = { ...store.get(), ...partial, extent: { ...extent, kind: "fitted" }, picture: null };
-    const fitted = await painter.ask("fit", asked, { width, height, latest: true });
-    setHome(fitted.camera);
-    home = fitted.camera;
-    store.set({ ...partial, clip: [], extent: fitted.extent, camera: home });
+    const { extent: chosen, camera } = await painter.ask("fit", asked, { width, height }, { latest: true });
+    showFitted({ ...partial, clip: [], extent: chosen }, camera);
     remember();
 }
 const remember = debounced(3000, () => gallery.remember(store.get()));
+
+function showFitted(partial, camera) {
+    home = wanted = camera;
+    fitted = fittedTo({ ...store.get(), ...partial });
+    store.set({ ...partial, camera });
+}
 
 /** what: "view" chooses extent and camera anew, "camera" the camera. */
 async function fit(what) {
     const state = store.get(), { width, height } = size();
     const extent = what === "view" ? { ...state.extent, kind: "fitted" } : state.extent;
     try {
-        const fitted = await painter.ask("fit", { ...state, extent, picture: null }, { width, height, latest: true });
-        home = wanted = fitted.camera;
-        store.set({ extent: what === "view" ? fitted.extent : extent, camera: home });
+        const found = await painter.ask("fit", { ...state, extent, picture: null }, { width, height }, { latest: true });
+        showFitted({ extent: what === "view" ? found.extent : extent }, found.camera);
     } catch (error) {
-        notify(text("trouble", { why: error.message }));
+        if (error.code !== "E_CANCELLED") notify(text("trouble", { why: error.message }));
     }
 }
 
@@ -173,7 +189,6 @@ const sliders = new Sliders(at("sliders"), services);
 const reset = () => store.set({ camera: home });
 const motion = new Motion(canvas, { ...services, home: () => home });
 const files = openDrops(document.body, { ...services, drop: at("drop"), open: (state) => openLink({ state, hasCamera: true, bad: [], unknown: [] }) });
-const link = () => new URL(linkOf(store.get(), home), location.href).href;
 const take = new Take(at("take"), { ...services, link, openFile: files.choose });
 mountView(at("view"), { ...services, fit, reset });
 mountLook(at("look"), services);
@@ -195,7 +210,7 @@ function showSection(name) {
     const section = at(`section-${name}`);
     section.open = true;
     openPanel();
-    section.scrollIntoView({ block: "nearest", behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
+    section.scrollIntoView({ block: "start", behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
     return section;
 }
 
@@ -208,7 +223,7 @@ canvas.addEventListener("place", () => showSection("ray"));
 
 const languages = choice(Object.entries(LANGUAGES), (language) => {
     memory.set("language", language);
-    history.replaceState(null, "", linkOf(store.get(), home));
+    history.replaceState(null, "", link());
     location.reload();
 });
 languages.value = text.language;
@@ -236,7 +251,7 @@ keepKeys({
 // ---- following the state ----
 
 const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(store.get(), text)));
-const keepAddress = debounced(600, () => history.replaceState(null, "", linkOf(store.get(), home)));
+const keepAddress = debounced(600, () => history.replaceState(null, "", link()));
 
 function follow(state, changed) {
     if (changed.has("name") || changed.has("equation")) {
@@ -265,4 +280,4 @@ window.addEventListener("hashchange", () => {
 
 if (linked) void openLink(linked);
 else open(SURFACES[0]);
-if ("serviceWorker" in navigator && location.protocol === "https:") void navigator.serviceWorker.register("offline.js", { scope: "./" });
+if (isSecureContext && "serviceWorker" in navigator) void navigator.serviceWorker.register("offline.js", { scope: "./" });

@@ -102,7 +102,7 @@ export function programOf(state, { width, height, quality = "standard", antialia
     const constants = letters.map(([name, p]) => `{${literal(name)}, ${number(p.value)}}`).join(", ");
     return [
         `/* Draws ${file} with libalgsurf:  cc -O2 program.c -lalgsurf && ./a.out`,
-        " * or, in the library's folder:    cc -O2 -Iinclude program.c lib/*/*.c -lm -pthread && ./a.out */",
+        " * or, in the library's folder:    cc -O2 -Iinclude program.c $(find lib -name '*.c') -lm -pthread && ./a.out */",
         "#include <stdio.h>",
         "#include <stdlib.h>",
         "#include <algsurf/algsurf.h>",
