@@ -123,8 +123,9 @@ export class SweepFields {
     }
 
     #label() {
-        const playing = this.#player.playing;
         this.record.textContent = this.text(this.#recording ? "complex.record.cancel" : "complex.record");
-        this.play.textContent = this.text(reduced() ? "complex.still" : playing ? "complex.stop" : "complex.play");
+        this.play.textContent = this.text(reduced() ? "complex.still" : "complex.play");
+        if (reduced()) this.play.removeAttribute("aria-pressed");
+        else this.play.setAttribute("aria-pressed", String(this.#player.playing));
     }
 }
