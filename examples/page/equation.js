@@ -1,6 +1,7 @@
 // equation.js - the box that equations are typed into: compiled while typing; the last good picture stays.
 //
 // What is wrong is marked in place, by a layer of the same text behind the transparent box.
+import { compile } from "./asking.js";
 import { element, fill } from "./dom.js";
 import { constantsOf, isName, LIMITS, usualRange } from "./state.js";
 
@@ -24,6 +25,11 @@ export class EquationBox {
         box.addEventListener("scroll", () => (mirror.scrollTop = box.scrollTop));
         box.addEventListener("keydown", (event) => this.#key(event));
         new ResizeObserver(() => this.#fit()).observe(box.parentElement);
+    }
+
+    /** Is what stands in the box what is shown? */
+    get isSettled() {
+        return this.#box.value === this.#services.store.get().equation;
     }
 
     focus() {
@@ -109,7 +115,7 @@ export class EquationBox {
 /** Values for the free letters of an equation: those known, 1 for new ones; and what compile says then. */
 export async function compiledWith(painter, equation, known) {
     if (equation.length > LIMITS.equation) throw Object.assign(new Error(), { code: "LONG" });
-    const compiled = await painter.ask("compile", equation, constantsOf({ parameters: known }));
+    const compiled = await compile(painter, equation, constantsOf({ parameters: known }));
     if (compiled.letters.length > LIMITS.parameters) throw Object.assign(new Error(), { code: "LETTERS" });
     const parameters = {};
     for (const name of compiled.letters.filter(isName)) {
@@ -117,5 +123,5 @@ export async function compiledWith(painter, equation, known) {
         parameters[name] = known[name] ?? { value: 1, from, to };
     }
     if (compiled.missing.length === 0) return { parameters, compiled };
-    return { parameters, compiled: await painter.ask("compile", equation, constantsOf({ parameters })) };
+    return { parameters, compiled: await compile(painter, equation, constantsOf({ parameters })) };
 }

@@ -1,4 +1,5 @@
 // main.js - the page: makes its parts and wires them together.
+import { fit as fitOf } from "./asking.js";
 import { suited } from "./camera.js";
 import { mount as mountCertain } from "./certain.js";
 import { mount as mountComplex } from "./complex.js";
@@ -127,13 +128,13 @@ function open(state, { camera = null } = {}) {
 /** A surface that was just typed: what is shown, and from where, is chosen. */
 async function openTyped(partial) {
     const { extent } = store.get();
-    const { width, height } = size();
     const asked = { ...store.get(), ...partial, extent: { ...extent, kind: "fitted" }, picture: null };
-    const { extent: chosen, camera } = await painter.ask("fit", asked, { width, height }, { latest: true });
-    showFitted({ ...partial, clip: [], extent: chosen }, camera);
+    const found = await fitOf(painter, asked, size());
+    if (found) showFitted({ ...partial, clip: [], extent: found.extent }, found.camera);
+    else store.set({ ...partial, clip: [] });
     remember();
 }
-const remember = debounced(3000, () => gallery.remember(store.get()));
+const remember = debounced(4000, () => box.isSettled && gallery.remember(store.get()));
 
 function showFitted(partial, camera) {
     home = wanted = camera;
@@ -143,11 +144,11 @@ function showFitted(partial, camera) {
 
 /** what: "view" chooses extent and camera anew, "camera" the camera. */
 async function fit(what) {
-    const state = store.get(), { width, height } = size();
+    const state = store.get();
     const extent = what === "view" ? { ...state.extent, kind: "fitted" } : state.extent;
     try {
-        const found = await painter.ask("fit", { ...state, extent, picture: null }, { width, height }, { latest: true });
-        showFitted({ extent: what === "view" ? found.extent : extent }, found.camera);
+        const found = await fitOf(painter, { ...state, extent, picture: null }, size());
+        if (found) showFitted({ extent: what === "view" ? found.extent : extent }, found.camera);
     } catch (error) {
         if (error.code !== "E_CANCELLED") notify(text("trouble", { why: error.message }));
     }
@@ -168,7 +169,7 @@ async function openLink(read) {
         }
     } catch (error) {
         open(SURFACES[0]);
-        return notify(text("link.bad", { what: error.message || error.code }));
+        return notify(text("link.equation", { why: error.message || text(`mistake.${error.code}`) }));
     }
     const said = [];
     if (newer) said.push(text("link.newer"));

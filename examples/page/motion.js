@@ -13,6 +13,7 @@ import { radiusOf } from "./state.js";
 const TURN = 2.6; // radians for a drag over the picture's height
 const CLICK = 5; // pixels that a pointer may move in a click
 const KEY_ANGLE = (7.5 * Math.PI) / 180, KEY_TIMES = 1.25;
+const SECOND = 260; // milliseconds in which a second click makes a double one
 const REST = 180; // milliseconds without input: the picture rests
 
 export class Motion {
@@ -22,6 +23,7 @@ export class Motion {
     #home;
     #pointers = new Map();
     #moved = 0;
+    #click = 0; // a timer: no second one followed
     #rest = debounced(REST, () => this.rest());
     #anchor = debounced(400, () => this.#takeAnchor());
 
@@ -35,7 +37,10 @@ export class Motion {
         canvas.addEventListener("pointermove", (event) => this.#move(event));
         for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.#up(event));
         canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-        canvas.addEventListener("dblclick", () => this.reset());
+        canvas.addEventListener("dblclick", () => {
+            clearTimeout(this.#click);
+            this.reset();
+        });
         canvas.addEventListener("contextmenu", (event) => event.ctrlKey && event.preventDefault());
     }
 
@@ -118,7 +123,8 @@ export class Motion {
         } else if (event.type === "pointerup") {
             const { left, top, width, height } = this.#canvas.getBoundingClientRect();
             const detail = { x: (event.clientX - left) / width, y: (event.clientY - top) / height };
-            this.#canvas.dispatchEvent(new CustomEvent("place", { detail }));
+            clearTimeout(this.#click);
+            this.#click = setTimeout(() => this.#canvas.dispatchEvent(new CustomEvent("place", { detail })), SECOND);
         }
     }
 
