@@ -24,6 +24,7 @@ function seenWhole(camera, { clientWidth, clientHeight }) {
 }
 
 class Panel {
+    degree = 0; // of the last picture
     #kept = FIRST; // what is shown when complex space is switched on again
 
     constructor(room, { painter, store, text, canvas, open }) {
@@ -95,14 +96,14 @@ class Panel {
 
     #show(state) {
         const { complex, picture } = state;
-        const degree = picture?.degree ?? 0;
+        this.degree = picture?.degree ?? this.degree;
         this.on.checked = complex !== null;
         this.inside.hidden = complex === null;
         const sector = sectorOf(state);
         this.angles.sigma.show(toDegrees(sector.sigma));
         this.angles.delta.show(toDegrees(sector.delta));
-        this.parts.show(complex?.imaginary ?? {}, degree);
-        this.sweep.setDegree(degree);
+        this.parts.show(complex?.imaginary ?? {}, this.degree);
+        this.sweep.setDegree(this.degree);
     }
 }
 

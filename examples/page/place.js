@@ -65,6 +65,11 @@ export class Place {
         this.onChange();
     }
 
+    /** Whether the cross is to be seen. */
+    set visible(visible) {
+        this.cross.classList.toggle("ray-cross-away", !visible);
+    }
+
     #show() {
         this.cross.style.display = this.#share ? "" : "none";
         if (!this.#share) return;

@@ -50,6 +50,8 @@ class Panel {
         const move = mover(store);
         this.plane = new Plane(text, (sector) => move({ complex: complexWith(store.get(), sector) }));
         this.#build(room);
+        this.section = room.closest("details");
+        this.section.addEventListener("toggle", () => this.#changed());
         store.subscribe((state, { changed, moving }) => {
             const resized =
                 changed.has("picture") && state.picture.stage !== "moving" && this.place.resize(state.picture);
@@ -112,8 +114,10 @@ class Panel {
         this.planePart.hidden = true;
     }
 
-    /** All questions about the place as it is now. */
+    /** All questions about the place as it is now; none while nobody sees the answers. */
     async #ask() {
+        this.place.visible = this.section.open;
+        if (!this.section.open) return undefined;
         const place = this.place.get();
         this.hint.hidden = place !== null;
         if (!place) return this.#hide("");
@@ -158,7 +162,7 @@ class Panel {
     }
 }
 
-/** Puts the panel into an element; canvas: the picture. */
+/** Puts the panel into an element, which is part of one that unfolds; canvas: the picture. */
 export function mount(room, services) {
     return new Panel(room, services);
 }
