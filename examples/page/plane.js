@@ -29,7 +29,7 @@ function axes(view) {
         return { shift, ticks: linear(lo - shift, hi - shift).ticks(Math.max(2, Math.floor(Math.abs(b - a) / 75))) };
     };
     const below = range(view.re, 30, view.width - 20);
-    const beside = range(view.im, view.height - 30, 20);
+    const beside = range(view.im, view.height - 30, 28);
     const nodes = [];
     for (const { at, name } of below.ticks) {
         const x = view.x(at + below.shift);
@@ -105,6 +105,7 @@ export class Plane {
         this.zoom.addEventListener("input", () => this.#paint());
         this.said = element("p", { class: "ray-said" });
         this.list = element("ul", { class: "roots" });
+        const note = element("p", { class: "ray-said" }, text("ray.plane.note"));
         this.node = element(
             "figure",
             {},
@@ -112,6 +113,7 @@ export class Plane {
             labelled(text("ray.zoom"), this.zoom, "ray-zoom"),
             this.said,
             this.list,
+            note,
         );
         new ResizeObserver(() => this.#paint()).observe(this.room);
     }
