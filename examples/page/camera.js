@@ -1,8 +1,7 @@
 // camera.js - a camera moved: every function gives a new one, {eye, lookAt, up, fov}.
 //
 // Turning is by rotations about axes of the picture, and takes `up` along: there is no pole and no gimbal.
-// Zooming in narrows the field of view, so that the eye never gets into the surface; zooming out widens it
-// back to the usual one, then moves the eye away.
+// Zooming in narrows the field of view, so that the eye never gets into the surface.
 
 const USUAL_FOV = 25, LEAST_FOV = 1e-5, RADIANS = Math.PI / 180;
 const MOST_DISTANCE = 1e9;
@@ -70,23 +69,35 @@ export function pan(camera, x, y) {
     return tidy({ ...camera, eye: plus(camera.eye, by), lookAt: plus(camera.lookAt, by) });
 }
 
-/** `times` as large; what is at x, y (as for pan) in the plane that is looked at stays there.  The eye does
- *  not come nearer than `nearest` to what it looks at. */
+/** Narrows or widens the field of view; the eye stays, and the ray through x, y (as for pan) keeps its place. */
+function magnify(camera, slope, x, y) {
+    const { right, up, forward, distance, half } = axesOf(camera);
+    const through = (steepness) => unit(plus(plus(forward, right, x * steepness), up, y * steepness));
+    const from = through(slope), to = through(half / distance), axis = cross(from, to), sine = Math.hypot(...axis);
+    const turn = (v) => (sine > 1e-15 ? turned(v, unit(axis), Math.atan2(sine, dot(from, to))) : v);
+    return {
+        ...camera,
+        lookAt: plus(camera.eye, turn(forward), distance),
+        up: turn(up),
+        fov: (2 / RADIANS) * Math.atan(slope),
+    };
+}
+
+/** `times` as large.  The field of view narrows and widens back to the usual one; beyond that the eye moves, and
+ *  comes as near as `nearest` again.  What is at x, y (as for pan) stays there: all of the ray in the former case,
+ *  in the latter the point of the plane that is looked at. */
 export function zoom(camera, times, x = 0, y = 0, nearest = 0) {
-    const { forward, distance, half } = axesOf(camera);
+    const { distance, half } = axesOf(camera);
     const usual = Math.tan((USUAL_FOV / 2) * RADIANS), least = Math.tan((LEAST_FOV / 2) * RADIANS);
     const now = half / distance, widest = Math.max(usual, now), wanted = half / times;
     let far = distance;
     if (times > 1 && now >= usual && distance > nearest) far = Math.max(wanted / now, nearest);
     if (times < 1 && wanted / distance > widest) far = Math.min(wanted / widest, MOST_DISTANCE);
     const slope = Math.min(Math.max(wanted / far, least), widest);
-    const made = {
-        ...camera,
-        eye: plus(camera.lookAt, forward, -far),
-        fov: (2 / RADIANS) * Math.atan(slope),
-    };
-    const grown = half / (slope * far);
-    return pan(made, x * (1 - grown), y * (1 - grown));
+    const magnified = slope === now ? camera : magnify(camera, slope, x, y);
+    if (far === distance) return tidy(magnified);
+    const grown = distance / far, moved = plus(magnified.lookAt, axesOf(magnified).forward, -far);
+    return pan({ ...magnified, eye: moved }, x * (1 - grown), y * (1 - grown));
 }
 
 /** The same picture, but what is looked at is so far from the eye: what it turns about then. */

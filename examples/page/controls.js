@@ -38,8 +38,12 @@ export function numberField({ label, min = -1e9, max = 1e9, onNumber }) {
         type: "number", step: "any", min, max, "aria-label": label,
         change: () => {
             const x = field.value === "" ? NaN : Number(field.value);
-            if (x >= min && x <= max) onNumber(x);
-            else field.value = field.dataset.good;
+            if (x >= min && x <= max) {
+                field.dataset.good = x;
+                onNumber(x);
+            } else {
+                field.value = field.dataset.good;
+            }
         },
     });
     field.follow = (x) => {

@@ -81,6 +81,9 @@ function viewOf(all) {
     return { up: column(1), back: column(2), radius };
 }
 
+/** Without the last digits, which are rounding errors. */
+const told = (x) => Number(x.toPrecision(12));
+
 /** A state's members from the text of a file. */
 export function stateOfFile(text) {
     if (text.length > LARGEST) throw new FileError("file.large");
@@ -103,7 +106,7 @@ export function stateOfFile(text) {
         equation,
         parameters,
         extent: { kind: "sphere", size: [radius], centre: [0, 0, 0] },
-        camera: { eye: back.map((x) => x * distance * radius), lookAt: [0, 0, 0], up, fov },
+        camera: { eye: back.map((x) => told(x * distance * radius)), lookAt: [0, 0, 0], up: up.map(told), fov },
         colours: {
             outside,
             inside: colourOf(all, "back_material_color", outside),

@@ -52,6 +52,9 @@ const painter = new Painter({
         if (report.stage !== "moving") hideNotice("trouble");
         store.set({ picture: report }, { moving: report.stage === "moving" });
     },
+    onStatus({ kind }) {
+        if (kind === "replaced") notify(text("worker.replaced"));
+    },
     onError: (error) => notify(text("trouble", { why: error.message ?? error.code }), "trouble"),
 });
 
@@ -278,6 +281,8 @@ window.addEventListener("hashchange", () => {
     const read = stateOfLink(location.hash, checkedState(SURFACES[0]).state);
     if (read) void openLink(read);
 });
+
+window.algsurfPage = { store, painter }; // for tests
 
 if (linked) void openLink(linked);
 else open(SURFACES[0]);
