@@ -14,9 +14,12 @@ const MATTERS = ["equation", "parameters", "extent", "clip", "camera", "complex"
 
 const vector = (v) => `(${v.map((x) => short(x, 6)).join(", ")})`;
 
+/** Numbers as they are counted, without marks for thousands. */
+const plain = (place) => Object.fromEntries(Object.entries(place).map(([key, value]) => [key, String(value)]));
+
 /** The rows "name, value" of what is known of a hit. */
 function factsOf(pick, place, complex, text) {
-    const facts = [["ray.pixel", text("ray.pixel.of", place)]];
+    const facts = [["ray.pixel", text("ray.pixel.of", plain(place))]];
     if (pick.state === "hit")
         facts.push(
             ["ray.position", vector(pick.position)],
@@ -88,7 +91,11 @@ class Panel {
                 button(text("ray.middle"), () => this.place.move()),
                 labelled("x", this.x),
                 labelled("y", this.y),
-                button(text("ray.clear"), () => this.place.clear()),
+                button("✕", () => this.place.clear(), {
+                    class: "sign",
+                    "aria-label": text("ray.clear"),
+                    title: text("ray.clear"),
+                }),
             ),
             this.verdict,
             this.facts,
