@@ -122,5 +122,5 @@ visitTest("a ray is asked about only while its section is open", { link: SPHERE 
     await visit.settled();
     assert.deepEqual(await page.evaluate(() => window.asked.filter((kind) => kind === "pick")), []);
     await page.locator("#section-ray > summary").click();
-    await page.waitForFunction("window.asked.includes('complexRoots')", undefined, { polling: 50 });
+    await visit.until(() => window.asked.includes("complexRoots"));
 });
