@@ -58,6 +58,21 @@ function pictureOf({ picture, ...state }, wanted) {
     return ordered(drawn) === ordered(state) ? { ...picture, state: null } : null;
 }
 
+/** In the page: the canvas as text that can be sent. */
+function canvasAsText() {
+    const { width, height } = document.querySelector("#picture");
+    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(document.querySelector("#picture"), 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    let binary = "";
+    for (let i = 0; i < data.length; i += 0x8000) binary += String.fromCharCode(...data.subarray(i, i + 0x8000));
+    return { width, height, base64: btoa(binary) };
+}
+
+function fromText({ width, height, base64 }) {
+    return { width, height, data: new Uint8Array(Buffer.from(base64, "base64")) };
+}
+
 export class Visit {
     faults = [];
 
@@ -140,16 +155,23 @@ export class Visit {
 
     /** The pixels of the canvas. */
     async pixels() {
-        const { width, height, data } = await this.page.evaluate(() => {
-            const canvas = document.querySelector("#picture");
-            const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-            copy.drawImage(canvas, 0, 0);
-            const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
-            let binary = "";
-            for (let i = 0; i < data.length; i += 0x8000) binary += String.fromCharCode(...data.subarray(i, i + 0x8000));
-            return { width: canvas.width, height: canvas.height, data: btoa(binary) };
-        });
-        return { width, height, data: new Uint8Array(Buffer.from(data, "base64")) };
+        return fromText(await this.page.evaluate(canvasAsText));
+    }
+
+    /** The pixels that the canvas has the moment the next picture with one sample at rest is shown, after the eye
+     * went away a little. */
+    async pixelsAtRest() {
+        await this.page.evaluate(`window.algsurfAsText = ${canvasAsText}`);
+        const text = await this.page.evaluate(() => new Promise((done) => {
+            const { store } = window.algsurfPage, { camera } = store.get();
+            const end = store.subscribe(({ picture }, { changed }) => {
+                if (!changed.has("picture") || picture?.stage !== "plain") return;
+                end();
+                done(window.algsurfAsText());
+            });
+            store.set({ camera: { ...camera, eye: camera.eye.map((x) => 1.03125 * x) } });
+        }));
+        return fromText(text);
     }
 
     /** Opens one of the parts of the panel. */

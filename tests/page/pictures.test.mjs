@@ -7,7 +7,7 @@ const KUMMER = "#v1&equation=(x^2%2By^2%2Bz^2-m^2)^2=(3m^2-1)/(3-m^2)((1-z)^2-2x
 
 async function lookedInto(visit) {
     const { middleX, middleY } = await visit.box();
-    await visit.page.mouse.click(middleX + 40, middleY - 30);
+    await visit.page.mouse.click(middleX - 38, middleY - 98);
     await visit.page.locator("#ray .ray-facts dd").first().waitFor({ state: "attached" });
     await visit.finished();
     await visit.page.waitForTimeout(800);
@@ -57,7 +57,7 @@ const shots = {
     }],
     "phone ray": [PHONE, async (visit) => {
         const { middleX, middleY } = await visit.box();
-        await visit.page.touchscreen.tap(middleX, middleY);
+        await visit.page.touchscreen.tap(middleX - 22, middleY - 60);
         await visit.page.waitForTimeout(1500);
     }],
     "german": [{ ...DESKTOP, locale: "de-DE" }, async () => {}],

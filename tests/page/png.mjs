@@ -1,4 +1,4 @@
-// png.mjs - the pixels of PNG files with 8 bits a sample, as written by the programs and by the page.
+// png.mjs - the pixels of PNG, PPM and PAM files with 8 bits a sample, as written by the programs and by the page.
 import { inflateSync } from "node:zlib";
 
 const CHANNELS = { 2: 3, 6: 4 };
@@ -41,6 +41,17 @@ export function decodePng(file) {
             for (let c = 0; c < channels; c++) data[4 * (y * width + x) + c] = row[channels * x + c];
         above = row;
     }
+    return { width, height, data };
+}
+
+/** The same of a PPM or PAM file. */
+export function decodePnm(file) {
+    const pam = /^P7\nWIDTH (\d+)\nHEIGHT (\d+)\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n/;
+    const head = file.toString("latin1", 0, 200), [all, w, h] = pam.exec(head) ?? /^P6\n(\d+) (\d+)\n255\n/.exec(head);
+    const width = Number(w), height = Number(h), samples = file.subarray(all.length);
+    if (head[1] === "7") return { width, height, data: samples };
+    const data = new Uint8Array(4 * width * height).fill(255);
+    for (let i = 0; i < width * height; i++) for (let c = 0; c < 3; c++) data[4 * i + c] = samples[3 * i + c];
     return { width, height, data };
 }
 

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after } from "node:test";
 import { visitTest, WORDS } from "./harness.mjs";
-import { decodePng, difference } from "./png.mjs";
+import { decodePng, decodePnm, difference } from "./png.mjs";
 import { native, PROGRAMS, SOURCE } from "./settings.mjs";
 
 const work = mkdtempSync(join(tmpdir(), "check_page"));
@@ -37,23 +37,16 @@ function drawn(words) {
     return decodePng(readFileSync(path));
 }
 
+/** What a command for a shell draws. */
+function drawnBy(command) {
+    const env = { ...process.env, PATH: `${PROGRAMS}:${process.env.PATH}` };
+    execFileSync("sh", ["-c", command], { cwd: work, env, stdio: "pipe" });
+    return decodePng(readFileSync(join(work, /--output (\S+)$/.exec(command)[1])));
+}
+
 for (const [what, link] of Object.entries(LINKS))
     visitTest(`at rest with one sample the canvas is what render draws: ${what}`, { link, width: 700, height: 500 }, async (visit) => {
-        const canvas = await visit.page.evaluate(async () => {
-            const { store } = window.algsurfPage;
-            const shown = new Promise((done) => {
-                const end = store.subscribe(({ picture }, { changed }) => {
-                    if (!changed.has("picture") || picture.stage !== "plain") return;
-                    end();
-                    const canvas = document.querySelector("#picture"), { width, height } = canvas;
-                    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
-                    done({ width, height, data: Array.from(data) });
-                });
-            });
-            const { camera } = store.get();
-            store.set({ camera: { ...camera, eye: camera.eye.map((x) => 1.03125 * x) } });
-            return shown;
-        });
+        const canvas = await visit.pixelsAtRest();
         const { width, height } = canvas;
         const expected = drawn(await wordsOf(visit, { width, height, quality: "standard", antialias: 1 }));
         assert.equal(difference(canvas, expected), "");
@@ -79,26 +72,29 @@ for (const [what, link] of Object.entries(LINKS))
         assert.match(name, /\.png$/);
         await visit.button("take.command").click();
         const command = await page.evaluate(() => navigator.clipboard.readText());
-        const output = /--output (\S+)$/.exec(command)[1];
-        execFileSync("sh", ["-c", command], { cwd: work, env: { ...process.env, PATH: `${PROGRAMS}:${process.env.PATH}` } });
         const saved = decodePng(bytes);
         assert.deepEqual([saved.width, saved.height], [333, 250]);
-        assert.equal(difference(saved, decodePng(readFileSync(join(work, output)))), "");
+        assert.equal(difference(saved, drawnBy(command)), "");
     });
 
-visitTest("the C program that is copied compiles without a warning and draws the same picture", { link: LINKS["a sphere"] },
-    async (visit) => {
-        const { page } = visit;
-        await visit.unfold("take");
-        await visit.button("take.program").click();
-        const text = await page.evaluate(() => navigator.clipboard.readText());
-        const here = mkdtempSync(join(work, "program"));
-        writeFileSync(join(here, "picture.c"), text);
-        const library = join(PROGRAMS, "..", "libalgsurf.a");
-        const flags = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-O1", `-I${join(SOURCE, "include")}`];
-        execFileSync("cc", [...flags, "picture.c", library, "-lm", "-lpthread", "-o", "picture"], { cwd: here });
-        execFileSync("./picture", { cwd: here });
-        const made = readdirSync(here).filter((name) => /\.(pam|ppm)$/.test(name));
-        assert.equal(made.length, 1);
-        assert.ok(readFileSync(join(here, made[0])).length > 100_000);
-    });
+for (const what of ["a sphere", "letters, a box, colours, a light", "complex space"])
+    visitTest(`the C program that is copied compiles without a warning and draws the same: ${what}`, { link: LINKS[what] },
+        async (visit) => {
+            const { page } = visit;
+            await visit.unfold("take");
+            await page.locator("#take").getByLabel(WORDS["take.width"]).first().fill("333");
+            await page.locator("#take").getByLabel(WORDS["take.height"]).first().fill("250");
+            await visit.button("take.program").click();
+            const text = await page.evaluate(() => navigator.clipboard.readText());
+            const here = mkdtempSync(join(work, "program"));
+            writeFileSync(join(here, "picture.c"), text);
+            const library = join(PROGRAMS, "..", "libalgsurf.a");
+            const flags = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-O1", `-I${join(SOURCE, "include")}`];
+            execFileSync("cc", [...flags, "picture.c", library, "-lm", "-lpthread", "-o", "picture"], { cwd: here });
+            execFileSync("./picture", { cwd: here });
+            const made = readdirSync(here).filter((name) => /\.(pam|ppm)$/.test(name));
+            assert.equal(made.length, 1);
+            await visit.button("take.command").click();
+            const command = await page.evaluate(() => navigator.clipboard.readText());
+            assert.equal(difference(decodePnm(readFileSync(join(here, made[0]))), drawnBy(command)), "");
+        });

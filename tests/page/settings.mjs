@@ -19,5 +19,5 @@ export const installed = createRequire(join(MODULES, "package.json"));
 
 /** What a native program prints. */
 export function native(program, words, options = {}) {
-    return execFileSync(join(PROGRAMS, program), words, { encoding: "utf8", stdio: ["pipe", "pipe", "inherit"], ...options });
+    return execFileSync(join(PROGRAMS, program), words, { encoding: "utf8", stdio: "pipe", ...options });
 }
