@@ -34,7 +34,7 @@ const text = await loadText();
 document.documentElement.lang = text.language;
 translate(document, text);
 
-const canvas = at("picture"), stage = at("stage");
+const canvas = at("picture");
 let home = null; // the camera of the surface before it was moved
 let wanted = null; // the same before it was made to suit the window
 let fitted = ""; // what that camera was fitted to
@@ -79,7 +79,7 @@ function hideNotice(kind = "") {
 
 function size() {
     const sharp = Math.min(devicePixelRatio || 1, MOST_SHARP);
-    return { width: Math.max(1, Math.round(stage.clientWidth * sharp)), height: Math.max(1, Math.round(stage.clientHeight * sharp)) };
+    return { width: Math.max(1, Math.round(canvas.clientWidth * sharp)), height: Math.max(1, Math.round(canvas.clientHeight * sharp)) };
 }
 
 function draw(moving) {
@@ -106,7 +106,7 @@ function link() {
 /** The camera before it is moved; it is made to suit the window, now and when the window changes. */
 function setHome(camera) {
     wanted = camera;
-    home = suited(camera, stage.clientWidth, stage.clientHeight);
+    home = suited(camera, canvas.clientWidth, canvas.clientHeight);
     return home;
 }
 
@@ -115,7 +115,7 @@ new ResizeObserver(() => {
     if (wanted) setHome(wanted);
     if (stays) store.set({ camera: home });
     else draw(false);
-}).observe(stage);
+}).observe(canvas);
 
 // ---- surfaces ----
 

@@ -1,7 +1,6 @@
 // motion.js - the picture moved: pointers, wheel, keys.
 //
-//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the light,
-//                    with Ctrl the cutting plane
+//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the light
 //     two pointers   pinch: zoom at the place between them, move
 //     wheel          zooms at the pointer; with Ctrl it changes the radius of what is shown
 //     double click   as at first
@@ -41,7 +40,6 @@ export class Motion {
             clearTimeout(this.#click);
             this.reset();
         });
-        canvas.addEventListener("contextmenu", (event) => event.ctrlKey && event.preventDefault());
     }
 
     /** The full picture is drawn. */
@@ -92,7 +90,6 @@ export class Motion {
         const { height } = this.#canvas.getBoundingClientRect();
         const dx = (now[0] - before[0]) / height, dy = (now[1] - before[1]) / height;
         if (event.altKey) this.#dragLight(dx, dy);
-        else if (event.ctrlKey || event.metaKey) this.#dragPlane(dy);
         else if (event.shiftKey || event.buttons === 4) this.#setCamera(pan(camera, 2 * dx, -2 * dy));
         else this.#setCamera(turn(camera, TURN * this.#calm() * dx, TURN * this.#calm() * dy));
     }
@@ -128,7 +125,7 @@ export class Motion {
         }
     }
 
-    // ---- light and cutting plane ----
+    // ---- light ----
 
     #dragLight(dx, dy) {
         const light = this.#store.get().light ?? { azimuth: -31, elevation: 30 };
@@ -137,14 +134,6 @@ export class Motion {
             { light: { azimuth: within(light.azimuth + 180 * dx, 180), elevation: within(light.elevation - 180 * dy, 90) } },
             { moving: true },
         );
-        this.#rest();
-    }
-
-    #dragPlane(dy) {
-        const { clip, extent } = this.#store.get();
-        if (clip.length === 0) return;
-        const [a, b, c, d] = clip[0], by = 2 * dy * radiusOf(extent) * Math.hypot(a, b, c);
-        this.#store.set({ clip: [[a, b, c, Number((d - by).toPrecision(6))], ...clip.slice(1)] }, { moving: true });
         this.#rest();
     }
 
