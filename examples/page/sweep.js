@@ -12,44 +12,30 @@ export function complexAt(complex, { what, k, from, to }, share) {
 /** There and back: 0 at 0, 1 at half a period, 0 at a whole one, slower at both ends. */
 export const thereAndBack = (time, period) => (1 - Math.cos((2 * Math.PI * time) / period)) / 2;
 
-const LONGEST_WAIT = 400; // milliseconds for a picture, before the next value is set all the same
-
-/** Plays: calls set(share) again and again, after each picture that it hears of, until stop() is called. */
+/** Plays: calls set(share) in every frame of the screen until stop() is called; the painter draws what it can. */
 export class Player {
     #began = 0;
-    #waiting = 0;
-    #set = null;
+    #frame = 0;
 
     constructor(period) {
         this.period = period;
     }
 
     get playing() {
-        return this.#set !== null;
+        return this.#frame !== 0;
     }
 
     start(set) {
-        this.#set = set;
         this.#began = performance.now();
-        this.#next();
+        const next = () => {
+            this.#frame = requestAnimationFrame(next);
+            set(thereAndBack(performance.now() - this.#began, this.period));
+        };
+        next();
     }
 
     stop() {
-        clearTimeout(this.#waiting);
-        this.#set = null;
-    }
-
-    /** A picture is complete. */
-    pictureCame() {
-        if (!this.playing) return;
-        clearTimeout(this.#waiting);
-        requestAnimationFrame(() => this.#next());
-    }
-
-    #next() {
-        if (!this.playing) return;
-        clearTimeout(this.#waiting);
-        this.#waiting = setTimeout(() => this.#next(), LONGEST_WAIT);
-        this.#set(thereAndBack(performance.now() - this.#began, this.period));
+        cancelAnimationFrame(this.#frame);
+        this.#frame = 0;
     }
 }

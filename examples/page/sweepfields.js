@@ -42,10 +42,7 @@ export class SweepFields {
             this.record,
             this.said,
         );
-        store.subscribe((state, { changed }) => {
-            if (!state.complex && this.#player.playing) this.#stop();
-            if (changed.has("picture")) this.#player.pictureCame();
-        });
+        store.subscribe(({ complex }) => complex === null && this.#stop());
         this.set({ what: "delta", from: 0, to: 70 });
         this.#label();
     }
