@@ -26,10 +26,17 @@ export function mount(room, { store, text }) {
         "aria-controls": id,
     });
     const sentences = SENTENCES.map((name) => element("li", {}, text(`certain.why.${name}`)));
-    const why = element("ol", { id, class: "certain-why", hidden: true }, ...sentences);
-    line.addEventListener("click", () => {
-        why.hidden = !why.hidden;
-        line.setAttribute("aria-expanded", String(!why.hidden));
+    const why = element("ol", { id, class: "certain-why", tabindex: 0, hidden: true }, ...sentences);
+    const unfold = (open) => {
+        why.hidden = !open;
+        line.setAttribute("aria-expanded", String(open));
+    };
+    line.addEventListener("click", () => unfold(why.hidden));
+    room.addEventListener("keydown", (event) => {
+        if (event.key !== "Escape" || why.hidden) return;
+        event.stopPropagation();
+        unfold(false);
+        line.focus();
     });
     const follow = ({ picture }) => {
         line.hidden = !picture;
