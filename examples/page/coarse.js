@@ -6,7 +6,8 @@ const COARSE_TIME = 16; // and at any coarser one
 const SURE = 0.8; // of these times, before it becomes finer again
 const OVERHEAD = 1; // milliseconds of each picture, however coarse
 const GROWTH = 0.5; // a pixel of a coarser picture takes that power of the factor longer: there is more in it
-const FIRST_GUESS = 2e-4; // milliseconds a pixel, of one worker
+const TRUST = 0.4; // in the last picture, of one: other programs take their time, too
+const FIRST_GUESS = 1e-4; // milliseconds a pixel, of one worker
 
 export class Coarseness {
     factor = 1;
@@ -23,7 +24,8 @@ export class Coarseness {
 
     /** From a picture that is done. */
     learn(drawing) {
-        this.msPerPixel = drawing.workMsPerPixel / drawing.factor ** GROWTH;
+        const measured = drawing.workMsPerPixel / drawing.factor ** GROWTH;
+        this.msPerPixel += TRUST * (measured - this.msPerPixel);
     }
 
     /** A picture was given up: it is at least as slow as its bands were. */

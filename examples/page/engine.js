@@ -89,7 +89,7 @@ function complexNumbers(complex) {
 
 /** glue.c's page_state. */
 function numbersOf(state, { camera = true } = {}) {
-    const { colours = {}, light } = state;
+    const { light } = state, colours = state.colours ?? {};
     const angles = light
         ? [1, number(light.azimuth, "light", -180, 180), number(light.elevation, "light", -90, 90)]
         : [0, 0, 0];
@@ -482,6 +482,6 @@ function bracketOf(hit, cells) {
 /** The value of a polynomial at s of its interval, from its Bernstein coefficients. */
 function casteljau(coefficients, s) {
     const b = coefficients.slice();
-    for (let n = b.length - 1; n > 0; n--) for (let i = 0; i < n; i++) b[i] += s * (b[i + 1] - b[i]);
+    for (let n = b.length - 1; n > 0; n--) for (let i = 0; i < n; i++) b[i] = (1 - s) * b[i] + s * b[i + 1];
     return b[0];
 }
