@@ -4,7 +4,7 @@
 // the attributes aria-label, title and placeholder.  A key that a translation lacks is shown in English.
 import { memory } from "./dom.js";
 
-export const LANGUAGES = { en: "English", de: "Deutsch" };
+export const LANGUAGES = { en: "English", de: "Deutsch", es: "Español" };
 const ATTRIBUTES = { label: "aria-label", title: "title", hint: "placeholder" };
 
 async function read(language) {
