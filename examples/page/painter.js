@@ -37,6 +37,7 @@ export class Painter {
     #shown = 0; // number of the request on the canvas
     #latest = new Map(); // kind of ask: its newest job
     #thinShown = false;
+    #seen = ""; // the state of the last moving picture
 
     /** workers: how many; onPicture(report), onStatus(status), onError(error) are told what happens. */
     constructor({ workers, onPicture = () => {}, onStatus = () => {}, onError = () => {} } = {}) {
@@ -64,7 +65,8 @@ export class Painter {
         this.#waiting = null;
         if (!moving) {
             this.#endAll();
-            this.#begin(request, 0);
+            const isSeen = JSON.stringify(state) === this.#seen; // else a coarse picture comes first
+            this.#begin(isSeen ? request : { ...request, moving: true, then: request }, 0);
         } else if (this.#mayBegin()) {
             this.#begin(request, 0);
         } else {
@@ -163,6 +165,8 @@ export class Painter {
         if (request.moving || !drawsThin(drawing)) this.#coarseness.learn(drawing);
         if (drawing.stage === "plain") this.#thinShown = drawing.counts.thin > THIN_SHARE * drawing.height;
         this.#report(drawing);
+        if (request.moving) this.#seen = JSON.stringify(request.state);
+        if (request.then && request.then === this.#request) return this.#begin(request.then, 0);
         if (request !== this.#request || request.moving) return this.#next();
         const last = request.state.complex ? 1 : STAGES.length - 1; // of complex space full quality is standard
         if (stageNumber < last) this.#begin(request, stageNumber + 1);
