@@ -5,7 +5,7 @@
 // none.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { mkdir } from "node:fs/promises";
+import { mkdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
@@ -172,6 +172,23 @@ export class Visit {
             store.set({ camera: { ...camera, eye: camera.eye.map((x) => 1.03125 * x) } });
         }));
         return fromText(text);
+    }
+
+    /** The picture of the present state that is saved for these options. */
+    async image(options) {
+        return fromText(await this.page.evaluate(async (options) => {
+            const { store, painter } = window.algsurfPage, { picture, ...state } = store.get();
+            const { width, height, data } = await painter.image(state, options);
+            let binary = "";
+            for (let i = 0; i < data.length; i += 0x8000) binary += String.fromCharCode(...data.subarray(i, i + 0x8000));
+            return { width, height, base64: btoa(binary) };
+        }, options));
+    }
+
+    /** The bytes and the name of the file that an act saves. */
+    async saved(act) {
+        const [download] = await Promise.all([this.page.waitForEvent("download"), act()]);
+        return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
     }
 
     /** Opens one of the parts of the panel. */

@@ -16,19 +16,20 @@ function reason({ details }) {
     return String(error?.message ?? error).split("\n").map((line) => `        ${line}`).join("\n");
 }
 
-const stream = run({ files, concurrency: false });
-stream.on("test:pass", (event) => {
-    if (isFile(event)) return;
-    passed++;
-    console.log(`ok      ${event.name} (${(event.details.duration_ms / 1000).toFixed(1)} s)`);
-});
-stream.on("test:fail", (event) => {
-    if (isFile(event) && event.details.error?.failureType === "subtestsFailed") return;
-    failed++;
-    console.log(`FAILED  ${event.name}\n${reason(event)}`);
-});
-stream.on("test:stdout", ({ message }) => process.stdout.write(message));
-stream.on("test:stderr", ({ message }) => process.stderr.write(message));
-await new Promise((done) => stream.on("end", done));
+const acts = {
+    "test:pass"(event) {
+        if (isFile(event)) return;
+        passed++;
+        console.log(`ok      ${event.name} (${(event.details.duration_ms / 1000).toFixed(1)} s)`);
+    },
+    "test:fail"(event) {
+        if (isFile(event) && event.details.error?.failureType === "subtestsFailed") return;
+        failed++;
+        console.log(`FAILED  ${event.name}\n${reason(event)}`);
+    },
+    "test:stdout": ({ message }) => process.stdout.write(message),
+    "test:stderr": ({ message }) => process.stderr.write(message),
+};
+for await (const { type, data } of run({ files, concurrency: false })) acts[type]?.(data);
 console.log(`${passed} passed, ${failed} failed`);
-process.exitCode = failed > 0 ? 1 : 0;
+process.exitCode = failed > 0 || passed === 0 ? 1 : 0;

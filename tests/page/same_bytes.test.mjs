@@ -53,14 +53,6 @@ for (const [what, link] of Object.entries(LINKS))
         await visit.settled();
     });
 
-/** The bytes of the file that a click on a button saves. */
-async function savedBy(visit, click) {
-    const [download] = await Promise.all([visit.page.waitForEvent("download"), click()]);
-    const path = join(work, "saved");
-    await download.saveAs(path);
-    return { name: download.suggestedFilename(), bytes: readFileSync(path) };
-}
-
 for (const [what, link] of Object.entries(LINKS))
     visitTest(`a PNG that is saved is what the copied command draws: ${what}`, { link }, async (visit) => {
         const { page } = visit;
@@ -68,7 +60,7 @@ for (const [what, link] of Object.entries(LINKS))
         const take = page.locator("#take");
         await take.getByLabel(WORDS["take.width"]).first().fill("333");
         await take.getByLabel(WORDS["take.height"]).first().fill("250");
-        const { name, bytes } = await savedBy(visit, () => visit.button("take.png").click());
+        const { name, bytes } = await visit.saved(() => visit.button("take.png").click());
         assert.match(name, /\.png$/);
         await visit.button("take.command").click();
         const command = await page.evaluate(() => navigator.clipboard.readText());
@@ -98,3 +90,22 @@ for (const what of ["a sphere", "letters, a box, colours, a light", "complex spa
             const command = await page.evaluate(() => navigator.clipboard.readText());
             assert.equal(difference(decodePnm(readFileSync(join(here, made[0]))), drawnBy(command)), "");
         });
+
+visitTest("after a storm of changes the canvas shows the last one, and no band of an older one",
+    { link: LINKS["letters, a box, colours, a light"], width: 800, height: 560 }, async (visit) => {
+        await visit.page.evaluate(async () => {
+            const { store } = window.algsurfPage;
+            for (let i = 0; i < 60; i++) {
+                const { camera, parameters } = store.get(), value = 0.5 + 0.01 * (i % 37);
+                const eye = [7 * Math.cos(i), 7 * Math.sin(i), 3];
+                store.set({ camera: { ...camera, eye }, parameters: { ...parameters, a: { ...parameters.a, value } } },
+                    { moving: i % 5 !== 0 });
+                await new Promise((next) => setTimeout(next, 3 * (i % 7)));
+            }
+            store.set({}, { moving: false });
+        });
+        await visit.finished();
+        const { width, height, ...shown } = await visit.pixels();
+        const expected = await visit.image({ width, height, quality: "full", antialias: 4 });
+        assert.equal(difference({ width, height, ...shown }, expected), "");
+    });

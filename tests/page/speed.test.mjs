@@ -45,6 +45,17 @@ async function shownRate(visit, move) {
     return { rate, factor: median(rest.map(({ factor }) => factor)) };
 }
 
+/** The longest time, in milliseconds, that the main thread was busy with one thing meanwhile. */
+async function longestTask(visit, act) {
+    await visit.page.evaluate(() => {
+        window.algsurfTasks = [0];
+        new PerformanceObserver((list) => window.algsurfTasks.push(...list.getEntries().map(({ duration }) => duration)))
+            .observe({ type: "longtask" });
+    });
+    await act();
+    return visit.page.evaluate(() => Math.max(...window.algsurfTasks));
+}
+
 /** Turns by a key in each frame of the screen, for some seconds. */
 function turnFor(visit, seconds) {
     return visit.page.evaluate(async (seconds) => {
@@ -74,8 +85,11 @@ test("pictures a second", async () => {
     const size = { width: 640 + 344, height: 480 + 160 };
     const barth = await Visit.open({ link: TWO_WORKERS + BARTH, ...size });
     row("Barth sextic, 640x480, every pixel, pictures a second", (await fullRate(barth, "turn", 40)).toFixed(1));
-    const turned = await shownRate(barth, () => turnFor(barth, 2.5));
+    let turned = null;
+    const busy = await longestTask(barth, async () => (turned = await shownRate(barth, () => turnFor(barth, 2.5))));
     row(`the same as shown while it turns, ${coarse(turned)}`, turned.rate.toFixed(1));
+    row("the longest that it does not answer meanwhile, ms", busy === 0 ? "less than 50" : busy.toFixed(0));
+    assert.ok(busy < 500, "the main thread is blocked");
     assert.deepEqual(barth.faults, []);
     await barth.close();
     const tangle = await Visit.open({ link: TWO_WORKERS + TANGLE, ...size });
