@@ -30,10 +30,7 @@ const DRAWN = ["equation", "parameters", "extent", "clip", "camera", "colours", 
 const at = (id) => document.getElementById(id);
 
 loadTheme();
-const text = await loadText();
-document.documentElement.lang = text.language;
-translate(document, text);
-
+const words = loadText(); // comes while workers start
 const canvas = at("picture");
 let home = null; // the camera of the surface before it was moved
 let wanted = null; // the same before it was made to suit the window
@@ -50,13 +47,19 @@ const store = new Store({ ...first, picture: null });
 const painter = new Painter({
     onPicture(report) {
         if (report.stage !== "moving") hideNotice("trouble");
+        page.firstPicture ??= performance.now();
         store.set({ picture: report }, { moving: report.stage === "moving" });
     },
     onStatus({ kind }) {
-        if (kind === "replaced") notify(text("worker.replaced"));
+        if (kind === "replaced") void words.then(() => notify(text("worker.replaced")));
     },
-    onError: (error) => notify(text("trouble", { why: error.message ?? error.code }), "trouble"),
+    onError: (error) => words.then(() => notify(text("trouble", { why: error.message ?? error.code }), "trouble")),
 });
+const page = (window.algsurfPage = { store, painter, firstPicture: null }); // for tests
+
+const text = await words;
+document.documentElement.lang = text.language;
+translate(document, text);
 
 // ---- what is told ----
 
@@ -111,8 +114,9 @@ function setHome(camera) {
 }
 
 new ResizeObserver(() => {
+    if (!wanted) return; // no surface is open yet
     const stays = isHome();
-    if (wanted) setHome(wanted);
+    setHome(wanted);
     if (stays) store.set({ camera: home });
     else draw(false);
 }).observe(canvas);
@@ -257,20 +261,24 @@ keepKeys({
 const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(store.get(), text)));
 const keepAddress = debounced(600, () => history.replaceState(null, "", link()));
 
-function follow(state, changed) {
+let told = ""; // what the part about the surface says
+
+function follow(state, changed, moving) {
     if (changed.has("name") || changed.has("equation")) {
         at("title").textContent = titleOf(state, text);
         document.title = `${titleOf(state, text)} – algsurf`;
     }
-    if (["name", "equation", "picture"].some((key) => changed.has(key))) showAbout(at("about"), state, text);
-    if (changed.has("picture")) {
+    const about = `${state.name} ${state.picture?.degree}`;
+    if (about !== told) showAbout(at("about"), state, text);
+    told = about;
+    if (changed.has("picture") && !moving) {
         canvas.setAttribute("aria-label", sentenceOf(state, text));
         tellLater();
     }
 }
 
 store.subscribe((state, { changed, moving }) => {
-    follow(state, changed);
+    follow(state, changed, moving);
     const isDrawn = DRAWN.some((key) => changed.has(key)) || changed.size === 0;
     if (!isDrawn) return;
     draw(moving);
@@ -281,8 +289,6 @@ window.addEventListener("hashchange", () => {
     const read = stateOfLink(location.hash, checkedState(SURFACES[0]).state);
     if (read) void openLink(read);
 });
-
-window.algsurfPage = { store, painter }; // for tests
 
 if (linked) void openLink(linked);
 else open(SURFACES[0]);
