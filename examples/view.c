@@ -218,8 +218,8 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
             ? algsurf_camera_orthographic(seen.eye, v->look_at, seen.up, v->orthographic, &camera)
             : algsurf_camera_pinhole(seen.eye, v->look_at, seen.up, v->fov, &camera);
     if (status == ALGSURF_E_ARGUMENT)
-        cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must be off the point looked at, and up "
-                                "not along the view");
+        cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must not be the point looked at, nor up "
+                                "point along the view");
     if (status != ALGSURF_OK)
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: %s", algsurf_status_text(status));
     return camera;
