@@ -241,7 +241,8 @@ static int parse_option(const cli_program *program, char **argument, char *optio
     if (option->argument && !value) {
         value = argument[1];
         taken = 2;
-        if (!value) cli_fail(CLI_BAD_INPUT, "%s: expected %s, got nothing", option->name, option->argument);
+        if (!value || option_named(program, value, strlen(value)))
+            cli_fail(CLI_BAD_INPUT, "%s: expected %s, got nothing", option->name, option->argument);
     }
     option->set(option, value, options + option->offset);
     return taken;
@@ -282,7 +283,8 @@ void cli_parse(const cli_program *program, int argc, char **argv, void *options)
     const char **name = (const char **)(void *)((char *)options + program->positional);
     int count = cli_parse_files(program, argc, argv, options);
     if (count > 1)
-        cli_fail(CLI_BAD_INPUT, "unexpected '%s': one surface only; an equation with blanks stands in quotes",
+        cli_fail(CLI_BAD_INPUT,
+                 "unexpected '%s': an equation with blanks needs quotes, a file --output, a value --let",
                  cli_quote(argv[2]).text);
     if (count > 0) *name = argv[1];
 }

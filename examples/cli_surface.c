@@ -353,7 +353,7 @@ static const catalogue_entry *named(const char *name) {
     cli_guess guess = cli_guess_begin(name, strlen(name));
     for (entry = catalogue; entry->name; entry++) cli_guess_try(&guess, entry->name);
     cli_fail(CLI_BAD_INPUT, "unknown surface '%s'; %s", cli_quote(name).text,
-             guess.name ? cli_guess_text(&guess).text : "render --list shows the names");
+             guess.name ? cli_guess_text(&guess).text : "render --list shows the names, --help the options");
 }
 
 algsurf_surface *cli_make_surface_with(const cli_surface *choice, const char *name, double value) {
