@@ -197,7 +197,7 @@ static const cli_option *option_named(const cli_program *program, const char *te
             length = strlen(text);
         }
     for (const cli_option *o = program->options; o->name; o++)
-        if (is_name(o->name, text, length)) return o;
+        if (!is_heading(o) && is_name(o->name, text, length)) return o;
     return NULL;
 }
 
