@@ -107,7 +107,6 @@ static const struct {
     {"shadow", "--quality full"},
     {"q", "--quality full"},
     {"fast", "--quality preview"},
-    {"fast", "--tier fast"},
     {"out", "--output FILE"},
     {"file", "--output FILE"},
     {"f", "--equation TEXT"},

@@ -31,10 +31,9 @@ static const cli_option options_table[] = {
      cli_set_method, FIELD(how.method)},
     {"--tolerance", "EPS", "how much t may be wrong, default 0: as little as doubles can", cli_set_tolerance,
      FIELD(how.absolute_tolerance)},
-    {"--tier", "certified|bounded|fast",
+    {"--tier", "certified|bounded",
      "certified (default): every ray is decided, by integers where doubles do not\n"
-     "suffice.  bounded: by doubles alone; what they leave open is uncertain.  fast:\n"
-     "doubles without error bounds; hits may be wrong",
+     "suffice.  bounded: by doubles alone; what they leave open is uncertain",
      cli_set_tier, FIELD(how.tier)},
     {"--format", "tsv|json",
      "tsv (default): a table.  json: an object a line, with null for '-' and inf as a\nstring",
@@ -83,12 +82,8 @@ static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
     table *out = &r->out;
     table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "uncertain");
     add_numbers(out, &hit->t, 1);
-    if (r->how->tier == ALGSURF_TIER_FAST) {
-        add_absent(out, 2);
-    } else {
-        add_numbers(out, &hit->t_lo, 1);
-        add_numbers(out, &hit->t_hi, 1);
-    }
+    add_numbers(out, &hit->t_lo, 1);
+    add_numbers(out, &hit->t_hi, 1);
     add_numbers(out, hit->position, 3);
     const double *n = hit->normal;
     if (n[0] == 0 && n[1] == 0 && n[2] == 0)

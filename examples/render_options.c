@@ -161,11 +161,10 @@ static const cli_option options_table[] = {
     {"--frame", "K", "draws only picture K of the --sweep, counted from 1", cli_set_int,
      offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
     CLI_HEADING("How certain, how fast"),
-    {"--tier", "certified|bounded|fast",
+    {"--tier", "certified|bounded",
      "certified (default): for every ray it is proved what it meets, by integers where\n"
      "doubles do not suffice.  bounded: by doubles alone; rays that they leave open are\n"
-     "counted as uncertain.  fast: single precision without proofs, for previews; some\n"
-     "pixels next to outlines may be wrong",
+     "counted as uncertain",
      set_tier, 0, 0, 0},
     {"--threads", "N", "how many threads draw, 0 to 256; default 0: one for each processor", cli_set_int,
      offsetof(render_options, threads), 0, 256},
@@ -375,6 +374,4 @@ const char *render_quality_name(algsurf_quality quality) {
                                               : "standard";
 }
 
-const char *render_tier_name(int tier) {
-    return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified";
-}
+const char *render_tier_name(int tier) { return tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified"; }
