@@ -12,6 +12,7 @@ typedef struct intersect_options {
     cli_surface surface;
     cli_extent extent;
     cli_vector centre;
+    cli_planes clip;
     int all, json;
     algsurf_intersect_options how;
 } intersect_options;
@@ -24,6 +25,8 @@ static const cli_option options_table[] = {
     {"--extent", "sphere:R|box:X,Y,Z", "only hits in there count (half sizes); default: all of space",
      cli_set_extent, FIELD(extent)},
     {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0", cli_set_vector, FIELD(centre)},
+    {"--clip", "A,B,C,D", "only hits with A x + B y + C z <= D count; may be given 8 times", cli_set_clip,
+     FIELD(clip)},
     {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
@@ -179,6 +182,8 @@ int main(int argc, char **argv) {
     if (options.centre.given && !options.extent.given)
         cli_fail(CLI_BAD_INPUT, "--centre: there is no --extent to be moved");
     memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
+    options.how.planes = options.clip.plane;
+    options.how.plane_count = options.clip.count;
     algsurf_surface *surface = cli_make_surface(&options.surface);
     run r = {.surface = surface,
              .how = &options.how,

@@ -99,6 +99,10 @@ static const cli_option options_table[] = {
      cli_set_flag, FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
     VIEW_OPTIONS(render_options),
+    {"--clip", "A,B,C,D",
+     "of what is shown, keeps the points with A x + B y + C z <= D, those of the\n"
+     "plane among them; may be given 8 times",
+     cli_set_clip, FIELD(clip)},
     {"--output", "FILE",
      "the picture, .png, .bmp or .ppm by its ending; - is standard output, as a\n"
      "PPM, as for the names of devices and pipes;\n"
