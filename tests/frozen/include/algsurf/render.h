@@ -274,7 +274,7 @@ typedef struct algsurf_picture {
  * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
  * drawn in doubles, without bounds.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
- * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  57 KiB of stack.
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  58 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
