@@ -274,7 +274,8 @@ void cli_set_clip(const cli_option *option, const char *value, void *field) {
     if (number[0] == 0 && number[1] == 0 && number[2] == 0)
         cli_fail(CLI_BAD_INPUT, "%s: A, B and C are all 0: that is no plane", option->name);
     if (planes->count == ALGSURF_MAX_CLIP_PLANES)
-        cli_fail(CLI_BAD_INPUT, "%s: there may be %d planes, not more", option->name, ALGSURF_MAX_CLIP_PLANES);
+        cli_fail(CLI_BAD_INPUT, "%s: there may be %d planes, not more", option->name,
+                 ALGSURF_MAX_CLIP_PLANES);
     planes->plane[planes->count++] = (algsurf_plane){{number[0], number[1], number[2]}, number[3]};
 }
 
@@ -299,7 +300,7 @@ void cli_set_method(const cli_option *option, const char *value, void *field) {
 }
 
 void cli_set_tier(const cli_option *option, const char *value, void *field) {
-    static const int tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_FAST};
+    static const int tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED};
     *(int *)field = tiers[cli_choice(option, value)];
 }
 

@@ -217,8 +217,9 @@ static void explain_nothing(const run *r, const view *shown) {
                      "y %.3g..%.3g, "
                      "z %.3g..%.3g; %s",
                      lo[0], hi[0], lo[1], hi[1], lo[2], hi[2],
-                     r->options->clip.count > 0 ? "--clip cuts it off, or --eye, --look-at choose another view"
-                                                : "--eye, --look-at choose another view");
+                     r->options->clip.count > 0
+                         ? "--clip cuts it off, or --eye, --look-at choose another view"
+                         : "--eye, --look-at choose another view");
 }
 
 static algsurf_surface *make_surface(const render_options *options, int picture) {

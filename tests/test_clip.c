@@ -1,5 +1,5 @@
-/* test_clip.c - planes that cut what is shown: of rays against rational arithmetic, six of them against a box,
- * of pictures against rays.
+/* test_clip.c - planes that cut what is shown: of rays against rational arithmetic, six of them against a
+ * box, of pictures against rays.
  *
  * Rays, planes and surfaces have small numbers, so that roots lie on planes, rays along and in planes, and in
  * the surface, often; or planes are an ulp away from there, or of any size.
@@ -122,7 +122,7 @@ static void hits_are_those_kept(void **state) {
             fprintf(stderr, "seed %u, round %d, extent of kind %d\n", SEED, round, in ? in->kind : 0);
             intersect_fail(wrong, c, &a);
         }
-        cut += a.count < uncut.count, kept += a.count > 0;
+        cut += a.count<uncut.count, kept += a.count> 0;
         for (int i = 0; i < a.count; i++) {
             on_plane += lies_on_plane(&a.all[i], &o);
             in_surface += a.all[i].multiplicity == 0;
@@ -211,11 +211,8 @@ typedef struct picture {
 } picture;
 
 static void draw(const algsurf_scene *scene, picture *p) {
-    const algsurf_picture planes = {.size = sizeof planes,
-                                    .pixels = p->bytes,
-                                    .format = ALGSURF_RGB8,
-                                    .state = p->states,
-                                    .t = p->t};
+    const algsurf_picture planes = {
+        .size = sizeof planes, .pixels = p->bytes, .format = ALGSURF_RGB8, .state = p->states, .t = p->t};
     const algsurf_render_options o = {.size = sizeof o, .width = WIDTH, .height = HEIGHT, .threads = 1};
     assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
 }
@@ -263,7 +260,8 @@ static void shadows_as_by_rays(void **state) {
 static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *plane, int pixel) {
     algsurf_ray ray;
     assert_int_equal(
-        algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray), ALGSURF_OK);
+        algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray),
+        ALGSURF_OK);
     double above = -plane->offset, rise = 0;
     for (int i = 0; i < 3; i++) {
         above += plane->normal[i] * ray.origin[i];
@@ -298,10 +296,9 @@ static void complex_space_is_cut(void **state) {
         const algsurf_ray ray = cut_ray(&camera, &plane, i);
         algsurf_hit hit = {.state = ALGSURF_MISS};
         if (ray.t_min <= ray.t_max)
-            assert_int_equal(
-                algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL), ALGSURF_OK);
-        if (hit.state != cut.states[i])
-            fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
+            assert_int_equal(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL),
+                             ALGSURF_OK);
+        if (hit.state != cut.states[i]) fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
         if (hit.state == ALGSURF_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
             fail_msg("pixel %d: t = %a, not %a", i, cut.t[i], hit.t);
         fewer += whole.states[i] == ALGSURF_HIT && cut.states[i] != ALGSURF_HIT;
@@ -316,11 +313,8 @@ static void complex_space_is_cut(void **state) {
 
 static void bad_planes_are_refused(void **state) {
     static const algsurf_plane good[ALGSURF_MAX_CLIP_PLANES + 1] = {{{1, 0, 0}, 0}};
-    static const algsurf_plane bad[] = {{{0, 0, 0}, 1},
-                                        {{NAN, 1, 0}, 1},
-                                        {{1, 0, INFINITY}, 1},
-                                        {{1, 0, 0}, NAN},
-                                        {{1, 0, 0}, -INFINITY}};
+    static const algsurf_plane bad[] = {
+        {{0, 0, 0}, 1}, {{NAN, 1, 0}, 1}, {{1, 0, INFINITY}, 1}, {{1, 0, 0}, NAN}, {{1, 0, 0}, -INFINITY}};
     const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, INFINITY};
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     static picture before, after;
@@ -328,7 +322,8 @@ static void bad_planes_are_refused(void **state) {
     algsurf_surface *surface = NULL;
     algsurf_hit hit;
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &surface, NULL),
+                     ALGSURF_OK);
     algsurf_scene *scene = scene_of(surface, &ball);
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
     o.planes = good, o.plane_count = ALGSURF_MAX_CLIP_PLANES + 1;
@@ -359,8 +354,8 @@ static void bad_planes_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits_are_those_kept),  cmocka_unit_test(six_planes_are_a_box),
-        cmocka_unit_test(shadows_as_by_rays),   cmocka_unit_test(complex_space_is_cut),
+        cmocka_unit_test(hits_are_those_kept),    cmocka_unit_test(six_planes_are_a_box),
+        cmocka_unit_test(shadows_as_by_rays),     cmocka_unit_test(complex_space_is_cut),
         cmocka_unit_test(bad_planes_are_refused),
     };
     return cmocka_run_group_tests_name("clip", tests, NULL, NULL);

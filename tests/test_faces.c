@@ -1,4 +1,4 @@
-/* test_faces.c - the faces of an extent and a plane along a ray, against the definition in rational arithmetic.
+/* test_faces.c - the faces of an extent and a plane along a ray, against the definition in rational numbers.
  *
  * Breaks caught, each tried: the centre's sign, a mixed product added once, a bit less of width, the
  * direction without its power of two, the two sides of a box exchanged, a polynomial that is not compact.
@@ -112,8 +112,8 @@ static int is_compact(const algsurf_zpoly *p) {
 }
 
 /* Counts the faces of each degree. */
-static void check(const algsurf_extent *x, const algsurf_plane *plane, const double *o, const double *d, int e,
-                  int of_degree[4]) {
+static void check(const algsurf_extent *x, const algsurf_plane *plane, const double *o, const double *d,
+                  int e, int of_degree[4]) {
     static uint64_t block[ROOM];
     algsurf_memory m;
     algsurf_zpoly face[ALGSURF_MOST_FACES];

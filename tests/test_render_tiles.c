@@ -1,10 +1,10 @@
 /* test_render_tiles.c - pictures by tiles against pictures ray by ray, for all named surfaces.
  *
- * A third of them is cut by planes.  Slices of high pictures: there pixels are small enough for tiles up to degree 10.  The reference is the
- * same scene with another method of refinement, which takes every ray through algsurf_intersect_first.  No
- * pixel may differ, nor its t by more than render.h allows: 2^-36 of the extent's radius, or what rounding
- * makes of a zero of P there; and neither slices, threads nor kernels may change a byte, with one sample a
- * pixel or more.
+ * Slices of high pictures: there pixels are small enough for tiles up to degree 10.  A third of them is cut
+ * by planes.  The reference is the same scene with another method of refinement, which takes every ray
+ * through algsurf_intersect_first.  No pixel may differ, nor its t by more than render.h allows: 2^-36 of the
+ * extent's radius, or what rounding makes of a zero of P there; and neither slices, threads nor kernels may
+ * change a byte, with one sample a pixel or more.
  *
  *     test_render_tiles [views [seed]]
  */

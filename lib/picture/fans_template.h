@@ -6,8 +6,8 @@
  * Ends.  Let l be the length of the rectangle's half diagonal.  Segment and middle segment, at the same part
  * tau of them, are at most tau l apart.  So all segments are outside of a ball of radius R from the greater
  * root of |x + tau d| = R + tau l on, and within it up to that of |x + tau d| = R - tau l; for a box the same
- * holds face by face, and plane by plane.  Searched is what comes before the former, or before the light; that
- * is t = 1.
+ * holds face by face, and plane by plane.  Searched is what comes before the former, or before the light;
+ * that is t = 1.
  *
  * Lit: no segment has a root before.  Dark: each has one before the latter.  P's sign at the point itself
  * must be sure: the first coefficient belongs to all segments. */
@@ -69,10 +69,10 @@ INLINE fan_ends ends_in_box(const double half[3], const lanes x[3], const lanes 
     return e;
 }
 
-/* What planes leave of that, x and d in the caller's axes.  A segment that begins beyond a plane may come back
- * through it: nothing is known to be inside then. */
-INLINE fan_ends ends_at_planes(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3],
-                               double reach, fan_ends e) {
+/* What planes leave of that, x and d in the caller's axes.  A segment that begins beyond a plane may come
+ * back through it: nothing is known to be inside then. */
+INLINE fan_ends ends_at_planes(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3], double reach,
+                               fan_ends e) {
     const lanes never = all_lanes(HUGE_VAL);
     for (int i = 0; i < job->plane_count; i++) {
         const algsurf_i_cut_plane *p = job->planes + i;

@@ -30,7 +30,6 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
                                .planes = p->view_planes,
                                .plane_count = p->plane_count,
                                .near = p->near,
-                               .unbounded = picture->scene->intersect.tier == ALGSURF_TIER_FAST,
                                .tolerance = p->tolerance};
 }
 

@@ -14,7 +14,7 @@ struct algsurf_scene {
     int transparent;      /* which this tells: 1 */
     algsurf_quality quality;
     int antialias;
-    double antialias_threshold; /* 0: every pixel gets all its samples */
+    double antialias_threshold;          /* 0: every pixel gets all its samples */
     algsurf_intersect_options intersect; /* with the scene's planes: */
     algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
     int thin;              /* 1: what is thin is shown, */

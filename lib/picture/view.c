@@ -94,8 +94,8 @@ static int suits_packets(const algsurf_scene *scene) {
            algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
-/* Planes that keep all of the ball about what is shown are left out.  Returns 0 where the distance of one from
- * the centre is not known well enough.
+/* Planes that keep all of the ball about what is shown are left out.  Returns 0 where the distance of one
+ * from the centre is not known well enough.
  *   Errors: the distance has a few roundings of its terms; a normal of length 1 is off by some 2^-51 in each
  * component, which points of size 4 or less take along, and their sum with it: 2^-46 in all. */
 static int place_planes(const algsurf_scene *scene, algsurf_i_packets *p) {
@@ -148,6 +148,6 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
         algsurf_i_complex_prepare(scene, p);
     }
     p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
-    return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
-           view->noise * scene->surface->degree < 0x1p-22;
+    return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
+           fabs(p->near) > 0x1p-10 && view->noise * scene->surface->degree < 0x1p-22;
 }

@@ -238,8 +238,9 @@ static algsurf_status check(const algsurf_complex_space *space, int n) {
     return algsurf_sector_holds(&space->sector, &probe, &holds);
 }
 
-static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface, const algsurf_i_region *region,
-                                                 const algsurf_ray *ray, const algsurf_complex_space *space,
+static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
+                                                 const algsurf_i_region *region, const algsurf_ray *ray,
+                                                 const algsurf_complex_space *space,
                                                  const algsurf_complex *start, algsurf_complex *roots,
                                                  algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_status status = algsurf_i_ray_check(ray);

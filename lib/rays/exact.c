@@ -137,13 +137,11 @@ static algsurf_status ray_in_surface(query *q) {
     algsurf_zpoly face[ALGSURF_MOST_FACES];
     algsurf_exact_root best = point_root(q->ray->t_min);
     int faces = 0, any = 1;
-    if (!algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face,
-                         &faces))
+    if (!algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, &faces))
         return ALGSURF_E_NO_MEMORY;
     if (faces > 0) {
         any = 0;
-        if (!begin_is_inside(q, face, faces, q->ray->t_min, &any))
-            return ALGSURF_E_NO_MEMORY;
+        if (!begin_is_inside(q, face, faces, q->ray->t_min, &any)) return ALGSURF_E_NO_MEMORY;
         for (int i = 0, entered = any; !entered && i < faces; i++)
             if (!first_entry(q, face, i, &best, &any)) return ALGSURF_E_NO_MEMORY;
     }

@@ -5,8 +5,9 @@
 #include "intersect_impl.h"
 
 /* Roots of P along a checked ray in [t_min, t_max] and in the region, both as they are given, in increasing
- * order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is known.  At most `capacity` are written, the surface's degree, at least 1, always suffices.  A ray in the
- * surface has one root, of multiplicity 0, at the first t that counts.
+ * order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is known.  At most
+ * `capacity` are written, the surface's degree, at least 1, always suffices.  A ray in the surface has one
+ * root, of multiplicity 0, at the first t that counts.
  *   eye    P about the ray's origin, or null: rays from one point share it
  *   limit  bytes that may be allocated
  *   observer  null, or who is told

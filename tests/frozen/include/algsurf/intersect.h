@@ -23,11 +23,7 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_CERTIFIED = 0,
     /* The same doubles, and no integers: what they do not decide is undecided.  For hosts that need a bounded
      * time for every ray. */
-    ALGSURF_TIER_BOUNDED = 1,
-    /* No bounds are kept.  Of rays: signs of doubles as computed, which may be wrong within rounding of a
-     * tangency, or of a root at an end.  Pictures are drawn in single precision where that suits them
-     * (algsurf_render): some 1.4 times as fast, for previews and moving pictures. */
-    ALGSURF_TIER_FAST = 2
+    ALGSURF_TIER_BOUNDED = 1
 } algsurf_tier;
 
 /* What an undecided place is reported as. */
@@ -56,8 +52,7 @@ typedef struct algsurf_hit {
     double t_lo, t_hi;  /* encloses this hit, and none is before t_lo.  Integers decided: t alone, or
                            neighbouring doubles.  Doubles did: the error of rounding P, as a rule some 100
                            units in the last place, or else the interval that isolates the hit.
-                           Undecided: whether there is a hit in [t_lo, t_hi] is open.  Fast tier: both are t,
-                           and nothing is proved */
+                           Undecided: whether there is a hit in [t_lo, t_hi] is open */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
                            a point shortly before it on the ray; all 0 where there is none either (a ray
@@ -77,9 +72,9 @@ typedef struct algsurf_intersect_options {
     int undecided_as;          /* an algsurf_undecided_as: what an undecided place is reported as */
     size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                           answer is E_NO_MEMORY */
-    algsurf_observer *observer; /* null: nobody watches; else it is told the cells and points of the one ray,
-                                   as t along it.  Packets and pictures, where rays go side by side and by
-                                   several threads, refuse it: E_ARGUMENT */
+    algsurf_observer *observer;  /* null: nobody watches; else it is told the cells and points of the one ray,
+                                    as t along it.  Packets and pictures, where rays go side by side and by
+                                    several threads, refuse it: E_ARGUMENT */
     const algsurf_plane *planes; /* what is shown is the part of the extent that all of these keep; null: all
                                     of it.  With the same guarantees: a point on a plane is kept */
     size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */

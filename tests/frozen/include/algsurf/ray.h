@@ -30,8 +30,9 @@ typedef struct algsurf_extent {
     double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
 } algsurf_extent;
 
-/* A cutting plane: of what is shown, it keeps the closed half space normal . X <= offset of the exact doubles.
- * Up to ALGSURF_MAX_CLIP_PLANES of them cut the extent (algsurf_intersect_options, algsurf_scene_set_clip). */
+/* A cutting plane: of what is shown it keeps the closed half space normal . X <= offset, of the exact
+ * doubles. At most ALGSURF_MAX_CLIP_PLANES cut an extent (algsurf_intersect_options, algsurf_scene_set_clip).
+ */
 typedef struct algsurf_plane {
     double normal[3]; /* of any length; finite, not all zero */
     double offset;    /* finite */
