@@ -31,8 +31,7 @@ typedef struct algsurf_extent {
 } algsurf_extent;
 
 /* A cutting plane: of what is shown it keeps the closed half space normal . X <= offset, of the exact
- * doubles. At most ALGSURF_MAX_CLIP_PLANES cut an extent (algsurf_intersect_options, algsurf_scene_set_clip).
- */
+ * doubles.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
 typedef struct algsurf_plane {
     double normal[3]; /* of any length; finite, not all zero */
     double offset;    /* finite */
