@@ -65,6 +65,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
     demand(algsurf_scene_set_thin(scene, usual || options->thin == THIN_ASKED ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
+    demand(algsurf_scene_set_clip(scene, options->clip.plane, options->clip.count));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
 }
@@ -215,8 +216,11 @@ static void explain_nothing(const run *r, const view *shown) {
             extent_text(&shown->extent).text);
     else
         cli_complain("nothing is seen: the surface can only lie within x %.3g..%.3g, y %.3g..%.3g, "
-                     "z %.3g..%.3g; --eye, --look-at choose another view",
-                     lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+                     "z %.3g..%.3g; %s",
+                     lo[0], hi[0], lo[1], hi[1], lo[2], hi[2],
+                     r->options->clip.count > 0
+                         ? "--clip cuts it off, or --eye, --look-at choose another view"
+                         : "--eye, --look-at choose another view");
 }
 
 static algsurf_surface *make_surface(const render_options *options, int picture) {

@@ -13,12 +13,13 @@ extern "C" {
 
 /* How much is known about an answer, and what it may cost.  Answers are about the exact problem: the
  * polynomial whose coefficients are the doubles given, the line origin + t direction of the doubles given,
- * the closed ball or box of the doubles given; both ends of the ray belong to it. */
+ * the closed ball or box of the doubles given, and the closed half spaces of planes; both ends of the ray
+ * belong to it. */
 typedef enum algsurf_tier {
     /* Every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide where their error bounds
      * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
-     * at an end of the ray or on the extent's surface, rays in the surface.  Undecided is only what
-     * coefficients that are known to an error (algsurf_surface_with_error) leave open. */
+     * at an end of the ray, on the extent's surface or on a cutting plane, rays in the surface.  Undecided is
+     * only what coefficients that are known to an error (algsurf_surface_with_error) leave open. */
     ALGSURF_TIER_CERTIFIED = 0,
     /* The same doubles, and no integers: what they do not decide is undecided.  For hosts that need a bounded
      * time for every ray. */
@@ -71,9 +72,12 @@ typedef struct algsurf_intersect_options {
     int undecided_as;          /* an algsurf_undecided_as: what an undecided place is reported as */
     size_t max_memory; /* bytes that deciding one ray may allocate, 0: ALGSURF_DEFAULT_MEMORY; above that the
                           answer is E_NO_MEMORY */
-    algsurf_observer *observer; /* null: nobody watches; else it is told the cells and points of the one ray,
-                                   as t along it.  Packets and pictures, where rays go side by side and by
-                                   several threads, refuse it: E_ARGUMENT */
+    algsurf_observer *observer;  /* null: nobody watches; else it is told the cells and points of the one ray,
+                                    as t along it.  Packets and pictures, where rays go side by side and by
+                                    several threads, refuse it: E_ARGUMENT */
+    const algsurf_plane *planes; /* what is shown is the part of the extent that all of these keep; null: all
+                                    of it.  With the same guarantees: a point on a plane is kept */
+    size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */
 } algsurf_intersect_options;
 
 /* Enough for all but rays of high degree with numbers of hundreds of orders of magnitude. */
@@ -94,8 +98,8 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Regula falsi, and any method at the limit of iterations, promise less: t is in [t_lo, t_hi].  A ray's
  * answer has the same bits alone as in a packet (algsurf_intersect_packet), by whatever kernel.
  * Returns OK also for a miss and for undecided: the state is in hit.
- * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options), E_NOT_FINITE (origin, direction),
- * E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options, a plane that is not finite or has no
+ * direction), E_NOT_FINITE (origin, direction), E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
  * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
  * only beyond degree 10 or so.  42 KiB of stack.  Since 1.0. */
@@ -195,7 +199,8 @@ typedef struct algsurf_complex_space {
  *          the time, not the answer
  *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
  *          is missing is NaN
- * There are no options: none of algsurf_intersect_options would play a part.
+ * There are no options: of algsurf_intersect_options only planes would play a part, and t_min and t_max can
+ * tell where they cut the ray.  Pictures cut complex space, too (algsurf_scene_set_clip).
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
  * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_complex(const algsurf_surface *surface,

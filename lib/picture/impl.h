@@ -116,8 +116,11 @@ typedef struct algsurf_i_packets {
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
-    double *beams;                      /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_fan *fans;                /* where shadows are drawn: of each light; or null */
+    /* the planes that cut something off, in the axes of the view and in those of the caller */
+    algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
+    int plane_count;
+    double *beams;       /* in a tiled picture: algsurf_i_beam_expand's g */
+    algsurf_i_fan *fans; /* where shadows are drawn: of each light; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];

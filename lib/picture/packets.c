@@ -27,6 +27,8 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
                                .slope = view->alpha * form->v + view->beta[1],
                                .extent = &picture->scene->extent,
                                .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                               .planes = p->view_planes,
+                               .plane_count = p->plane_count,
                                .near = p->near,
                                .tolerance = p->tolerance};
 }

@@ -116,10 +116,21 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * Cost: as a rule two to three times the picture of one sample; about one per cent of the pixels are chosen.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
-/* How the rays of the picture are intersected.  Errors: as algsurf_intersect_first for the options.
- * Since 1.0. */
+/* How the rays of the picture are intersected.  Planes are E_ARGUMENT here: algsurf_scene_set_clip sets them,
+ * and they stay what they are.  Errors: as algsurf_intersect_first for the options.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
+
+/* Cuts what is shown by planes: what lies beyond one of them is not there, as what is outside the extent.  It
+ * is not seen and casts no shadow; what lies on a plane is seen.  The planes before are forgotten.  At first
+ * there are none.
+ *   planes  copied; null with count 0: no planes
+ *   count   at most ALGSURF_MAX_CLIP_PLANES
+ * Guarantee: every ray is decided as algsurf_intersect_first decides it, with these planes in its options.
+ * Errors: E_ARGUMENT (a null scene, null planes, too many, one that is not finite or has normal 0).
+ * Cost: a picture cut by a plane costs about what the whole picture costs; none costs nothing.  Since 1.0. */
+ALGSURF_API algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes,
+                                                  size_t count);
 
 /* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection, but for the
  * kernel, then play no part, and full quality is drawn like standard quality: which points of complex space
@@ -254,7 +265,7 @@ typedef struct algsurf_picture {
  *     Where pixels are many, up to degree 12, tiles of up to 16 x 16 of them are proved empty, or to see one
  * sheet of the surface, at once: there time grows with the outlines, not with the area.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
- * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  57 KiB of stack.
+ * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  58 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for
  * neighbouring pixels, or tiles, side by side.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
