@@ -237,13 +237,13 @@ static int reaches_end(const search *s, int group) {
 
 /* ---- what is left ---- */
 
-/* Has P a sign in each part of a cell, over that column of it? */
+/* Is P surely not 0 in a cell, over that column of it? */
 static int is_empty(const search *s, const algsurf_i_column *c, const cell *whole) {
     double length = whole->to - whole->from;
     for (walk w = {0, 1, 0}; w.from < 1;) {
         algsurf_i_column part;
         double from = whole->from + w.from * length, to = fmin(from + w.length * length, 1);
-        if (algsurf_i_column_cut(&s->box, c, from, to, &part))
+        if (algsurf_i_column_cut(&s->box, c, from, to, &part) || algsurf_i_column_is_empty(&s->box, &part))
             go_on(&w);
         else if (w.length * length * SHARPER > s->shortest && ++w.looks < MOST_LOOKS)
             w.length /= 2;
