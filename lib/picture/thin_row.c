@@ -10,19 +10,23 @@
 
 #define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
 
-/* The cells of the pass in wanted pixels that are in leaves. */
+/* The cells of the pass in wanted pixels that are in leaves; and those that have no tiles, which would
+ * reach beyond the bounds of forms, as in pictures of few rows. */
 static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                    const algsurf_i_cells *f, const algsurf_i_line *line, algsurf_i_tiling *t) {
-    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0;
-    const int *cell = band->cell + (row - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
-    int begin = band->begin > line->begin ? band->begin : line->begin;
-    int end = band->end < line->end ? band->end : line->end;
+    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0, begin, end;
+    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    algsurf_i_cell_range(picture, row + 0.5, &begin, &end);
+    if (begin < line->begin) begin = line->begin;
+    if (end > line->end) end = line->end;
     for (int x = begin; x < end; x++) {
-        int number = cell[x / ALGSURF_I_LEAF];
-        if (number <= 0 || band->tiles[number - 1].enough > 0 || (line->wanted && !line->wanted[x])) continue;
+        int tiled = band && x >= band->begin && x < band->end;
+        int number = tiled ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
+        if (tiled && (number <= 0 || band->tiles[number - 1].enough > 0)) continue;
+        if (line->wanted && !line->wanted[x]) continue;
         for (int i = 0; i < line->dense; i++) {
             t->at[count] = x * f->across + f->x + i;
-            t->from[count++] = band->tiles[number - 1].low;
+            t->from[count++] = tiled ? band->tiles[number - 1].low : -1;
         }
     }
     return count;
@@ -65,7 +69,6 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_band *band = algsurf_i_band_of(picture, row, 0, t);
-    if (!band) return;
     const algsurf_i_cells f = algsurf_i_cells_of(picture, line->across, row, line->dense > 1 ? 0 : sx, sy);
     int count = collect(picture, band, row, &f, line, t);
     if (count > 0) count = algsurf_i_search_cells(&f, 1, count, t);
