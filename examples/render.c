@@ -48,6 +48,11 @@ static void demand(algsurf_status status) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 
+static int shows_thin(const render_options *options, const algsurf_surface *surface) {
+    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
+    return usual || options->thin == THIN_ASKED;
+}
+
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
     algsurf_scene *scene;
@@ -61,8 +66,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
-    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
-    demand(algsurf_scene_set_thin(scene, usual || options->thin == THIN_ASKED ? thin_colour : NULL));
+    demand(algsurf_scene_set_thin(scene, shows_thin(options, surface) ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
@@ -335,7 +339,8 @@ static void draw(const render_options *options) {
     view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
     if (!given->name)
         fit_view(&shown, &options->view, r.surface,
-                 options->space.is_complex || options->sweep.kind == SWEEP_TURN);
+                 options->space.is_complex || options->sweep.kind == SWEEP_TURN,
+                 shows_thin(options, r.surface));
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
