@@ -98,6 +98,7 @@ static void search_column(search *s, const algsurf_i_column *c, int column) {
         int last = w.length <= s->shortest || ++w.looks >= MOST_LOOKS;
         if (!sign && (last || w.length <= s->longest))
             growth = algsurf_i_column_growth(&s->box, &part, w.length);
+        if (!sign && !is_sheet(growth)) sign = algsurf_i_column_square_sign(&s->box, &part);
         if (!sign && !last && !is_sheet(growth)) {
             w.length /= 2;
             continue;
@@ -243,7 +244,7 @@ static int is_empty(const search *s, const algsurf_i_column *c, const cell *whol
     for (walk w = {0, 1, 0}; w.from < 1;) {
         algsurf_i_column part;
         double from = whole->from + w.from * length, to = fmin(from + w.length * length, 1);
-        if (algsurf_i_column_cut(&s->box, c, from, to, &part) || algsurf_i_column_is_empty(&s->box, &part))
+        if (algsurf_i_column_cut(&s->box, c, from, to, &part) || algsurf_i_column_square_sign(&s->box, &part))
             go_on(&w);
         else if (w.length * length * SHARPER > s->shortest && ++w.looks < MOST_LOOKS)
             w.length /= 2;

@@ -265,17 +265,19 @@ static double least_value(const quadratic *q, unsigned left) {
     return fmax(best, least_value(&squares, left));
 }
 
-int algsurf_i_column_is_empty(const algsurf_i_solid *s, const algsurf_i_column *part) {
+unsigned algsurf_i_column_square_sign(const algsurf_i_solid *s, const algsurf_i_column *part) {
     quadratic q;
+    unsigned sign = ALGSURF_I_POSITIVE;
     double rest = quadratic_of(part, s->degree, &q) + fourth_of(s, part->half) + s->rounding;
     if (q.constant < 0) {
+        sign = ALGSURF_I_NEGATIVE;
         q.constant = -q.constant;
         for (int i = 0; i < 3; i++) {
             q.linear[i] = -q.linear[i];
             for (int j = i; j < 3; j++) q.square[i][j] = -q.square[i][j];
         }
     }
-    return q.constant > rest && least_value(&q, 7) > rest;
+    return q.constant > rest && least_value(&q, 7) > rest ? sign : 0;
 }
 
 unsigned algsurf_i_column_growth(const algsurf_i_solid *s, const algsurf_i_column *part, double share) {
