@@ -15,8 +15,8 @@
 #include "results.h"
 #include "surfaces.h"
 
-/* Regula falsi and the fast tier may be wrong, but if they are at more than one in FEW_WRONG of the hits, at
- * tolerance 0, something is broken: regula falsi is at one in 80, on boy. */
+/* Regula falsi may be wrong, but if it is at more than one in FEW_WRONG of the hits, at tolerance 0,
+ * something is broken: it is at one in 80, on boy. */
 enum { FEW_WRONG = 20 };
 
 typedef struct bench_options {
@@ -64,9 +64,7 @@ static const char legend[] =
     "  settled    the largest tolerance from which on the picture's bytes, standard quality, do not\n"
     "             change any more; of other methods than the default, it is drawn ray by ray\n"
     "  distance   of the eye, in radii of the extent\n"
-    "  times      how many times as fast as the certified tier\n"
-    "  t, normal  of a picture: errors that 99.9 % of the hits do not exceed, in radii, in degrees.  A\n"
-    "             pixel whose state differs, or t by more than 1/1000 radius, is wrong instead\n";
+    "  times      how many times as fast as the certified tier\n";
 
 typedef struct size {
     int width, height, rows;

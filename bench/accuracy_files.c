@@ -110,7 +110,7 @@ static void write_charts(const record *r, const char *folder) {
     static const char about[] =
         "Each mark is one tolerance, from 1e-1 on the right to 1e-15 and 0 on the left.  A front joins the "
         "settings without a wrong answer that no other beats in both.";
-    static const int tiers[TIERS] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+    static const int tiers[TIERS] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     char name[TEXT];
     panel *panels = calloc(TIERS, sizeof *panels);
     plot plots[TIERS];

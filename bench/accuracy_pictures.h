@@ -11,11 +11,9 @@ typedef struct picture_size {
     double distance;
 } picture_size;
 
-/* One tier's picture beside that of the certified tier. */
+/* One tier's picture. */
 typedef struct picture_line {
     double ns[MAX_REPEAT]; /* CPU time a pixel, sorted at the end */
-    size_t wrong;          /* pixels: another state, or t off by more than a thousandth of the radius */
-    double t, normal;      /* errors that 99.9 % of the others' do not exceed: in radii, in degrees */
 } picture_line;
 
 typedef struct picture_record {

@@ -125,24 +125,19 @@ static const struct {
       .unit_tolerance = COARSE}},
     {"single call instead of a packet", {.unit_way = WAY_PACKET, DEFAULT, AT_0}},
     {"single call instead of a picture", {.unit_way = WAY_PICTURE, DEFAULT, AT_0}},
-    {"single call, certified instead of fast", {.unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
     {"single call, certified instead of bounded", {.unit_tier = ALGSURF_TIER_BOUNDED, DEFAULT, AT_0}},
-    {"picture, certified instead of fast",
-     {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .unit_tier = ALGSURF_TIER_FAST, DEFAULT, AT_0}},
     {"picture, certified instead of bounded",
      {.way = WAY_PICTURE, .unit_way = WAY_PICTURE, .unit_tier = ALGSURF_TIER_BOUNDED, DEFAULT, AT_0}},
     {"single call, Brent instead of default", {.method = ALGSURF_METHOD_BRENT, AT_0}},
     {"single call, bisection instead of default", {.method = ALGSURF_METHOD_BISECTION, AT_0}},
     {"single call, regula falsi instead of default", {.method = ALGSURF_METHOD_REGULA_FALSI, AT_0}}};
 
-/* Wrong answers of lines that may have any, added up over tolerances and surfaces. */
-static size_t wrong_of(const record *records, int count, int regula_falsi) {
+/* Wrong answers, regula falsi's, added up over tolerances and surfaces. */
+static size_t wrong_of(const record *records, int count) {
     size_t wrong = 0;
     for (const record *r = records; r < records + count; r++)
         for (const line *l = r->line; l < r->line + LINES; l++)
-            for (int k = 0; k < TOLERANCES; k++)
-                if ((l->setting.method == ALGSURF_METHOD_REGULA_FALSI) == regula_falsi)
-                    wrong += l->verdict[k].wrong;
+            for (int k = 0; k < TOLERANCES; k++) wrong += l->verdict[k].wrong;
     return wrong;
 }
 
@@ -187,14 +182,13 @@ void report_advice(const record *records, int count) {
            tolerance_text(at_default, settled(records, count, ALGSURF_METHOD_DEFAULT)),
            tolerance_text(at_brent, settled(records, count, ALGSURF_METHOD_BRENT)),
            tolerance_text(at_bisection, settled(records, count, ALGSURF_METHOD_BISECTION)));
-    printf("  - Certified decides every ray; only what doubles leave open, here %zu of %zu rays, goes to\n"
-           "    integers.  Bounded leaves that undecided, for hosts that need a bounded time for every ray.\n"
-           "  - Fast proves nothing; wrong here: %zu answers, in all tolerances.  Worth it where no one\n"
-           "    relies on an answer and the ratio above counts.\n",
-           undecided_of(records, count), rays_of(records, count), wrong_of(records, count, 0));
+    printf(
+        "  - Certified decides every ray; only what doubles leave open, here %zu of %zu rays, goes to\n"
+        "    integers.  Bounded leaves that undecided, for hosts that need a bounded time for every ray.\n",
+        undecided_of(records, count), rays_of(records, count));
     printf("  - Brent and bisection find the same roots, at the ratios above: partly the method's own (the\n"
            "    seed comparison tells which part), mostly that only the default has packet code, which a\n"
            "    single call uses, too.  Regula falsi is for comparison only: wrong %zu times, in all\n"
            "    tolerances and tiers.\n",
-           wrong_of(records, count, 1));
+           wrong_of(records, count));
 }

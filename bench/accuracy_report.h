@@ -3,7 +3,7 @@
 #define ACCURACY_REPORT_H
 #include "accuracy_ways.h"
 
-enum { TOLERANCES = 16, MAX_REPEAT = 20, METHODS = 4, TIERS = 3, LINES = METHODS * TIERS + 2 * TIERS };
+enum { TOLERANCES = 16, MAX_REPEAT = 20, METHODS = 4, TIERS = 2, LINES = METHODS * TIERS + 2 * TIERS };
 
 /* Falling; the last is 0: all that a double can tell. */
 extern const double accuracy_tolerances[TOLERANCES];

@@ -40,7 +40,7 @@ const char *method_name(int method) {
 }
 
 const char *tier_name(int tier) {
-    static const char *const names[] = {"certified", "bounded", "fast"};
+    static const char *const names[] = {"certified", "bounded"};
     return names[tier];
 }
 
@@ -215,14 +215,13 @@ static int is_near(const view *v, const setting *s, size_t i, double t, double e
     const algsurf_ray *chord = &v->chord[i];
     double stated = s->tolerance + 0x1p-52 * fabs(t) + known->error;
     if (s->tolerance > 0) stated += 0x1p-49 * (chord->t_max - chord->t_min);
-    if (s->way == WAY_PICTURE)
-        stated += (s->tier == ALGSURF_TIER_FAST ? 1e-3 : 0x1p-36) * v->entry->extent.size[0];
+    if (s->way == WAY_PICTURE) stated += 0x1p-36 * v->entry->extent.size[0];
     if (error <= stated) return 1;
     double nearer = t < known->t ? t + stated : t - stated;
     return nearer >= known->lo && nearer <= known->hi && view_noise(v, i, nearer) <= FEW;
 }
 
-/* Null, or how an answer of a tier that proves contradicts the truth. */
+/* Null, or how an answer contradicts the truth. */
 static const char *breach_of(const answer *a, const truth *known) {
     double error = isinf(known->error) ? 0 : known->error;
     if (a->state == ALGSURF_UNDECIDED)
@@ -256,7 +255,7 @@ static void judge_ray(ways *w, const setting *s, size_t i, verdict *r) {
             breach = "t off by more than is stated";
     }
     if (wrong && r->wrong++ == 0) r->first_wrong = w->view->pixel[i];
-    if (s->tier == ALGSURF_TIER_FAST || !breach || r->breach) return;
+    if (!breach || r->breach) return;
     r->breach = breach;
     r->at = w->view->pixel[i];
 }

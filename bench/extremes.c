@@ -3,8 +3,7 @@
  * Eight sweeps, each towards an edge: a far eye, large and small surfaces, roots close together, high
  * degrees, singular points, extents, coefficients of different size, vanishing leading coefficients.  At
  * every step rays are asked for their first hit in each tier, and as a packet; the answers are judged
- * (extremes_truth.h) before anything is timed.  Only the fast tier may be wrong, and that is counted; any
- * other wrong answer ends the program without a table.
+ * (extremes_truth.h) before anything is timed.  A wrong one ends the program without a table.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -48,24 +47,21 @@ static const cli_program program = {
     .name = "extremes",
     .synopsis = "[options]",
     .about = "Asks for first hits at the edges of what doubles can say, checks the answers, then\n"
-             "prints how many were undecided, how far off, and how long they took.  A wrong answer\n"
-             "of any tier but the fast one: one line on standard error, no table, exit status 1.",
+             "prints how many were undecided, how far off, and how long they took.  A wrong\n"
+             "answer: one line on standard error, no table, exit status 1.",
     .options = options_table,
     .positional = FIELD(extra),
 };
 
 static const char legend[] =
     "First hits at the extremes.\n"
-    "  manner      fast, bounded, certified: a tier, rays one by one; packet: certified tier, the rays of a\n"
+    "  manner      bounded, certified: a tier, rays one by one; packet: certified tier, the rays of a\n"
     "              scene as one packet (they have nothing in common)\n"
     "  rays, hits  asked; those that hit\n"
-    "  wrong       of the fast tier: a hit or miss that is none, or t off by more than 1000 units, or by\n"
-    "              1e-6 t; the others have none\n"
     "  undecided%  share of the rays that the tier leaves open\n"
     "  error50%    of t, median; max: the largest.  Unit: u kappa |t|, u = 2^-53, kappa = 1 + S / |t "
     "P'(t)|,\n"
-    "              S = sum of |a x^i y^j z^k|: what rounding coefficients and t may do.  Of the hits that\n"
-    "              are right\n"
+    "              S = sum of |a x^i y^j z^k|: what rounding coefficients and t may do\n"
     "  ns50%       CPU time of a ray, median of the repetitions; min, max: their spread\n"
     "The truth is known from how a ray was made, or what the certified tier proves, with its root polished "
     "in\n"
@@ -93,7 +89,7 @@ static void free_answers(answers *a) {
 
 /* What is found out about the rays of one value, scene by scene. */
 typedef struct tally {
-    size_t rays, hits, wrong, undecided, errors;
+    size_t rays, hits, undecided, errors;
     double *error;
     double seconds[REPEAT]; /* for all rays, once */
 } tally;
@@ -122,19 +118,18 @@ static truth *find_truths(work *w) {
     return known;
 }
 
-/* Counts the answers; a wrong one that may not be ends the program. */
+/* Counts the answers; a wrong one ends the program. */
 static void judge_all(const work *w, const truth *known, tally *t) {
     for (size_t i = 0; i < w->scene.count; i++) {
-        verdict v = judge(&known[i], w->manner, &w->answers, i);
-        if (v.wrong && w->manner != MANNER_FAST)
+        verdict v = judge(&known[i], &w->answers, i);
+        if (v.wrong)
             cli_fail(CLI_BROKEN, "seed %d, %s %g, scene %d, ray %zu of %zu, %s: %s", w->options->seed,
                      w->sweep->name, w->sweep->values[w->point], w->variant, i, w->scene.count,
                      manner_names[w->manner], v.wrong);
         t->rays++;
         t->hits += known[i].state == ALGSURF_HIT;
-        t->wrong += v.wrong != NULL;
         t->undecided += (size_t)v.undecided;
-        if (!v.wrong && !isnan(v.error)) t->error[t->errors++] = v.error;
+        if (!isnan(v.error)) t->error[t->errors++] = v.error;
     }
 }
 
@@ -159,7 +154,7 @@ static void run_scene(work *w, tally tallies[MANNERS]) {
 /* ---- a sweep ---- */
 
 static finding find(tally *t) {
-    finding f = {t->rays, t->hits, t->wrong, t->undecided, NAN, NAN, 0, 0, 0};
+    finding f = {t->rays, t->hits, t->undecided, NAN, NAN, 0, 0, 0};
     double unit = 1e9 / (double)t->rays;
     measure_sort(t->seconds, REPEAT);
     f.ns = unit * measure_quantile(t->seconds, REPEAT, 0.5);

@@ -21,14 +21,14 @@ static const char *error_text(double error, char text[16]) {
 
 void report_table(const record *r) {
     char median[16], most[16];
-    printf("\n%s\n%s: %s\n\n%8s  %-9s %6s %6s %6s %10s %8s %8s %9s %9s %9s\n", r->sweep->title,
-           r->sweep->name, r->sweep->quantity, r->sweep->name, "manner", "rays", "hits", "wrong",
-           "undecided%", "error50%", "max", "ns50%", "min", "max");
+    printf("\n%s\n%s: %s\n\n%8s  %-9s %6s %6s %10s %8s %8s %9s %9s %9s\n", r->sweep->title, r->sweep->name,
+           r->sweep->quantity, r->sweep->name, "manner", "rays", "hits", "undecided%", "error50%", "max",
+           "ns50%", "min", "max");
     for (int point = 0; point < r->sweep->points; point++)
         for (int m = 0; m < MANNERS; m++) {
             const finding *f = &r->finding[point][m];
-            printf("%8.3g  %-9s %6zu %6zu %6zu %10.2f %8s %8s %9.0f %9.0f %9.0f\n", r->sweep->values[point],
-                   manner_names[m], f->rays, f->hits, f->wrong, percent(f->undecided, f->rays),
+            printf("%8.3g  %-9s %6zu %6zu %10.2f %8s %8s %9.0f %9.0f %9.0f\n", r->sweep->values[point],
+                   manner_names[m], f->rays, f->hits, percent(f->undecided, f->rays),
                    error_text(f->error_median, median), error_text(f->error_max, most), f->ns, f->ns_min,
                    f->ns_max);
         }
@@ -40,13 +40,13 @@ static void write_csv(const record *records, size_t count, const char *folder) {
     static const char name[] = "extremes.csv";
     char median[16], most[16];
     FILE *file = results_create(folder, name);
-    fprintf(file, "sweep,value,manner,rays,hits,wrong,undecided,error_median,error_max,ns,ns_min,ns_max\n");
+    fprintf(file, "sweep,value,manner,rays,hits,undecided,error_median,error_max,ns,ns_min,ns_max\n");
     for (const record *r = records; r < records + count; r++)
         for (int point = 0; point < r->sweep->points; point++)
             for (int m = 0; m < MANNERS; m++) {
                 const finding *f = &r->finding[point][m];
-                fprintf(file, "%s,%.3g,%s,%zu,%zu,%zu,%zu,%s,%s,%.1f,%.1f,%.1f\n", r->sweep->name,
-                        r->sweep->values[point], manner_names[m], f->rays, f->hits, f->wrong, f->undecided,
+                fprintf(file, "%s,%.3g,%s,%zu,%zu,%zu,%s,%s,%.1f,%.1f,%.1f\n", r->sweep->name,
+                        r->sweep->values[point], manner_names[m], f->rays, f->hits, f->undecided,
                         error_text(f->error_median, median), error_text(f->error_max, most), f->ns, f->ns_min,
                         f->ns_max);
             }
@@ -59,17 +59,14 @@ static void write_csv(const record *records, size_t count, const char *folder) {
 
 enum { PANELS = 3 };
 
-static double shown(const finding *f, int panel, manner m) {
-    if (panel == 0) return m == MANNER_FAST ? percent(f->wrong, f->rays) : percent(f->undecided, f->rays);
+static double shown(const finding *f, int panel) {
+    if (panel == 0) return percent(f->undecided, f->rays);
     return panel == 1 ? fmax(f->error_max, LEAST_ERROR) : f->ns;
 }
 
 /* Doubt and error and time, one below the other. */
 static void write_charts(const record *r, const char *folder) {
-    static const char *const names[PANELS][MANNERS] = {
-        {"fast: wrong", "bounded: open", "certified: open", "certified, packet: open"},
-        {"fast", "bounded", "certified", "certified, packet"},
-        {"fast", "bounded", "certified", "certified, packet"}};
+    static const char *const names[MANNERS] = {"bounded", "certified", "certified, packet"};
     static const plot_axis y[PANELS] = {
         {.label = "% of the rays", .scale = PLOT_SYMLOG, .hi = 100, .linear = 0.1},
         {.label = "largest error of t, in u \316\272 |t|", .scale = PLOT_LOG},
@@ -82,11 +79,11 @@ static void write_charts(const record *r, const char *folder) {
     for (size_t i = 0; i < count; i++) {
         x[i] = r->sweep->values[i] > 0 ? r->sweep->values[i] : ZERO_PLACE;
         for (int p = 0; p < PANELS; p++)
-            for (int m = 0; m < MANNERS; m++) values[p][m][i] = shown(&r->finding[i][m], p, (manner)m);
+            for (int m = 0; m < MANNERS; m++) values[p][m][i] = shown(&r->finding[i][m], p);
     }
     for (int p = 0; p < PANELS; p++) {
         for (int m = 0; m < MANNERS; m++)
-            series[p][m] = (plot_series){names[p][m], PLOT_BOTH, x, values[p][m], count};
+            series[p][m] = (plot_series){names[m], PLOT_BOTH, x, values[p][m], count};
         plots[p] = (plot){.x = {.label = r->sweep->quantity, .scale = PLOT_LOG},
                           .y = y[p],
                           .series = series[p],
@@ -94,8 +91,7 @@ static void write_charts(const record *r, const char *folder) {
                           .height = 320};
     }
     plots[0].title = r->sweep->title;
-    plots[0].subtitle =
-        "answers that are wrong (fast tier), or left open (the others, which give no wrong ones)";
+    plots[0].subtitle = "rays that are left open; no answer is wrong";
     plots[1].title = "How far off a hit is at most";
     plots[1].subtitle =
         "u = 2^-53, \316\272: condition of the root; 0.01 stands for less, and where there is no hit";

@@ -7,9 +7,9 @@ enum { MOST_POINTS = 16 };
 
 /* All rays of one value of a sweep, asked in one manner. */
 typedef struct finding {
-    size_t rays, hits, wrong, undecided; /* hits: of the truth */
-    double error_median, error_max;      /* of t, in units of u kappa |t|; NaN: there is none */
-    double ns, ns_min, ns_max;           /* a ray */
+    size_t rays, hits, undecided;   /* hits: of the truth */
+    double error_median, error_max; /* of t, in units of u kappa |t|; NaN: there is none */
+    double ns, ns_min, ns_max;      /* a ray */
 } finding;
 
 typedef struct record {

@@ -179,7 +179,7 @@ truth scene_truth(const scene *s, size_t i, const answers *certified) {
 
 /* ---- answers ---- */
 
-const char *const manner_names[MANNERS] = {"fast", "bounded", "certified", "packet"};
+const char *const manner_names[MANNERS] = {"bounded", "certified", "packet"};
 
 static int ask_packet(const scene *s, const answers *a) {
     const algsurf_ray_packet rays = {.size = sizeof rays,
@@ -194,7 +194,7 @@ static int ask_packet(const scene *s, const answers *a) {
 }
 
 int scene_ask(const scene *s, manner m, const answers *a) {
-    static const int tiers[] = {ALGSURF_TIER_FAST, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
+    static const int tiers[] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     if (m == MANNER_PACKET) return ask_packet(s, a);
     const algsurf_intersect_options options = {.size = sizeof options, .tier = tiers[m]};
     for (size_t i = 0; i < s->count; i++) {
@@ -215,7 +215,7 @@ int scene_ask(const scene *s, manner m, const answers *a) {
 static int is_before(const truth *known, double x) { return (known->root - x) + known->rest < 0; }
 static int is_after(const truth *known, double x) { return (known->root - x) + known->rest > 0; }
 
-verdict judge(const truth *known, manner m, const answers *a, size_t i) {
+verdict judge(const truth *known, const answers *a, size_t i) {
     verdict v = {NULL, a->state[i] == ALGSURF_UNDECIDED, NAN};
     int is_hit = a->state[i] == ALGSURF_HIT, precise = known->state == ALGSURF_HIT && isfinite(known->unit);
     if (known->state == ALGSURF_UNDECIDED) return v;
@@ -223,11 +223,7 @@ verdict judge(const truth *known, manner m, const answers *a, size_t i) {
     if (a->state[i] == ALGSURF_MISS && known->state == ALGSURF_HIT) v.wrong = "a miss where there is a root";
     if (precise && v.undecided && is_before(known, a->t_lo[i])) v.wrong = "a root before the doubt begins";
     if (!precise || !is_hit) return v;
-    double off = fabs((a->t[i] - known->root) - known->rest);
-    v.error = off / known->unit;
-    if (m == MANNER_FAST && !(v.error <= FAST_UNITS && off <= FAST_PART * fabs(known->root)))
-        v.wrong = "far from the first root";
-    if (m != MANNER_FAST && (is_before(known, a->t_lo[i]) || is_after(known, a->t_hi[i])))
-        v.wrong = "not the first root";
+    v.error = fabs((a->t[i] - known->root) - known->rest) / known->unit;
+    if (is_before(known, a->t_lo[i]) || is_after(known, a->t_hi[i])) v.wrong = "not the first root";
     return v;
 }

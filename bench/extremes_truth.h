@@ -14,7 +14,7 @@ typedef struct truth {
     double unit;       /* infinite: the root is not known well enough to tell errors */
 } truth;
 
-typedef enum manner { MANNER_FAST, MANNER_BOUNDED, MANNER_CERTIFIED, MANNER_PACKET, MANNERS } manner;
+typedef enum manner { MANNER_BOUNDED, MANNER_CERTIFIED, MANNER_PACKET, MANNERS } manner;
 extern const char *const manner_names[MANNERS];
 
 /* The first hits of all rays: one by one in a tier, or as a packet in the certified tier.  Returns 0 when the
@@ -37,10 +37,7 @@ typedef struct verdict {
 } verdict;
 
 /* Judges answer i.  Wrong is a hit or miss that is none, a root outside of the interval that is said to
- * enclose it, a doubt that begins behind the first root.  The fast tier has no interval: there wrong is an
- * error of more than FAST_UNITS units, or more than FAST_PART |t|, which a picture would show. */
-#define FAST_UNITS 1000
-#define FAST_PART 1e-6
-verdict judge(const truth *known, manner m, const answers *a, size_t i);
+ * enclose it, a doubt that begins behind the first root. */
+verdict judge(const truth *known, const answers *a, size_t i);
 
 #endif

@@ -4,8 +4,8 @@
  * antialiasing of all pixels or of edges only, in full quality, and ray by ray.  Beside it stands the floor,
  * the same surface lifted by a constant until nothing of it is left inside the extent: what remains to be
  * done there is a chord, coefficients and their signs for each ray.  Every picture that is timed is judged
- * (pictures_draw.h), but for those of the fast tier, which promises nothing; a contradiction ends the program
- * without a table.  The ways to draw take turns, so that what else runs on the machine hits them alike.
+ * (pictures_draw.h); a contradiction ends the program without a table.  The ways to draw take turns, so that
+ * what else runs on the machine hits them alike.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -73,7 +73,6 @@ static const cli_program program = {
 static const manner others[] = {
     {.name = "two", .threads = 2, STANDARD, .duty = DUTY_PICTURE},
     {.name = "all", .threads = 0, STANDARD, .duty = DUTY_PICTURE},
-    {.name = "fast", .threads = 1, STANDARD, .tier = ALGSURF_TIER_FAST, .duty = DUTY_NONE},
     {.name = "bounded", .threads = 1, STANDARD, .tier = ALGSURF_TIER_BOUNDED, .duty = DUTY_OPEN},
     {.name = "antialias", .threads = 1, STANDARD, .antialias = 3, .duty = DUTY_SMOOTH},
     {.name = "adaptive", .threads = 1, STANDARD, .antialias = 3, .threshold = 0.1, .duty = DUTY_EITHER},

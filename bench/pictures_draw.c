@@ -232,8 +232,6 @@ static int same_as_either(const stage *s) {
 
 static const char *breach(const stage *s, duty owed) {
     switch (owed) {
-    case DUTY_NONE:
-        break;
     case DUTY_PICTURE:
         if (!same_pixels(s)) return "another picture than the reference";
         if (!same_hits(s)) return "other hits than the reference";

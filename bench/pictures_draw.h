@@ -6,7 +6,6 @@
 /* What a picture owes to the reference: the fastest kernel's, one thread, certified tier, standard quality.
  */
 typedef enum duty {
-    DUTY_NONE,    /* nothing: what it shows is approximate */
     DUTY_PICTURE, /* the same bytes, of its hits too */
     DUTY_HITS,    /* the same bytes of its hits */
     DUTY_MASK,    /* a hit at the same pixels */

@@ -15,10 +15,9 @@ static const char legend[] =
     "  rays       pixels whose ray meets the extent\n"
     "  hits       pixels that show the surface\n"
     "  manner     a kernel's name: that kernel with one thread, certified tier, standard quality; else the\n"
-    "             fastest kernel: two, all: threads; all that follow have one thread.  fast, bounded: tier,\n"
-    "             the former unchecked; antialias: 3x3 samples a pixel; adaptive: the same for pixels that "
-    "differ\n"
-    "             from a neighbour by a tenth of a colour's range; single: ray by ray (Brent's method), one\n"
+    "             fastest kernel: two, all: threads; all that follow have one thread.  bounded: the tier;\n"
+    "             antialias: 3x3 samples a pixel; adaptive: the same for pixels that differ from a\n"
+    "             neighbour by a tenth of a colour's range; single: ray by ray (Brent's method), one\n"
     "             picture; full: full quality, one picture\n"
     "  ms50%      wall time of algsurf_render, milliseconds: median; min, max: its spread\n"
     "  ns/ray     ms50% for each of the rays\n"
@@ -192,8 +191,7 @@ static void chart_kernels(chart *c, const report *r) {
 }
 
 static void chart_quality(chart *c, const report *r) {
-    static const char *const shown[][2] = {{"fast", "fast tier"},
-                                           {"bounded", "bounded tier"},
+    static const char *const shown[][2] = {{"bounded", "bounded tier"},
                                            {"antialias", "3x3 samples"},
                                            {"adaptive", "3x3 on edges"},
                                            {"full", "area lights and shadows"}};

@@ -19,8 +19,8 @@ END {
     }
     printf "A picture of %s pixels by %s on one thread takes from ", size, first
     printf "%s to %s.\n", told(low), told(high)
-    printf "Compared with that, surface by surface, median: the fast tier takes %s, ", ratio("fast")
-    printf "the bounded tier %s, %d threads %s, ", ratio("bounded"), threads["all"], ratio("all")
+    printf "Compared with that, surface by surface, median: "
+    printf "the bounded tier takes %s, %d threads %s, ", ratio("bounded"), threads["all"], ratio("all")
     printf "the instructions every processor has %s, ", ratio("baseline")
     printf "going ray by ray %s.\n", ratio("single")
     printf "Nine samples a pixel take %s, nine on edges only %s", ratio("antialias"), ratio("adaptive")

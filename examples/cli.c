@@ -288,7 +288,7 @@ void cli_set_method(const cli_option *option, const char *value, void *field) {
 }
 
 void cli_set_tier(const cli_option *option, const char *value, void *field) {
-    static const int tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED, ALGSURF_TIER_FAST};
+    static const int tiers[] = {ALGSURF_TIER_CERTIFIED, ALGSURF_TIER_BOUNDED};
     *(int *)field = tiers[cli_choice(option, value)];
 }
 

@@ -28,9 +28,9 @@ static const cli_option options_table[] = {
      FIELD(how.method)},
     {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
      FIELD(how.absolute_tolerance)},
-    {"--tier", "certified|bounded|fast",
+    {"--tier", "certified|bounded",
      "every ray decided, by integers where doubles leave it open (default);\n"
-     "doubles alone, the rest uncertain; signs as computed, which may be wrong",
+     "doubles alone, the rest uncertain",
      cli_set_tier, FIELD(how.tier)},
     {"--format", "tsv|json", "a table (default); or an object a line, with null for '-', and inf as a string",
      cli_set_choice, FIELD(json)},
@@ -77,12 +77,8 @@ static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
     table *out = &r->out;
     table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "uncertain");
     add_numbers(out, &hit->t, 1);
-    if (r->how->tier == ALGSURF_TIER_FAST) {
-        add_absent(out, 2);
-    } else {
-        add_numbers(out, &hit->t_lo, 1);
-        add_numbers(out, &hit->t_hi, 1);
-    }
+    add_numbers(out, &hit->t_lo, 1);
+    add_numbers(out, &hit->t_hi, 1);
     add_numbers(out, hit->position, 3);
     const double *n = hit->normal;
     if (n[0] == 0 && n[1] == 0 && n[2] == 0)

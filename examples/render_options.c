@@ -138,10 +138,9 @@ static const cli_option options_table[] = {
      0},
     {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
      set_tolerance, 0, 0, 0},
-    {"--tier", "certified|bounded|fast",
+    {"--tier", "certified|bounded",
      "every ray decided, by integers where doubles leave it open (default);\n"
-     "doubles alone, the rest uncertain; single precision without bounds, for\n"
-     "previews: some pixels next to outlines may be wrong",
+     "doubles alone, the rest uncertain",
      set_tier, 0, 0, 0},
     {"--kernel", "baseline|avx2|avx512",
      "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,
@@ -343,6 +342,4 @@ const char *render_quality_name(algsurf_quality quality) {
                                               : "standard";
 }
 
-const char *render_tier_name(int tier) {
-    return tier == ALGSURF_TIER_FAST ? "fast" : tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified";
-}
+const char *render_tier_name(int tier) { return tier == ALGSURF_TIER_BOUNDED ? "bounded" : "certified"; }

@@ -174,10 +174,8 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
         if (memcmp(&hit, &single, sizeof hit) != 0) packet_fail("a miss with numbers", c, i, &single);
         return;
     }
-    int fast = options->tier == ALGSURF_TIER_FAST;
     if (!(hit.t_lo <= hit.t && hit.t <= hit.t_hi)) packet_fail("t outside of its interval", c, i, &single);
-    if (!fast && !(hit.t_lo <= single.t_hi && single.t_lo <= hit.t_hi))
-        packet_fail("intervals apart", c, i, &single);
+    if (!(hit.t_lo <= single.t_hi && single.t_lo <= hit.t_hi)) packet_fail("intervals apart", c, i, &single);
     double bound = hit.multiplicity == 1 ? t_bound(&ray, &hit) : 0x1p-52 * fabs(hit.t) + 0x1p-1074;
     if (!(fabs(hit.t - single.t) <= bound)) packet_fail("t", c, i, &single);
     for (int k = 0; k < 3; k++) {
@@ -190,10 +188,9 @@ static void judge(const packet_case *c, int i, const algsurf_extent *extent,
 }
 
 /* The first `count` rays by every kernel: the same bits, and what integers say. */
-static void judge_all(int count, const algsurf_extent *extent, int tier) {
+static void judge_all(int count, const algsurf_extent *extent) {
     for (int k = 0; algsurf_kernel_name(k); k++) {
-        algsurf_intersect_options options = {.size = sizeof options, .tier = tier};
-        options.kernel = algsurf_kernel_name(k);
+        const algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(k)};
         packet_case *c = k ? &q : &p;
         if (k) q = p, memset(q.state, 9, (size_t)count), memset(q.t, 9, (size_t)count * sizeof *q.t);
         assert_int_equal(ask(c, 0, count, extent, &options), ALGSURF_OK);
@@ -296,8 +293,7 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
             }
             put_ray(&p, i, &ray);
         }
-        judge_all(MOST, extents[e], ALGSURF_TIER_CERTIFIED);
-        if (kind < ON_SURFACE && extents[e]) judge_all(MOST, extents[e], ALGSURF_TIER_FAST);
+        judge_all(MOST, extents[e]);
     }
 }
 
@@ -341,7 +337,7 @@ static void test_cancellation(void **state) {
                 algsurf_ray ray = make_ray(&seed, &ball, round % 4 ? GRAZING : ENDS);
                 put_ray(&p, j, &ray);
             }
-            judge_all(MOST, &ball, ALGSURF_TIER_CERTIFIED);
+            judge_all(MOST, &ball);
         }
         algsurf_surface_free(s);
     }
@@ -389,7 +385,7 @@ static void test_hits_on_the_extent(void **state) {
         *size = nextafter(nextafter(nextafter(*size, 0), 0), 0);
         for (int i = 0; i < 7; i++) { /* seven neighbouring sizes */
             put_ray(&p, 0, &ray);
-            judge_all(1, &e, ALGSURF_TIER_CERTIFIED);
+            judge_all(1, &e);
             *size = nextafter(*size, 9);
         }
     }
@@ -428,8 +424,8 @@ static void test_doubtful_rays(void **state) {
         assert_int_equal(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL), ALGSURF_OK);
         surface = s;
         put_ray(&p, 0, &odd[i].ray);
-        judge_all(1, NULL, ALGSURF_TIER_CERTIFIED);
-        judge_all(1, &wide, ALGSURF_TIER_CERTIFIED);
+        judge_all(1, NULL);
+        judge_all(1, &wide);
         algsurf_surface_free(s);
     }
     assert_true(tallied.multiple >= 8 && tallied.hits > 20);
@@ -522,7 +518,7 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
 
 /* Doubtful ones among some rays, by the kernel itself. */
 static int doubts(const algsurf_extent *extent, int any) {
-    algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any, .bounded = 1};
+    algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any};
     algsurf_i_rays_hits hits = {.state = q.state, .t = q.t};
     int count = 0;
     for (int k = 0; k < 3; k++) job.origin[k] = p.origin[k], job.direction[k] = p.direction[k];
@@ -547,7 +543,7 @@ static void test_degrees(void **state) {
                 algsurf_ray ray = ray_from(&seed, &ball, 4);
                 put_ray(&p, i, &ray);
             }
-            if (round < 2) judge_all(n > 20 ? 5 : MOST, &ball, ALGSURF_TIER_CERTIFIED);
+            if (round < 2) judge_all(n > 20 ? 5 : MOST, &ball);
             if (n <= 20) left += doubts(&ball, 0) + doubts(&ball, 1), rays += 2 * MOST;
         }
         /* the bounds grow with the degree; 8 % for 20 were measured */
@@ -802,7 +798,7 @@ static void test_scales(void **state) {
                 for (int j = 0; j < 3; j++) ray.direction[j] = ldexp(ray.direction[j], length);
                 put_ray(&p, i, &ray);
             }
-            judge_all(MOST, round % 2 ? &ball : &box, ALGSURF_TIER_CERTIFIED);
+            judge_all(MOST, round % 2 ? &ball : &box);
         }
         algsurf_surface_free(c.surface);
     }
@@ -869,7 +865,7 @@ static void test_out_of_range(void **state) {
                 ray.t_max = ends[i % ENDS_COUNT];
                 put_ray(&p, j, &ray);
             }
-            judge_all(LENGTHS_COUNT, &extents[i % 2], ALGSURF_TIER_CERTIFIED);
+            judge_all(LENGTHS_COUNT, &extents[i % 2]);
         }
         algsurf_surface_free(s);
     }
@@ -906,7 +902,7 @@ static void test_odd_extents(void **state) {
                 algsurf_ray ray = ray_from(&seed, &e, j % 2 ? 4 : 0.5);
                 put_ray(&p, j, &ray);
             }
-            judge_all(MOST, &e, ALGSURF_TIER_CERTIFIED);
+            judge_all(MOST, &e);
         }
     algsurf_surface_free(s);
 }

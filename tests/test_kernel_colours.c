@@ -59,7 +59,7 @@ static void run(const char *name, const algsurf_i_colour_job *job, batch *b, int
                 int with_visible, float *rgb, uint32_t *bytes) {
     const algsurf_i_looks looks = looks_of(b, first);
     const double *visible = with_visible ? b->visible + first * (job->light_count + 1) : NULL;
-    algsurf_i_single_kernel_for(algsurf_i_kernel_find(name))
+    algsurf_i_colour_kernel_for(algsurf_i_kernel_find(name))
         ->colours(job, &looks, count, visible, rgb, bytes);
 }
 

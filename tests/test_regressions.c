@@ -216,7 +216,6 @@ static void near_the_largest_double(void **state) {
 /* Another root just behind the end of the chord was told as the first, 20 units after it. */
 static void first_root_taken_for_the_end(void **state) {
     (void)state;
-    const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
     const algsurf_extent box = {
         ALGSURF_EXTENT_BOX, {0, 0, 0}, {0x1.54ef15d3fa91cp+5, 0x1.b51c9b0d5fee6p+5, 0x1.6e5145f5cdd56p+5}};
     intersect_equation(&c, "(14 x^2 - 101 x + 171) (x^2 + y^2 + z^2 + 1)");
@@ -224,7 +223,7 @@ static void first_root_taken_for_the_end(void **state) {
                           {0x1.73b36a77344e6p-4, 0x1.8f5b0674e3fa2p-1, 0x1.a4fa130c48b78p-2},
                           0,
                           INFINITY};
-    intersect_ask(&c, &box, &fast, &hits);
+    intersect_ask(&c, &box, NULL, &hits);
     assert_int_equal(hits.first.state, ALGSURF_HIT);
     assert_true(fabs(hits.first.t - 47.817255749408247) < 1e-12);
     algsurf_surface_free(c.surface);

@@ -606,7 +606,7 @@ static void bad_scene(void **state) {
     REFUSED(NOT_FINITE, set_thin(scene, colour));
     o.size = 1;
     REFUSED(ARGUMENT, set_intersect(scene, &o));
-    o = (algsurf_intersect_options){.size = sizeof o, .tier = 3};
+    o = (algsurf_intersect_options){.size = sizeof o, .tier = 2};
     REFUSED(ARGUMENT, set_intersect(scene, &o));
     o = (algsurf_intersect_options){.size = sizeof o, .method = 4};
     REFUSED(ARGUMENT, set_intersect(scene, &o));

@@ -186,34 +186,11 @@ static void kernels_give_the_same_bits(void **state) {
     for_each_view(compare_kernels, NULL);
 }
 
-static void compare_tiers(const algsurf_surface *surface, const view *v, void *data) {
-    const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
-    const algsurf_intersect_options standard = {.size = sizeof standard};
-    shares *s = data;
-    picture *p = draw(surface, v, &fast), *q = draw(surface, v, &standard);
-    assert_true(p->stats.undecided == 0);
-    for (int k = 0; k < W * H && v->number >= 6; k++) {
-        s->part += (uint64_t)(isinf(p->hits[k]) != isinf(q->hits[k]));
-        s->whole += (uint64_t)!isinf(q->hits[k]);
-    }
-    free(p);
-    free(q);
-}
-
-/* The fast tier never doubts; what it gets wrong is rare. */
-static void fast_tier(void **state) {
-    shares s = {0, 0};
-    (void)state;
-    for_each_view(compare_tiers, &s);
-    assert_true(s.whole > 50000 && s.part * 1000 < s.whole);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hits_as_by_rays),
         cmocka_unit_test(few_single_rays),
         cmocka_unit_test(kernels_give_the_same_bits),
-        cmocka_unit_test(fast_tier),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -115,7 +115,6 @@ enum part {
     COLOURS,
     LIGHTS,
     PLACES,
-    FLOATS,
     COMPLEX_ROW,
     COMPLEX_POINTS,
     PARTS
@@ -286,27 +285,18 @@ static void break_picture(void) {
     if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
 }
 
-typedef algsurf_i_picture_kernel algsurf_i_single_kernel;
-static void break_single(void);
-TABLE(single)
-
-static int wrong_floats(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                        const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    int all = real_single->sheet_points(job, pixel, depth, count, sheets, points);
-    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
-    return all;
-}
+static void break_colour(void);
+TABLE(colour)
 
 static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
                           const double *visible, float *colour, uint32_t *bytes) {
-    real_single->colours(job, looks, count, visible, colour, bytes);
+    real_colour->colours(job, looks, count, visible, colour, bytes);
     for (int i = 0; colour && i < 3 * count; i++) colour[i] *= 0.98f;
     for (int i = 0; bytes && i < count; i++) bytes[i] ^= 8;
 }
 
-static void break_single(void) {
-    if (broken == COLOURS) wrong_single.colours = wrong_colours;
-    if (broken == FLOATS) wrong_single.sheet_points = wrong_floats;
+static void break_colour(void) {
+    if (broken == COLOURS) wrong_colour.colours = wrong_colours;
 }
 
 static void wrong_kernels_are_found(void **state) {

@@ -157,7 +157,7 @@ static void for_rays(void (*call)(const algsurf_surface *, const algsurf_extent 
             for (int way = 0; way < 4; way++)
                 for (int i = 0; i < RAYS; i++) {
                     algsurf_intersect_options o = {.size = sizeof o};
-                    if (way == 1) o.tier = ALGSURF_TIER_FAST;
+                    if (way == 1) o.tier = ALGSURF_TIER_BOUNDED;
                     if (way == 2) o.method = ALGSURF_METHOD_BRENT;
                     if (way == 3) o.undecided_as = ALGSURF_AS_MISS;
                     call(surfaces[s], extents + e, rays + i, &o);

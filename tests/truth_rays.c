@@ -6,8 +6,7 @@
  * once more by the calls for packets.  In the certified tier every ray must be decided, and rightly, with the
  * multiplicity; an enclosure must enclose the exact root, and t must be as good as the inputs' last digits
  * allow.  The bounded tier must be right where it decides, and decide nearly all rays but those that doubles
- * cannot see through: roots together, at an end, or on a chord far longer than the surface.  The fast tier
- * is judged on the rays whose roots a careful computation in double can see.
+ * cannot see through: roots together, at an end, or on a chord far longer than the surface.
  *
  * Prints a table for each query, a line for each violation, and fails if there is one.  Catches: a
  * second root taken for the first, a root lost at an end of the ray, an enclosure off by one ulp, a
@@ -22,26 +21,13 @@
 #include "base/eft.h"
 #include "truth_corpus.h"
 
-enum {
-    ID,
-    KIND,
-    NOTE,
-    SURFACE,
-    RAY,
-    N_ROOTS = 12,
-    PAIR_VISX = 19,
-    KABS = 21,
-    ACOND,
-    NEAR_VISX = 26,
-    RAY_COLUMNS
-};
+enum { ID, KIND, NOTE, SURFACE, RAY, N_ROOTS = 12, KABS = 21, ACOND, RAY_COLUMNS = 27 };
 enum { ROOT_ID, ROOT_K, ROOT_MULT, ROOT_HI = 4, ROOT_LO, ROOT_COLUMNS };
-enum { FIRST, FIRST_BOUNDED, FIRST_FAST, ALL, ALL_FAST, OCCLUDED, FIRST_PACKET, OCCLUDED_PACKET, QUERIES };
+enum { FIRST, FIRST_BOUNDED, ALL, OCCLUDED, FIRST_PACKET, OCCLUDED_PACKET, QUERIES };
 enum { KINDS = 16 };
 
-static const char *const query_name[QUERIES] = {"first hit",         "first hit, bounded", "first hit, fast",
-                                                "all hits",          "all hits, fast",     "occluded",
-                                                "first hit, packet", "occluded, packet"};
+static const char *const query_name[QUERIES] = {"first hit", "first hit, bounded", "all hits",
+                                                "occluded",  "first hit, packet",  "occluded, packet"};
 
 typedef struct exact_root {
     algsurf_dd t; /* to 2^-104, and exactly t.hi when t.lo is 0 */
@@ -55,7 +41,6 @@ typedef struct truth {
     int n;
     exact_root root[ALGSURF_MAX_DEGREE];
     double kabs, acond;
-    double visible; /* how far the nearest hit-or-miss decision is from rounding noise, relative */
 } truth;
 
 typedef struct tally {
@@ -92,12 +77,6 @@ static void count_state(int query, const truth *r, int state) {
     if (state == ALGSURF_UNDECIDED) y->undecided++;
 }
 
-static int has_multiple(const truth *r) {
-    for (int i = 0; i < r->n; i++)
-        if (r->root[i].mult >= 2) return 1;
-    return 0;
-}
-
 static int at_least(algsurf_dd t, double lo) { return lo < t.hi || (lo == t.hi && t.lo >= 0); }
 static int at_most(algsurf_dd t, double hi) { return hi > t.hi || (hi == t.hi && t.lo <= 0); }
 
@@ -108,16 +87,16 @@ static double error_of(double t, algsurf_dd exact) {
     return fabs(d.hi + (d.lo - exact.lo));
 }
 
-/* The error of the first root's t against what its condition allows, times the given factor. */
-static void judge_error(int query, const truth *r, const algsurf_hit *hit, double factor) {
+/* The error of the first root's t against what its condition allows. */
+static void judge_error(int query, const truth *r, const algsurf_hit *hit) {
     const exact_root *e = &r->root[0];
     double error = error_of(hit->t, e->t);
     if (e->mult == 1) {
         double unit = ALGSURF_U * r->acond + ulp(e->t.hi) / 2;
         tally *y = tally_of(query, r);
-        if (!(error <= factor * unit)) wrong(query, r, "t is too far from the root", hit);
+        if (!(error <= 4 * unit)) wrong(query, r, "t is too far from the root", hit);
         if (!(error / unit <= y->worst)) y->worst = error / unit;
-    } else if (!(error <= factor * pow(ALGSURF_U * r->kabs, 1.0 / e->mult) + 2 * ulp(e->t.hi))) {
+    } else if (!(error <= 4 * pow(ALGSURF_U * r->kabs, 1.0 / e->mult) + 2 * ulp(e->t.hi))) {
         wrong(query, r, "t is too far from the multiple root", hit);
     }
 }
@@ -139,7 +118,7 @@ static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
         }
         if (!at_least(r->root[0].t, hit->t_lo) || !at_most(r->root[0].t, hit->t_hi))
             wrong(query, r, "the first root is not enclosed", hit);
-        judge_error(query, r, hit, 4);
+        judge_error(query, r, hit);
         if (hit->multiplicity != r->root[0].mult) wrong(query, r, "another multiplicity", hit);
     } else {
         if (query != FIRST_BOUNDED) wrong(query, r, "undecided, but decidable", hit);
@@ -149,7 +128,6 @@ static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
     }
 }
 
-static const algsurf_intersect_options fast = {.size = sizeof fast, .tier = ALGSURF_TIER_FAST};
 static const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
 
 static void judge_first(int query, const algsurf_surface *s, const truth *r) {
@@ -159,31 +137,6 @@ static void judge_first(int query, const algsurf_surface *s, const truth *r) {
         wrong(query, r, "refused", NULL);
     else
         judge_first_hit(query, r, &hit);
-}
-
-/* Visible in double: the decision stands ten thousand roundings off, and no end is involved. */
-static int visible_in_double(const truth *r) {
-    static const char *const fair[] = {"generic", "far", "scale", "axis", "unnorm", "inside"};
-    for (size_t i = 0; i < sizeof fair / sizeof *fair; i++)
-        if (!strcmp(r->kind, fair[i]))
-            return !r->in_surface && !has_multiple(r) && r->visible > 1e4 * ALGSURF_U;
-    return 0;
-}
-
-static void judge_first_fast(const algsurf_surface *s, const truth *r) {
-    algsurf_hit hit;
-    if (algsurf_intersect_first(s, NULL, &r->ray, &fast, &hit) != ALGSURF_OK) {
-        wrong(FIRST_FAST, r, "refused", NULL);
-        return;
-    }
-    count_state(FIRST_FAST, r, hit.state);
-    if (hit.state != ALGSURF_MISS && hit.state != ALGSURF_HIT)
-        wrong(FIRST_FAST, r, "neither hit nor miss", &hit);
-    if (!visible_in_double(r)) return;
-    if ((hit.state == ALGSURF_HIT) != (r->n > 0))
-        wrong(FIRST_FAST, r, "hit and miss confused", &hit);
-    else if (r->n)
-        judge_error(FIRST_FAST, r, &hit, 64);
 }
 
 static int covers(const algsurf_hit *h, const exact_root *root) {
@@ -226,19 +179,6 @@ static void judge_all(const algsurf_surface *s, const truth *r) {
     if (r->in_surface && !count) wrong(query, r, "the ray lies in the surface, and nothing is told", NULL);
     if (!open && !r->in_surface && count != r->n) wrong(query, r, "the number of hits", NULL);
     if (open) wrong(query, r, "undecided, but decidable", &hits[0]);
-}
-
-static void judge_all_fast(const algsurf_surface *s, const truth *r) {
-    algsurf_hit hits[ALGSURF_MAX_DEGREE];
-    int count;
-    if (algsurf_intersect_all(s, NULL, &r->ray, &fast, hits, ALGSURF_MAX_DEGREE, &count) != ALGSURF_OK) {
-        wrong(ALL_FAST, r, "refused", NULL);
-        return;
-    }
-    count_state(ALL_FAST, r, count ? ALGSURF_HIT : ALGSURF_MISS);
-    for (int i = 0; i < count; i++)
-        if (hits[i].state != ALGSURF_HIT) wrong(ALL_FAST, r, "an entry that is no hit", &hits[i]);
-    if (r->n <= 2 && visible_in_double(r) && count != r->n) wrong(ALL_FAST, r, "the number of hits", NULL);
 }
 
 static void judge_whether(int query, const truth *r, int state) {
@@ -301,7 +241,6 @@ static truth truth_of(const truth_table *rays, const truth_table *roots, size_t 
     }
     r.kabs = number_or(c[KABS], 0);
     r.acond = number_or(c[ACOND], 0);
-    r.visible = fmin(number_or(c[PAIR_VISX], INFINITY), number_or(c[NEAR_VISX], INFINITY));
     return r;
 }
 
@@ -348,9 +287,7 @@ int main(int argc, char **argv) {
         const algsurf_surface *s = truth_surface(argv[1], truth_cell(&rays, i, SURFACE));
         judge_first(FIRST, s, &r);
         judge_first(FIRST_BOUNDED, s, &r);
-        judge_first_fast(s, &r);
         judge_all(s, &r);
-        judge_all_fast(s, &r);
         judge_occluded(s, &r);
         judge_packets(s, &r);
     }

@@ -22,11 +22,7 @@ typedef enum algsurf_tier {
     ALGSURF_TIER_CERTIFIED = 0,
     /* The same doubles, and no integers: what they do not decide is undecided.  For hosts that need a bounded
      * time for every ray. */
-    ALGSURF_TIER_BOUNDED = 1,
-    /* No bounds are kept.  Of rays: signs of doubles as computed, which may be wrong within rounding of a
-     * tangency, or of a root at an end.  Pictures are drawn in single precision where that suits them
-     * (algsurf_render): some 1.4 times as fast, for previews and moving pictures. */
-    ALGSURF_TIER_FAST = 2
+    ALGSURF_TIER_BOUNDED = 1
 } algsurf_tier;
 
 /* What an undecided place is reported as. */
@@ -55,8 +51,7 @@ typedef struct algsurf_hit {
     double t_lo, t_hi;  /* encloses this hit, and none is before t_lo.  Integers decided: t alone, or
                            neighbouring doubles.  Doubles did: the error of rounding P, as a rule some 100
                            units in the last place, or else the interval that isolates the hit.
-                           Undecided: whether there is a hit in [t_lo, t_hi] is open.  Fast tier: both are t,
-                           and nothing is proved */
+                           Undecided: whether there is a hit in [t_lo, t_hi] is open */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
     double normal[3];   /* the gradient of P there, unit length, approximate.  At a singular point that of
                            a point shortly before it on the ray; all 0 where there is none either (a ray

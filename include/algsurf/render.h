@@ -83,8 +83,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
  * - complex space; all of space as extent; another method than the default; a degree above 12;
  * - an eye that has the extent's centre right beside it, or some 10^7 radii away; from an eye nearer than
  *   two radii, what is more than some 50 degrees from the direction of view;
- * - pictures so coarse, of some 20 rows, or numbers so far out of range that there are no forms for tiles;
- * - in the fast tier, which proves nothing, something thin may be lost.
+ * - pictures so coarse, of some 20 rows, or numbers so far out of range that there are no forms for tiles.
  *
  * Errors: as above.
  * Cost: a tenth to twice the picture's time; many times it where much is thin or singular, some 0.2
@@ -221,8 +220,7 @@ typedef struct algsurf_picture {
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  |t - exact| is within what
-                              rounding the ray, t and P can change, plus 2^-36 of the extent's radius; in
-                              single precision (below) usually within 1e-5 of it */
+                              rounding the ray, t and P can change, plus 2^-36 of the extent's radius */
     float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
                               viewer; all 0 where that is, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state: HIT; UNDECIDED, t and normal are those of the
@@ -255,13 +253,6 @@ typedef struct algsurf_picture {
  * and state: 1 to 4 nanoseconds a pixel.
  *     Where pixels are many, up to degree 12, tiles of up to 16 x 16 of them are proved empty, or to see one
  * sheet of the surface, at once: there time grows with the outlines, not with the area.
- *     In the fast tier, degrees up to 12 are drawn in single precision, twice as many pixels side by side,
- * where a pixel is at least 2^-14 of the extent's radius and the origin of the equation at most 16 radii from
- * its centre: 1.4 times as fast as certified, also where t is asked for, geometric means of the named
- * surfaces at 1024x768.  Next to outlines and where sheets meet, some pixels in 100,000 show another state or
- * another sheet, one in 4,000 in degree 10, one in 100 close to its singular points.  Of the others 99.9 %
- * have t within 1e-5 radii and a normal within a third of a degree (bench/accuracy).  Other pictures are
- * drawn in doubles, without bounds.
  * Memory: some 200 bytes for each thread and pixel of a row, with tiles 300 more, with a threshold of
  * antialiasing 200 more, in complex space 32 more for each degree, allocated once.  57 KiB of stack.
  * Source: P in camera axes once a frame, by rows and by tiles; Descartes' rule on Bernstein coefficients for

@@ -170,4 +170,6 @@ static void mark_bytes(const uint8_t *bytes, const uint8_t *others, int count, i
     }
 }
 
+const algsurf_i_colour_kernel KERNEL(algsurf_i_colour) = {.colours = find_colours, .mark_bytes = mark_bytes};
+
 #endif

@@ -15,7 +15,6 @@
  *     thin.c             is there?
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
- *     single.c           which pictures of the fast tier are drawn in floats
  *     shadow.c           which share of a light reaches a point
  *     lattice.c          the points of a light, and the directions, that are looked at
  *     shadow_rays.c      rays to lights, by packets
@@ -191,12 +190,11 @@ typedef struct algsurf_i_picture {
     int shadows;     /* 1: light_samples is there, and shadows are drawn */
     algsurf_i_samples light_samples;
     const algsurf_i_kernel *kernel;
-    const algsurf_i_picture_kernel *code;   /* for that kernel */
-    const algsurf_i_picture_kernel *shader; /* likewise, for floats */
-    algsurf_i_packets *packets;             /* null: every ray by itself */
-    int single;                             /* 1: that is code for floats */
-    int tiled;                              /* 1: there are packets, and tiles of them */
-    int thin; /* 1: what is thin is shown: there are packets, and tiles to find it */
+    const algsurf_i_picture_kernel *code; /* for that kernel */
+    const algsurf_i_colour_kernel *shader;
+    algsurf_i_packets *packets; /* null: every ray by itself */
+    int tiled;                  /* 1: there are packets, and tiles of them */
+    int thin;                   /* 1: what is thin is shown: there are packets, and tiles to find it */
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;
@@ -282,9 +280,6 @@ void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
-
-/* Is the picture, whose frame is made, to be drawn in floats? */
-int algsurf_i_single_suits(const algsurf_i_picture *picture);
 
 /* The tiles of the band that the row lies in; null: there are none, or, if they are to be of `all` its
  * pixels, not of all. */

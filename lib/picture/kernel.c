@@ -1,4 +1,4 @@
-/* kernel.c - the table of kernels for rows. */
+/* kernel.c - the tables of kernels for rows and colours. */
 #include "../base/arithmetic.h"
 #include "kernel.h"
 
@@ -8,8 +8,8 @@ const algsurf_i_picture_kernel *algsurf_i_picture_kernel_for(const algsurf_i_ker
     return table[kernel->index];
 }
 
-const algsurf_i_picture_kernel *algsurf_i_single_kernel_for(const algsurf_i_kernel *kernel) {
-    static const algsurf_i_picture_kernel *const table[ALGSURF_KERNELS] =
-        ALGSURF_KERNEL_TABLE(&algsurf_i_single);
+const algsurf_i_colour_kernel *algsurf_i_colour_kernel_for(const algsurf_i_kernel *kernel) {
+    static const algsurf_i_colour_kernel *const table[ALGSURF_KERNELS] =
+        ALGSURF_KERNEL_TABLE(&algsurf_i_colour);
     return table[kernel->index];
 }

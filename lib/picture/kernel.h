@@ -20,7 +20,6 @@ typedef struct algsurf_i_row_job {
     const algsurf_extent *extent;        /* sphere or box, about the view's centre */
     double extent_size[3];               /* in the view's unit */
     double near;                         /* depth of the eye; the ray begins there */
-    int unbounded;                       /* 1: signs as computed (the fast tier) */
     double tolerance;                    /* wanted error of the depth; 0: all that the coefficients tell */
 } algsurf_i_row_job;
 
@@ -107,8 +106,8 @@ typedef struct algsurf_i_point_job {
 
 /* What algsurf_i_tile tells of the sheet of each entry. */
 typedef struct algsurf_i_sheets {
-    const double *low, *high, *enough; /* null: Newton's method is trusted where it ends */
-    uint8_t *sure;                     /* 1: the root of the sheet was found */
+    const double *low, *high, *enough;
+    uint8_t *sure; /* 1: the root of the sheet was found */
 } algsurf_i_sheets;
 
 /* A row in complex space.  Arrays have an entry for each pixel of the row; root i of pixel x is at
@@ -164,12 +163,6 @@ typedef struct algsurf_i_picture_kernel {
     /* The same from where the root of a sheet may be; returns whether it is for all. */
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* Of floats only.  colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red +
-     * 256 green + 65536 blue.  visible: null or light_count + 1 for each entry. */
-    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
-                    const double *visible, float *colour, uint32_t *bytes);
-    /* Of floats only, too.  Sets marks[i] to 1 where bytes[i] is further than the limit from others[i]. */
-    void (*mark_bytes)(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks);
     /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
      * into `unknown`, one after the other, for which there is room, for each r too. */
     void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
@@ -189,12 +182,21 @@ typedef struct algsurf_i_picture_kernel {
 extern const algsurf_i_picture_kernel algsurf_i_picture_avx512, algsurf_i_picture_avx2,
     algsurf_i_picture_baseline;
 
-/* The same in floats, twice as many at once, without complex space; no bounds are kept, whatever the job. */
-extern const algsurf_i_picture_kernel algsurf_i_single_avx512, algsurf_i_single_avx2,
-    algsurf_i_single_baseline;
+/* In floats, twice as many at once. */
+typedef struct algsurf_i_colour_kernel {
+    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red + 256 green +
+     * 65536 blue.  visible: null or light_count + 1 for each entry. */
+    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
+                    const double *visible, float *colour, uint32_t *bytes);
+    /* Sets marks[i] to 1 where bytes[i] is further than the limit from others[i]. */
+    void (*mark_bytes)(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks);
+} algsurf_i_colour_kernel;
+
+extern const algsurf_i_colour_kernel algsurf_i_colour_avx512, algsurf_i_colour_avx2,
+    algsurf_i_colour_baseline;
 
 /* The code for a kernel. */
 const algsurf_i_picture_kernel *algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel);
-const algsurf_i_picture_kernel *algsurf_i_single_kernel_for(const algsurf_i_kernel *kernel);
+const algsurf_i_colour_kernel *algsurf_i_colour_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

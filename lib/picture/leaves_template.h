@@ -61,7 +61,7 @@ INLINE void set_ends(packet *k, lanes blur, mask after, mask before, int n) {
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-#define LEAF_ROUNDING BY_PRECISION(0x1p-39, 0x1p-21f) /* more than what floor40 moves an end by */
+#define LEAF_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
 
 /* LANES leaves. */
 INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
@@ -85,7 +85,7 @@ INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes l
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
     if (!any(k->open)) return;
-    bound_errors(k, n, 0, !job->unbounded);
+    bound_errors(k, n, 0);
     set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
     isolate(k, n, NULL);
     if (!any(k->hit)) return;

@@ -28,7 +28,6 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
                                .extent = &picture->scene->extent,
                                .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
                                .near = p->near,
-                               .unbounded = picture->scene->intersect.tier == ALGSURF_TIER_FAST,
                                .tolerance = p->tolerance};
 }
 

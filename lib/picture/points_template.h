@@ -9,19 +9,19 @@
 #include "kernel.h"
 
 /* Of Newton steps, in the view's unit. */
-#define FARTHEST_STEP BY_PRECISION(0x1p-16, 0x1p-6)    /* a longer one is not to the same root, */
-#define FARTHEST_ON_SHEET BY_PRECISION(0x1p-3, 0x1p-6) /* but on a sheet, which has one only */
-#define LAST_STEP BY_PRECISION(0x1p-26, 0x1p-11)       /* longer ones leave too much: another follows */
+#define FARTHEST_STEP 0x1p-16    /* a longer one is not to the same root, */
+#define FARTHEST_ON_SHEET 0x1p-3 /* but on a sheet, which has one only */
+#define LAST_STEP 0x1p-26        /* longer ones leave too much: another follows */
 /* What may be left on a sheet after a step s that followed r, s (s/r)^2, and r for the first one. */
-#define LEFT_OVER BY_PRECISION(0x1p-52, 0x1p-22)
-#define STEP_BEFORE BY_PRECISION(0x1p-20, 0x1p-8)
-#define MOST_ROUNDS 4 /* of steps; one is usual, on a sheet of doubles two */
+#define LEFT_OVER 0x1p-52
+#define STEP_BEFORE 0x1p-20
+#define MOST_ROUNDS 4 /* of steps; one is usual, on a sheet two */
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */
 typedef struct row_rays {
     double foot[3], across[3], straight[3];
-    double offset, pixel, u0, du, alpha, beta, slope, size, near, unit;
+    double offset, pixel, u0, du, alpha, beta, size, near, unit;
 } row_rays;
 
 static row_rays rays_of_row(const algsurf_i_point_job *job) {
@@ -33,7 +33,6 @@ static row_rays rays_of_row(const algsurf_i_point_job *job) {
                   .du = row->du,
                   .alpha = view->alpha,
                   .beta = view->beta[0],
-                  .slope = row->slope,
                   .size = view->size,
                   .near = view->size * row->near,
                   .unit = ldexp(1, job->surface->unit)};
@@ -45,19 +44,19 @@ static row_rays rays_of_row(const algsurf_i_point_job *job) {
     return s;
 }
 
-/* A packet of rays: X = foot + z along; slope is that of along to the side. */
+/* A packet of rays: X = foot + z along. */
 typedef struct packet_rays {
-    lanes foot[3], along[3], slope, z;
+    lanes foot[3], along[3], z;
 } packet_rays;
 
 INLINE packet_rays rays_of_packet(const row_rays *s, lanes pixel, lanes depth) {
     packet_rays r;
     lanes u = all_lanes(s->u0) + all_lanes(s->du) * ((pixel + all_lanes(s->offset)) * all_lanes(s->pixel));
     r.z = all_lanes(s->size) * depth;
-    r.slope = all_lanes(s->alpha) * u + all_lanes(s->beta);
+    lanes slope = all_lanes(s->alpha) * u + all_lanes(s->beta);
     for (int i = 0; i < 3; i++) {
         r.foot[i] = all_lanes(s->foot[i]) + all_lanes(s->size) * u * all_lanes(s->across[i]);
-        r.along[i] = all_lanes(s->straight[i]) + r.slope * all_lanes(s->across[i]);
+        r.along[i] = all_lanes(s->straight[i]) + slope * all_lanes(s->across[i]);
     }
     return r;
 }
@@ -82,9 +81,7 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
 INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
                        const algsurf_i_sheets *sheets, int first, int count) {
     lanes z = r->z * all_lanes(1 / s->size);
-    mask sure = ~much;
-    if (sheets->enough)
-        sure &= at_most(absolute(value), load_some(sheets->enough + first, count)) &
+    mask sure = ~much & at_most(absolute(value), load_some(sheets->enough + first, count)) &
                 less(load_some(sheets->low + first, count), z) &
                 less(z, load_some(sheets->high + first, count));
     unsigned which = bits(sure), all = (1u << (count < LANES ? count : LANES)) - 1;
@@ -94,30 +91,6 @@ INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mas
     }
     for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
     return 0;
-}
-
-/* a / b and c / d; of floats by one division. */
-INLINE void divide_both(lanes a, lanes b, lanes c, lanes d, lanes *first, lanes *second) {
-#if defined(SINGLE)
-    lanes inverse = 1 / (b * d);
-    *first = a * d * inverse;
-    *second = c * b * inverse;
-#else
-    *first = a / b;
-    *second = c / d;
-#endif
-}
-
-/* t of points at z, on rays of that length for each unit of z: 1 + more.  Of floats, which may be too short
- * for the eye's distance, `more` is one. */
-INLINE void store_distances(const row_rays *s, lanes z, lanes length, lanes more, double *t, int count) {
-#if defined(SINGLE)
-    (void)length;
-    for (int l = 0; l < LANES && l < count; l++) t[l] = (z[l] - s->near) * (1.0 + more[l]) * s->unit;
-#else
-    (void)more;
-    store_some(t, (z - s->near) * length * s->unit, count);
-#endif
 }
 
 /* What colours of points depend on: position, normal, direction along an axis. */
@@ -134,11 +107,9 @@ INLINE void store_looks(const algsurf_i_colour_job *job, int axis, lanes positio
 INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
                           const algsurf_i_colour_job *colours, const algsurf_i_points *points, int first,
                           int count) {
-    lanes length = root(dot(r->along, r->along)), inverse, more;
-    lanes slopes = r->slope * r->slope + all_lanes(s->slope * s->slope);
-    divide_both(all_lanes(1), length, slopes, 1 + length, &inverse, &more);
+    lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
     make_unit(normal);
-    store_distances(s, z, length, more, points->t + first, count);
+    store_some(points->t + first, (z - s->near) * length * s->unit, count);
     for (int i = 0; i < 3; i++) {
         lanes position = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
         lanes direction = r->along[i] * inverse;

@@ -77,7 +77,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
-    picture->shader = algsurf_i_single_kernel_for(picture->kernel);
+    picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     picture->thin = picture->packets && scene->thin && !scene->complex &&
@@ -131,8 +131,6 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
     free(memory);
     if (picture->packets && picture->packets->beams)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
-    picture->single = picture->packets && algsurf_i_single_suits(picture);
-    if (picture->single) picture->code = algsurf_i_single_kernel_for(picture->kernel);
     return ALGSURF_OK;
 }
 

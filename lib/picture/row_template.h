@@ -18,7 +18,7 @@
 
 #define ON_EDGE 0x1p-26  /* of the squared sine, or of the distance to a face: narrower is doubtful */
 #define PARALLEL 0x1p-20 /* a direction along a face */
-#define ENOUGH BY_PRECISION(0x1p-30, 0x1p-13) /* error of a root before the last Newton step, on P itself */
+#define ENOUGH 0x1p-30   /* error of a root before the last Newton step, on P itself */
 
 /* Lines of sight: across u, v at depth 0, with slopes a, b. */
 typedef struct sight {
@@ -80,8 +80,8 @@ INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask
     return c;
 }
 
-#define BLOCK BY_PRECISION(8, 16) /* pixels that share a guess, whatever the number of lanes */
-#define SEGMENT 64                /* pixels that share a range of depth */
+#define BLOCK 8    /* pixels that share a guess, whatever the number of lanes */
+#define SEGMENT 64 /* pixels that share a range of depth */
 
 /* A range of depth, z = lo + length tau, and the Bernstein coefficients b_j = sum_m b[j ALGSURF_ROW_STRIDE +
  * m] u^m. */
@@ -153,7 +153,7 @@ INLINE lanes radius_at(const algsurf_i_row_job *job, lanes u, int n) {
     lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
               all_lanes(fabs(job->view->beta[0]) + job->view->noise);
     lanes radius = all_lanes(0);
-    for (int i = n; !job->unbounded && i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
+    for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
     return radius;
 }
 
@@ -244,7 +244,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
     if (any(k.open)) {
         guess g = guess_from(t, s, i * LANES % BLOCK);
         search_chord(s, s->chords + i, &k);
-        bound_errors(&k, n, 0, !job->unbounded);
+        bound_errors(&k, n, 0);
         if (t->known) {
             follow(&k, n, &g);
         } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {

@@ -3,7 +3,7 @@
  * Two questions.  Operations: those that the rooms share (base/rounding.h), as compiled without and with each
  * instruction set that runs here.  Answers: a few polynomials, rays and pixels by each kernel, chosen so that
  * each part of its code is used: packets that are full and one that is not, roots, no roots, roots close
- * together, both shapes of extent, tiles, normals, shadows, floats, complex space.  Their bits must be those
+ * together, both shapes of extent, tiles, normals, shadows, complex space.  Their bits must be those
  * of "baseline", and so must those of single calls, which have code of their own.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
@@ -24,7 +24,7 @@
 #include "../simd/operations.h"
 
 /* 9 of each: one more than the widest packet has. */
-enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2, PICTURES = 5, HIGH = 600, MIDDLE = 299, OUTLINE = 514 };
+enum { COUNT = 9, DEGREE = 6, WIDTH = 9, ROWS = 2, PICTURES = 4, HIGH = 600, MIDDLE = 299, OUTLINE = 514 };
 
 typedef struct problem {
     double c[DEGREE + 1][COUNT], im[DEGREE + 1][COUNT], lo[COUNT], hi[COUNT];
@@ -149,13 +149,12 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
 typedef struct manner {
     int rows, begin; /* of the whole picture, of many rows there are tiles; the first one drawn */
     algsurf_quality quality;
-    algsurf_tier tier;
     int complex;
 } manner;
 
 static algsurf_status set_manner(const problem *p, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
-    const algsurf_intersect_options how = {.size = sizeof how, .tier = (int)m->tier, .kernel = kernel};
+    const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
     if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, m->quality);
     if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(p->scene, m->complex ? &space : NULL);
@@ -166,11 +165,10 @@ static algsurf_status set_manner(const problem *p, const char *kernel, const man
  * leaves, too. */
 static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
     static const manner manners[PICTURES] = {
-        {ROWS, 0, ALGSURF_QUALITY_FULL, ALGSURF_TIER_CERTIFIED, 0},
-        {HIGH, MIDDLE, ALGSURF_QUALITY_FULL, ALGSURF_TIER_CERTIFIED, 0},
-        {HIGH, OUTLINE, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_CERTIFIED, 0},
-        {HIGH, MIDDLE, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_FAST, 0},
-        {ROWS, 0, ALGSURF_QUALITY_STANDARD, ALGSURF_TIER_CERTIFIED, 1},
+        {ROWS, 0, ALGSURF_QUALITY_FULL, 0},
+        {HIGH, MIDDLE, ALGSURF_QUALITY_FULL, 0},
+        {HIGH, OUTLINE, ALGSURF_QUALITY_STANDARD, 0},
+        {ROWS, 0, ALGSURF_QUALITY_STANDARD, 1},
     };
     algsurf_status status = ALGSURF_OK;
     for (int which = 0; which < PICTURES && status == ALGSURF_OK; which++) {

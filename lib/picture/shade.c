@@ -170,7 +170,7 @@ static void shade(const algsurf_i_colour_job *job, const sight *s, const double 
                                    {&look[1][0], &look[1][1], &look[1][2]},
                                    {&look[2][0], &look[2][1], &look[2][2]}};
     algsurf_i_set_look(job, s->point, s->normal, s->direction, 0, &looks);
-    algsurf_i_single_baseline.colours(job, &looks, 1, visible, shown, NULL);
+    algsurf_i_colour_baseline.colours(job, &looks, 1, visible, shown, NULL);
     for (int k = 0; k < 3; k++) colour[k] = shown[k];
 }
 

@@ -11,7 +11,7 @@
 
 /* Samples on their way to points of a sheet, seen at eta from its middle. */
 static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
-                      algsurf_i_line *line, algsurf_i_tiling *t, int check) {
+                      algsurf_i_line *line, algsurf_i_tiling *t) {
     const double *c = tile->depth;
     double at_zero = c[0] + eta * (c[2] + eta * (c[5] + eta * c[9]));
     double slope = c[1] + eta * (c[4] + eta * c[8]), bend = c[3] + eta * c[7], third = c[6];
@@ -26,8 +26,8 @@ static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta
         depth[i] = at_zero + xi * (slope + xi * (bend + xi * third));
         low[i] = tile->low;
         high[i] = tile->high;
+        enough[i] = tile->enough;
     }
-    for (int i = 0; check && i < end - first; i++) enough[i] = tile->enough;
     line->count += end - first;
     memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
 }
@@ -45,19 +45,19 @@ static void set_ways(const algsurf_i_line *line, int first, int end, int side, a
 
 /* The samples of pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
-                         algsurf_i_line *line, algsurf_i_tiling *t, int check) {
+                         algsurf_i_line *line, algsurf_i_tiling *t) {
     double eta = (y - tile->y) * tile->inverse;
     int dense = line->dense;
     set_ways(line, first, end, (int)(2 / tile->inverse),
              tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
     if (tile->enough > 0 && !line->wanted) {
-        add_sheet(tile, dense * first, dense * end, eta, sx, line, t, check);
+        add_sheet(tile, dense * first, dense * end, eta, sx, line, t);
         return;
     }
     for (int x = first; x < end; x++) {
         if (line->wanted && !line->wanted[x]) continue;
         if (tile->enough > 0)
-            add_sheet(tile, dense * x, dense * (x + 1), eta, sx, line, t, check);
+            add_sheet(tile, dense * x, dense * (x + 1), eta, sx, line, t);
         else
             for (int i = dense * x; i < dense * (x + 1); i++) add_leaf(t, i, tile->low, tile->high);
     }
@@ -74,12 +74,11 @@ static void collect_listed(const algsurf_i_picture *picture, const algsurf_i_ban
     for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
         int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
         if (number == 0)
-            collect_tile(&anywhere, x, x + 1, y, sx, &worker->line, &worker->tiling, 1);
+            collect_tile(&anywhere, x, x + 1, y, sx, &worker->line, &worker->tiling);
         else if (number < 0)
             set_ways(line, x, x + 1, -number, ALGSURF_WAY_EMPTY);
         else
-            collect_tile(band->tiles + number - 1, x, x + 1, y, sx, &worker->line, &worker->tiling,
-                         !picture->single);
+            collect_tile(band->tiles + number - 1, x, x + 1, y, sx, &worker->line, &worker->tiling);
     }
 }
 
@@ -95,8 +94,7 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
         if (cell[first] < 0)
             set_ways(&worker->line, x, x_end, -cell[first], ALGSURF_WAY_EMPTY);
         else
-            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling,
-                         !picture->single);
+            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling);
     }
 }
 
@@ -132,7 +130,7 @@ static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_sheets sheets = {t->low, t->high, picture->single ? NULL : t->enough, t->sure};
+    const algsurf_i_sheets sheets = {t->low, t->high, t->enough, t->sure};
     const algsurf_i_points points = algsurf_i_points_to_find(picture, line, 0);
     if (!picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &points))
         keep_sure(line, t);

@@ -126,11 +126,10 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
                                     .du = p->per_slope,
                                     .extent = &picture->scene->extent,
                                     .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
-                                    .near = p->near,
-                                    .unbounded = picture->scene->intersect.tier == ALGSURF_TIER_FAST};
+                                    .near = p->near};
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
-                              .noise = rays.unbounded ? 0 : p->frame.value_error,
+                              .noise = p->frame.value_error,
                               .cell = band->cell,
                               .stride = stride_of(picture),
                               .from_y = band->number * ALGSURF_I_TILES,

@@ -136,7 +136,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             for (int j = 0; i + j <= 3; j++)
                 if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
     }
-    for (int i = n; !job->row->unbounded && i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
+    for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
     for (int i = n; i >= 0; i--) beyond = beyond * reach + all_lanes(row->beyond[i]);
     g->rest = (rest + beyond) * all_lanes(1 + 0x1p-20);
     g->rounding = radius * all_lanes(1 + 0x1p-20);

@@ -26,7 +26,7 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
                                                 algsurf_intersect_options *options) {
     static const algsurf_intersect_options defaults = {.size = sizeof defaults};
     if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if ((unsigned)options->tier > ALGSURF_TIER_FAST || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
+    if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
         return ALGSURF_E_ARGUMENT;
     if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
         return ALGSURF_E_ARGUMENT;
@@ -177,7 +177,6 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
                                     .direction = {d, d + 1, d + 2},
                                     .t_min = &ray->t_min,
                                     .t_max = &ray->t_max,
-                                    .bounded = o->tier != ALGSURF_TIER_FAST,
                                     .observer = o->observer,
                                     .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
@@ -258,8 +257,6 @@ static algsurf_status decide(const algsurf_surface *surface, const algsurf_exten
         status = hits_exact(surface, extent, ray, eye, options, want, hits, count);
     if (status != ALGSURF_OK) return status;
     settle_undecided(options->undecided_as, hits, count);
-    for (int i = 0; options->tier == ALGSURF_TIER_FAST && i < *count; i++)
-        hits[i].t_lo = hits[i].t_hi = hits[i].t;
     return ALGSURF_OK;
 }
 

@@ -19,7 +19,6 @@ typedef struct algsurf_i_rays_job {
     const double *t_min, *t_max; /* null: 0, infinity */
     const unsigned char *active; /* null: all */
     int any;                     /* 1: whether there is a root, not where: only states are written */
-    int bounded;                 /* 0: signs as computed, and t_lo = t_hi = t (the fast tier) */
     algsurf_observer *observer;  /* of a single ray, or null */
     /* Not null: there is one ray, and its Bernstein coefficients come from here (of a surface with nodes, for
      * the chord middle + v half). */

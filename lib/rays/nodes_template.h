@@ -6,8 +6,7 @@
  * surface/eval.c for a coordinate with one, so a value is off by (5n+3) u S.  The matrix has relative errors
  * (3n+4) u, the product with it n + 2 roundings; its row sums are at most the surface's amplification A.
  * Together (9n+9) u A S; the bound used is (10n+20) u A S, for higher orders and the rounding of S;
- * coefficients with an error e of their own add e A S.  The fast tier computes no bound from nodes, and
- * leaves alone chords so long that this one could matter, by their reach (surface/nodes.c). */
+ * coefficients with an error e of their own add e A S. */
 #ifndef ALGSURF_NODES_TEMPLATE_H
 #define ALGSURF_NODES_TEMPLATE_H
 #include "../roots/packet_template.h"

@@ -120,7 +120,6 @@ static void solve_together(const query *q, int any, int alone, const algsurf_i_r
         .t_max = rays->t_max,
         .active = rays->active,
         .any = any,
-        .bounded = q->options.tier != ALGSURF_TIER_FAST,
         .observer = q->options.observer,
         .of_one = alone ? code->of_one : NULL,
     };

@@ -45,8 +45,6 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
         set_coefficients_of_one(job, line, k, n);
     else
         coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
-    k->e[0] = all_lanes(0);
-    if (!job->bounded) return;
     for (int i = 0; i < 3; i++) {
         lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
         x[i] = s->stride[i] == 2 ? reach * reach : reach;
@@ -56,8 +54,8 @@ INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *li
 }
 
 /* The chords of open lanes, which [0,1] stands for; those that are too long or too blurred are undecided. */
-INLINE void set_chords(const ray_lanes *r, lanes middle, lanes half, double most_reach, chord_line *line,
-                       packet *k) {
+INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half,
+                       chord_line *line, packet *k) {
     lanes reach[3];
     for (int i = 0; i < 3; i++) {
         line->middle[i] = along(r->origin[i], all_lanes(0), middle, r->direction[i]);
@@ -65,7 +63,7 @@ INLINE void set_chords(const ray_lanes *r, lanes middle, lanes half, double most
         reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
     k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
-    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(most_reach));
+    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
     k->doubtful |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
     k->open &= ~k->doubtful;
     k->start = all_lanes(-1); /* all of [0,1] is searched, and solve_chords looks at its ends */
@@ -84,16 +82,13 @@ INLINE lanes change_at_end(const packet *k, int n, lanes b, lanes next, lanes e,
  * whose sign at an end of the chord is not known. */
 INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int own) {
     const lanes *b = k->b, *e = k->e;
-    int bounded = own || job->bounded;
     cell *c = &k->at;
     begin(k, n, own);
     if (watch_of(k)) tell_cell(k->watch, 0, 1, c->w, c->e, n, own, c->side[0] != 0);
-    bound_errors(k, n, own, bounded);
+    bound_errors(k, n, own);
     lanes near = e[0], far = radius_of(e, n, own);
-    if (bounded) {
-        near += change_at_end(k, n, b[0], b[1], e[0], radius_of(e, 1, own));
-        far += change_at_end(k, n, b[n], b[n - 1], far, radius_of(e, n - 1, own));
-    }
+    near += change_at_end(k, n, b[0], b[1], e[0], radius_of(e, 1, own));
+    far += change_at_end(k, n, b[n], b[n - 1], far, radius_of(e, n - 1, own));
     leave_undecided(k, ~(less(near, absolute(b[0])) & less(far, absolute(b[n]))));
     k->open &= ~k->s.none;
     if (job->any) {
@@ -134,7 +129,7 @@ INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *l
     set_coefficients(job, line, k, n, block);
     solve_chords(job, k, n, 0);
     mask again = opened & k->doubtful;
-    if (job->bounded && any(again)) decide_again(job, line, k, again, n);
+    if (any(again)) decide_again(job, line, k, again, n);
 }
 
 INLINE void store_lanes(double *p, lanes a, unsigned which) {
@@ -147,13 +142,13 @@ INLINE void store_lanes(double *p, lanes a, unsigned which) {
     }
 }
 
-INLINE void store_hits(const algsurf_i_rays_job *job, const packet *k, const lanes_hit *hit,
-                       const algsurf_i_rays_hits *to, size_t at, unsigned which) {
+INLINE void store_hits(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, size_t at,
+                       unsigned which) {
     lanes none = all_lanes(HUGE_VAL);
     lanes t = choose(k->hit, hit->t, none);
     store_lanes(to->t ? to->t + at : NULL, t, which);
-    store_lanes(to->t_lo ? to->t_lo + at : NULL, job->bounded ? choose(k->hit, hit->t_lo, none) : t, which);
-    store_lanes(to->t_hi ? to->t_hi + at : NULL, job->bounded ? choose(k->hit, hit->t_hi, none) : t, which);
+    store_lanes(to->t_lo ? to->t_lo + at : NULL, choose(k->hit, hit->t_lo, none), which);
+    store_lanes(to->t_hi ? to->t_hi + at : NULL, choose(k->hit, hit->t_hi, none), which);
     for (int i = 0; i < 3; i++) {
         lanes position = choose(k->hit, hit->position[i], all_lanes(0));
         lanes normal = choose(k->hit, hit->normal[i], all_lanes(0));
@@ -178,7 +173,6 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
     if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : MOST_DEGREE)) __builtin_unreachable();
     const guess nowhere = {.known = no_lane()};
     double scale = ldexp(1, -job->surface->unit);
-    double reach = job->bounded || !block ? job->surface->most_reach : job->surface->clear_reach;
     for (size_t at = 0; at < count; at += LANES) {
         packet k;
         algsurf_i_watch watch;
@@ -195,7 +189,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         k.hit = no_lane();
         if (any(k.open)) {
             chord_line line;
-            set_chords(&r, middle, half, reach, &line, &k);
+            set_chords(job, &r, middle, half, &line, &k);
             if (block)
                 decide_from_nodes(job, &line, &k, n, block);
             else
@@ -203,8 +197,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, &nowhere, ROOT_ERROR, &v);
-                find_hits(job, &r, middle, half, 2 * v - 1, job->bounded && (hits->t_lo || hits->t_hi), &k,
-                          &hit);
+                find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
             }
         }
         unsigned found = bits(k.hit), doubts = bits(k.doubtful);
@@ -215,7 +208,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         unsigned below = bits(negative(k.at.side));
         for (int l = 0; hits->side && l < left; l++)
             if (which >> l & found >> l & 1) hits->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
-        if (!job->any) store_hits(job, &k, &hit, hits, at, which);
+        if (!job->any) store_hits(&k, &hit, hits, at, which);
     }
 }
 

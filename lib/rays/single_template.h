@@ -86,7 +86,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
     if (any(s->k.doubtful)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, s->job->bounded && !wide, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
     if (!s->how && any(s->k.doubtful)) return 0;
     if (any(s->k.doubtful) || wide) {
         s->k.doubtful = no_lane();
@@ -97,8 +97,8 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     to->multiplicity = 1;
     to->side = s->k.at.side[0] ? -1 : 1;
     to->t = hit.t[0];
-    to->t_lo = s->job->bounded ? hit.t_lo[0] : to->t;
-    to->t_hi = s->job->bounded ? hit.t_hi[0] : to->t;
+    to->t_lo = hit.t_lo[0];
+    to->t_hi = hit.t_hi[0];
     for (int i = 0; i < 3; i++) to->position[i] = hit.position[i][0], to->normal[i] = hit.normal[i][0];
     return 1;
 }
@@ -125,7 +125,7 @@ static void next_bracket(single_ray *s) {
         if (!any(s->k.doubtful) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);
-        bound_errors(&s->k, n, 1, 1);
+        bound_errors(&s->k, n, 1);
     }
 }
 
@@ -134,8 +134,6 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     single_ray s = {.job = job, .how = how};
     int count = 0;
     double scale = ldexp(1, -job->surface->unit);
-    double reach =
-        job->bounded || !job->surface->nodes ? job->surface->most_reach : job->surface->clear_reach;
     s.ray = load_rays(job, 0, 1, scale);
     clip_rays(job, &s.ray, scale);
     s.middle = 0.5 * s.ray.near + 0.5 * s.ray.far;
@@ -144,7 +142,7 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     s.k.open = s.ray.open;
     s.k.doubtful = s.ray.doubtful;
     s.k.hit = no_lane();
-    if (any(s.k.open)) set_chords(&s.ray, s.middle, s.half, reach, &s.line, &s.k);
+    if (any(s.k.open)) set_chords(job, &s.ray, s.middle, s.half, &s.line, &s.k);
     if (any(s.k.open)) first_bracket(&s);
     for (;;) {
         if (any(s.k.doubtful)) return -1;

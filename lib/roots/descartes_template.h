@@ -46,7 +46,7 @@
 #endif
 
 #define MOST_TURNS 120
-#define NARROWEST BY_PRECISION(0x1p-36, 0x1p-12) /* cells; of floats: far less than a pixel shows */
+#define NARROWEST 0x1p-36 /* cells */
 
 typedef struct cell {
     lanes p, q;
@@ -62,18 +62,13 @@ typedef struct signs {
 
 INLINE lanes radius_of(const lanes *e, int j, int own) { return e[own ? j : 0]; }
 
-/* One radius for all is that of rounding, which floats do not account for. */
-INLINE lanes plus_radius(lanes w, lanes radius, int own) {
-    return own ? w + radius : BY_PRECISION(w + radius, w);
-}
-
 /* For w[0] above its radius. */
 INLINE signs count_signs(const lanes *w, const lanes *e, int n, int own) {
     words low = {0}, mixed = low, last = low; /* low: a coefficient so far may be negative */
     for (int j = 1; j <= n; j++) {
-        last = (words)plus_radius(w[j], radius_of(e, j, own), own);
+        last = (words)(w[j] + radius_of(e, j, own));
         mixed |= low & ~last; /* one after it may be positive */
-        low |= (words)plus_radius(w[j], -radius_of(e, j, own), own);
+        low |= (words)(w[j] - radius_of(e, j, own));
     }
     return (signs){~negative(low), ~negative(mixed) & negative(last)};
 }

@@ -44,14 +44,14 @@ INLINE void begin(packet *k, int n, int own) {
     k->hit = no_lane();
 }
 
-/* Before any cut; `bounded` 0: no rounding error is accounted for. */
-INLINE void bound_errors(packet *k, int n, int own, int bounded) {
+/* Before any cut. */
+INLINE void bound_errors(packet *k, int n, int own) {
     lanes radius = k->e[0];
     k->largest = absolute(k->b[0]);
     for (int j = 1; j <= n; j++) k->largest = larger(k->largest, absolute(k->b[j]));
     for (int j = 1; own && j <= n; j++) radius = larger(radius, k->e[j]);
     k->largest += radius;
-    k->cut_error = all_lanes(bounded ? 8 * n * 0x1p-53 : 0) * k->largest;
+    k->cut_error = all_lanes(8 * n * 0x1p-53) * k->largest;
 }
 
 /* What a polynomial can change by within `blur` of a point: |p'| <= 2 n max|b|. */

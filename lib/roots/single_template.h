@@ -140,7 +140,7 @@ int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, d
     }
     begin(&k, n, 1);
     if (watch) tell_cell(k.watch, 0, 1, k.at.w, k.at.e, n, 1, k.at.side[0] != 0);
-    bound_errors(&k, n, 1, 1);
+    bound_errors(&k, n, 1);
     leave_undecided(&k, ~ends_known(k.b, k.e, n, 1, all_lanes(0)));
     for (;;) {
         isolate_known_often(&k, n);

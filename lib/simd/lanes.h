@@ -1,10 +1,10 @@
 /* lanes.h - LANES numbers side by side, for the text that is compiled once for each instruction set.
  *
  * The includer defines LANES: 1 (any machine), 2 (SSE2, NEON), 4 (AVX2) or 8 (AVX-512).  Numbers are doubles,
- * or floats, twice as many, where it defines SINGLE; in memory they are doubles always.  Every lane is
- * rounded as a number alone would be, and no operation mixes lanes: so all kernels give the same bits.  (That
- * also forbids fused multiply-add; base/arithmetic.h sees to it.)  A mask has all bits of a lane set where it
- * is true.  A double that meets lanes goes through all_lanes(), which rounds it to a number. */
+ * or, for colours, floats, twice as many, where it defines SINGLE.  Every lane is rounded as a number alone
+ * would be, and no operation mixes lanes: so all kernels give the same bits.  (That also forbids fused
+ * multiply-add; base/arithmetic.h sees to it.)  A mask has all bits of a lane set where it is true.  A double
+ * that meets lanes goes through all_lanes(), which rounds it to a number. */
 #ifndef ALGSURF_LANES_H
 #define ALGSURF_LANES_H
 #include <math.h>
@@ -73,13 +73,9 @@ INLINE lanes all_lanes(double a) { return (scalar)a - (lanes){0}; }
 #if X86_WIDTH == 512
 INLINE mask less(lanes a, lanes b) { return COMPARED(a, b, _CMP_LT_OQ); }
 INLINE mask at_most(lanes a, lanes b) { return COMPARED(a, b, _CMP_LE_OQ); }
-INLINE mask negative(words a) { return BY_PRECISION(_mm512_movepi64_mask, _mm512_movepi32_mask)((__m512i)a); }
-INLINE mask no_lane(void) { return 0; }
 #else
 INLINE mask less(lanes a, lanes b) { return a < b; }
 INLINE mask at_most(lanes a, lanes b) { return a <= b; }
-INLINE mask negative(words a) { return (mask)a < 0; } /* the first bit is set */
-INLINE mask no_lane(void) { return (mask){0}; }
 #endif
 
 /* a where the mask is set, b elsewhere. */
@@ -94,47 +90,6 @@ INLINE lanes choose(mask where, lanes a, lanes b) {
     return (lanes)(((mask)a & where) | ((mask)b & ~where));
 #endif
 }
-
-/* 0, 1, 2 ... */
-INLINE lanes numbered(void) {
-    static const scalar numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    lanes a;
-    __builtin_memcpy(&a, numbers, sizeof a);
-    return a;
-}
-
-/* For p[0 .. LANES-1] anywhere in memory. */
-#if defined(SINGLE)
-typedef double doubles __attribute__((vector_size(8 * LANES)));
-INLINE lanes load(const double *p) {
-#if X86_WIDTH == 512
-    __m256 low = _mm512_cvtpd_ps(_mm512_loadu_pd(p)), high = _mm512_cvtpd_ps(_mm512_loadu_pd(p + 8));
-    return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
-#else
-    doubles a;
-    __builtin_memcpy(&a, p, sizeof a);
-    return __builtin_convertvector(a, lanes);
-#endif
-}
-
-INLINE void store(double *p, lanes a) {
-#if X86_WIDTH == 512
-    _mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(a)));
-    _mm512_storeu_pd(p + 8, _mm512_cvtps_pd(_mm512_extractf32x8_ps(a, 1)));
-#else
-    doubles b = __builtin_convertvector(a, doubles);
-    __builtin_memcpy(p, &b, sizeof b);
-#endif
-}
-#else
-INLINE lanes load(const double *p) {
-    lanes a;
-    __builtin_memcpy(&a, p, sizeof a);
-    return a;
-}
-
-INLINE void store(double *p, lanes a) { __builtin_memcpy(p, &a, sizeof a); }
-#endif
 
 INLINE lanes absolute(lanes a) { return (lanes)((words)a & BY_PRECISION(INT64_MAX, INT32_MAX)); }
 
@@ -166,14 +121,53 @@ INLINE lanes root(lanes a) {
 #endif
 }
 
+typedef int32_t integers __attribute__((vector_size(4 * LANES)));
+
+/* ---- vectors of three ---- */
+
+INLINE lanes dot(const lanes a[3], const lanes b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* ---- floats only ---- */
+#if defined(SINGLE)
+
+/* LANES values, or as many of them as there are: the lanes behind the last one repeat the first. */
+INLINE lanes load_some_floats(const float *p, int count) {
+    lanes a;
+    if (count >= LANES) {
+        __builtin_memcpy(&a, p, sizeof a);
+    } else {
+        for (int l = 0; l < LANES; l++) a[l] = p[l < count ? l : 0];
+    }
+    return a;
+}
+
+/* ---- doubles only ---- */
+#else
+
+INLINE mask negative(words a) {
+#if X86_WIDTH == 512
+    return _mm512_movepi64_mask((__m512i)a);
+#else
+    return (mask)a < 0; /* the first bit is set */
+#endif
+}
+
+INLINE mask no_lane(void) {
+#if X86_WIDTH == 512
+    return 0;
+#else
+    return (mask){0};
+#endif
+}
+
 /* Bit l: lane l is set. */
 INLINE unsigned bits(mask m) {
 #if X86_WIDTH == 512
     return m & ((1u << LANES) - 1);
 #elif X86_WIDTH == 256
-    return (unsigned)PACKED(_mm256_movemask)((lanes)m);
+    return (unsigned)_mm256_movemask_pd((lanes)m);
 #elif X86_WIDTH == 128
-    return (unsigned)PACKED(_mm_movemask)((lanes)m);
+    return (unsigned)_mm_movemask_pd((lanes)m);
 #else
     unsigned b = 0;
     for (int l = 0; l < LANES; l++) b |= (unsigned)(m[l] & 1) << l;
@@ -183,18 +177,35 @@ INLINE unsigned bits(mask m) {
 
 INLINE int any(mask m) { return bits(m) != 0; }
 
-/* Rounded down to a multiple of 2^-40, for |a| < 2^10; floats to one of 2^-22, for |a| < 1. */
-INLINE lanes floor40(lanes a) {
-    const lanes large = all_lanes(BY_PRECISION(0x1.8p12, 0x1.8p1)), near = (a + large) - large;
-    return choose(less(a, near), near - BY_PRECISION(0x1p-40, 0x1p-22f), near);
+/* 0, 1, 2 ... */
+INLINE lanes numbered(void) {
+    static const double numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    lanes a;
+    __builtin_memcpy(&a, numbers, sizeof a);
+    return a;
 }
+
+/* Rounded down to a multiple of 2^-40, for |a| < 2^10. */
+INLINE lanes floor40(lanes a) {
+    const lanes large = all_lanes(0x1.8p12), near = (a + large) - large;
+    return choose(less(a, near), near - 0x1p-40, near);
+}
+
+/* For p[0 .. LANES-1] anywhere in memory. */
+INLINE lanes load(const double *p) {
+    lanes a;
+    __builtin_memcpy(&a, p, sizeof a);
+    return a;
+}
+
+INLINE void store(double *p, lanes a) { __builtin_memcpy(p, &a, sizeof a); }
 
 /* LANES values, or as many of them as there are: the lanes behind the last one repeat the first. */
 INLINE lanes load_some(const double *p, int count) {
     if (count >= LANES) return load(p);
     lanes a = all_lanes(p[0]);
     for (int l = 1; l < LANES; l++)
-        if (l < count) a[l] = (scalar)p[l];
+        if (l < count) a[l] = p[l];
     return a;
 }
 
@@ -203,11 +214,10 @@ INLINE lanes load_steps(const double *p, ptrdiff_t step, int count) {
     if (step == 1) return load_some(p, count);
     lanes a = all_lanes(p[0]);
     for (int l = 1; l < LANES; l++)
-        if (l < count) a[l] = (scalar)p[l * step];
+        if (l < count) a[l] = p[l * step];
     return a;
 }
 
-typedef int32_t integers __attribute__((vector_size(4 * LANES)));
 INLINE lanes load_some_integers(const int *p, int count) {
     integers a;
     if (count >= LANES) {
@@ -226,18 +236,8 @@ INLINE void store_some(double *p, lanes a, int count) {
     }
 }
 
-/* The same for floats in memory. */
+/* The same as floats in memory. */
 typedef float floats __attribute__((vector_size(4 * LANES)));
-INLINE lanes load_some_floats(const float *p, int count) {
-    floats a;
-    if (count >= LANES) {
-        __builtin_memcpy(&a, p, sizeof a);
-    } else {
-        for (int l = 0; l < LANES; l++) a[l] = p[l < count ? l : 0];
-    }
-    return __builtin_convertvector(a, lanes);
-}
-
 INLINE void store_some_floats(float *p, lanes a, int count) {
     floats b = __builtin_convertvector(a, floats);
     if (count >= LANES) {
@@ -247,16 +247,11 @@ INLINE void store_some_floats(float *p, lanes a, int count) {
     }
 }
 
-/* ---- vectors of three ---- */
-
-INLINE lanes dot(const lanes a[3], const lanes b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/* 2^-e, where 2^e <= |v| < 2^(e+1) for the largest component of v, if below 2^1023, of floats 2^127: its
- * components may be squared when multiplied by it. */
+/* 2^-e, where 2^e <= |v| < 2^(e+1) for the largest component of v, if below 2^1023: its components may be
+ * squared when multiplied by it. */
 INLINE lanes scale_of(const lanes v[3]) {
     lanes size = larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
-    return (lanes)(BY_PRECISION(0x7fe0000000000000u, 0x7f000000u) -
-                   ((words)size & BY_PRECISION(0x7ff0000000000000u, 0x7f800000u)));
+    return (lanes)(0x7fe0000000000000u - ((words)size & 0x7ff0000000000000u));
 }
 
 /* v / |v|; 0 where v is 0, not finite or beyond that. */
@@ -267,9 +262,6 @@ INLINE void make_unit(lanes v[3]) {
     mask sound = less(all_lanes(0), square) & less(square, all_lanes(HUGE_VAL));
     for (int i = 0; i < 3; i++) v[i] = choose(sound, v[i] * inverse, all_lanes(0));
 }
-
-/* ---- doubles only ---- */
-#if !defined(SINGLE)
 
 /* The lanes chosen by bits, in their order, from p on; what follows up to p[LANES-1] is overwritten. */
 INLINE void store_chosen(double *p, lanes a, unsigned chosen) {

@@ -50,7 +50,6 @@ struct algsurf_surface {
     double *tables, *from_powers, *nodes, *to_bernstein;
     double amplification; /* the largest sum of |entries| of to_bernstein for one coefficient */
     double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
-    double clear_reach;   /* the largest reach over which rounding from nodes stays below 2^-12 */
 };
 
 /* Rounding of values at nodes counts amplification times, which doubles with each degree, that of powers

@@ -77,8 +77,6 @@ static void set_nodes_and_matrix(algsurf_surface *s) {
         for (int i = 0; i <= n; i++) sum += fabs(s->to_bernstein[i * ALGSURF_NODE_STRIDE + j]);
         s->amplification = fmax(s->amplification, sum);
     }
-    /* in natural units P is about 1 next to the surface's features, its scheme on magnitudes reach^degree */
-    s->clear_reach = algsurf_i_pow(0x1p-12 / ((10 * n + 20) * 0x1p-53 * s->amplification), 1.0 / s->degree);
 }
 
 int algsurf_i_surface_set_tables(algsurf_surface *s) {

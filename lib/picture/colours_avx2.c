@@ -1,10 +1,10 @@
-/* single_avx2.c - rows of pictures in packets of eight floats, for AVX2. */
+/* colours_avx2.c - colours of points in packets of eight floats, for AVX2. */
 #include "../base/arithmetic.h"
 #include "kernel.h"
 
 #define SINGLE
 #include "../simd/avx2.h"
 #ifdef LANES
-#include "kernel_template.h"
+#include "colours_template.h"
 #endif
 #include "../simd/end.h"

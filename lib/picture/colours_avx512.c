@@ -1,10 +1,10 @@
-/* single_avx512.c - rows of pictures in packets of 16 floats, for AVX-512. */
+/* colours_avx512.c - colours of points in packets of 16 floats, for AVX-512. */
 #include "../base/arithmetic.h"
 #include "kernel.h"
 
 #define SINGLE
 #include "../simd/avx512.h"
 #ifdef LANES
-#include "kernel_template.h"
+#include "colours_template.h"
 #endif
 #include "../simd/end.h"
