@@ -6,6 +6,7 @@
 #include "cells.h"
 #include "impl.h"
 #include "thin.h"
+#include "../rays/intersect_impl.h"
 #include "../base/vec.h"
 
 #define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
@@ -63,6 +64,34 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
+/* A sample, as its neighbours are asked for. */
+typedef struct sample {
+    const algsurf_i_picture *picture;
+    double x, y, side; /* in the picture; of its cell */
+    algsurf_i_tally *tally;
+} sample;
+
+/* Without memory nothing is met there. */
+static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
+    const sample *s = looker;
+    const algsurf_i_picture *picture = s->picture;
+    const algsurf_scene *scene = picture->scene;
+    uint64_t exact = 0;
+    for (int k = 0; k < ALGSURF_I_NEIGHBOURS; k++) {
+        algsurf_ray ray;
+        algsurf_hit hit;
+        depth[k] = HUGE_VAL;
+        if (k == ALGSURF_I_NEIGHBOURS / 2) continue;
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, s->x + (k % 3 - 1) * s->side,
+                             s->y + (k / 3 - 1) * s->side, &ray);
+        algsurf_status status = algsurf_i_intersect_first(scene->surface, &scene->extent, &ray, NULL,
+                                                          &scene->intersect, &hit, &exact);
+        s->tally->without_memory += status < 0;
+        if (status < 0 || hit.state != ALGSURF_HIT) continue;
+        depth[k] = picture->packets->near + hit.t * depth_per_t(picture, &ray);
+    }
+}
+
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
@@ -80,8 +109,8 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     for (int i = 0; i < count; i++) {
         int x = line->dense > 1 ? t->at[i] : t->at[i] / f.across, point = t->leaf[x];
         algsurf_ray ray;
-        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height,
-                             algsurf_i_place_of(line, x, sx), row + sy, &ray);
+        sample at = {picture, algsurf_i_place_of(line, x, sx), row + sy, 1.0 / f.across, tally};
+        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, at.x, at.y, &ray);
         double per_t = depth_per_t(picture, &ray), depth;
         algsurf_i_thin_box box = {.view = &p->frame.view,
                                   .beam = &t->beam,
@@ -89,7 +118,9 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
                                   .h = h + copysign(ALGSURF_I_WIDER, h),
                                   .from = t->from[i],
                                   .to = t->leaf_depth[i],
-                                  .within = t->leaf_low[i]};
+                                  .within = t->leaf_low[i],
+                                  .look_beside = look_beside,
+                                  .looker = &at};
         if (point >= 0) {
             double limit = p->near + line->points.t[point] * per_t - BEFORE * fabs(h);
             if (limit < box.to) box.to = limit, box.ends_at_hit = 1;
