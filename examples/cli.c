@@ -21,8 +21,13 @@ static void print_line(const char *format, va_list arguments) {
     fputc('\n', stderr);
 }
 
+static int is_quiet;
+
+void cli_be_quiet(int quiet) { is_quiet = quiet; }
+
 void cli_complain(const char *format, ...) {
     va_list arguments;
+    if (is_quiet) return;
     va_start(arguments, format);
     print_line(format, arguments);
     va_end(arguments);
@@ -130,6 +135,9 @@ int cli_split(cli_line *line, char **fields, int capacity) {
 
 /* ---- options ---- */
 
+/* A row without a name is a heading. */
+static int is_heading(const cli_option *option) { return option->name[0] == '\0'; }
+
 static void print_option(const char *name, const char *argument, const char *help) {
     int width = printf("  %s%s%s", name, argument ? " " : "", argument ? argument : "");
     if (width > 27) {
@@ -154,9 +162,15 @@ static void print_examples(const char *line) {
 
 static _Noreturn void print_help(const cli_program *program) {
     printf("usage: %s %s\n\n%s\n\noptions:\n", program->name, program->synopsis, program->about);
-    for (const cli_option *o = program->options; o->name; o++) print_option(o->name, o->argument, o->help);
-    print_option("--help", NULL, "this text");
-    print_option("--version", NULL, "the version of libalgsurf");
+    for (const cli_option *o = program->options; o->name; o++) {
+        if (is_heading(o))
+            printf("\n %s:\n", o->help);
+        else
+            print_option(o->name, o->argument, o->help);
+    }
+    if (is_heading(program->options)) puts("\n This program:");
+    print_option("--help", NULL, "prints this text; also -h");
+    print_option("--version", NULL, "prints the version of libalgsurf; also -V");
     if (program->examples) print_examples(program->examples);
     cli_finish_output();
     exit(0);
@@ -168,16 +182,48 @@ static _Noreturn void print_version(const cli_program *program) {
     exit(0);
 }
 
-static const cli_option *find_option(const cli_program *program, const char *text, size_t length) {
-    cli_guess guess = cli_guess_begin(text, length);
-    for (const cli_option *o = program->options; o->name; o++) {
-        if (strlen(o->name) == length && strncmp(o->name, text, length) == 0) return o;
-        cli_guess_try(&guess, o->name);
+/* Is it the name of `length` characters? */
+static int is_name(const char *name, const char *text, size_t length) {
+    return strlen(name) == length && strncmp(name, text, length) == 0;
+}
+
+/* The option of that name, or null. */
+static const cli_option *option_named(const cli_program *program, const char *text, size_t length) {
+    static const char *const spellings[][2] = {
+        {"-o", "--output"}, {"--color", "--colour"}, {"--center", "--centre"}};
+    for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++)
+        if (is_name(spellings[i][0], text, length)) {
+            text = spellings[i][1];
+            length = strlen(text);
+        }
+    for (const cli_option *o = program->options; o->name; o++)
+        if (!is_heading(o) && is_name(o->name, text, length)) return o;
+    return NULL;
+}
+
+/* What an option that does not exist means in other programs, as an option of this one; or null. */
+static const char *meaning_of(const cli_program *program, const cli_guess *guess) {
+    const char *use;
+    for (int k = 0; (use = cli_guess_meaning(guess, k)); k++) {
+        size_t length = strcspn(use, " ");
+        if (option_named(program, use, length) || is_name("--help", use, length) ||
+            is_name("--version", use, length))
+            return use;
     }
-    cli_guess_try(&guess, "--help");
-    cli_guess_try(&guess, "--version");
+    return NULL;
+}
+
+static _Noreturn void refuse_option(const cli_program *program, const char *text, size_t length) {
+    cli_guess guess = cli_guess_begin(text, length);
+    guess.name = meaning_of(program, &guess);
+    if (!guess.name) {
+        for (const cli_option *o = program->options; o->name; o++)
+            if (!is_heading(o)) cli_guess_try(&guess, o->name);
+        cli_guess_try(&guess, "--help");
+        cli_guess_try(&guess, "--version");
+    }
     if (text[1] != '-' && !guess.name)
-        cli_fail(CLI_BAD_INPUT, "unknown option '%s'; an equation that begins with '-' goes behind --",
+        cli_fail(CLI_BAD_INPUT, "unknown option '%s'; an equation that begins with '-' needs -- before it",
                  cli_quote(text).text);
     cli_fail(CLI_BAD_INPUT, "unknown option '%s'; %s", cli_quote(text).text,
              guess.name ? cli_guess_text(&guess).text : "--help lists them");
@@ -187,17 +233,28 @@ static const cli_option *find_option(const cli_program *program, const char *tex
 static int parse_option(const cli_program *program, char **argument, char *options) {
     const char *text = argument[0];
     size_t length = strcspn(text, "=");
-    const cli_option *option = find_option(program, text, length);
+    const cli_option *option = option_named(program, text, length);
+    if (!option) refuse_option(program, text, length);
     const char *value = text[length] ? text + length + 1 : NULL;
     int taken = 1;
     if (!option->argument && value) cli_fail(CLI_BAD_INPUT, "%s: takes no value", option->name);
     if (option->argument && !value) {
         value = argument[1];
         taken = 2;
-        if (!value) cli_fail(CLI_BAD_INPUT, "%s: expected %s, got nothing", option->name, option->argument);
+        if (!value || option_named(program, value, strlen(value)))
+            cli_fail(CLI_BAD_INPUT, "%s: expected %s, got nothing", option->name, option->argument);
     }
     option->set(option, value, options + option->offset);
     return taken;
+}
+
+/* "-2" and "-.5x" are numbers or equations. */
+static int is_plain(const char *text) {
+    return text[0] != '-' || isdigit((unsigned char)text[1]) || text[1] == '.';
+}
+
+static int is_one_of(const char *text, const char *a, const char *b) {
+    return strcmp(text, a) == 0 || strcmp(text, b) == 0;
 }
 
 int cli_parse_files(const cli_program *program, int argc, char **argv, void *options) {
@@ -206,14 +263,14 @@ int cli_parse_files(const cli_program *program, int argc, char **argv, void *opt
     int plain_only = 0, files = 0;
     for (int i = 1; i < argc;) {
         const char *text = argv[i];
-        if (plain_only || text[0] != '-') {
+        if (plain_only || is_plain(text)) {
             argv[++files] = argv[i++];
         } else if (strcmp(text, "--") == 0) {
             plain_only = 1;
             i++;
-        } else if (strcmp(text, "--help") == 0) {
+        } else if (is_one_of(text, "--help", "-h")) {
             print_help(program);
-        } else if (strcmp(text, "--version") == 0) {
+        } else if (is_one_of(text, "--version", "-V")) {
             print_version(program);
         } else {
             i += parse_option(program, argv + i, options);
@@ -225,7 +282,10 @@ int cli_parse_files(const cli_program *program, int argc, char **argv, void *opt
 void cli_parse(const cli_program *program, int argc, char **argv, void *options) {
     const char **name = (const char **)(void *)((char *)options + program->positional);
     int count = cli_parse_files(program, argc, argv, options);
-    if (count > 1) cli_fail(CLI_BAD_INPUT, "one surface at a time: '%s'", cli_quote(argv[2]).text);
+    if (count > 1)
+        cli_fail(CLI_BAD_INPUT,
+                 "unexpected '%s': an equation with blanks needs quotes, a file --output, a value --let",
+                 cli_quote(argv[2]).text);
     if (count > 0) *name = argv[1];
 }
 

@@ -27,6 +27,9 @@ _Noreturn void cli_fail(int status, const char *format, ...) CLI_FORMAT(2, 3);
 void cli_complain(const char *format, ...) CLI_FORMAT(1, 2);
 _Noreturn void cli_no_memory(void);
 
+/* While quiet, cli_complain prints nothing: what is tried says nothing yet. */
+void cli_be_quiet(int quiet);
+
 /* The end of the program, status 2: one line, then the text and a mark below `length` bytes of it. */
 _Noreturn void cli_fail_in(const char *text, size_t offset, size_t length, const char *format, ...)
     CLI_FORMAT(4, 5);
@@ -34,7 +37,7 @@ _Noreturn void cli_fail_in(const char *text, size_t offset, size_t length, const
 /* ---- options ---- */
 
 typedef struct cli_option {
-    const char *name;     /* with its dashes */
+    const char *name;     /* with its dashes; "": the row is a heading of --help, which is in `help` */
     const char *argument; /* what its value looks like; null: it takes none */
     const char *help;     /* may have several lines */
     void (*set)(const struct cli_option *self, const char *value, void *field);
@@ -49,7 +52,12 @@ typedef struct cli_program {
     const char *examples;      /* commands, one a line, or null */
 } cli_program;
 
-/* Reads the command line into the structure that the offsets are about. */
+/* A row of the table that is a heading. */
+#define CLI_HEADING(text)                                                                                    \
+    { "", NULL, text, NULL, 0, 0, 0 }
+
+/* Reads the command line into the structure that the offsets are about.  What begins with a dash and a digit
+ * is a plain argument; -h, -V and -o are short for --help, --version and --output. */
 void cli_parse(const cli_program *program, int argc, char **argv, void *options);
 
 /* The same for a program that takes any number of plain arguments: they become argv[1], argv[2] ...

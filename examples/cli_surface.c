@@ -45,17 +45,32 @@ static void add_let(cli_surface *surface, const char *what, char *name, char *va
     if (!lets) cli_no_memory();
     surface->lets = lets;
     if (!cli_is_constant_name(name))
-        cli_fail(CLI_BAD_INPUT, "%s: '%s' cannot be the name of a constant", what, cli_quote(name).text);
+        cli_fail(CLI_BAD_INPUT,
+                 "%s: a constant's name has letters and digits, and is not x, y, z or sqrt; got '%s'", what,
+                 cli_quote(name).text);
     lets[surface->let_count++] = (cli_let){name, value, from_file};
 }
 
-void cli_set_let(const cli_option *option, const char *value, void *field) {
-    size_t length = strcspn(value, "=");
-    if (!value[length] || !value[length + 1]) cli_expected(option, value);
-    char *name = copy_of(value, length);
-    if (has_let(field, name))
+/* "A=VALUE", of `length` characters. */
+static void set_one_let(const cli_option *option, const char *text, size_t length, cli_surface *surface) {
+    size_t sign = strcspn(text, "=");
+    if (sign + 1 >= length) cli_expected(option, text);
+    char *name = copy_of(text, sign);
+    if (has_let(surface, name))
         cli_fail(CLI_BAD_INPUT, "%s: '%s' is given twice", option->name, cli_quote(name).text);
-    add_let(field, option->name, name, copy_of(value + length + 1, strlen(value + length + 1)), 0);
+    add_let(surface, option->name, name, copy_of(text + sign + 1, length - sign - 1), 0);
+}
+
+/* One or several, "a=1,b=2": a comma with another '=' behind it ends a value. */
+void cli_set_let(const cli_option *option, const char *value, void *field) {
+    size_t length = strlen(value);
+    for (const char *comma = strchr(value, ','); comma; comma = strchr(value, ',')) {
+        if (!strchr(comma, '=')) break;
+        set_one_let(option, value, (size_t)(comma - value), field);
+        value = comma + 1;
+        length = strlen(value);
+    }
+    set_one_let(option, value, length, field);
 }
 
 /* Signs that no name has, or a text that is an equation as it stands, "xyz", or with constants, "kxy". */
@@ -66,7 +81,7 @@ static int is_equation(const char *text, int has_constants) {
     algsurf_surface *surface = NULL;
     algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &surface, NULL);
     algsurf_surface_free(surface);
-    return status == ALGSURF_OK || (status == ALGSURF_E_NAME && has_constants);
+    return status == ALGSURF_OK || status == ALGSURF_E_ZERO || (status == ALGSURF_E_NAME && has_constants);
 }
 
 /* Equation and parameters of a file of SURFER; those that --let gives come before. */
@@ -100,7 +115,8 @@ void cli_settle_surface(cli_surface *choice) {
         return;
     }
     if (!is_equation(choice->name, choice->let_count > 0)) return;
-    if (choice->equation) cli_fail(CLI_BAD_INPUT, "two equations: '%s'", cli_quote(choice->name).text);
+    if (choice->equation)
+        cli_fail(CLI_BAD_INPUT, "two equations: --equation, and '%s'", cli_quote(choice->name).text);
     choice->equation = choice->name;
     choice->name = NULL;
 }
@@ -128,6 +144,25 @@ typedef struct values {
 
 enum { MOST_NAMES = 6 }; /* without a value, told at once */
 
+static const double EULER = 2.718281828459045;
+
+/* Is the name, of `length` bytes, the letter that e^x is written with? */
+static int is_euler(const char *name, size_t length) { return length == 1 && *name == 'e'; }
+
+/* With Euler's number for e, as people mean it: what is wrong then; ALGSURF_OK for another name. */
+static algsurf_status try_euler(const values *known, const char *text, algsurf_parse_error *error) {
+    if (!is_euler(text + error->offset, error->length)) return ALGSURF_OK;
+    algsurf_constant *all = calloc(known->count + 1, sizeof *all);
+    algsurf_surface *surface = NULL;
+    if (!all) cli_no_memory();
+    for (size_t i = 0; i < known->count; i++) all[i] = known->all[i];
+    all[known->count] = (algsurf_constant){"e", EULER};
+    algsurf_status status = algsurf_surface_from_equation(text, all, known->count + 1, &surface, error);
+    algsurf_surface_free(surface);
+    free(all);
+    return status;
+}
+
 /* Says which names have no value yet: one after the other, those before given one. */
 static _Noreturn void ask_for_values(const values *known, const char *text, const char *shown, size_t skipped,
                                      const algsurf_parse_error *first) {
@@ -143,14 +178,16 @@ static _Noreturn void ask_for_values(const values *known, const char *text, cons
         size_t length = strlen(list), used = strlen(fix);
         snprintf(names[n], sizeof names[n], "%.*s", (int)error.length, text + error.offset);
         snprintf(list + length, sizeof list - length, "%s%s", n ? ", " : "", names[n]);
-        snprintf(fix + used, sizeof fix - used, " --let %s=...", names[n]);
+        snprintf(fix + used, sizeof fix - used, " --let %s=%s", names[n],
+                 is_euler(names[n], error.length) ? "2.718281828459045" : "...");
         all[known->count + n] = (algsurf_constant){names[n], 1.5};
         status = algsurf_surface_from_equation(text, all, known->count + n + 1, &surface, &error);
     }
     algsurf_surface_free(surface);
     free(all);
     if (n == 0)
-        cli_fail_in(shown, first->offset - skipped, first->length, "column %zu: a name without a value",
+        cli_fail_in(shown, first->offset - skipped, first->length,
+                    "column %zu: this name has no value; see --let",
                     cli_column(shown, first->offset - skipped));
     cli_fail_in(shown, first->offset - skipped, first->length, "%s: give %s:%s", list,
                 n == 1 ? "it a value" : "them values", fix);
@@ -164,11 +201,13 @@ static _Noreturn void refuse_equation(const values *known, const char *what, con
     if (status == ALGSURF_E_ZERO)
         cli_fail(CLI_BAD_INPUT, "%s: %s", what,
                  skipped ? "expected a constant, without x, y and z"
-                         : "both sides are equal everywhere: that is no surface");
+                         : "it holds at every point, whatever x, y and z are: that is no surface");
     if (!error->message) cli_fail(CLI_BAD_INPUT, "%s: %s", what, algsurf_status_text(status));
-    if (status == ALGSURF_E_NAME) ask_for_values(known, text, shown, skipped, error);
-    cli_fail_in(shown, error->offset - skipped, error->length, "%s: column %zu: %s", what,
-                cli_column(shown, error->offset - skipped), error->message);
+    algsurf_parse_error at = *error;
+    if (status == ALGSURF_E_NAME && try_euler(known, text, &at) != ALGSURF_E_SYNTAX)
+        ask_for_values(known, text, shown, skipped, error);
+    cli_fail_in(shown, at.offset - skipped, at.length, "%s: column %zu: %s", what,
+                cli_column(shown, at.offset - skipped), at.message);
 }
 
 static algsurf_surface *parse(const values *known, const char *what, const char *text, size_t skipped) {
@@ -179,13 +218,19 @@ static algsurf_surface *parse(const values *known, const char *what, const char 
     return surface;
 }
 
-static double constant_of(const values *known, const cli_let *let) {
-    static const char before[] = "x="; /* x minus the constant is a plane, whatever the constant */
-    char *text = malloc(sizeof before + strlen(let->value)), what[64];
+static const char PLANE[] = "x="; /* x minus a constant is a plane, whatever the constant */
+
+/* The equation of such a plane, to be freed. */
+static char *as_plane(const char *value) {
+    char *text = malloc(sizeof PLANE + strlen(value));
     if (!text) cli_no_memory();
-    strcat(strcpy(text, before), let->value);
+    return strcat(strcpy(text, PLANE), value);
+}
+
+static double constant_of(const values *known, const cli_let *let) {
+    char *text = as_plane(let->value), what[64];
     snprintf(what, sizeof what, "--let %.40s", let->name);
-    algsurf_surface *plane = parse(known, what, text, strlen(before));
+    algsurf_surface *plane = parse(known, what, text, strlen(PLANE));
     algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     size_t count = algsurf_surface_term_count(plane);
     int is_plane = count <= 2 && algsurf_surface_terms(plane, terms) == ALGSURF_OK && terms[0].i == 1 &&
@@ -197,6 +242,61 @@ static double constant_of(const values *known, const cli_let *let) {
     algsurf_surface_free(plane);
     free(text);
     return count == 2 ? -terms[1].a : 0;
+}
+
+/* ---- constants that nothing depends on ---- */
+
+static int have_equal_terms(const algsurf_surface *a, const algsurf_surface *b) {
+    size_t count = algsurf_surface_term_count(a);
+    if (count != algsurf_surface_term_count(b)) return 0;
+    algsurf_term *terms = calloc(2 * count + 1, sizeof *terms);
+    if (!terms) cli_no_memory();
+    int equal = algsurf_surface_terms(a, terms) == ALGSURF_OK &&
+                algsurf_surface_terms(b, terms + count) == ALGSURF_OK;
+    for (size_t i = 0; i < count && equal; i++) {
+        const algsurf_term *s = &terms[i], *t = &terms[count + i];
+        equal = s->i == t->i && s->j == t->j && s->k == t->k && s->a == t->a;
+    }
+    free(terms);
+    return equal;
+}
+
+/* Does the text, an equation, read otherwise without that constant? */
+static int depends_on(const values *known, const char *text, const char *name) {
+    values others = {calloc(known->count + 1, sizeof *others.all), 0};
+    algsurf_surface *with = NULL, *without = NULL;
+    if (!others.all) cli_no_memory();
+    for (size_t i = 0; i < known->count; i++)
+        if (strcmp(known->all[i].name, name) != 0) others.all[others.count++] = known->all[i];
+    algsurf_status is = algsurf_surface_from_equation(text, known->all, known->count, &with, NULL);
+    algsurf_status was = algsurf_surface_from_equation(text, others.all, others.count, &without, NULL);
+    int depends = is != was || (is == ALGSURF_OK && !have_equal_terms(with, without));
+    algsurf_surface_free(with);
+    algsurf_surface_free(without);
+    free(others.all);
+    return depends;
+}
+
+/* Is it in the equation, or in the value of another constant? */
+static int is_used(const cli_surface *choice, const values *known, const char *name) {
+    if (depends_on(known, choice->equation, name)) return 1;
+    for (size_t i = 0; i < choice->let_count; i++) {
+        char *text = as_plane(choice->lets[i].value);
+        int depends = depends_on(known, text, name);
+        free(text);
+        if (depends) return 1;
+    }
+    return 0;
+}
+
+/* Ends the program when a constant plays no part: it is a slip.  Files of SURFER may have such ones. */
+static void check_used(const cli_surface *choice, const values *known, const char *swept) {
+    if (swept && !is_used(choice, known, swept)) cli_fail(CLI_BAD_INPUT, "%s: not in the equation", swept);
+    for (size_t i = 0; i < choice->let_count; i++) {
+        const cli_let *let = &choice->lets[i];
+        if (!let->from_file && !is_used(choice, known, let->name))
+            cli_fail(CLI_BAD_INPUT, "%s: not in the equation", let->name);
+    }
 }
 
 /* The constants of the options, and one more before them if its name is not null. */
@@ -220,7 +320,7 @@ static algsurf_surface *with_rounding(algsurf_surface *exact) {
     algsurf_surface_free(exact);
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
     if (status != ALGSURF_OK)
-        cli_fail(CLI_BAD_INPUT, "--coefficients: one of them is too small for a double");
+        cli_fail(CLI_BAD_INPUT, "--coefficients rounded: a coefficient is too small for a double");
     return surface;
 }
 
@@ -228,6 +328,7 @@ static algsurf_surface *from_equation(const cli_surface *choice, const char *tex
                                       double value) {
     values known = evaluate(choice, name, value);
     algsurf_surface *surface = parse(&known, "equation", text, 0);
+    if (choice->equation) check_used(choice, &known, name);
     free(known.all);
     return choice->rounded ? with_rounding(surface) : surface;
 }
@@ -252,7 +353,7 @@ static const catalogue_entry *named(const char *name) {
     cli_guess guess = cli_guess_begin(name, strlen(name));
     for (entry = catalogue; entry->name; entry++) cli_guess_try(&guess, entry->name);
     cli_fail(CLI_BAD_INPUT, "unknown surface '%s'; %s", cli_quote(name).text,
-             guess.name ? cli_guess_text(&guess).text : "render --list shows the names");
+             guess.name ? cli_guess_text(&guess).text : "render --list shows the names, --help the options");
 }
 
 algsurf_surface *cli_make_surface_with(const cli_surface *choice, const char *name, double value) {
@@ -261,9 +362,9 @@ algsurf_surface *cli_make_surface_with(const cli_surface *choice, const char *na
         cli_fail(CLI_BAD_INPUT, "expected %s a NAME, an equation, --terms FILE; see --help",
                  chosen ? "only one of" : "a surface:");
     if (choice->let_count > 0 && !choice->equation)
-        cli_fail(CLI_BAD_INPUT, "--let: only an equation has constants");
+        cli_fail(CLI_BAD_INPUT, "--let: only an equation has letters that take values");
     if (choice->rounded && choice->terms)
-        cli_fail(CLI_BAD_INPUT, "--coefficients: those of --terms are exact");
+        cli_fail(CLI_BAD_INPUT, "--coefficients: has no effect with --terms, whose numbers are doubles");
     if (choice->terms) return from_terms(choice->terms);
     return from_equation(choice, choice->equation ? choice->equation : named(choice->name)->equation, name,
                          value);

@@ -24,15 +24,19 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
 /* clang-format off */
 /* The rows of the option table for the member `surface` of a structure. */
 #define CLI_SURFACE_OPTIONS(type)                                                                            \
-    {"--equation", "TEXT", "the surface as an equation in x, y, z: 'x^2 + y^2 = 1 - z^2'; the same as a\n"    \
-     "plain argument", cli_set_text, offsetof(type, surface.equation), 0, 0},                                \
-    {"--let", "A=VALUE", "a constant for the equation: a number, or an expression in earlier\n"              \
-     "ones, (1+sqrt(5))/2, taken as the nearest double (repeatable)", cli_set_let,                           \
-     offsetof(type, surface), 0, 0},                                                                         \
-    {"--terms", "FILE", "the surface as terms, a line \"i j k a\" for each a x^i y^j z^k", cli_set_text,     \
-     offsetof(type, surface.terms), 0, 0},                                                                   \
-    {"--coefficients", "exact|rounded", "the doubles are the surface (default), or they are roundings of\n"   \
-     "the equation's: what is certain then holds for the equation", cli_set_choice,                          \
+    {"--equation", "TEXT", "the equation of the surface; the same as a plain argument", cli_set_text,        \
+     offsetof(type, surface.equation), 0, 0},                                                                \
+    {"--let", "A=VALUE",                                                                                     \
+     "gives a letter of the equation a value: a number, or an expression such as\n"                          \
+     "(1+sqrt(5))/2, in which letters given before may occur; repeatable, or A=1,B=2",                       \
+     cli_set_let, offsetof(type, surface), 0, 0},                                                            \
+    {"--terms", "FILE", "reads the surface from a file, a line \"i j k a\" for each term a x^i y^j z^k",     \
+     cli_set_text, offsetof(type, surface.terms), 0, 0},                                                     \
+    {"--coefficients", "exact|rounded",                                                                      \
+     "how to take coefficients that no double is equal to, as 0.1 and sqrt(2).\n"                            \
+     "exact (default): the nearest doubles are the surface; all is proved for them.\n"                       \
+     "rounded: all is proved for the equation as it is written; rays for which the\n"                        \
+     "rounding matters are counted as uncertain", cli_set_choice,                                            \
      offsetof(type, surface.rounded), 0, 0}
 /* clang-format on */
 

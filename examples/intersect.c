@@ -20,33 +20,38 @@ typedef struct intersect_options {
 
 static const cli_option options_table[] = {
     CLI_SURFACE_OPTIONS(intersect_options),
-    {"--all", NULL, "every hit of a ray, a row each; otherwise the first", cli_set_flag, FIELD(all)},
-    {"--extent", "sphere:R|box:X,Y,Z", "only hits in there count (half sizes); default: all of space",
+    {"--all", NULL, "prints every hit of a ray, a row each; without this option only the first one",
+     cli_set_flag, FIELD(all)},
+    {"--extent", "sphere:R|box:X,Y,Z",
+     "only hits in a ball of radius R count, or in a box from -X,-Y,-Z to X,Y,Z; default:\nall of space",
      cli_set_extent, FIELD(extent)},
-    {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0", cli_set_vector, FIELD(centre)},
-    {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", cli_set_method,
-     FIELD(how.method)},
-    {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
+    {"--centre", "X,Y,Z", "the centre of that ball or box, default 0,0,0", cli_set_vector, FIELD(centre)},
+    {"--method", "default|brent|bisection|regula-falsi",
+     "how a root is computed when an interval is found that holds it alone; default: the\nfastest way",
+     cli_set_method, FIELD(how.method)},
+    {"--tolerance", "EPS", "how much t may be wrong, default 0: as little as doubles can", cli_set_tolerance,
      FIELD(how.absolute_tolerance)},
     {"--tier", "certified|bounded",
-     "every ray decided, by integers where doubles leave it open (default);\n"
-     "doubles alone, the rest uncertain",
+     "certified (default): every ray is decided, by integers where doubles do not\n"
+     "suffice.  bounded: by doubles alone; what they leave open is uncertain",
      cli_set_tier, FIELD(how.tier)},
-    {"--format", "tsv|json", "a table (default); or an object a line, with null for '-', and inf as a string",
+    {"--format", "tsv|json",
+     "tsv (default): a table.  json: an object a line, with null for '-' and inf as a\nstring",
      cli_set_choice, FIELD(json)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "intersect",
     .synopsis = "[options] (NAME | EQUATION | --terms FILE)",
-    .about = "Reads rays from standard input, a line \"ox oy oz dx dy dz t_min t_max\" each, decimal\n"
-             "or hexadecimal, inf allowed for t_min and t_max; '#' starts a comment.  Prints a table\n"
-             "with the columns line, state (hit, miss, uncertain, error), t, t_lo, t_hi, x, y, z,\n"
-             "nx, ny, nz, multiplicity, side: t_lo..t_hi holds the hit (for uncertain: no hit lies\n"
-             "before t_lo), x y z is the point, nx ny nz the unit normal, multiplicity that of the\n"
-             "root t (1: the ray crosses, 2: it touches, ...; 0: it lies in the surface), side the\n"
-             "sign of P before it; what does not exist is '-'.  NAME is one of those that\n"
-             "render --list shows.",
+    .about = "Finds where rays meet an algebraic surface P(x,y,z) = 0.  NAME is a surface that\n"
+             "render --list shows.  Rays are read from standard input, a line\n"
+             "\"ox oy oz dx dy dz t_min t_max\" for each: the points o + t d, t_min <= t <= t_max.  Numbers\n"
+             "are decimal or hexadecimal, t_min and t_max may be inf; '#' starts a comment.\n\n"
+             "Prints a table with a row for each ray, '-' where there is no value.  Its columns:\n"
+             "line, of the input; state: hit, miss, uncertain or error; t, at the hit; t_lo, t_hi: the\n"
+             "hit is between them (uncertain: no hit is before t_lo); x, y, z: the point; nx, ny, nz:\n"
+             "the unit normal; multiplicity, of the root t: 1 where the ray crosses the surface, 2 where\n"
+             "it touches it, 0 where it lies in it; side: the sign of P just before the hit.",
     .options = options_table,
     .positional = offsetof(intersect_options, surface.name),
     .examples = "echo '-4 0.25 0  1 0 0  0 inf' | intersect torus\n"
@@ -173,7 +178,7 @@ int main(int argc, char **argv) {
     cli_parse(&program, argc, argv, &options);
     cli_settle_surface(&options.surface);
     if (options.centre.given && !options.extent.given)
-        cli_fail(CLI_BAD_INPUT, "--centre: there is no --extent to be moved");
+        cli_fail(CLI_BAD_INPUT, "--centre: has no effect without --extent");
     memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
     algsurf_surface *surface = cli_make_surface(&options.surface);
     run r = {.surface = surface,

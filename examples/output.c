@@ -35,7 +35,7 @@ int output_is_special(const char *path) {
 static void check_existing(const output_set *set, const char *path) {
     if (portable_kind_of(path) == PORTABLE_NOTHING) return;
     portable_kind kind = portable_kind_behind(path);
-    if (kind == PORTABLE_NOTHING) output_fail(set, path, "a link that leads nowhere");
+    if (kind == PORTABLE_NOTHING) output_fail(set, path, "a link to a file that does not exist");
     if (kind == PORTABLE_FOLDER) output_fail(set, path, strerror(EISDIR));
     if (access(path, W_OK) != 0) output_fail(set, path, strerror(errno));
 }

@@ -15,6 +15,7 @@
 #include "render_join.h"
 #include "render_options.h"
 #include "render_slice.h"
+#include "render_sweep_view.h"
 #include "table.h"
 #include "view.h"
 
@@ -207,7 +208,8 @@ static void explain_nothing(const run *r, const view *shown) {
     double lo[3], hi[3];
     int empty;
     if (r->options->space.is_complex) {
-        cli_complain("nothing is seen; a wider sector shows more (--delta)");
+        cli_complain("nothing is seen: no root has an argument from sigma to sigma + delta; a larger --delta "
+                     "shows more");
         return;
     }
     demand(algsurf_surface_enclose(r->surface, &shown->extent, ALGSURF_PART_ALL, 1.0 / 16, lo, hi, &empty));
@@ -216,8 +218,7 @@ static void explain_nothing(const run *r, const view *shown) {
             "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
             extent_text(&shown->extent).text);
     else
-        cli_complain("nothing is seen: what there is of the surface, if anything, lies within x %.3g..%.3g, "
-                     "y %.3g..%.3g, "
+        cli_complain("nothing is seen: the surface can only lie within x %.3g..%.3g, y %.3g..%.3g, "
                      "z %.3g..%.3g; --eye, --look-at choose another view",
                      lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }
@@ -278,7 +279,7 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (counted.thin > 0 && options->thin == THIN_USUAL && !options->surface.name)
         cli_complain(
             "thin: %" PRIu64
-            " samples show what is too thin for a ray, or cannot be proved absent; --thin none leaves it out",
+            " samples show parts too thin for rays to hit, or not proved absent; --thin none leaves them out",
             counted.thin);
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
@@ -298,7 +299,8 @@ static void draw_picture(run *r, const view *shown, int picture) {
 static void check_degree(const render_options *options, const algsurf_surface *surface) {
     int degree = algsurf_surface_degree(surface);
     if (options->thin == THIN_ASKED && degree > RENDER_THIN_DEGREE)
-        cli_fail(CLI_BAD_INPUT, "--thin: the degree is %d, at most %d", degree, RENDER_THIN_DEGREE);
+        cli_fail(CLI_BAD_INPUT, "--thin: the surface has degree %d, the limit is %d", degree,
+                 RENDER_THIN_DEGREE);
     render_check_degree(&options->space, &options->sweep, degree);
 }
 
@@ -306,12 +308,30 @@ static void check_degree(const render_options *options, const algsurf_surface *s
 static void check_surfaces(run *r, int first, int end) {
     r->surface = make_surface(r->options, first);
     check_degree(r->options, r->surface);
+    if (r->options->sweep.kind != SWEEP_LET && algsurf_surface_degree(r->surface) == 0)
+        cli_fail(CLI_BAD_INPUT, "x, y and z are missing or cancel: the equation holds at no point");
     if (r->options->sweep.kind != SWEEP_LET) return;
     for (int i = first + 1; i < end; i++) {
         algsurf_surface *surface = make_surface(r->options, i);
         check_degree(r->options, surface);
         algsurf_surface_free(surface);
     }
+}
+
+/* The view is chosen once for all pictures of a sweep. */
+static void choose_view(const run *r, view *shown) {
+    const render_options *options = r->options;
+    const render_sweep *sweep = &options->sweep;
+    int extent_only = options->space.is_complex || sweep->kind == SWEEP_TURN;
+    const int chosen[3] = {0, sweep->pictures - 1, (sweep->pictures - 1) / 2};
+    algsurf_surface *surface[3];
+    if (sweep->kind != SWEEP_LET) {
+        fit_view(shown, &options->view, r->surface, extent_only, shows_thin(options, r->surface));
+        return;
+    }
+    for (int i = 0; i < 3; i++) surface[i] = make_surface(options, chosen[i]);
+    render_sweep_view(shown, &options->view, surface, 3, extent_only);
+    for (int i = 0; i < 3; i++) algsurf_surface_free(surface[i]);
 }
 
 /* One file for all pictures; until its end, whatever ends the program removes it. */
@@ -337,10 +357,7 @@ static void draw(const render_options *options) {
     run r = {.options = options};
     check_surfaces(&r, first, end);
     view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
-    if (!given->name)
-        fit_view(&shown, &options->view, r.surface,
-                 options->space.is_complex || options->sweep.kind == SWEEP_TURN,
-                 shows_thin(options, r.surface));
+    if (!given->name) choose_view(&r, &shown);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;

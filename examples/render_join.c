@@ -131,7 +131,8 @@ static void read_pixels(const piece *p, uint8_t *pixels) {
     FILE *file = open_file(p->path);
     if (fseek(file, p->pixels, SEEK_SET) != 0 || fread(to, 1, bytes, file) != bytes ||
         render_pixels_digest(to, bytes) != p->slice.pixels)
-        cli_fail(CLI_BAD_INPUT, "%s: damaged: other pixels than were written", name(p->path).text);
+        cli_fail(CLI_BAD_INPUT, "%s: damaged: its pixels have changed since it was written",
+                 name(p->path).text);
     fclose(file);
 }
 
@@ -162,7 +163,8 @@ static int read_doubles(FILE *file, double *to, size_t count) {
 static void read_hits(const piece *p, double *hits) {
     size_t width = (size_t)p->slice.width, count = width * rows_of(&p->slice);
     double *to = hits + width * (size_t)p->slice.begin;
-    if (p->slice.hits == 0) cli_fail(CLI_BAD_INPUT, "--hits: %s was drawn without", name(p->path).text);
+    if (p->slice.hits == 0)
+        cli_fail(CLI_BAD_INPUT, "--hits: %s was drawn without --hits", name(p->path).text);
     char *path = hits_path(p->path);
     FILE *file = open_file(path);
     if (!read_doubles(file, to, count) || render_hits_digest(to, count) != p->slice.hits)

@@ -12,7 +12,7 @@ enum { DISTANCE = 16 }; /* of a light told by angles, in radii of what is shown 
 
 void render_set_background(const cli_option *option, const char *value, void *field) {
     render_look *look = field;
-    look->transparent = strcmp(value, "none") == 0;
+    look->transparent = strcmp(value, "none") == 0 || strcmp(value, "transparent") == 0;
     if (!look->transparent) colour_set(option, value, &look->background);
 }
 

@@ -95,127 +95,158 @@ static void set_progress(const cli_option *option, const char *value, void *fiel
 #define FIELD(member) offsetof(render_options, member), 0, 0
 
 static const cli_option options_table[] = {
-    {"--list", NULL, "the named surfaces: name, degree, equation, or as NAME: another view of it",
+    CLI_HEADING("The surface"),
+    {"--list", NULL,
+     "lists the named surfaces: name, degree, equation; \"as NAME\" instead of an\n"
+     "equation: the surface NAME, seen from elsewhere",
      cli_set_flag, FIELD(list)},
     CLI_SURFACE_OPTIONS(render_options),
+    CLI_HEADING("The view"),
     VIEW_OPTIONS(render_options),
+    CLI_HEADING("The picture"),
     {"--output", "FILE",
-     "the picture, .png, .bmp or .ppm by its ending; - is standard output, as a\n"
-     "PPM, as for the names of devices and pipes;\n"
-     "default NAME.png, or surface.png when the surface has no name",
+     "the file of the picture, a .png, .bmp or .ppm; also -o.  Default NAME.png, or\n"
+     "surface.png for an equation.  - is standard output; there, and into devices and\n"
+     "pipes, a .ppm is written",
      cli_set_text, FIELD(output)},
     {"--colour", "COLOUR",
-     "of the surface: a name of CSS, as teal, or #rrggbb; default: as suits the\n"
-     "surface, one for each side",
+     "the colour of the surface: a name of CSS, as teal, or #rrggbb; default: one for\n"
+     "each of its two sides",
      colour_set, FIELD(look.outside)},
-    {"--inside", "COLOUR", "of the side where the equation's left side is less than its right, if another",
+    {"--inside", "COLOUR",
+     "another colour for the inner side.  That is the side on which the equation's left\n"
+     "side is less than its right side: the inside of the ball x^2 + y^2 + z^2 = 1.\n"
+     "Default: as --colour, if that is given",
      colour_set, FIELD(look.inside)},
-    {"--background", "COLOUR|none", "where nothing is seen, default white; none: transparent, in a .png",
-     render_set_background, FIELD(look)},
+    {"--background", "COLOUR|none",
+     "the colour where there is no surface, default white; none: a transparent .png", render_set_background,
+     FIELD(look)},
     {"--light", "X,Y,Z|AZ:EL",
-     "where the light is: a point of space; or, seen from the eye, so many\n"
-     "degrees to the right and upwards, as -40:35",
+     "where the light is: a point of space; or a direction seen from the camera, AZ\n"
+     "degrees to the right and EL up, as -40:35.  Default: above on the left",
      render_set_light, FIELD(look)},
-    {"--lights", "usual|paper", "paper: two square lights of 5x5 points instead of one wide one",
+    {"--lights", "usual|paper",
+     "usual (default): one wide light.  paper: two square lights of 5x5 points, as in\n"
+     "the pictures of Sanjuan-Estrada, Casado and Garcia",
      render_set_lights, FIELD(look)},
     {"--quality", "preview|standard|full",
-     "no illumination model; lights without shadows (default);\n"
-     "soft shadows, and light from all around",
+     "preview: shading by direction alone, as if the camera were the lamp.\n"
+     "standard (default): a light, without shadows.\n"
+     "full: soft shadows, and less light in hollows; the best picture, and the slowest",
      set_quality, FIELD(quality)},
-    {"--antialias", "N", "N x N samples a pixel, 1 to 16, default 4; see --antialias-threshold", cli_set_int,
-     offsetof(render_options, antialias), 1, 16},
+    {"--antialias", "N",
+     "makes edges smooth: a pixel at an edge is the mean of N x N samples, any other\n"
+     "pixel has one sample; 1 to 16, default 4; 1: edges stay rough",
+     cli_set_int, offsetof(render_options, antialias), 1, 16},
     {"--antialias-threshold", "X",
-     "they go only to pixels whose middle differs from a neighbour's by more than\n"
-     "X, 0 to 1, in red, green or blue, the others get one sample; default 0.1;\n"
-     "0: all pixels get them",
+     "what an edge is for --antialias: red, green or blue of two neighbouring pixels\n"
+     "differ by more than X, 0 to 1, default 0.1; 0: all pixels have N x N samples",
      set_threshold, FIELD(antialias_threshold)},
     {"--thin", "COLOUR|none",
-     "of what is so thin that rays pass it by: isolated points, lines without\n"
-     "sheets, needles, up to degree 12; default that of the surface up to degree 6;\n"
-     "none: it is left out",
+     "the colour of parts without width, which rays miss: isolated points, lines,\n"
+     "needles.  They are drawn a pixel wide: by default in the surface's colour, up to\n"
+     "degree 6; with a COLOUR, up to degree 12; with none they are left out",
      set_thin, 0, 0, 0},
-    {"--method", "default|brent|bisection|regula-falsi", "how an isolated root is refined", set_method, 0, 0,
-     0},
-    {"--tolerance", "EPS", "wanted error of a hit's distance, default 0: all a double can tell",
-     set_tolerance, 0, 0, 0},
+    CLI_HEADING("Animations"),
+    {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
+     "draws N pictures, NAME-0001.png and so on.  turn: the camera goes once around the\n"
+     "surface.  let: the letter NAME of the equation goes from A to B; the view fits the\n"
+     "first, middle and last surface at once.  delta, imag: --delta, or the V of\n"
+     "--imag K=V, goes from A to B",
+     render_set_sweep, FIELD(sweep)},
+    {"--animate", "RATE",
+     "writes the pictures of --sweep into one animated .png, RATE pictures a second,\n"
+     "1 to 60",
+     cli_set_int, offsetof(render_options, a_second), 1, 60},
+    {"--frame", "K", "draws only picture K of the --sweep, counted from 1", cli_set_int,
+     offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
+    CLI_HEADING("How certain, how fast"),
     {"--tier", "certified|bounded",
-     "every ray decided, by integers where doubles leave it open (default);\n"
-     "doubles alone, the rest uncertain",
+     "certified (default): for every ray it is proved what it meets, by integers where\n"
+     "doubles do not suffice.  bounded: by doubles alone; rays that they leave open are\n"
+     "counted as uncertain",
      set_tier, 0, 0, 0},
+    {"--threads", "N", "how many threads draw, 0 to 256; default 0: one for each processor", cli_set_int,
+     offsetof(render_options, threads), 0, 256},
+    {"--method", "default|brent|bisection|regula-falsi",
+     "how a root is computed when an interval is found that holds it alone; default: the\n"
+     "fastest way",
+     set_method, 0, 0, 0},
+    {"--tolerance", "EPS", "how much the distance of a hit may be wrong, default 0: as little as doubles can",
+     set_tolerance, 0, 0, 0},
     {"--kernel", "baseline|avx2|avx512",
-     "packet code, default the fastest that runs here; the picture does not\ndepend on it", set_kernel, 0, 0,
-     0},
+     "the instruction set, default the fastest that runs here; the picture is the same\nwith each",
+     set_kernel, 0, 0, 0},
+    {"--progress", "auto|always|never",
+     "shows a bar with the time left on standard error; auto (default): on a terminal", set_progress,
+     FIELD(progress)},
+    CLI_HEADING("Complex space"),
     {"--sigma", "S",
-     "complex space: shows, of the complex roots t along each ray from the\n"
-     "eye, the one of least |t| among those with S <= |arg t| <= S + D;\n"
-     "radians, as 0.2 or 7pi/18, default 0.  --method, --tolerance, --tier,\n"
-     "--kernel and --quality full (shadows) play no part there and are refused",
+     "shows complex roots t of the polynomial along each ray from the camera: of those\n"
+     "with S <= |arg t| <= S + D, the one of least |t|.  D is the value of --delta, S is\n"
+     "in radians, as 0.2 or 7pi/18, default 0.  Not with --method, --tolerance, --tier,\n"
+     "--kernel, --quality full",
      render_set_sigma, FIELD(space)},
-    {"--delta", "D", "complex space: D, default 1e-10, which shows the real surface", render_set_delta,
-     FIELD(space)},
+    {"--delta", "D", "the D of --sigma, in radians; default 1e-10, which shows the real surface",
+     render_set_delta, FIELD(space)},
     {"--imag", "K=V",
-     "complex space: adds V i to the coefficient of t^K, K from 0 to the\ndegree (repeatable)",
+     "adds the imaginary number V i to the coefficient of t^K of the polynomial along\n"
+     "each ray, K from 0 to the degree; repeatable",
      render_set_imaginary, FIELD(space)},
     {"--coherence", "none|neighbours",
-     "complex space: each ray's roots are found from scratch, or from those\n"
-     "of its neighbours (default): the same picture in less time",
+     "how complex roots are found.  neighbours (default): from those of neighbouring\n"
+     "rays.  none: each ray's from scratch, which takes longer; the picture is the same",
      render_set_coherence, FIELD(space)},
-    {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
-     "N pictures NAME-0001.png ...: a turn about the upward axis; --let NAME,\n--delta or --imag K from A to "
-     "B",
-     render_set_sweep, FIELD(sweep)},
-    {"--animate", "RATE", "the --sweep as one animated .png, RATE pictures a second, 1 to 60", cli_set_int,
-     offsetof(render_options, a_second), 1, 60},
-    {"--frame", "K", "only picture K of the --sweep, from 1 as in its name", cli_set_int,
-     offsetof(render_options, frame), 1, RENDER_MOST_PICTURES},
-    {"--threads", "N", "0 to 256, default 0: one for each processor", cli_set_int,
-     offsetof(render_options, threads), 0, 256},
+    CLI_HEADING("Slices, for several machines"),
     {"--rows", "A:B",
-     "a slice: only the rows A to B-1 of the picture, from 0 at the top; as a\n"
-     ".ppm it can be joined with others",
+     "draws only a slice of the picture: rows A to B-1, counted from 0 at the top.\n"
+     "Slices in .ppm files can be joined",
      set_rows, 0, 0, 0},
-    {"--join", "SLICE.ppm ...", "a command of its own: slices become a picture; render --join --help",
+    {"--join", "SLICE.ppm ...",
+     "makes a picture of slices; a command of its own, and the first argument:\n"
+     "render --join --help",
      set_join, 0, 0, 0},
+    CLI_HEADING("Numbers about the picture"),
     {"--hits", "FILE",
-     "distances as raw little-endian doubles, row by row from the top:\nt of the hit "
-     "along the unit ray from the eye, NaN where none",
+     "writes how far from the eye each pixel's hit is: raw little-endian doubles, row\n"
+     "by row from the top, t of the hit along the ray of unit length; NaN: no hit",
      cli_set_text, FIELD(hits)},
     {"--heatmap", "FILE",
-     "a second picture, with a legend: which tiles of pixels were proved empty, or\n"
-     "to see one sheet of the surface; of the other pixels, what the ray through\n"
-     "the middle costs (intervals looked at, and evaluations, counted for single\n"
-     "rays on one thread), and which rays doubles leave open; names as --output",
+     "draws a second picture of the work, with a legend: tiles of pixels that one proof\n"
+     "decided, empty or with one sheet of the surface; of other pixels, what the ray\n"
+     "through the middle cost (intervals and evaluations, as a single ray), and rays\n"
+     "that doubles left open.  Files as for --output",
      cli_set_text, FIELD(heatmap)},
     {"--stats", "FILE",
-     "counts and times, a line 'key<TAB>value' each, or, by the ending .json, an\n"
-     "object; - is standard output.\n"
-     "rays: samples of the picture; hits, uncertain: of them; thin: samples that\n"
-     "show what is thin; single_rays: of all, those not solved together with\n"
-     "their row; exact_rays: of these, decided by integers; empty_rays, sheet_rays:\n"
-     "decided by tiles; shadow_rays: to lights;\n"
-     "iterations: corrections of roots in complex space, 0 for a real surface;\n"
-     "tiles: of pixels, that were searched; empty_tiles, sheet_tiles: of them,\n"
-     "that decide all of their rays; leaf_tiles: of them, the smallest that do not;\n"
-     "expand_s, solve_s, point_s, shadow_s, shade_s: seconds for the surface in the\n"
-     "view, for roots, positions and normals, shadows, colours, each summed over\n"
-     "threads; total_s: seconds by the clock, without reading and writing files",
+     "writes counts and times, a line 'key<TAB>value' each, or, if FILE ends in .json,\n"
+     "an object; - is standard output.\n"
+     "rays: samples of the picture; hits, uncertain: of these, rays that meet the\n"
+     "surface, or are left open; thin: samples that show a thin part;\n"
+     "single_rays: rays not solved together with others of their row; exact_rays: of\n"
+     "these, decided by integers; empty_rays, sheet_rays: decided by tiles;\n"
+     "shadow_rays: rays to lights;\n"
+     "tiles: squares of pixels that were looked at as a whole; empty_tiles, sheet_tiles:\n"
+     "of these, decided for all of their rays; leaf_tiles: the smallest that were not;\n"
+     "iterations: corrections of complex roots, 0 for a real surface;\n"
+     "expand_s, solve_s, point_s, shadow_s, shade_s: seconds for the polynomials, their\n"
+     "roots, positions and normals, shadows, colours, added up over all threads;\n"
+     "total_s: seconds by the clock, without reading and writing files",
      cli_set_text, FIELD(stats)},
-    {"--progress", "auto|always|never", "a bar with the time left on standard error", set_progress,
-     FIELD(progress)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "render",
     .synopsis = "[options] (NAME | EQUATION | FILE.jsurf | --terms FILE)",
-    .about = "Draws an algebraic surface, P(x,y,z) = 0.  NAME is one of those that --list shows;\n"
-             "FILE.jsurf a file of IMAGINARY's SURFER: equation, parameters, view and colours, as far\n"
-             "as options do not say otherwise.",
+    .about = "Draws an algebraic surface: all points x, y, z at which a polynomial equation holds.\n"
+             "NAME is a surface that --list shows.  EQUATION is text in x, y, z, as 'x^2 + y^2 = z^2';\n"
+             "without '=' it is taken as \"= 0\".  FILE.jsurf is a file of IMAGINARY's SURFER; options come\n"
+             "before its view, parameters and colours.",
     .options = options_table,
     .positional = offsetof(render_options, surface.name),
     .examples = "render barth --output barth.png\n"
                 "render 'x^2 + y^2 = z^2' --output cone.png\n"
                 "render 'x^4 + y^4 + z^4 = a^4' --let a=1.2 --extent sphere:2 --output cube.png\n"
-                "render boy --quality full --antialias 4 --antialias-threshold 0.1 --output boy.png\n"
+                "render boy --quality full --output boy.png\n"
                 "render labs --stats -\n"
                 "render steiner --delta pi/36 --output opening.png\n"
                 "render 'x^2 + y^2 - a z^2 = 1' --sweep let:a:-1:1:24 --size 512x384 --output bend.png\n"
@@ -242,7 +273,7 @@ image_format render_image_format(const char *option, const char *path) {
 static image_format check_image(const render_options *options, const char *option, const char *path) {
     int is_film = options->a_second > 0 && path == options->output;
     if (options->sweep.pictures > 0 && options->frame == 0 && !is_film && strcmp(path, "-") == 0)
-        cli_fail(CLI_BAD_INPUT, "%s: '-' holds one picture, not a --sweep", option);
+        cli_fail(CLI_BAD_INPUT, "%s: '-' takes one picture, not a --sweep", option);
     return render_image_format(option, path);
 }
 
@@ -271,22 +302,23 @@ static void check_output(render_options *options) {
         cli_fail(CLI_BAD_INPUT, "--background none: only a .png is transparent, --output is '%s'",
                  cli_quote(options->output).text);
     if (options->look.transparent && options->heatmap)
-        cli_fail(CLI_BAD_INPUT, "--heatmap: plays no part with --background none");
+        cli_fail(CLI_BAD_INPUT, "--heatmap: has no effect with --background none");
     if (options->heatmap) options->heatmap_format = check_image(options, "--heatmap", options->heatmap);
     check_standard_output(options);
 }
 
 static void check_animation(const render_options *options) {
-    if (options->sweep.pictures == 0) cli_fail(CLI_BAD_INPUT, "--animate: plays no part without --sweep");
+    if (options->sweep.pictures == 0) cli_fail(CLI_BAD_INPUT, "--animate: has no effect without --sweep");
     if (options->frame > 0)
-        cli_fail(CLI_BAD_INPUT, "--animate: all pictures of the --sweep; leave --frame out");
-    if (options->row_end > 0) cli_fail(CLI_BAD_INPUT, "--animate: whole pictures; leave --rows out");
+        cli_fail(CLI_BAD_INPUT, "--animate: takes all pictures of the --sweep; leave --frame out");
+    if (options->row_end > 0) cli_fail(CLI_BAD_INPUT, "--animate: takes whole pictures; leave --rows out");
 }
 
 static void check_swept_constant(const render_options *options) {
     const char *name = options->sweep.name;
     if (options->sweep.kind != SWEEP_LET) return;
-    if (!options->surface.equation) cli_fail(CLI_BAD_INPUT, "--sweep let: only an equation has constants");
+    if (!options->surface.equation)
+        cli_fail(CLI_BAD_INPUT, "--sweep let: only an equation has letters that take values");
     for (size_t i = 0; i < options->surface.let_count; i++)
         if (!options->surface.lets[i].from_file && strcmp(options->surface.lets[i].name, name) == 0)
             cli_fail(CLI_BAD_INPUT, "--sweep: sets %s; leave its --let out", cli_quote(name).text);
@@ -309,26 +341,26 @@ render_options render_parse_options(int argc, char **argv) {
     view_check(&options.view);
     if (options.list) return options;
     if (options.row_end > options.view.height)
-        cli_fail(CLI_BAD_INPUT, "--rows: row %d is below the picture's %d rows", options.row_end,
+        cli_fail(CLI_BAD_INPUT, "--rows: the slice ends at row %d, the picture has %d rows", options.row_end,
                  options.view.height);
     check_swept_constant(&options);
     if (options.frame > 0 && options.sweep.pictures == 0)
-        cli_fail(CLI_BAD_INPUT, "--frame: plays no part without --sweep");
+        cli_fail(CLI_BAD_INPUT, "--frame: has no effect without --sweep");
     if (options.frame > options.sweep.pictures)
         cli_fail(CLI_BAD_INPUT, "--frame: the --sweep has no picture %d, only %d", options.frame,
                  options.sweep.pictures);
     if (options.a_second > 0) check_animation(&options);
     if (options.antialias_threshold > 0 && options.antialias < 2)
-        cli_fail(CLI_BAD_INPUT, "--antialias-threshold: plays no part with --antialias 1");
+        cli_fail(CLI_BAD_INPUT, "--antialias-threshold: has no effect with --antialias 1");
     if (options.antialias_threshold < 0) options.antialias_threshold = VIEW_THRESHOLD;
     if (options.look.light != LIGHT_DEFAULT && options.look.paper)
-        cli_fail(CLI_BAD_INPUT, "--light: plays no part with --lights paper");
+        cli_fail(CLI_BAD_INPUT, "--light: has no effect with --lights paper");
     if ((options.look.light != LIGHT_DEFAULT || options.look.paper) &&
         options.quality == ALGSURF_QUALITY_PREVIEW)
-        cli_fail(CLI_BAD_INPUT, "%s: plays no part in preview quality",
+        cli_fail(CLI_BAD_INPUT, "%s: has no effect in preview quality",
                  options.look.paper ? "--lights" : "--light");
     if (options.thin == THIN_ASKED && options.intersect.method != ALGSURF_METHOD_DEFAULT)
-        cli_fail(CLI_BAD_INPUT, "--thin: plays no part with another --method");
+        cli_fail(CLI_BAD_INPUT, "--thin: has no effect with another --method");
     if (options.quality == ALGSURF_QUALITY_FULL) options.space.real_only = "--quality full";
     if (options.heatmap) options.space.real_only = "--heatmap";
     render_check_space(&options.space, &options.sweep);

@@ -104,9 +104,9 @@ void render_check_space(render_space *space, const render_sweep *sweep) {
     for (int k = 0; k <= ALGSURF_MAX_DEGREE; k++) imaginary |= space->imaginary_given[k];
     space->is_complex = space->sigma || space->delta || imaginary || sweep->kind == SWEEP_DELTA;
     if (!space->is_complex && space->coherent)
-        cli_fail(CLI_BAD_INPUT, "%s: plays no part in real space", space->coherent);
+        cli_fail(CLI_BAD_INPUT, "%s: has no effect in real space", space->coherent);
     if (!space->is_complex) return;
-    if (space->real_only) cli_fail(CLI_BAD_INPUT, "%s: plays no part in complex space", space->real_only);
+    if (space->real_only) cli_fail(CLI_BAD_INPUT, "%s: has no effect in complex space", space->real_only);
     if (sweep->kind == SWEEP_DELTA && space->delta)
         cli_fail(CLI_BAD_INPUT, "--sweep: sets delta; leave %s out", space->delta);
     if (sweep->kind == SWEEP_IMAG && space->imaginary_given[sweep->k])

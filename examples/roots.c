@@ -1,5 +1,7 @@
 /* roots.c - the roots of polynomials, enclosed and counted: roots --help.
  *
+ * Plain arguments are the coefficients of one polynomial; without any, polynomials come from standard input.
+ *
  * One thread takes line by line, so that a line typed is a line answered.  Several take some hundred lines
  * each, and what they found is printed in the order of the lines. */
 #include <errno.h>
@@ -17,7 +19,6 @@
 #include "table.h"
 
 typedef struct roots_options {
-    const char *extra; /* a plain argument, which this program does not take */
     roots_interval real;
     double tolerance;
     int rounded, threads;
@@ -41,42 +42,45 @@ static void set_interval(const cli_option *option, const char *value, void *fiel
 #define FIELD(member) offsetof(roots_options, member), 0, 0
 
 static const cli_option options_table[] = {
-    {"--real", "LO:HI", "only the real roots in LO..HI, ends included; -inf and inf are allowed",
+    {"--real", "LO:HI", "only the real roots from LO to HI, both included; -inf:inf: all real roots",
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
-     "width wanted of an enclosure with --real, default 0: as narrow as the\n"
-     "rounding of the polynomial's values allows; without --real, or where\n"
-     "coefficients do not fit doubles, it always is",
+     "with --real: how wide the interval about a root may be.  Default 0: as narrow as\n"
+     "doubles allow, which is also what all other roots get",
      cli_set_tolerance, FIELD(tolerance)},
     {"--coefficients", "exact|rounded",
-     "decimals are exact (default), or rounded to doubles: verified is then said\n"
-     "of the rounded polynomial",
+     "exact (default): decimals are taken exactly.  rounded: they are rounded to doubles\n"
+     "first, and what is proved holds for the rounded polynomial",
      cli_set_choice, FIELD(rounded)},
-    {"--threads", "N", "1 (default) to 256", cli_set_int, offsetof(roots_options, threads), 1, 256},
+    {"--threads", "N", "how many threads share the lines of the input, 1 (default) to 256", cli_set_int,
+     offsetof(roots_options, threads), 1, 256},
     {"--format", "text|tsv|json",
-     "to be read by people (default) or programs; json: an object a line, with\nnull for '-'", cli_set_choice,
+     "text (default): for people.  tsv: a table.  json: an object a line, with null for\n'-'", cli_set_choice,
      FIELD(format)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "roots",
-    .synopsis = "[options]",
-    .about = "Reads polynomials from standard input, one a line, as coefficients p_0 p_1 ... p_n\n"
-             "separated by blanks, each \"re\" or \"re,im\", decimal or hexadecimal, at most 513; '#'\n"
-             "starts a comment.  Numbers are exact, whatever their length and exponent, up to 9800\n"
-             "decimals from a line's first digit to its last.  Prints all complex roots: an\n"
-             "approximation, a box that is proved to enclose it, and how many roots the box holds: the\n"
-             "multiplicity of one, or a cluster of several.  Zeros at the end of a line lower the\n"
-             "degree: no root is at infinity.\n"
-             "The columns of --format tsv: line, index, re, im, re_lo, re_hi, im_lo, im_hi,\n"
-             "multiplicity, verified (1); a bad line has the index \"error\", and '-' for what does not\n"
-             "exist.  Roots are printed with the fewest digits that read back exactly.",
+    .synopsis = "[options] [P_0 P_1 ... P_N]",
+    .about = "Finds all roots of polynomials, real and complex, and proves them.  A polynomial is given by\n"
+             "its coefficients, lowest degree first: t^2 - 2 is -2 0 1.  Without coefficients on the\n"
+             "command line, polynomials are read from standard input, one a line, with blanks between the\n"
+             "numbers; '#' starts a comment.\n\n"
+             "A coefficient is a real number, or re,im for a complex one, decimal or hexadecimal.\n"
+             "Decimals are exact, whatever their length and exponent, as long as a polynomial has at most\n"
+             "9800 digits from its first to its last.  The degree is at most 512; zeros at the end of a\n"
+             "line lower it.\n\n"
+             "For each root it prints an approximation, an interval or box that is proved to hold it, and\n"
+             "its multiplicity: how many roots, equal or too close to be separated, the box holds.\n"
+             "Numbers have the fewest digits that read back exactly.  The columns of --format tsv: line,\n"
+             "index, re, im, re_lo, re_hi, im_lo, im_hi, multiplicity, verified (always 1).  A line that\n"
+             "is no polynomial has the index \"error\", and '-' in the other columns.",
     .options = options_table,
-    .positional = offsetof(roots_options, extra),
-    .examples = "echo '-4 0 3 0 1' | roots\n"
-                "echo '-4 0 3 0 1' | roots --real 0:inf --format tsv\n"
+    .examples = "roots -2 0 1\n"
+                "roots --real 0:inf -4 0 3 0 1\n"
+                "echo '-4 0 3 0 1' | roots --format tsv\n"
                 "echo '1,2 0 -3.5,0x1p-3' | roots\n"
-                "echo '-0.6 1.1 -0.6 0.1' | roots",
+                "roots -0.6 1.1 -0.6 0.1",
 };
 
 enum { MANY_LINES = 256 }; /* for a thread at once */
@@ -194,6 +198,13 @@ static void print(FILE *file, roots_text *text) {
     text->length = 0;
 }
 
+static void print_answers(batch *b) {
+    if (b->options->format == FORMAT_JSON)
+        print_objects(&b->answers);
+    else
+        print(stdout, &b->answers);
+}
+
 static void make_batches(batch *b, int count, int lines, const roots_options *options,
                          const shortest_powers *powers) {
     for (int i = 0; i < count; i++) {
@@ -242,10 +253,7 @@ static int take_input(batch *b, int count, int most) {
         take_batches(b, count);
         for (int i = 0; i < count; i++) {
             print(stderr, &b[i].complaints);
-            if (b->options->format == FORMAT_JSON)
-                print_objects(&b[i].answers);
-            else
-                print(stdout, &b[i].answers);
+            print_answers(&b[i]);
         }
         progress_lines(&bar, number);
     }
@@ -258,20 +266,46 @@ static int take_input(batch *b, int count, int most) {
     return bad_lines;
 }
 
+/* The arguments as a line of input, with blanks between them; to be freed. */
+static cli_line line_of(char *const *argument, int count) {
+    size_t length = 0;
+    for (int i = 0; i < count; i++) length += strlen(argument[i]) + 1;
+    cli_line line = {malloc(length + 1), 0, length + 1, 1};
+    if (!line.text) cli_no_memory();
+    for (int i = 0; i < count; i++)
+        line.length += (size_t)sprintf(line.text + line.length, "%s ", argument[i]);
+    return line;
+}
+
+/* Returns the number of bad lines: one polynomial, of which nothing is printed when it is bad. */
+static int take_arguments(batch *b, char *const *argument, int count) {
+    cli_line line = line_of(argument, count);
+    take_line(b, &line);
+    free(line.text);
+    if (b->bad_lines == 0 && b->answers.length == 0)
+        cli_fail(CLI_BAD_INPUT, "expected coefficients, lowest degree first, as -2 0 1 for t^2 - 2");
+    if (b->bad_lines > 0) {
+        print(stderr, &b->complaints);
+        return b->bad_lines;
+    }
+    if (b->options->format == FORMAT_TSV) printf("#%s\n", answers.columns);
+    print_answers(b);
+    cli_finish_output();
+    return 0;
+}
+
 int main(int argc, char **argv) {
     roots_options options = {.threads = 1};
     shortest_powers powers;
-    cli_parse(&program, argc, argv, &options);
-    if (options.extra)
-        cli_fail(CLI_BAD_INPUT, "unexpected '%s': polynomials come from standard input",
-                 cli_quote(options.extra).text);
+    int coefficients = cli_parse_files(&program, argc, argv, &options);
     const int lines = options.threads > 1 ? MANY_LINES : 1;
     batch *b = calloc((size_t)options.threads, sizeof *b);
     if (!b) cli_no_memory();
     shortest_fill(&powers);
     make_batches(b, options.threads, lines, &options, &powers);
-    if (options.format == FORMAT_TSV) printf("#%s\n", answers.columns);
-    int bad_lines = take_input(b, options.threads, lines);
+    if (options.format == FORMAT_TSV && coefficients == 0) printf("#%s\n", answers.columns);
+    int bad_lines =
+        coefficients > 0 ? take_arguments(b, argv + 1, coefficients) : take_input(b, options.threads, lines);
     free_batches(b, options.threads, lines);
     return bad_lines > 0 ? CLI_BAD_INPUT : 0;
 }

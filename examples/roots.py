@@ -17,6 +17,10 @@ import sys
 
 NAMES = {"darwin": "libalgsurf.1.dylib", "win32": "libalgsurf-1.dll"}  # elsewhere libalgsurf.so.1
 
+if __name__ == "__main__" and sys.argv[1:] in (["--help"], ["-h"]):  # before the library is looked for
+    print(__doc__.strip())
+    sys.exit(0)
+
 
 def library(platform=sys.platform):
     """The shared library's file on this platform."""

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void complain(roots_complaint *why, const char *format, ...) CLI_FORMAT(2, 3);
 static void complain(roots_complaint *why, const char *format, ...) {
@@ -25,7 +26,8 @@ static void complain(roots_complaint *why, const char *format, ...) {
 enum { MOST_BITS = 1 << 15 }; /* of an integer: 9800 decimals from the first digit of a line to its last */
 
 static int expected_numbers(int k, const char *got, roots_complaint *why) {
-    complain(why, "coefficient %d: expected finite numbers, re or re,im, got '%s'", k, cli_quote(got).text);
+    complain(why, "coefficient %d: expected a number, or re,im, got '%s'%s", k, cli_quote(got).text,
+             strpbrk(got, "^*") ? "; t^2 - 2 is given as -2 0 1" : "");
     return 0;
 }
 
@@ -203,7 +205,7 @@ static int real_to_doubles(const roots_polynomial *p, const roots_interval *wher
 int roots_real(const roots_polynomial *p, const roots_interval *where, double tolerance, roots_row *rows,
                roots_complaint *why) {
     if (!p->real) {
-        complain(why, "not all coefficients are real, as --real needs it");
+        complain(why, "--real: all coefficients must be real");
         return -1;
     }
     return tolerance > 0 && !p->off ? real_to_tolerance(p, where, tolerance, rows, why)

@@ -26,7 +26,7 @@ typedef struct roots_polynomial {
 
 /* Why there is no answer to a line. */
 typedef struct roots_complaint {
-    char text[128];
+    char text[192];
 } roots_complaint;
 
 /* A root or a cluster of roots: the box is proved to hold so many. */

@@ -19,15 +19,15 @@ enum { LARGEST = 65535 };            /* width, height: algsurf_render_options */
 void view_set_size(const cli_option *option, const char *value, void *field) {
     view_options *options = field;
     char text[16];
-    size_t cut = strcspn(value, "x");
-    if (value[cut] == 'x' && cut < sizeof text) {
+    size_t cut = strcspn(value, "xX");
+    if (value[cut] && cut < sizeof text) {
         memcpy(text, value, cut);
         text[cut] = '\0';
         if (cli_whole(text, 1, LARGEST, &options->width) &&
             cli_whole(value + cut + 1, 1, LARGEST, &options->height))
             return;
     }
-    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, each from 1 to %d, got '%s'", option->name, LARGEST,
+    cli_fail(CLI_BAD_INPUT, "%s: expected WxH, as 800x600, each from 1 to %d, got '%s'", option->name, LARGEST,
              cli_quote(value).text);
 }
 
@@ -218,8 +218,8 @@ algsurf_camera view_camera(const view *v, int picture, int pictures) {
             ? algsurf_camera_orthographic(seen.eye, v->look_at, seen.up, v->orthographic, &camera)
             : algsurf_camera_pinhole(seen.eye, v->look_at, seen.up, v->fov, &camera);
     if (status == ALGSURF_E_ARGUMENT)
-        cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must be off the point looked at, and up "
-                                "not along the view");
+        cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must not be the point looked at, nor up "
+                                "point along the view");
     if (status != ALGSURF_OK)
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: %s", algsurf_status_text(status));
     return camera;

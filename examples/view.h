@@ -32,26 +32,36 @@ void view_set_turn(const cli_option *option, const char *value, void *field);
 /* clang-format off */
 /* The rows of the option table for the member `view` of a structure. */
 #define VIEW_OPTIONS(type)                                                                                   \
-    {"--size", "WxH", "size of the picture, default 1024x768", view_set_size, offsetof(type, view), 0, 0},   \
-    {"--eye", "X,Y,Z", "where the camera stands; default: far enough to frame the extent", cli_set_vector,   \
-     offsetof(type, view.eye), 0, 0},                                                                        \
-    {"--look-at", "X,Y,Z", "what is in the middle, default the centre of the extent", cli_set_vector,        \
-     offsetof(type, view.look_at), 0, 0},                                                                    \
-    {"--up", "X,Y,Z", "what is up in the picture, default 0,0,1", cli_set_vector,                            \
-     offsetof(type, view.up), 0, 0},                                                                         \
-    {"--fov", "DEGREES", "vertical field of view, default 25; less magnifies, the eye stays", view_set_fov,   \
-     offsetof(type, view.fov), 0, 0},                                                                        \
-    {"--orthographic", "HEIGHT", "parallel projection; the height of the picture in space",                  \
-     view_set_orthographic, offsetof(type, view.orthographic), 0, 0},                                        \
-    {"--zoom", "TIMES", "how many times larger than without this option; the eye stays", view_set_zoom,      \
-     offsetof(type, view.zoom), 0, 0},                                                                       \
-    {"--turn", "AZ,EL", "the eye goes so many degrees to the right and upwards, about the point looked at",   \
-     view_set_turn, offsetof(type, view.turn), 0, 0},                                                        \
+    {"--size", "WxH", "width and height of the picture in pixels, default 1024x768", view_set_size,          \
+     offsetof(type, view), 0, 0},                                                                            \
     {"--extent", "sphere:R|box:X,Y,Z",                                                                       \
-     "what is shown (half sizes); default: as suits the named surface;\nof an equation all of it, or what is near the origin",                \
+     "shows only what lies in a ball of radius R, or in a box from -X,-Y,-Z to X,Y,Z.\n"                     \
+     "Default for a named surface: what suits it; for an equation: all of the surface,\n"                    \
+     "or, if it goes on for ever, what is near its singular points or the origin",                           \
      cli_set_extent, offsetof(type, view.extent), 0, 0},                                                     \
-    {"--centre", "X,Y,Z", "the centre of the extent, default 0,0,0 (boy: 0,0,1)", cli_set_vector,            \
-     offsetof(type, view.centre), 0, 0}
+    {"--centre", "X,Y,Z", "the centre of that ball or box, default 0,0,0 (boy: 0,0,1)", cli_set_vector,      \
+     offsetof(type, view.centre), 0, 0},                                                                     \
+    {"--zoom", "TIMES",                                                                                      \
+     "magnifies the picture: 2 shows all things twice as large, 0.5 half as large;\n"                        \
+     "the camera stays where it is", view_set_zoom, offsetof(type, view.zoom), 0, 0},                        \
+    {"--turn", "AZ,EL",                                                                                      \
+     "moves the camera around the point it looks at: AZ degrees to the right, then\n"                        \
+     "EL degrees up; default 0,0", view_set_turn, offsetof(type, view.turn), 0, 0},                          \
+    {"--eye", "X,Y,Z", "where the camera stands; default: where the surface fills the picture",              \
+     cli_set_vector, offsetof(type, view.eye), 0, 0},                                                        \
+    {"--look-at", "X,Y,Z",                                                                                   \
+     "the point in the middle of the picture; default: the middle of what is shown",                         \
+     cli_set_vector, offsetof(type, view.look_at), 0, 0},                                                    \
+    {"--up", "X,Y,Z", "the direction in space that is up in the picture, default 0,0,1", cli_set_vector,     \
+     offsetof(type, view.up), 0, 0},                                                                         \
+    {"--fov", "DEGREES",                                                                                     \
+     "field of view: the angle between the bottom and the top of the picture, default\n"                     \
+     "25; less magnifies, and the camera stays where it is", view_set_fov,                                   \
+     offsetof(type, view.fov), 0, 0},                                                                        \
+    {"--orthographic", "HEIGHT",                                                                             \
+     "parallel projection instead of perspective; HEIGHT is the distance in space\n"                         \
+     "between the bottom and the top of the picture",                                                        \
+     view_set_orthographic, offsetof(type, view.orthographic), 0, 0}
 /* clang-format on */
 
 /* Fills in what a file of SURFER says of extent and camera and the options do not. */

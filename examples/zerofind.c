@@ -81,39 +81,44 @@ static void set_ray(const cli_option *option, const char *value, void *field) {
 #define FIELD(member) offsetof(zerofind_options, member), 0, 0
 
 static const cli_option options_table[] = {
+    CLI_HEADING("The surface"),
     CLI_SURFACE_OPTIONS(zerofind_options),
-    {"--pixel", "X,Y", "the ray through the middle of that pixel, from 0,0 in the upper left corner",
-     set_pixel, FIELD(pixel)},
+    CLI_HEADING("The ray"),
+    {"--pixel", "X,Y", "the ray through the middle of that pixel; 0,0 is the upper left corner", set_pixel,
+     FIELD(pixel)},
     {"--ray", "OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]",
-     "the ray o + t d, default 0 <= t < inf; it needs no camera, and --size,\n"
-     "--eye, --look-at, --up, --fov, --orthographic, --zoom, --turn are refused with\nit",
+     "the ray o + t d, TMIN <= t <= TMAX, default 0 and inf; not with the options of the\n"
+     "camera: --size, --eye, --look-at, --up, --fov, --orthographic, --zoom, --turn",
      set_ray, FIELD(ray)},
+    CLI_HEADING("The view, as for render"),
     VIEW_OPTIONS(zerofind_options),
+    CLI_HEADING("The search and what is written"),
     {"--method", "default|brent|bisection|regula-falsi",
-     "how the isolated root is refined; default: Newton's method, guarded by\nits bracket", cli_set_method,
-     FIELD(method)},
-    {"--tolerance", "EPS", "wanted error of t, default 0: all a double can tell", cli_set_tolerance,
+     "how the root is computed when an interval is found that holds it alone; default:\n"
+     "Newton's method, kept inside that interval",
+     cli_set_method, FIELD(method)},
+    {"--tolerance", "EPS", "how much t may be wrong, default 0: as little as doubles can", cli_set_tolerance,
      FIELD(tolerance)},
-    {"--output", "FILE", "the plot, an SVG document; - is standard output", cli_set_text, FIELD(output)},
+    {"--output", "FILE", "the plot, an SVG file; also -o; - is standard output", cli_set_text, FIELD(output)},
     {"--trace", NULL,
-     "prints the search as a table on standard output: number, what it is\n"
-     "(cell, end, iterate, root, other, uncertain), t, P*(t), the bracket known\n"
-     "then, the signs of a cell's Bernstein coefficients, and who looked:\n"
-     "doubles or integers; makes --output optional",
+     "prints the search as a table on standard output; --output may then be left out.\n"
+     "The columns: k, a number; point, what the row is: cell, end, iterate, root, other\n"
+     "(a later root) or uncertain; t; P, the value P*(t); t_lo, t_hi, the interval known\n"
+     "then; signs, of a cell's Bernstein coefficients; engine, doubles or integers",
      cli_set_flag, FIELD(trace)},
-    {"--format", "tsv|json", "of --trace: a table (default); or an object a line, with null for '-'",
-     cli_set_choice, FIELD(json)},
+    {"--format", "tsv|json",
+     "of --trace.  tsv (default): a table.  json: an object a line, with null for '-'", cli_set_choice,
+     FIELD(json)},
     {NULL, NULL, NULL, NULL, 0, 0, 0}};
 
 static const cli_program program = {
     .name = "zerofind",
     .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
                 "                (NAME | EQUATION | --terms FILE)",
-    .about = "Plots the polynomial P*(t) = P(o + t d) of a surface P = 0 along one ray, as far as it\n"
-             "is inside the extent: the roots, the cell that isolates the first one, and every\n"
-             "iterate on the way to it, as the library finds them.  NAME is one of those that render --list "
-             "shows; pixels,\n"
-             "camera and extent are as for render.",
+    .about = "Shows how the first hit of one ray o + t d with a surface P = 0 is found.  It plots the\n"
+             "polynomial P*(t) = P(o + t d) along the ray, as far as the ray is inside the extent, with\n"
+             "its roots, the interval that holds the first one alone, and each step towards it.  NAME is\n"
+             "a surface that render --list shows.",
     .options = options_table,
     .positional = offsetof(zerofind_options, surface.name),
     .examples = "zerofind barth --pixel 500,300 --output p.svg\n"
@@ -130,7 +135,7 @@ static void refuse_camera(const view_options *asked) {
         {"--fov", asked->fov > 0},           {"--orthographic", asked->orthographic > 0},
         {"--zoom", asked->zoom > 0},         {"--turn", asked->turn[0] != 0 || asked->turn[1] != 0}};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
-        if (options[i].given) cli_fail(CLI_BAD_INPUT, "%s: plays no part with --ray", options[i].name);
+        if (options[i].given) cli_fail(CLI_BAD_INPUT, "%s: has no effect with --ray", options[i].name);
 }
 
 static zerofind_options parse(int argc, char **argv) {
@@ -142,9 +147,9 @@ static zerofind_options parse(int argc, char **argv) {
                  options.pixel.given ? "only one of" : "one of");
     if (!options.output && !options.trace)
         cli_fail(CLI_BAD_INPUT, "expected --output FILE.svg, or --trace for a table");
-    if (options.json && !options.trace) cli_fail(CLI_BAD_INPUT, "--format: plays no part without --trace");
+    if (options.json && !options.trace) cli_fail(CLI_BAD_INPUT, "--format: has no effect without --trace");
     if (options.trace && options.output && strcmp(options.output, "-") == 0)
-        cli_fail(CLI_BAD_INPUT, "--output: '-' holds the plot or the table of --trace, not both");
+        cli_fail(CLI_BAD_INPUT, "--output: '-' takes the plot or the table of --trace, not both");
     if (options.ray.given) refuse_camera(&options.view);
     if (options.surface.file) view_follow(&options.view, options.surface.file);
     view_check(&options.view);

@@ -72,11 +72,27 @@ static void test_guess(void **unused) {
     guesses("", NULL);
     guesses("--", NULL);
     guesses("--picture", NULL);
+    guesses("--hp", NULL); /* half of its letters are missing: dashes are none */
+    guesses("--hep", "--help");
     guesses("--0123456789012345678901234567890123456789", NULL);
+}
+
+/* Words of other programs.  Catches: dashes that count, a part of a word that passes for it, a second use
+ * lost. */
+static void test_meaning(void **unused) {
+    (void)unused;
+    cli_guess cut = cli_guess_begin("--cut=1,2,3,4", 5), width = cli_guess_begin("-width", 6);
+    cli_guess wide = cli_guess_begin("--widths", 8), none = cli_guess_begin("--", 2);
+    assert_string_equal(cli_guess_meaning(&cut, 0), "--clip A,B,C,D");
+    assert_string_equal(cli_guess_meaning(&cut, 1), "--extent box:X,Y,Z");
+    assert_null(cli_guess_meaning(&cut, 2));
+    assert_string_equal(cli_guess_meaning(&width, 0), "--size WxH");
+    assert_null(cli_guess_meaning(&wide, 0));
+    assert_null(cli_guess_meaning(&none, 0));
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_read), cmocka_unit_test(test_values),
-                                       cmocka_unit_test(test_guess)};
+                                       cmocka_unit_test(test_guess), cmocka_unit_test(test_meaning)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

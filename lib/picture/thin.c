@@ -15,9 +15,10 @@
  *   with a corner of the box, where a diagonal neighbour's ray passes, account for cells of the group up to
  *   NEAR columns from them, at depths where they are inside.  (A straight outline that touches the pixel, but
  *   does not reach its middle, has a corner of the box inside.)
- * - where it hangs together with what a neighbour's ray hits, in the half of the pixel on that neighbour's side.
- *   An outline that does not reach the pixel's middle is in such halves, one where P is a square and no column
- *   is inside among them; a line that goes through the pixel, or begins at a sheet, is not.
+ * - where it hangs together with what a neighbour's ray hits: in the half of the pixel on that neighbour's
+ *   side, and a column beyond.  An outline that does not reach the pixel's middle is in such halves, also where
+ *   P is a square, so that nothing is inside, or where sheets meet in a cusp, too close for a column between
+ *   them.  A line that goes on from there to the other side of the pixel is not.
  * What is left in the pixel itself, and cannot be proved empty in columns SHARPER times as narrow, is thin.
  *
  * Nothing is lost.  Where P is 0 and its gradient too, no cell has a sign and none grows; where moreover P
@@ -248,12 +249,12 @@ static int passes(int column, int i, int j) {
     return across && (j == 0 ? y == 1 || y == -1 : j * y == FINEST - 1);
 }
 
-/* The columns on a neighbour's side of the middle. */
+/* The columns on a neighbour's side of the middle, and next to it. */
 static uint64_t side_of(int i, int j) {
     uint64_t side = 0;
     for (int column = 0; column < FINEST * FINEST; column++) {
         int x = 2 * (column % FINEST) + 1 - FINEST, y = 2 * (column / FINEST) + 1 - FINEST;
-        if (i * x + j * y > 0) side |= (uint64_t)1 << column;
+        if (i * x + j * y >= -(i * i + j * j)) side |= (uint64_t)1 << column;
     }
     return side;
 }
@@ -349,10 +350,11 @@ int algsurf_i_is_thin(const algsurf_i_thin_box *box, double *depth) {
     }
     for (int i = 0; i < s.count; i++) {
         if (s.cells[i].group != i || !is_open(&s, i) || (ends_at_hit && reaches_end(&s, i))) continue;
-        if (first_place(&s, i, 0) > 1) continue;
+        double place = first_place(&s, i, 0);
+        if (place > 1) continue;
         if (!looked) box->look_beside(box->looker, beside);
         looked = 1;
-        first = fmin(first, first_place(&s, i, met_beside(&s, i, beside)));
+        if (first_place(&s, i, met_beside(&s, i, beside)) <= 1) first = fmin(first, place);
     }
     *depth = s.box.from + first * (s.box.to - s.box.from);
     return first <= 1;
