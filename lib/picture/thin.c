@@ -102,9 +102,10 @@ static void search_column(search *s, const algsurf_i_column *c, int column) {
         double to = w.from + w.length;
         unsigned growth = 0, sign = algsurf_i_column_cut(&s->box, c, w.from, to, &part);
         int last = w.length <= s->shortest || ++w.looks >= MOST_LOOKS;
-        if (!sign && (last || w.length <= s->longest))
+        if (!sign && (last || w.length <= s->longest)) {
             growth = algsurf_i_column_growth(&s->box, &part, w.length);
-        if (!sign && !is_sheet(growth)) sign = algsurf_i_column_square_sign(&s->box, &part);
+            if (!is_sheet(growth)) sign = algsurf_i_column_square_sign(&s->box, &part);
+        }
         if (!sign && !last && !is_sheet(growth)) {
             w.length /= 2;
             continue;

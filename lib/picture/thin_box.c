@@ -23,8 +23,9 @@
  * of its terms do not tell.  In a part, with zeta in [-1,1] along it, P is a quadratic in (xi',eta',zeta) and a
  * rest: the terms 1; xi', eta'; and those of the second order are taken as polynomials of degree 2, 1 and 0 in
  * zeta, and the rest is at most the largest difference in a Bernstein coefficient.  A variable x with
- * a x^2 + l x, a > 0, l linear in the others, is at least -l^2 / (4a); or its least value for the range of l.
- * What these say of one variable after the other, the better at each step, bounds the quadratic from below.
+ * a x^2 + l x, a > 0, l linear in the others, is at least -l^2 / (4a); or, where |l| may be 2a or more, at
+ * least a - max |l|.  What these say of one variable after the other, the better at each step, bounds the
+ * quadratic from below.
  * Its roundings are less than 2^-44 of the sum of its coefficients: what is subtracted from one of them is
  * larger than that only where the bound is below zero.
  *
@@ -214,10 +215,11 @@ static double follow(const algsurf_i_column *c, int term, int n, int order, doub
     p[2] = bends ? 0.125 * n * ((last - c->t[n - 1][term]) - (c->t[1][term] - first)) : 0;
     p[1] = order > 0 ? 0.5 * (last - first) : 0;
     p[0] = 0.5 * (first + last) - p[2];
-    for (int k = 0; k <= n; k++) {
-        double zeta = n > 0 ? 2.0 * k / n - 1 : 0;
-        double square = bends ? 4.0 * k * (k - 1) / (n * (n - 1)) - 4.0 * k / n + 1 : 0;
-        rest = fmax(rest, fabs(c->t[k][term] - (p[0] + p[1] * zeta + p[2] * square)));
+    double step = n > 0 ? 2.0 / n : 0, bend = bends ? step / (n - 1) : 0;
+    for (int k = 0; k <= n; k++) { /* Bernstein coefficients of zeta and zeta^2 */
+        double zeta = k * step - 1, square = 2 * (k * (k - 1) * bend - k * step) + 1;
+        double off = fabs(c->t[k][term] - (p[0] + p[1] * zeta + p[2] * square));
+        rest = off > rest ? off : rest;
     }
     return rest;
 }
@@ -226,7 +228,7 @@ static double follow(const algsurf_i_column *c, int term, int n, int order, doub
 static double quadratic_of(const algsurf_i_column *c, int n, quadratic *q) {
     double p[LOW_TERMS][3], rest = 0, third = 0, sum = 0;
     for (int i = 0; i < LOW_TERMS; i++) rest += follow(c, i, n, i == T00 ? 2 : i <= T01 ? 1 : 0, p[i]);
-    for (int k = 0; k <= n; k++) third = fmax(third, c->t[k][THIRD]);
+    for (int k = 0; k <= n; k++) third = c->t[k][THIRD] > third ? c->t[k][THIRD] : third;
     *q = (quadratic){p[T00][0],
                      {p[T10][0], p[T01][0], p[T00][1]},
                      {{p[T20][0], p[T11][0], p[T10][1]}, {0, p[T02][0], p[T01][1]}, {0, 0, p[T00][2]}}};
@@ -234,26 +236,22 @@ static double quadratic_of(const algsurf_i_column *c, int n, quadratic *q) {
     return rest + third + 0x1p-44 * sum;
 }
 
-/* The least value of a x^2 + l x for |x| <= 1, |l| <= largest. */
-static double least_part(double a, double largest) {
-    return largest < 2 * a ? -0.25 * largest * largest / a : a - largest;
-}
-
+/* A bound from below, for all |x_i| <= 1; left: the variables that there are, a bit each. */
 static double least_value(const quadratic *q, unsigned left) {
     int x = -1;
-    double largest, best;
     for (int i = 0; i < 3; i++)
         if (left >> i & 1 && (x < 0 || q->square[i][i] > q->square[x][x])) x = i;
     if (x < 0) return q->constant;
     quadratic rest = *q, squares = *q;
-    double a = q->square[x][x];
+    double a = q->square[x][x], largest = fabs(q->linear[x]), best = -HUGE_VAL;
     left &= ~(1u << x);
-    largest = fabs(q->linear[x]);
     for (int i = 0; i < 3; i++)
         if (left >> i & 1) largest += fabs(*entry(&rest, x, i));
-    rest.constant += least_part(a, largest);
-    best = least_value(&rest, left);
-    if (!(a > 0)) return best;
+    if (!(largest < 2 * a)) { /* else squares say more */
+        rest.constant += a - largest;
+        best = least_value(&rest, left);
+        if (!(a > 0)) return best;
+    }
     squares.constant -= 0.25 * q->linear[x] * q->linear[x] / a;
     for (int i = 0; i < 3; i++) {
         if (!(left >> i & 1)) continue;
@@ -277,6 +275,8 @@ unsigned algsurf_i_column_square_sign(const algsurf_i_solid *s, const algsurf_i_
             for (int j = i; j < 3; j++) q.square[i][j] = -q.square[i][j];
         }
     }
+    for (int i = 0; i < 3; i++) /* at the ends of the axes */
+        if (!(q.constant + q.square[i][i] - fabs(q.linear[i]) > rest)) return 0;
     return q.constant > rest && least_value(&q, 7) > rest ? sign : 0;
 }
 
