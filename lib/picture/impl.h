@@ -278,6 +278,9 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
 /* Are there forms for tiles as small as pixels, and all rays of a row within their bounds? */
 int algsurf_i_has_cells(const algsurf_i_picture *picture, double y);
 
+/* The pixels of a row whose rays are within the bounds of forms, and those of the pixels about them. */
+void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin, int *end);
+
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
 
