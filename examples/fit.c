@@ -16,6 +16,7 @@
 #include "fit.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,20 +29,23 @@ static const double AROUND = 1.2;          /* about what is seen then */
 static const double PRECISION = 1.0 / 16;
 static const double LEAST_UNIT = 1e-140, MOST_UNIT = 1e140; /* squares are in range */
 
-static void demand(algsurf_status status) {
-    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "fitting the view: %s", algsurf_status_text(status));
+/* The first thing that failed is kept; what follows it may be anything, and is not used. */
+static void demand(algsurf_status *failed, algsurf_status status) {
+    if (*failed == ALGSURF_OK) *failed = status;
 }
 
 /* ---- extent ---- */
 
-static double unit_of(const algsurf_surface *surface) {
+static double unit_of(const algsurf_surface *surface, algsurf_status *failed) {
     double largest[ALGSURF_MAX_DEGREE + 1] = {0}, unit = 0;
     size_t count = algsurf_surface_term_count(surface);
     int n = algsurf_surface_degree(surface);
     algsurf_term *terms = malloc((count + 1) * sizeof *terms);
-    if (!terms) cli_no_memory();
-    demand(algsurf_surface_terms(surface, terms));
+    if (!terms) {
+        demand(failed, ALGSURF_E_NO_MEMORY);
+        return 1;
+    }
+    demand(failed, algsurf_surface_terms(surface, terms));
     for (size_t i = 0; i < count; i++) {
         double *of_degree = &largest[terms[i].i + terms[i].j + terms[i].k];
         *of_degree = fmax(*of_degree, fabs(terms[i].a));
@@ -57,15 +61,17 @@ typedef struct box {
     int empty;
 } box;
 
-static box enclose_in(const algsurf_surface *surface, const algsurf_extent *extent, int part) {
+static box enclose_in(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+                      algsurf_status *failed) {
     box found = {.empty = 1};
-    demand(algsurf_surface_enclose(surface, extent, part, PRECISION, found.lo, found.hi, &found.empty));
+    demand(failed,
+           algsurf_surface_enclose(surface, extent, part, PRECISION, found.lo, found.hi, &found.empty));
     return found;
 }
 
-static box enclose(const algsurf_surface *surface, double half, int part) {
+static box enclose(const algsurf_surface *surface, double half, int part, algsurf_status *failed) {
     const algsurf_extent all = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {half, half, half}};
-    return enclose_in(surface, &all, part);
+    return enclose_in(surface, &all, part, failed);
 }
 
 /* Is all of it within half the size of a box about the origin? */
@@ -119,16 +125,17 @@ static double half_edge(const box *b, double middle[3]) {
     return half;
 }
 
-static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *extent) {
-    box b;
-    demand(algsurf_surface_enclose(surface, extent, ALGSURF_PART_ALL, 1, b.lo, b.hi, &b.empty));
+static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *extent,
+                         algsurf_status *failed) {
+    box b = {.empty = 0};
+    demand(failed, algsurf_surface_enclose(surface, extent, ALGSURF_PART_ALL, 1, b.lo, b.hi, &b.empty));
     return b.empty;
 }
 
-static algsurf_extent unbounded_extent(const algsurf_surface *surface, double unit) {
+static algsurf_extent unbounded_extent(const algsurf_surface *surface, double unit, algsurf_status *failed) {
     algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
     double radius = USUAL * unit, middle[3];
-    const box singular = enclose(surface, FAR * unit, ALGSURF_PART_SINGULAR);
+    const box singular = enclose(surface, FAR * unit, ALGSURF_PART_SINGULAR, failed);
     if (ends_within(&singular, FAR * unit)) {
         double half = half_edge(&singular, middle);
         radius = fmax(radius, ROOM * half);
@@ -136,20 +143,20 @@ static algsurf_extent unbounded_extent(const algsurf_surface *surface, double un
             if (fabs(middle[i]) > 0.1 * radius) ball.centre[i] = rounded_place(middle[i], radius);
     }
     ball.size[0] = rounded_up(radius);
-    for (int k = 0; k < 8 && is_nothing_in(surface, &ball); k++) ball.size[0] *= 2;
+    for (int k = 0; k < 8 && is_nothing_in(surface, &ball, failed); k++) ball.size[0] *= 2;
     return ball;
 }
 
-static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounded) {
-    double unit = unit_of(surface), half = FAR * unit;
-    box all = enclose(surface, half, ALGSURF_PART_ALL);
+static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounded, algsurf_status *failed) {
+    double unit = unit_of(surface, failed), half = FAR * unit;
+    box all = enclose(surface, half, ALGSURF_PART_ALL, failed);
     for (int k = 0; k < FARTHER && !ends_within(&all, half); k++) {
         half *= FAR;
-        all = enclose(surface, half, ALGSURF_PART_ALL);
+        all = enclose(surface, half, ALGSURF_PART_ALL, failed);
     }
     *bounded = all.empty || ends_within(&all, half);
     if (all.empty) return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {rounded_up(FAR * unit), 0, 0}};
-    return *bounded ? ball_about(&all) : unbounded_extent(surface, unit);
+    return *bounded ? ball_about(&all) : unbounded_extent(surface, unit, failed);
 }
 
 /* ---- camera ---- */
@@ -166,20 +173,21 @@ typedef struct glance {
     algsurf_scene *scene;
     unsigned char *state;
     double *t;
+    algsurf_status *failed;
 } glance;
 
 static glance open_glance(const view_options *options, const algsurf_surface *surface,
-                          const algsurf_extent *extent, int thin) {
+                          const algsurf_extent *extent, int thin, algsurf_status *failed) {
     static const double any_colour[3] = {1, 1, 1};
-    glance g = {.height = ROWS};
+    glance g = {.height = ROWS, .failed = failed};
     double width = fmin(MOST_COLUMNS, fmax(1, round((double)ROWS * options->width / options->height)));
     g.width = (int)width;
     g.state = malloc((size_t)g.width * ROWS);
     g.t = malloc((size_t)g.width * ROWS * sizeof *g.t);
-    if (!g.state || !g.t) cli_no_memory();
-    demand(algsurf_scene_create(surface, &g.scene));
-    demand(algsurf_scene_set_extent(g.scene, extent));
-    demand(algsurf_scene_set_thin(g.scene, thin ? any_colour : NULL));
+    if (!g.state || !g.t) demand(failed, ALGSURF_E_NO_MEMORY);
+    demand(failed, algsurf_scene_create(surface, &g.scene));
+    demand(failed, algsurf_scene_set_extent(g.scene, extent));
+    demand(failed, algsurf_scene_set_thin(g.scene, thin ? any_colour : NULL));
     return g;
 }
 
@@ -194,8 +202,9 @@ static int look(glance *g, const algsurf_camera *camera, int rectangle[4]) {
     const algsurf_render_options size = {.size = sizeof size, .width = g->width, .height = g->height};
     const algsurf_picture planes = {.size = sizeof planes, .state = g->state, .t = g->t};
     int left = g->width, right = 0, top = g->height, bottom = 0;
-    demand(algsurf_scene_set_camera(g->scene, camera));
-    demand(algsurf_render(g->scene, &size, &planes, NULL));
+    demand(g->failed, algsurf_scene_set_camera(g->scene, camera));
+    demand(g->failed, algsurf_render(g->scene, &size, &planes, NULL));
+    if (*g->failed != ALGSURF_OK) return 0;
     for (int y = 0; y < g->height; y++)
         for (int x = 0; x < g->width; x++) {
             if (g->state[y * g->width + x] == ALGSURF_MISS) continue;
@@ -210,11 +219,12 @@ static int look(glance *g, const algsurf_camera *camera, int rectangle[4]) {
 /* The distance from the extent's centre of the farthest point that a ray meets. */
 static double reach_of(const glance *g, const algsurf_camera *camera, const double centre[3]) {
     double reach = 0;
-    for (int i = 0; i < g->width * g->height; i++) {
-        algsurf_ray ray;
+    for (int i = 0; i < g->width * g->height && *g->failed == ALGSURF_OK; i++) {
+        algsurf_ray ray = {.t_max = 0};
         double square = 0;
         if (g->state[i] == ALGSURF_MISS || g->state[i] == ALGSURF_THIN) continue;
-        demand(algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5, i / g->width + 0.5, &ray));
+        demand(g->failed,
+               algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5, i / g->width + 0.5, &ray));
         for (int k = 0; k < 3; k++) {
             double away = ray.origin[k] + g->t[i] * ray.direction[k] - centre[k];
             square += away * away;
@@ -240,8 +250,8 @@ static void set_eye(view *v, const double back[3], double half, double radius) {
 }
 
 /* Looks at what is small in the extent. */
-static void aim(view *v, const algsurf_surface *surface, double radius) {
-    const box all = enclose_in(surface, &v->extent, ALGSURF_PART_ALL);
+static void aim(view *v, const algsurf_surface *surface, double radius, algsurf_status *failed) {
+    const box all = enclose_in(surface, &v->extent, ALGSURF_PART_ALL, failed);
     double back[3], middle[3], half = all.empty ? 0 : sqrt(3) * half_edge(&all, middle);
     if (!(half > 0 && half < SMALL * radius)) return;
     for (int i = 0; i < 3; i++) {
@@ -253,10 +263,11 @@ static void aim(view *v, const algsurf_surface *surface, double radius) {
 
 /* Moves the view once towards what fills the picture; 0 when it is there, or nothing is seen. */
 static int move(glance *g, view *v, double radius) {
-    const algsurf_camera camera = view_camera(v, 0, 1);
+    algsurf_camera camera;
     int seen[4];
     double back[3];
-    if (!look(g, &camera, seen)) return 0;
+    demand(g->failed, view_make_camera(v, 0, 1, &camera));
+    if (*g->failed != ALGSURF_OK || !look(g, &camera, seen)) return 0;
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
     double half = camera.half_height * length(back), pixel = 2 * half / g->height;
     double aside = 0.5 * (seen[0] + seen[1] - g->width), down = 0.5 * (seen[2] + seen[3] - g->height);
@@ -285,25 +296,6 @@ static void round_camera(view *v, int turned) {
 
 /* ---- both ---- */
 
-static void tell(const view *v, int extent, int camera, int fov, int turned) {
-    const double *c = v->extent.centre, *e = v->eye, *l = v->look_at, *u = v->up;
-    char text[600];
-    int at = 0;
-    if (extent)
-        at += snprintf(text + at, sizeof text - (size_t)at, " --extent sphere:%.15g", v->extent.size[0]);
-    if (extent && (c[0] != 0 || c[1] != 0 || c[2] != 0))
-        at += snprintf(text + at, sizeof text - (size_t)at, " --centre %.15g,%.15g,%.15g", c[0], c[1], c[2]);
-    if (camera)
-        at += snprintf(text + at, sizeof text - (size_t)at,
-                       " --eye %.15g,%.15g,%.15g --look-at %.15g,%.15g,%.15g", e[0], e[1], e[2], l[0], l[1],
-                       l[2]);
-    if (camera && turned) /* the eye has been turned already */
-        at += snprintf(text + at, sizeof text - (size_t)at, " --up %.15g,%.15g,%.15g --turn 0,0", u[0], u[1],
-                       u[2]);
-    if (fov) snprintf(text + at, sizeof text - (size_t)at, " --fov %.15g", v->fov);
-    if (extent || camera) cli_complain("chosen:%s", text);
-}
-
 /* Where the camera stands at first. */
 static void stand_off(view *v, const view_options *options) {
     view_options with_extent = *options;
@@ -314,43 +306,53 @@ static void stand_off(view *v, const view_options *options) {
 }
 
 /* Fits the camera; returns how far what is seen reaches from the extent's centre. */
-static double fit_camera(view *v, const view_options *options, const algsurf_surface *surface, int thin) {
+static double fit_camera(view *v, const view_options *options, const algsurf_surface *surface, int thin,
+                         algsurf_status *failed) {
     const algsurf_extent *extent = &v->extent;
-    double radius = extent->kind == ALGSURF_EXTENT_BOX ? length(extent->size) : extent->size[0];
-    glance g = open_glance(options, surface, extent, thin);
-    if (options->extent.given || options->centre.given) aim(v, surface, radius);
-    for (int round = 0; round < ROUNDS && move(&g, v, radius); round++) {
+    double radius = extent->kind == ALGSURF_EXTENT_BOX ? length(extent->size) : extent->size[0], reach = 0;
+    glance g = open_glance(options, surface, extent, thin, failed);
+    algsurf_camera camera;
+    if (options->extent.given || options->centre.given) aim(v, surface, radius, failed);
+    for (int round = 0; round < ROUNDS && *failed == ALGSURF_OK && move(&g, v, radius); round++) {
     }
-    const algsurf_camera camera = view_camera(v, 0, 1);
-    double reach = reach_of(&g, &camera, extent->centre);
+    demand(failed, view_make_camera(v, 0, 1, &camera));
+    if (*failed == ALGSURF_OK) reach = reach_of(&g, &camera, extent->centre);
     close_glance(&g);
     return reach;
 }
 
-void fit_view(view *v, const view_options *asked, const algsurf_surface *surface, int extent_only, int thin) {
+algsurf_status fit_choose(view *v, const view_options *asked, const algsurf_surface *surface, int extent_only,
+                          int thin, fit_choice *choice) {
     view_options usual = *asked; /* what magnifies does so afterwards */
     const view_options *options = &usual;
+    algsurf_status failed = ALGSURF_OK;
     usual.fov = usual.zoom = 0;
     *v = view_make(options, NULL);
     int choose_extent = !options->extent.given && !options->centre.given, bounded = 1;
     int choose_camera =
         !options->eye.given && !options->look_at.given && !(options->orthographic > 0) && !extent_only;
     if (choose_extent) {
-        v->extent = fitting_extent(surface, &bounded);
+        v->extent = fitting_extent(surface, &bounded, &failed);
         stand_off(v, options);
     }
     double fov = v->fov;
     int turned = options->turn[0] != 0 || options->turn[1] != 0;
     if (choose_camera) {
-        double reach = fit_camera(v, options, surface, thin);
+        double reach = fit_camera(v, options, surface, thin, &failed);
         if (!bounded && reach > 0 && reach < LONELY * v->extent.size[0]) { /* all that goes on are lines */
             v->extent.size[0] = rounded_up(AROUND * reach);
             stand_off(v, options);
-            (void)fit_camera(v, options, surface, 0);
+            (void)fit_camera(v, options, surface, 0, &failed);
         }
         round_camera(v, turned);
     }
-    tell(v, choose_extent, choose_camera, v->fov != fov && !(asked->fov > 0), turned);
+    *choice = (fit_choice){.extent = choose_extent,
+                           .camera = choose_camera,
+                           .narrowed = v->fov != fov && !(asked->fov > 0),
+                           .turned = turned,
+                           .bounded = bounded,
+                           .fov = v->fov};
     if (asked->fov > 0) v->fov = asked->fov;
     view_zoom(v, asked->zoom);
+    return failed;
 }

@@ -209,14 +209,17 @@ view view_make(const view_options *options, const catalogue_entry *entry) {
     return v;
 }
 
-algsurf_camera view_camera(const view *v, int picture, int pictures) {
-    algsurf_camera camera;
+algsurf_status view_make_camera(const view *v, int picture, int pictures, algsurf_camera *camera) {
     view seen = *v;
     if (picture > 0) turn_eye(&seen, v->axis, 2 * PI * picture / pictures);
-    algsurf_status status =
-        v->orthographic > 0
-            ? algsurf_camera_orthographic(seen.eye, v->look_at, seen.up, v->orthographic, &camera)
-            : algsurf_camera_pinhole(seen.eye, v->look_at, seen.up, v->fov, &camera);
+    return v->orthographic > 0
+               ? algsurf_camera_orthographic(seen.eye, v->look_at, seen.up, v->orthographic, camera)
+               : algsurf_camera_pinhole(seen.eye, v->look_at, seen.up, v->fov, camera);
+}
+
+algsurf_camera view_camera(const view *v, int picture, int pictures) {
+    algsurf_camera camera;
+    algsurf_status status = view_make_camera(v, picture, pictures, &camera);
     if (status == ALGSURF_E_ARGUMENT)
         cli_fail(CLI_BAD_INPUT, "--eye, --look-at, --up: the eye must not be the point looked at, nor up "
                                 "point along the view");

@@ -85,7 +85,10 @@ view view_make(const view_options *options, const catalogue_entry *entry);
 void view_zoom(view *v, double times);
 
 /* The camera of picture number `picture` (from 0) of a turn of `pictures` about the axis through
- * the point looked at.  Ends the program when there is no such camera. */
+ * the point looked at. */
+algsurf_status view_make_camera(const view *v, int picture, int pictures, algsurf_camera *camera);
+
+/* The same, and the end of the program when there is no such camera. */
 algsurf_camera view_camera(const view *v, int picture, int pictures);
 
 /* The scene's material with the catalogue's colours; without a name (null) as it is. */

@@ -64,8 +64,9 @@ class Surface {
 }
 if (Symbol.dispose) Surface.prototype[Symbol.dispose] = Surface.prototype.free;
 
-/** The exported functions of one instance, its memory, and how its answers become exceptions. */
-class Module {
+/** The exported functions of one instance, its memory, and how its answers become exceptions.  For modules that
+ * have more functions than this one: examples/page/engine.js. */
+export class Module {
     constructor(wasm) {
         this.wasm = wasm;
         this.surfaces = new FinalizationRegistry((address) => wasm.algsurf_surface_free(address));
@@ -132,12 +133,12 @@ function isSide(number) {
     return Number.isInteger(number) && number >= 1 && number <= MAX_SIDE;
 }
 
-class Algsurf {
+export class Algsurf {
     #module;
 
-    constructor(wasm) {
-        this.#module = new Module(wasm);
-        this.version = this.#module.text(wasm.algsurf_version());
+    constructor(module) {
+        this.#module = module;
+        this.version = module.text(module.wasm.algsurf_version());
     }
 
     /** How much memory the module holds. */
@@ -371,17 +372,21 @@ export async function compile(source = new URL("algsurf.wasm", import.meta.url))
     return WebAssembly.compile(isAddress ? await bytesOf(new URL(source, import.meta.url)) : source);
 }
 
-/** An instance of the library, with memory of its own. */
-export async function load(source) {
-    // All that it asks of a system is the time, in nanoseconds: a picture measures what it takes.
-    const system = {
+/** All that the library asks of a system: the time, in nanoseconds, for a picture measures what it takes. */
+export function systemOf(memory) {
+    return {
         clock_time_get(clock, precision, address) {
             const now = BigInt(Math.round(performance.now() * 1e6));
-            new DataView(instance.exports.memory.buffer).setBigUint64(address, now, true);
+            new DataView(memory().buffer).setBigUint64(address, now, true);
             return 0;
         },
     };
+}
+
+/** An instance of the library, with memory of its own. */
+export async function load(source) {
+    const system = systemOf(() => instance.exports.memory);
     const instance = await WebAssembly.instantiate(await compile(source), { wasi_snapshot_preview1: system });
     instance.exports._initialize();
-    return new Algsurf(instance.exports);
+    return new Algsurf(new Module(instance.exports));
 }

@@ -11,7 +11,9 @@
 
 #include "algsurf/algsurf.h"
 
+#ifndef EXPORTED /* a module that needs some of it names these to the linker */
 #define EXPORTED(name) __attribute__((export_name(#name)))
+#endif
 
 /* ---- roots ---- */
 

@@ -12,6 +12,8 @@
 #include <stdint.h>
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 /* BY_PRECISION: one or the other; PACKED, COMPARED: names of instructions of x86. */
@@ -32,6 +34,14 @@
 #define X86_WIDTH WIDTH
 #else
 #define X86_WIDTH 0
+#endif
+
+/* Lanes are a register of WebAssembly.  Its instructions are called by name where clang would make a loop over
+ * memory of what is written lane by lane, which takes three times as long. */
+#if defined(__wasm_simd128__) && WIDTH == 128
+#define WASM 1
+#else
+#define WASM 0
 #endif
 
 #define INLINE static inline __attribute__((always_inline, unused))
@@ -59,7 +69,9 @@ typedef unsigned mask;
 typedef BY_PRECISION(int64_t, int32_t) mask __attribute__((vector_size(WIDTH / 8)));
 #endif
 
-#if defined(SINGLE) && !X86_WIDTH
+#if defined(SINGLE) && WASM
+INLINE lanes all_lanes(double a) { return (lanes)wasm_f32x4_splat((float)a); }
+#elif defined(SINGLE) && !X86_WIDTH
 /* No sum of a float and lanes: where FLT_EVAL_METHOD is 1, C makes a double of the float. */
 INLINE lanes all_lanes(double a) {
     lanes all;
@@ -115,6 +127,8 @@ INLINE lanes root(lanes a) {
     return PACKED(_mm256_sqrt)(a);
 #elif X86_WIDTH == 128
     return PACKED(_mm_sqrt)(a);
+#elif WASM
+    return (lanes)BY_PRECISION(wasm_f64x2_sqrt, wasm_f32x4_sqrt)((v128_t)a);
 #else
     for (int l = 0; l < LANES; l++) a[l] = BY_PRECISION(sqrt, sqrtf)(a[l]);
     return a;
@@ -168,6 +182,8 @@ INLINE unsigned bits(mask m) {
     return (unsigned)_mm256_movemask_pd((lanes)m);
 #elif X86_WIDTH == 128
     return (unsigned)_mm_movemask_pd((lanes)m);
+#elif WASM
+    return (unsigned)wasm_i64x2_bitmask((v128_t)m);
 #else
     unsigned b = 0;
     for (int l = 0; l < LANES; l++) b |= (unsigned)(m[l] & 1) << l;

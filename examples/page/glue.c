@@ -1,0 +1,357 @@
+/* glue.c - what the page asks of the library beyond ../npm/glue.c: pictures as render draws them, the extent
+ * and the camera that it chooses, and one ray looked into.
+ *
+ * Compiled for WebAssembly together with the library and the programs' own fit.c, view.c, render_look.c, so
+ * that a state means here what the options mean there.  Each function returns an algsurf_status or, where it
+ * says so, a count, which is then negative in its place.
+ */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "algsurf/algsurf.h"
+#include "fit.h"
+#include "render_look.h"
+
+#define EXPORTED(name) __attribute__((export_name(#name)))
+
+/* ---- the state ---- */
+
+enum { THIN_USUAL = -1, THIN_NONE = 0, THIN_ASKED = 1 };
+
+/* What engine.js writes, numbers only.  Colours are 0xrrggbb; below 0: not given. */
+typedef struct page_state {
+    double extent_given; /* 0: it is to be chosen */
+    double extent_kind, centre[3], size[3];
+    double eye[3], look_at[3], up[3], fov;
+    double outside, inside, background;
+    double light_given, azimuth, elevation;
+    double thin;
+    double complex_given, sigma, delta, imaginary[ALGSURF_MAX_DEGREE + 1];
+} page_state;
+static const double TRANSPARENT = -2; /* as background */
+
+EXPORTED(page_state_length) int page_state_length(void) { return sizeof(page_state) / sizeof(double); }
+
+static algsurf_extent extent_of(const page_state *state) {
+    algsurf_extent extent = {.kind = state->extent_kind == 2 ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE};
+    memcpy(extent.centre, state->centre, sizeof extent.centre);
+    memcpy(extent.size, state->size, sizeof extent.size);
+    return extent;
+}
+
+static algsurf_status camera_of(const page_state *state, algsurf_camera *camera) {
+    return algsurf_camera_pinhole(state->eye, state->look_at, state->up, state->fov, camera);
+}
+
+static css_colour colour_from(double number) {
+    uint32_t rgb = number >= 0 ? (uint32_t)number : 0;
+    return (css_colour){{(uint8_t)(rgb >> 16), (uint8_t)(rgb >> 8), (uint8_t)rgb}, number >= 0};
+}
+
+static render_look look_of(const page_state *state) {
+    return (render_look){.outside = colour_from(state->outside),
+                         .inside = colour_from(state->inside),
+                         .background = colour_from(state->background),
+                         .transparent = state->background == TRANSPARENT,
+                         .light = state->light_given != 0 ? LIGHT_ANGLES : LIGHT_DEFAULT,
+                         .place = {state->azimuth, state->elevation, 0}};
+}
+
+static algsurf_complex_space space_of(const page_state *state) {
+    algsurf_complex_space space = {.size = sizeof space, .sector = {state->sigma, state->delta}};
+    memcpy(space.imaginary, state->imaginary, sizeof space.imaginary);
+    return space;
+}
+
+/* ---- pictures ---- */
+
+static void keep(algsurf_status *failed, algsurf_status status) {
+    if (*failed == ALGSURF_OK) *failed = status;
+}
+
+static int shows_thin(const page_state *state, int degree) {
+    return state->thin == THIN_ASKED || (state->thin == THIN_USUAL && degree <= VIEW_USUALLY_THIN);
+}
+
+static void set_colours(const page_state *state, const render_look *look, int degree, algsurf_scene *scene,
+                        algsurf_status *failed) {
+    algsurf_light lights[ALGSURF_MAX_LIGHTS];
+    algsurf_lighting lighting = {.size = sizeof lighting};
+    keep(failed, algsurf_scene_lighting(scene, lights, &lighting));
+    if (*failed != ALGSURF_OK) return;
+    algsurf_material material = *lighting.material;
+    render_paint(look, &material);
+    keep(failed, algsurf_scene_set_material(scene, &material));
+    keep(failed, algsurf_scene_set_thin(scene, shows_thin(state, degree) ? material.outside : NULL));
+}
+
+/* A scene as render makes it for the options that say the same as the state; null: there is none.  The
+ * surface must outlive it. */
+EXPORTED(page_scene)
+algsurf_scene *page_scene(const algsurf_surface *surface, const page_state *state, int32_t *status) {
+    const algsurf_extent extent = extent_of(state);
+    const algsurf_complex_space space = space_of(state);
+    const render_look look = look_of(state);
+    algsurf_scene *scene = NULL;
+    algsurf_camera camera;
+    algsurf_status failed = algsurf_scene_create(surface, &scene);
+    keep(&failed, camera_of(state, &camera));
+    if (failed == ALGSURF_OK) {
+        keep(&failed, algsurf_scene_set_extent(scene, &extent));
+        set_colours(state, &look, algsurf_surface_degree(surface), scene, &failed);
+        keep(&failed, algsurf_scene_set_antialias_threshold(scene, VIEW_THRESHOLD));
+        keep(&failed, algsurf_scene_set_camera(scene, &camera));
+        keep(&failed, render_light_scene(&look, &camera, &extent, scene));
+        keep(&failed, algsurf_scene_set_complex_space(scene, state->complex_given != 0 ? &space : NULL));
+    }
+    *status = failed;
+    if (failed == ALGSURF_OK) return scene;
+    algsurf_scene_free(scene);
+    return NULL;
+}
+
+/* Draws rows row_begin .. row_end-1 of a picture.
+ *   rgba    four bytes a pixel
+ *   t       null, or a double a pixel
+ *   counts  receives rays, hits, undecided, decided by integers, thin */
+EXPORTED(page_render)
+int page_render(const algsurf_scene *scene, int width, int height, int row_begin, int row_end, uint8_t *rgba,
+                double *t, double counts[5]) {
+    const algsurf_render_options options = {.size = sizeof options,
+                                            .width = width,
+                                            .height = height,
+                                            .row_begin = row_begin,
+                                            .row_end = row_end,
+                                            .threads = 1};
+    algsurf_render_stats stats = {.size = sizeof stats};
+    const algsurf_picture picture = {.size = sizeof picture, .pixels = rgba, .format = ALGSURF_RGBA8, .t = t};
+    algsurf_status status = algsurf_render(scene, &options, &picture, &stats);
+    counts[0] = (double)stats.rays;
+    counts[1] = (double)stats.hits;
+    counts[2] = (double)stats.undecided;
+    counts[3] = (double)stats.exact_rays;
+    counts[4] = (double)stats.thin;
+    return status;
+}
+
+/* ---- what is shown, and from where ---- */
+
+/* Extent and camera for the surface, as render chooses them where no option says otherwise.
+ *   state   its extent, if it is given, stays
+ *   width, height  of the picture
+ *   fitted  receives centre, size, eye, point looked at, up (three each), the field of view, and 0 where the
+ *           surface goes on outside the extent */
+EXPORTED(page_fit)
+int page_fit(const algsurf_surface *surface, const page_state *state, int width, int height,
+             double fitted[17]) {
+    view_options options = {.width = width, .height = height};
+    view v;
+    fit_choice choice;
+    if (state->extent_given != 0) {
+        options.extent = (cli_extent){extent_of(state), 1};
+        options.centre = (cli_vector){{state->centre[0], state->centre[1], state->centre[2]}, 1};
+    }
+    algsurf_status status = fit_choose(&v, &options, surface, state->complex_given != 0,
+                                       shows_thin(state, algsurf_surface_degree(surface)), &choice);
+    if (status != ALGSURF_OK) return status;
+    const double *const threes[] = {v.extent.centre, v.extent.size, v.eye, v.look_at, v.up};
+    for (int i = 0; i < 5; i++) memcpy(fitted + 3 * i, threes[i], sizeof v.eye);
+    fitted[15] = v.fov;
+    fitted[16] = choice.bounded;
+    return ALGSURF_OK;
+}
+
+/* ---- one ray ---- */
+
+/* The ray through a point of a picture, cut to the extent: origin, direction, t_min, t_max in eight doubles.
+ * Returns 1; 0: it misses the extent, t_min and t_max are those of the whole ray. */
+EXPORTED(page_ray)
+int page_ray(const page_state *state, int width, int height, double x, double y, algsurf_ray *chord) {
+    const algsurf_extent extent = extent_of(state);
+    algsurf_camera camera;
+    int meets = 0;
+    algsurf_status status = camera_of(state, &camera);
+    keep(&status, status == ALGSURF_OK ? algsurf_camera_ray(&camera, width, height, x, y, chord) : status);
+    keep(&status, status == ALGSURF_OK ? algsurf_extent_clip(&extent, chord, chord, &meets) : status);
+    return status < 0 ? (int)status : meets;
+}
+
+static void tell_hit(const algsurf_hit *hit, double told[12]) {
+    told[0] = hit->state;
+    told[1] = hit->multiplicity;
+    told[2] = hit->side;
+    told[3] = hit->t;
+    told[4] = hit->t_lo;
+    told[5] = hit->t_hi;
+    memcpy(told + 6, hit->position, sizeof hit->position);
+    memcpy(told + 9, hit->normal, sizeof hit->normal);
+}
+
+/* What a ray sees, in complex space if the state says so.
+ *   told  receives state, multiplicity, side, t, t_lo, t_hi, position, normal */
+EXPORTED(page_hit)
+int page_hit(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
+             double told[12]) {
+    const algsurf_extent extent = extent_of(state);
+    const algsurf_complex_space space = space_of(state);
+    algsurf_hit hit;
+    algsurf_status status =
+        state->complex_given != 0
+            ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, NULL)
+            : algsurf_intersect_first(surface, &extent, ray, NULL, &hit);
+    if (status >= 0) tell_hit(&hit, told);
+    return status;
+}
+
+/* The polynomial along the ray in t: degree + 1 coefficients, and as many radii. */
+EXPORTED(page_polynomial)
+int page_polynomial(const algsurf_surface *surface, const algsurf_ray *ray, double *c, double *r) {
+    return algsurf_expand_power(surface, ray, c, r);
+}
+
+/* Its Bernstein coefficients from t_min to t_max. */
+EXPORTED(page_hull) int page_hull(const algsurf_surface *surface, const algsurf_ray *chord, double *b) {
+    return algsurf_expand_bernstein(surface, chord, b, NULL);
+}
+
+/* Numbers that callbacks tell, as many as there is room for. */
+typedef struct record {
+    double *numbers;
+    int count, capacity;
+} record;
+
+static void put(record *r, double number) {
+    if (r->count < r->capacity) r->numbers[r->count++] = number;
+}
+
+static void on_cell(const algsurf_cell *cell, void *data) {
+    record *r = data;
+    int signs = cell->signs ? cell->degree + 1 : 0;
+    if (r->count + 5 + signs > r->capacity) return;
+    put(r, cell->lo);
+    put(r, cell->hi);
+    put(r, cell->variations);
+    put(r, cell->engine);
+    put(r, signs);
+    for (int i = 0; i < signs; i++) put(r, cell->signs[i]);
+}
+
+static void on_point(double t, double value, int engine, void *data) {
+    record *r = data;
+    if (r->count + 3 > r->capacity) return;
+    put(r, t);
+    put(r, value);
+    put(r, engine);
+}
+
+/* All hits of the ray, and the cells in which they were isolated.
+ *   hits    twelve numbers each, as page_hit tells them; room for 64 of them
+ *   cells   of each: lo, hi, variations, engine, number of signs, signs
+ *   counts  receives the number of hits, and of numbers in cells */
+EXPORTED(page_isolate)
+int page_isolate(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
+                 double *hits, double *cells, int capacity, double counts[2]) {
+    const algsurf_extent extent = extent_of(state);
+    record r = {.numbers = cells, .capacity = capacity};
+    algsurf_observer observer = {.size = sizeof observer, .on_cell = on_cell, .data = &r};
+    const algsurf_intersect_options options = {.size = sizeof options, .observer = &observer};
+    algsurf_hit found[ALGSURF_MAX_DEGREE];
+    int count = 0;
+    algsurf_status status =
+        algsurf_intersect_all(surface, &extent, ray, &options, found, ALGSURF_MAX_DEGREE, &count);
+    for (int i = 0; i < count; i++) tell_hit(&found[i], hits + 12 * i);
+    counts[0] = count;
+    counts[1] = r.count;
+    return status;
+}
+
+/* The first hit by a method of refinement, and the points at which it evaluates.
+ *   points  of each: t, value, engine
+ *   counts  receives the number of numbers in points, and of evaluations */
+EXPORTED(page_refine)
+int page_refine(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray, int method,
+                double told[12], double *points, int capacity, double counts[2]) {
+    const algsurf_extent extent = extent_of(state);
+    record r = {.numbers = points, .capacity = capacity};
+    algsurf_observer observer = {.size = sizeof observer, .on_point = on_point, .data = &r};
+    const algsurf_intersect_options options = {
+        .size = sizeof options, .method = method, .observer = &observer};
+    algsurf_hit hit;
+    algsurf_status status = algsurf_intersect_first(surface, &extent, ray, &options, &hit);
+    if (status >= 0) tell_hit(&hit, told);
+    counts[0] = r.count;
+    counts[1] = (double)observer.evaluations;
+    return status;
+}
+
+/* The ray's polynomial about the middle of the chord, t = middle + half s, or about the eye for a ray without
+ * a bounded chord: closer to the roots, boxes are narrower. */
+static algsurf_status centred(const algsurf_surface *surface, const algsurf_ray *chord, double *c, double *r,
+                              double *middle, double *half) {
+    algsurf_ray ray = *chord;
+    *middle = 0;
+    *half = 1;
+    if (isfinite(chord->t_max)) {
+        *half = 0.5 * (chord->t_max - chord->t_min);
+        *middle = chord->t_min + *half;
+        if (!(*half > 0)) *half = 1;
+    }
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = fma(*middle, chord->direction[i], chord->origin[i]);
+        ray.direction[i] = *half * chord->direction[i];
+    }
+    return algsurf_expand_power(surface, &ray, c, r);
+}
+
+/* All roots t of the polynomial along the ray, with the state's imaginary parts.
+ *   rows  eight numbers each: root (re, im), box (re lo, re hi, im lo, im hi), multiplicity, real; room for
+ * 64 Returns how many. */
+EXPORTED(page_complex_roots)
+int page_complex_roots(const algsurf_surface *surface, const page_state *state, const algsurf_ray *chord,
+                       double *rows) {
+    algsurf_complex_root root[ALGSURF_MAX_DEGREE];
+    algsurf_complex c[ALGSURF_MAX_DEGREE + 1];
+    double p[ALGSURF_MAX_DEGREE + 1], radii[ALGSURF_MAX_DEGREE + 1], middle = 0, half = 1;
+    int degree = algsurf_surface_degree(surface), count = 0, real = 1;
+    for (int k = 0; k <= degree; k++) real = real && (state->complex_given == 0 || state->imaginary[k] == 0);
+    algsurf_status status = real ? centred(surface, chord, p, radii, &middle, &half)
+                                 : algsurf_expand_power(surface, chord, p, radii);
+    if (status != ALGSURF_OK) return status;
+    for (int k = 0; k <= degree; k++) c[k] = (algsurf_complex){p[k], state->imaginary[k]};
+    status = real ? algsurf_complex_roots_of_real(p, radii, degree, root, &count)
+                  : algsurf_complex_roots(c, radii, degree, root, &count);
+    for (int i = 0; i < count; i++, rows += 8) {
+        rows[0] = middle + half * root[i].root.re;
+        rows[1] = half * root[i].root.im;
+        rows[2] = middle + half * root[i].box.re.lo;
+        rows[3] = middle + half * root[i].box.re.hi;
+        rows[4] = half * root[i].box.im.lo;
+        rows[5] = half * root[i].box.im.hi;
+        rows[6] = root[i].multiplicity;
+        rows[7] = root[i].real;
+    }
+    return status < 0 ? (int)status : count;
+}
+
+/* The root that complex space shows; real space: the hit.
+ *   root  receives its real and imaginary part
+ * Returns an algsurf_hit_state. */
+EXPORTED(page_chosen)
+int page_chosen(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
+                double root[2]) {
+    const algsurf_extent extent = extent_of(state);
+    const algsurf_complex_space space = space_of(state);
+    algsurf_hit hit;
+    algsurf_complex z = {0, 0};
+    algsurf_status status =
+        state->complex_given != 0
+            ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, &z)
+            : algsurf_intersect_first(surface, &extent, ray, NULL, &hit);
+    if (status < 0) return status;
+    if (state->complex_given == 0) z.re = hit.t;
+    root[0] = z.re;
+    root[1] = z.im;
+    return hit.state;
+}
