@@ -4,9 +4,9 @@
  * Rays, planes and surfaces have small numbers, so that roots lie on planes, rays along and in planes, and in
  * the surface, often; or planes are an ulp away from there, or of any size.
  *
- * Breaks caught, each tried: a point on a plane not kept; the sign of a plane's face turned; lanes without
- * the error of a plane's place; a ray along a plane always kept; planes left out of shadows' fans, of tiles,
- * of complex space.
+ * Breaks caught, each tried: a point on a plane not kept; the sign of a plane's face turned; a ray along a
+ * plane always kept, or kept at infinity; what is surely kept, or surely not, without the error of its end;
+ * planes left out of shadows' fans, of tiles, of rows, of single rays of complex space.
  */
 #include "intersect_case.h"
 
