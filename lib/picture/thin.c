@@ -335,27 +335,29 @@ static unsigned other_sign(const algsurf_i_thin_box *box, const algsurf_i_solid 
     return value > 0 ? ALGSURF_I_NEGATIVE : ALGSURF_I_POSITIVE;
 }
 
-int algsurf_i_is_thin(const algsurf_i_thin_box *box, double *depth) {
-    search s;
+size_t algsurf_i_thin_memory(void) { return sizeof(search); }
+
+int algsurf_i_is_thin(const algsurf_i_thin_box *box, void *memory, double *depth) {
+    search *s = memory;
     double from = 0.5 * (box->from + 1), to = 0.5 * (box->to + 1), first = 2;
     double beside[ALGSURF_I_NEIGHBOURS];
     int ends_at_hit = box->ends_at_hit, looked = 0;
-    algsurf_i_solid_expand(box, &s.box);
-    s.inside = other_sign(box, &s.box);
-    for (s.across = 1;; s.across *= 2) {
-        algsurf_i_solid_narrow(&s.box, from, to);
-        if (!find_groups(&s, fabs(box->h), &from, &to)) return 0;
-        if (s.across == FINEST) break;
+    algsurf_i_solid_expand(box, &s->box);
+    s->inside = other_sign(box, &s->box);
+    for (s->across = 1;; s->across *= 2) {
+        algsurf_i_solid_narrow(&s->box, from, to);
+        if (!find_groups(s, fabs(box->h), &from, &to)) return 0;
+        if (s->across == FINEST) break;
         ends_at_hit &= to == 1;
     }
-    for (int i = 0; i < s.count; i++) {
-        if (s.cells[i].group != i || !is_open(&s, i) || (ends_at_hit && reaches_end(&s, i))) continue;
-        double place = first_place(&s, i, 0);
+    for (int i = 0; i < s->count; i++) {
+        if (s->cells[i].group != i || !is_open(s, i) || (ends_at_hit && reaches_end(s, i))) continue;
+        double place = first_place(s, i, 0);
         if (place > 1) continue;
         if (!looked) box->look_beside(box->looker, beside);
         looked = 1;
-        if (first_place(&s, i, met_beside(&s, i, beside)) <= 1) first = fmin(first, place);
+        if (first_place(s, i, met_beside(s, i, beside)) <= 1) first = fmin(first, place);
     }
-    *depth = s.box.from + first * (s.box.to - s.box.from);
+    *depth = s->box.from + first * (s->box.to - s->box.from);
     return first <= 1;
 }
