@@ -8,8 +8,6 @@
  * from random eyes, far, near and at silhouettes.  Slices, threads and kernels do not change a byte.
  *
  * Breaks tried, each caught by the test named:
- *   no neighbour's ray that meets anything: edges_have_no_halo
- *   all columns for those on a neighbour's side: thin_parts_are_drawn
  *   what neighbours see accounts for nothing beside it; all columns for the pixel's; a sign of the ray that
  * is never known: smooth_surfaces_are_as_before boxes as wide as pixels: thin_parts_are_drawn samples with
  * the cells of whole pixels: samples_are_finer_pixels

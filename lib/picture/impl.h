@@ -97,6 +97,7 @@ typedef struct algsurf_i_tiling {
     algsurf_i_band band[2]; /* band b is at b % 2 */
     algsurf_i_beam_row beam;
     double *square; /* (degree+1)^2 */
+    void *thin;     /* algsurf_i_thin_memory() bytes, where what is thin is drawn */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
     double *to;

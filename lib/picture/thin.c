@@ -16,9 +16,9 @@
  *   NEAR columns from them, at depths where they are inside.  (A straight outline that touches the pixel, but
  *   does not reach its middle, has a corner of the box inside.)
  * - where it hangs together with what a neighbour's ray hits: in the half of the pixel on that neighbour's
- *   side, and a column beyond.  An outline that does not reach the pixel's middle is in such halves, also where
- *   P is a square, so that nothing is inside, or where sheets meet in a cusp, too close for a column between
- *   them.  A line that goes on from there to the other side of the pixel is not.
+ *   side, and a column beyond.  An outline that does not reach the pixel's middle is in such halves, also
+ *   where P is a square, so that nothing is inside, or where sheets meet in a cusp, too close for a column
+ *   between them.  A line that goes on from there to the other side of the pixel is not.
  * What is left in the pixel itself, and cannot be proved empty in columns SHARPER times as narrow, is thin.
  *
  * Nothing is lost.  Where P is 0 and its gradient too, no cell has a sign and none grows; where moreover P
@@ -37,12 +37,12 @@
 
 #include "thin_box.h"
 
-#define FINEST 8       /* columns in each direction that a box is cut to at last; the pixel has the inner 4 */
-#define NEAR 2         /* columns */
-#define SHARPER 4      /* times */
+#define FINEST 8  /* columns in each direction that a box is cut to at last; the pixel has the inner 4 */
+#define NEAR 2    /* columns */
+#define SHARPER 4 /* times */
 #define ROUNDING 0x1p-30 /* of a place where a ray meets the surface, and more */
-#define MOST_CELLS 12  /* of a column; outlines have 4 */
-#define MOST_LOOKS 256 /* at parts of a column; outlines take 30 */
+#define MOST_CELLS 12    /* of a column; outlines have 4 */
+#define MOST_LOOKS 256   /* at parts of a column; outlines take 30 */
 
 /* A part of a column: without a sign, or inside. */
 typedef struct cell {
@@ -265,9 +265,8 @@ static int meets(const search *s, int group, int i, int j, double depth) {
     double place = (depth - s->box.from) / (s->box.to - s->box.from);
     for (int k = 0; k < s->count; k++) {
         const cell *c = s->cells + k;
-        if (c->group < 0 || !passes(c->column, i, j) || place < c->from - ROUNDING || place > c->to + ROUNDING)
-            continue;
-        if (group_of(s, k) == group) return 1;
+        if (c->group < 0 || !passes(c->column, i, j) || group_of(s, k) != group) continue;
+        if (place >= c->from - ROUNDING && place <= c->to + ROUNDING) return 1;
     }
     return 0;
 }
@@ -336,27 +335,29 @@ static unsigned other_sign(const algsurf_i_thin_box *box, const algsurf_i_solid 
     return value > 0 ? ALGSURF_I_NEGATIVE : ALGSURF_I_POSITIVE;
 }
 
-int algsurf_i_is_thin(const algsurf_i_thin_box *box, double *depth) {
-    search s;
+size_t algsurf_i_thin_memory(void) { return sizeof(search); }
+
+int algsurf_i_is_thin(const algsurf_i_thin_box *box, void *memory, double *depth) {
+    search *s = memory;
     double from = 0.5 * (box->from + 1), to = 0.5 * (box->to + 1), first = 2;
     double beside[ALGSURF_I_NEIGHBOURS];
     int ends_at_hit = box->ends_at_hit, looked = 0;
-    algsurf_i_solid_expand(box, &s.box);
-    s.inside = other_sign(box, &s.box);
-    for (s.across = 1;; s.across *= 2) {
-        algsurf_i_solid_narrow(&s.box, from, to);
-        if (!find_groups(&s, fabs(box->h), &from, &to)) return 0;
-        if (s.across == FINEST) break;
+    algsurf_i_solid_expand(box, &s->box);
+    s->inside = other_sign(box, &s->box);
+    for (s->across = 1;; s->across *= 2) {
+        algsurf_i_solid_narrow(&s->box, from, to);
+        if (!find_groups(s, fabs(box->h), &from, &to)) return 0;
+        if (s->across == FINEST) break;
         ends_at_hit &= to == 1;
     }
-    for (int i = 0; i < s.count; i++) {
-        if (s.cells[i].group != i || !is_open(&s, i) || (ends_at_hit && reaches_end(&s, i))) continue;
-        double place = first_place(&s, i, 0);
+    for (int i = 0; i < s->count; i++) {
+        if (s->cells[i].group != i || !is_open(s, i) || (ends_at_hit && reaches_end(s, i))) continue;
+        double place = first_place(s, i, 0);
         if (place > 1) continue;
         if (!looked) box->look_beside(box->looker, beside);
         looked = 1;
-        if (first_place(&s, i, met_beside(&s, i, beside)) <= 1) first = fmin(first, place);
+        if (first_place(s, i, met_beside(s, i, beside)) <= 1) first = fmin(first, place);
     }
-    *depth = s.box.from + first * (s.box.to - s.box.from);
+    *depth = s->box.from + first * (s->box.to - s->box.from);
     return first <= 1;
 }

@@ -21,7 +21,8 @@ typedef struct algsurf_i_thin_box {
     void *looker;
 } algsurf_i_thin_box;
 
-/* Is there something thin in the pixel?  Then about `depth`. */
-int algsurf_i_is_thin(const algsurf_i_thin_box *box, double *depth);
+/* Is there something thin in the pixel?  Then about `depth`.  memory: so many bytes, aligned for doubles. */
+size_t algsurf_i_thin_memory(void);
+int algsurf_i_is_thin(const algsurf_i_thin_box *box, void *memory, double *depth);
 
 #endif

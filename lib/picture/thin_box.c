@@ -19,15 +19,14 @@
  * to the second order are known, of the third order the sum of both sizes bounds them, of the others
  * 2 s times their bound does, in a part of a share s of the box's depths (tiles_template.h).
  *
- * Sign by squares.  Beside an empty double sheet, as x^2 + 10^-6 = 0, P is small, but a sum of squares: ranges
- * of its terms do not tell.  In a part, with zeta in [-1,1] along it, P is a quadratic in (xi',eta',zeta) and a
- * rest: the terms 1; xi', eta'; and those of the second order are taken as polynomials of degree 2, 1 and 0 in
- * zeta, and the rest is at most the largest difference in a Bernstein coefficient.  A variable x with
- * a x^2 + l x, a > 0, l linear in the others, is at least -l^2 / (4a); or, where |l| may be 2a or more, at
- * least a - max |l|.  What these say of one variable after the other, the better at each step, bounds the
- * quadratic from below.
- * Its roundings are less than 2^-44 of the sum of its coefficients: what is subtracted from one of them is
- * larger than that only where the bound is below zero.
+ * Sign by squares.  Beside an empty double sheet, as x^2 + 10^-6 = 0, P is small, but a sum of squares:
+ * ranges of its terms do not tell.  In a part, with zeta in [-1,1] along it, P is a quadratic in
+ * (xi',eta',zeta) and a rest: the terms 1; xi', eta'; and those of the second order are taken as polynomials
+ * of degree 2, 1 and 0 in zeta, and the rest is at most the largest difference in a Bernstein coefficient.  A
+ * variable x with a x^2 + l x, a > 0, l linear in the others, is at least -l^2 / (4a); or, where |l| may be
+ * 2a or more, at least a - max |l|.  What these say of one variable after the other, the better at each step,
+ * bounds the quadratic from below. Its roundings are less than 2^-44 of the sum of its coefficients: what is
+ * subtracted from one of them is larger than that only where the bound is below zero.
  *
  * Roundings.  To those of a tile's coefficients (surface/beam.c: 1, 4n, 2n, n + 2, 3n, 2n) come 5 cuts of 6n,
  * of the box to its depths, three more as it is narrowed, and of a part from its column; 4n + 12 for a

@@ -125,7 +125,7 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
             double limit = p->near + line->points.t[point] * per_t - BEFORE * fabs(h);
             if (limit < box.to) box.to = limit, box.ends_at_hit = 1;
         }
-        if (!(box.from < box.to) || !algsurf_i_is_thin(&box, &depth)) continue;
+        if (!(box.from < box.to) || !algsurf_i_is_thin(&box, t->thin, &depth)) continue;
         show(picture, x, (depth - p->near) / per_t, &ray, line, point);
         tally->thin++;
     }
