@@ -198,8 +198,8 @@ typedef struct algsurf_complex_space {
  *   root   the complex root t shown; may be null
  *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
  *          change the time, not the answer
- *   roots  null, or room for degree-many roots t as found (approximate), which a neighbouring ray can start
- *          with; if fewer are found, the others are NaN
+ *   roots  null, or room for degree-many roots t as found (approximate), to start a neighbour with; what
+ *          is missing is NaN
  * There are no options: none of algsurf_intersect_options would play a part.
  * Errors: E_ARGUMENT (null, bad ray, extent, sector; t_min < 0 is taken as 0), E_NOT_FINITE.  Cost: that of
  * algsurf_complex_roots, 2 to 10 microseconds for degrees 4 to 10.  34 KiB of stack.  Since 1.0. */

@@ -123,8 +123,8 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
-/* Shows complex space, as algsurf_intersect_complex defines it.  Then the options of intersection play no
- * part, except the kernel, and full quality is drawn like standard quality: which points of complex space
+/* Shows complex space, as algsurf_intersect_complex defines it.  The options of intersection, but for the
+ * kernel, then play no part, and full quality is drawn like standard quality: which points of complex space
  * belong to the surface depends on where the eye is, so shadows would not be those of the surface shown.
  * Errors: as algsurf_intersect_complex for the space.  Cost: 70 ns a pixel in degree 4, 300 ns in degree 10,
  * with AVX-512; a ray that is undecided in its row costs one algsurf_intersect_complex.  Since 1.0. */
