@@ -34,8 +34,8 @@ typedef struct algsurf_complex_root {
  *   roots   room for `degree` entries; at least 1
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * If the lowest coefficients are exactly 0, so is a root.  Polynomials whose coefficients are all real (and
- * without radii) have their real roots proved real and the others in exactly conjugate boxes.
+ * If the lowest coefficients are exactly 0, the root 0 is exact.  Polynomials whose coefficients are all real
+ * (and without radii) have their real roots proved real and the others in exactly conjugate boxes.
  * A multiple root of such a polynomial (all imaginary parts and all radii 0), real or one of a conjugate
  * pair, is found by exact integers: it is alone in its box, which is mostly a few units in the last place
  * wide.  Otherwise (complex coefficients, radii, no memory, different roots closer than doubles can separate)
@@ -92,8 +92,7 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
 
 /* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
 
-/* Names are the papers': p is the polynomial, z a root, q the deflated polynomial; Z and Q enclose z and q.
- * */
+/* Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q enclosures. */
 
 /* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {

@@ -4,12 +4,12 @@
  * algsurf_intersect_options) run alike with and without it, and give the same bits; without one,
  * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
- * Roots are isolated in cells: intervals whose variations of sign are counted. The first cell is the interval
- * asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A cell with
- * two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all without radii,
- * each point of the interval lies in a cell without variations, which holds no root, or in one with one
- * variation, which holds one root, or on an end of these.  A search for the first root ends as soon as that
- * is isolated.
+ * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the
+ * interval asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A
+ * cell with two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all
+ * without radii, each point of the interval lies in a cell without variations, which holds no root, or in one
+ * with one variation, which holds one root, or on an end of these.  A search for the first root ends as soon
+ * as that is isolated.
  *     Parts of the interval need no cells if something simpler shows where their roots are: a bound on the
  * roots, the signs of the coefficients, one term that exceeds all those of the other sign, or p_0 = 0.
  *     What doubles leave undecided is searched again in new cells, finally by integers, which always decide.

@@ -1,5 +1,4 @@
-/* poly/common.h - common factors of polynomials with integer coefficients, for common.c and multiplicity.c.
- * */
+/* poly/common.h - common factors of integer polynomials, for common.c and multiplicity.c. */
 #ifndef ALGSURF_COMMON_H
 #define ALGSURF_COMMON_H
 #include "../base/wide.h"

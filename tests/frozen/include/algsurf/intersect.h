@@ -139,7 +139,7 @@ typedef struct algsurf_ray_packet {
     size_t count;                           /* of rays; the arrays may be null when it is 0 */
     const double *origin[3], *direction[3]; /* x, y, z */
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
-    const unsigned char *active;            /* null: all; 0: that ray is not read, and gets no answer */
+    const unsigned char *active;            /* null: all; 0: any numbers may stand there; no answer */
 } algsurf_ray_packet;
 
 /* Where the answers go: entry i of each array is that member of ray i's algsurf_hit.  A null array is not

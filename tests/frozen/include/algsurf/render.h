@@ -107,9 +107,9 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  *   threshold  0, the default: all pixels.  0 < threshold <= 1: those whose middle shows another colour than
  *              the middle of the pixel above, below, left or right.  The colours differ by more than 255
  *              times the threshold in a channel (0..255; alpha is one of them, even if it is not asked for)
- * Up to degree 12 a pixel that is proved to hold no point of the surface, or a single sheet, is left out.
- * All other pixels show one sample, that in the middle.  With threshold 1, or n = 1, no pixel is chosen.  0.3
- * smooths outlines on a bright background, 0.1 most other edges too.
+ * Up to degree 12 a pixel that is proved to hold no point of the surface, or a single sheet, is not chosen.
+ * A pixel that is not chosen shows one sample, that in the middle.  With threshold 1, or n = 1, no pixel is
+ * chosen.  0.3 smooths outlines on a bright background, 0.1 most other edges too.
  *     Each pixel equals that of the picture with n x n samples or that of the picture with one sample, except
  * that one byte in millions may differ by one, and t in its last bits.  The picture does not depend on slices
  * or threads: for a slice, the rows above and below it are looked at, too.
@@ -223,11 +223,10 @@ typedef enum algsurf_way {
  * first, from left to right.  Rows of pixels are stride bytes apart; those of the other planes follow each
  * other without a gap.
  *     A plane's bytes do not depend on which others are asked for.  t, normals and state are those of one
- *     sample of
- * the pixel: of the samples that show the surface, an undecided place or something thin, the one with the
- * least t (the first of these, row by row, if several have it).  The ray of sample (j,k) of n x n is that of
- * algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n).  n is 1 for a pixel that a threshold of antialiasing
- * leaves with one sample. */
+ * sample of the pixel: of the samples that show the surface, an undecided place or something thin, the one
+ * with the least t (the first of these, row by row, if several have it).  The ray of sample (j,k) of n x n is
+ * that of algsurf_camera_ray at (x + (j+0.5)/n, y + (k+0.5)/n).  n is 1 for a pixel that a threshold of
+ * antialiasing leaves with one sample. */
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* sRGB bytes of the average of the samples' colours (algsurf_srgb_encode) */
@@ -252,11 +251,12 @@ typedef struct algsurf_picture {
  *   stats    null, or receives counts and times
  * Undecided samples are drawn as hits at that place and counted; an undecided shadow ray counts
  * as occluded.
- * Full quality, in real space: shadow rays start 1e-6 of the radius of what is shown above the surface.  With
- * n x n samples a pixel, each sample traces one ray to each sample of a light; to a light with 0, 0 samples
- * it traces 32/n^2 rays, rounded up.  16/n^2 rays, rounded up, go around: they end on a ball that touches the
- * surface at the point, on the viewer's side, and has half the radius of what is shown.  These directions
- * differ from pixel to pixel; they depend on nothing but where the pixel is in the whole picture.
+ * Full quality, in real space: shadow rays start above the surface, by 1e-6 of the radius of what is shown.
+ * With n x n samples a pixel, each sample traces one ray to each sample of a light; to a light with 0, 0
+ * samples it traces 32/n^2 rays, rounded up.  16/n^2 rays, rounded up, go around: they end on a ball that
+ * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
+ * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
+ * pixel is in the whole picture.
  * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
