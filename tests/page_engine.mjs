@@ -55,7 +55,7 @@ const states = {
             a: { value: -1.0625 },
             b: { value: 0.1 },
             c_1: { value: 1 / 3, from: 0, to: 1 },
-            unused: { value: 7 },
+            unused: { value: 7 }, // the page keeps what was a slider; render refuses it
         },
     },
     colours: {
@@ -73,7 +73,8 @@ const states = {
 function optionsOf({ equation, parameters, extent, camera, colours, light, thin, complex }) {
     const list = (numbers) => numbers.join(",");
     const options = ["--equation", equation, "--centre", list(extent.centre)];
-    for (const [name, { value }] of Object.entries(parameters)) options.push("--let", `${name}=${value}`);
+    for (const [name, { value }] of Object.entries(parameters))
+        if (equation.includes(name)) options.push("--let", `${name}=${value}`);
     options.push("--extent", `${extent.kind}:${list(extent.size)}`);
     options.push("--eye", list(camera.eye), "--look-at", list(camera.lookAt), "--up", list(camera.up));
     options.push("--fov", String(camera.fov));

@@ -64,9 +64,8 @@ class Surface {
 }
 if (Symbol.dispose) Surface.prototype[Symbol.dispose] = Surface.prototype.free;
 
-/** The exported functions of one instance, its memory, and how its answers become exceptions.  For modules that
- * have more functions than this one: examples/page/engine.js. */
-export class Module {
+/** The exported functions of one instance, its memory, and how its answers become exceptions. */
+class Module {
     constructor(wasm) {
         this.wasm = wasm;
         this.surfaces = new FinalizationRegistry((address) => wasm.algsurf_surface_free(address));
@@ -133,7 +132,7 @@ function isSide(number) {
     return Number.isInteger(number) && number >= 1 && number <= MAX_SIDE;
 }
 
-export class Algsurf {
+class Algsurf {
     #module;
 
     constructor(module) {
@@ -373,7 +372,7 @@ export async function compile(source = new URL("algsurf.wasm", import.meta.url))
 }
 
 /** All that the library asks of a system: the time, in nanoseconds, for a picture measures what it takes. */
-export function systemOf(memory) {
+function systemOf(memory) {
     return {
         clock_time_get(clock, precision, address) {
             const now = BigInt(Math.round(performance.now() * 1e6));

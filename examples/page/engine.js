@@ -7,7 +7,7 @@
 // A state is what state.js makes; nothing of it is believed: what is out of range throws an EngineError with a
 // code.  An instance that traps is replaced by a new one, and the call throws E_TRAP.  The calls are those of
 // glue.c; what a state's members are there, `numbersOf` says.  Surface and scene are kept from one call to the
-// next, for bands of a picture.
+// next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts, too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "./algsurf.js";
 
 const MAX_DEGREE = 64;

@@ -22,3 +22,21 @@ visitTest("a click on it explains it in five sentences", {}, async (visit) => {
     await line.click();
     await visit.page.locator(".certain-why").waitFor({ state: "hidden" });
 });
+
+for (const width of [360, 520, 760, 1000, 1280])
+    visitTest(`the picture keeps its size whatever the line says: ${width} pixels wide`, { width, height: 700 }, async (visit) => {
+        const sizes = await visit.page.evaluate(() => {
+            const line = document.querySelector(".certain-line"), stage = document.querySelector("#stage"), words = line.textContent;
+            const sizes = ["", words, words.replace("ms", "0000 ms"), `${words} · 123,456 by exact integers`].map((text) => {
+                line.textContent = text;
+                return `${stage.clientWidth}x${stage.clientHeight}`;
+            });
+            line.hidden = true;
+            sizes.push(`${stage.clientWidth}x${stage.clientHeight}`);
+            line.hidden = false;
+            line.textContent = words;
+            return sizes;
+        });
+        assert.equal(new Set(sizes).size, 1, sizes.join(" "));
+        await visit.settled();
+    });
