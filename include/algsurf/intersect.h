@@ -18,8 +18,9 @@ extern "C" {
 typedef enum algsurf_tier {
     /* Every ray is decided: a hit, with its multiplicity, or a miss.  Doubles decide where their error bounds
      * allow it, integers decide the rest: rays that touch, roots closer than any double can separate, roots
-     * at an end of the ray, on the extent's surface or on a cutting plane, rays in the surface.  Undecided is
-     * only what coefficients that are known to an error (algsurf_surface_with_error) leave open. */
+     * at an end of the ray, on the extent's surface or on a cutting plane, rays in the surface.  A ray is
+     * undecided only if coefficients are known up to an error (algsurf_surface_with_error) and the answer is
+     * not the same for all of them. */
     ALGSURF_TIER_CERTIFIED = 0,
     /* Doubles only, as above: a ray that they do not decide is undecided.  For programs that need a bound on
      * the time of every ray. */

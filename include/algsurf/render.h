@@ -63,28 +63,31 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Draws what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
  * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin has it, without light or
- * shadow; null, the default: nothing is done.  It may draw too much, never too little, but for the
- * exceptions.
+ * shadow; null, the default: nothing is done.  It may draw what is not there, but leaves out no thin part,
+ * except in the cases listed below.
  *
- * Cells.  A sample stands for its cell, 1/n of a pixel wide and high, the sample in the middle; with a
- * threshold of antialiasing only whole pixels are cells, and those that show the colour get no more samples.
- * A cell shows the colour if the surface cannot be proved absent from it, before what its ray sees, and what
- * may be there is neither a sheet nor the edge of what a ray beside it sees.  A sheet, within half a cell of
- * the cell: P grows throughout along the view, or across it in two directions 45 degrees apart.  An edge: up
- * to half a cell's width beside where, at that depth, P has the other sign, as far as that hangs together
- * with the ray through the middle of a cell diagonally beside it.
+ * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
+ * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
+ * A cell shows the colour unless one of the following is known of the part of space behind it, up to what its
+ * ray hits:
+ * - it is proved to hold no point of the surface;
+ * - it holds a sheet: within half a cell of it, P grows along the view, or in two directions across the view
+ *   that are 45 degrees apart;
+ * - it holds the edge of what a ray beside it sees: at the same depth and at most half a cell to the side, P
+ *   has the other sign, in a region connected with the ray through a diagonal neighbour's middle;
+ * - it is connected with what a neighbouring cell's ray hits, on that neighbour's side of the cell.
  *
- * So no isolated point and no line without sheets is lost, however thin, unless hidden or within half a cell
- * of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
- * paler. A surface of which nothing is narrower, nor more sharply bent, than some cells is drawn as if there
- * were no colour, to the byte.  Where the gradient vanishes, as in the tips of cones, there may be spots;
- * where P is small without a zero, what is drawn may not be there.
+ * So no isolated point and no line without sheets is lost, however thin, unless it is hidden, or within half a
+ * cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
+ * paler.  If no part of a surface is narrower, or more sharply bent, than some cells, its picture is byte for
+ * byte that without a colour.  Where the gradient vanishes, as at the tips of cones, single cells may show the
+ * colour; so they may where P is small but not 0.
  *
  * Exceptions, where nothing thin is drawn:
  * - complex space; all of space as extent; another method than the default; a degree above 12;
- * - an eye that has the extent's centre right beside it, or some 10^7 radii away; from an eye nearer than
- *   two radii, what is more than some 50 degrees from the direction of view;
- * - pictures so coarse, of some 20 rows, or numbers so far out of range that there are no forms for tiles.
+ * - the eye is almost at the centre of the extent, or more than some 10^7 radii away from it; if the eye is
+ *   nearer than two radii: parts more than some 50 degrees off the direction of view;
+ * - numbers near the limits of double.
  *
  * Errors: as above.
  * Cost: a tenth to twice the picture's time; many times it where much is thin or singular, some 0.2
