@@ -77,11 +77,11 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
  *   has the other sign, in a region connected with the ray through a diagonal neighbour's middle;
  * - it is connected with what a neighbouring cell's ray hits, on that neighbour's side of the cell.
  *
- * So no isolated point and no line without sheets is lost, however thin, unless it is hidden, or within half a
- * cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer, and
- * paler.  If no part of a surface is narrower, or more sharply bent, than some cells, its picture is byte for
- * byte that without a colour.  Where the gradient vanishes, as at the tips of cones, single cells may show the
- * colour; so they may where P is small but not 0.
+ * So no isolated point and no line without sheets is lost, however thin, unless it is hidden, or within half
+ * a cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer,
+ * and paler.  If no part of a surface is narrower, or more sharply bent, than some cells, its picture is byte
+ * for byte that without a colour.  Where the gradient vanishes, as at the tips of cones, single cells may show
+ * the colour; so they may where P is small but not 0.
  *
  * Exceptions, where nothing thin is drawn:
  * - complex space; all of space as extent; another method than the default; a degree above 12;

@@ -20,7 +20,7 @@
  *                  is read;
  *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
  *                  _bracket, _refined_root, _complex_root, _cpoly_zero; _term, _constant, _parse_error;
- *                  _ray, _extent, _hit, _sector; _camera, _light.  Enumerations in structs are int;
+ *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int;
  *   algsurf_cell   is made by the library only, and may grow at its end;
  *   handles        (a surface, a scene, a solver) are opaque;
  *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
