@@ -327,6 +327,18 @@ void cli_set_extent(const cli_option *option, const char *value, void *field) {
     *(cli_extent *)field = extent;
 }
 
+void cli_set_clip(const cli_option *option, const char *value, void *field) {
+    cli_planes *planes = field;
+    double number[4];
+    if (!cli_numbers(value, ',', 4, number)) cli_expected(option, value);
+    if (number[0] == 0 && number[1] == 0 && number[2] == 0)
+        cli_fail(CLI_BAD_INPUT, "%s: A, B and C are all 0: that is no plane", option->name);
+    if (planes->count == ALGSURF_MAX_CLIP_PLANES)
+        cli_fail(CLI_BAD_INPUT, "%s: there may be %d planes, not more", option->name,
+                 ALGSURF_MAX_CLIP_PLANES);
+    planes->plane[planes->count++] = (algsurf_plane){{number[0], number[1], number[2]}, number[3]};
+}
+
 int cli_choice(const cli_option *option, const char *value) {
     const char *word = option->argument;
     for (int i = 0;; i++) {

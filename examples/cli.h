@@ -77,12 +77,18 @@ typedef struct cli_extent {
     int given;
 } cli_extent;
 
+typedef struct cli_planes {
+    algsurf_plane plane[ALGSURF_MAX_CLIP_PLANES];
+    size_t count;
+} cli_planes;
+
 /* Setters: the type of the field is in the name or behind it. */
 void cli_set_flag(const cli_option *option, const char *value, void *field);      /* int */
 void cli_set_int(const cli_option *option, const char *value, void *field);       /* int, low..high */
 void cli_set_text(const cli_option *option, const char *value, void *field);      /* const char * */
 void cli_set_vector(const cli_option *option, const char *value, void *field);    /* cli_vector */
 void cli_set_extent(const cli_option *option, const char *value, void *field);    /* cli_extent */
+void cli_set_clip(const cli_option *option, const char *value, void *field);      /* cli_planes, adds one */
 void cli_set_method(const cli_option *option, const char *value, void *field);    /* algsurf_method */
 void cli_set_tier(const cli_option *option, const char *value, void *field);      /* algsurf_tier */
 void cli_set_tolerance(const cli_option *option, const char *value, void *field); /* double */

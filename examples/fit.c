@@ -4,12 +4,14 @@
  * lower degree: r = max over k < n of (A_k / A_n)^(1/(n-k)), A_k the largest coefficient of degree k.
  * Everything that is special about a surface, as a rule, is within a few units of the origin.  Where a proof
  * finds all of it within 32 units, and not next to the end, it is bounded as far as eyes can tell, and the
- * extent is a ball about the box of that proof.  Else the extent is a ball that shows the singular points, if
- * these are bounded, and 3.5 units in any case; if nothing is in it, twice as much, and so on.
+ * extent is a ball about the box of that proof.  The unit of a flat surface is its thickness, so boxes 32 and
+ * 1024 times as large are tried, too.  Else the extent is a ball that shows the singular points, if these are
+ * bounded, and 3.5 units in any case; if nothing is in it, twice as much, and so on.
  *
- * The camera is placed by what a coarse picture shows: moved sideways until that is in the middle, and along
- * the view until it fills 90 per cent of the height or 95 of the width.  It stays out of the extent; to show
- * what is small in there the field of view is narrowed.
+ * The camera is placed by what a coarse picture shows, thin things among it where they are drawn: moved
+ * sideways until that is in the middle, and along the view until it fills 90 per cent of the height or 95 of
+ * the width.  It stays out of the extent; to show what is small in there the field of view is narrowed.  What
+ * a coarse picture would miss in a given extent is found by a proof first, and aimed at.
  */
 #include "fit.h"
 
@@ -19,11 +21,13 @@
 #include <string.h>
 
 static const double FAR = 32, USUAL = 3.5; /* in units of the polynomial */
+static const int FARTHER = 2;              /* larger boxes, each FAR times as large */
 static const double NEARLY = 0.95;         /* of the way to the end: what gets there may go on */
 static const double ROOM = 1.35;           /* about singular points */
 static const double LONELY = 0.6;          /* of the extent: no sheet reaches its end */
 static const double AROUND = 1.2;          /* about what is seen then */
 static const double PRECISION = 1.0 / 16;
+static const double LEAST_UNIT = 1e-140, MOST_UNIT = 1e140; /* squares are in range */
 
 /* The first thing that failed is kept; what follows it may be anything, and is not used. */
 static void demand(algsurf_status *failed, algsurf_status status) {
@@ -49,7 +53,7 @@ static double unit_of(const algsurf_surface *surface, algsurf_status *failed) {
     for (int k = 0; k < n; k++)
         if (largest[k] > 0) unit = fmax(unit, exp((log(largest[k]) - log(largest[n])) / (n - k)));
     free(terms);
-    return unit > 1e-100 && unit < 1e100 ? unit : 1;
+    return unit > LEAST_UNIT && unit < MOST_UNIT ? unit : 1;
 }
 
 typedef struct box {
@@ -57,11 +61,17 @@ typedef struct box {
     int empty;
 } box;
 
+static box enclose_in(const algsurf_surface *surface, const algsurf_extent *extent, int part,
+                      algsurf_status *failed) {
+    box found = {.empty = 1};
+    demand(failed,
+           algsurf_surface_enclose(surface, extent, part, PRECISION, found.lo, found.hi, &found.empty));
+    return found;
+}
+
 static box enclose(const algsurf_surface *surface, double half, int part, algsurf_status *failed) {
     const algsurf_extent all = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {half, half, half}};
-    box found = {.empty = 1};
-    demand(failed, algsurf_surface_enclose(surface, &all, part, PRECISION, found.lo, found.hi, &found.empty));
-    return found;
+    return enclose_in(surface, &all, part, failed);
 }
 
 /* Is all of it within half the size of a box about the origin? */
@@ -138,9 +148,13 @@ static algsurf_extent unbounded_extent(const algsurf_surface *surface, double un
 }
 
 static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounded, algsurf_status *failed) {
-    double unit = unit_of(surface, failed);
-    const box all = enclose(surface, FAR * unit, ALGSURF_PART_ALL, failed);
-    *bounded = all.empty || ends_within(&all, FAR * unit);
+    double unit = unit_of(surface, failed), half = FAR * unit;
+    box all = enclose(surface, half, ALGSURF_PART_ALL, failed);
+    for (int k = 0; k < FARTHER && !ends_within(&all, half); k++) {
+        half *= FAR;
+        all = enclose(surface, half, ALGSURF_PART_ALL, failed);
+    }
+    *bounded = all.empty || ends_within(&all, half);
     if (all.empty) return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {rounded_up(FAR * unit), 0, 0}};
     return *bounded ? ball_about(&all) : unbounded_extent(surface, unit, failed);
 }
@@ -150,6 +164,7 @@ static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounde
 enum { ROWS = 144, MOST_COLUMNS = 512, ROUNDS = 8 };
 static const double HIGH = 0.90, WIDE = 0.95; /* of the picture */
 static const double CLOSE = 1.3;              /* radii of the extent, from its centre to the eye */
+static const double SMALL = 0.1;              /* of the extent: aimed at */
 static const double PI = 3.14159265358979323846;
 
 /* A coarse picture, as large as the real one seen from farther away. */
@@ -162,7 +177,8 @@ typedef struct glance {
 } glance;
 
 static glance open_glance(const view_options *options, const algsurf_surface *surface,
-                          const algsurf_extent *extent, algsurf_status *failed) {
+                          const algsurf_extent *extent, int thin, algsurf_status *failed) {
+    static const double any_colour[3] = {1, 1, 1};
     glance g = {.height = ROWS, .failed = failed};
     double width = fmin(MOST_COLUMNS, fmax(1, round((double)ROWS * options->width / options->height)));
     g.width = (int)width;
@@ -171,6 +187,7 @@ static glance open_glance(const view_options *options, const algsurf_surface *su
     if (!g.state || !g.t) demand(failed, ALGSURF_E_NO_MEMORY);
     demand(failed, algsurf_scene_create(surface, &g.scene));
     demand(failed, algsurf_scene_set_extent(g.scene, extent));
+    demand(failed, algsurf_scene_set_thin(g.scene, thin ? any_colour : NULL));
     return g;
 }
 
@@ -199,13 +216,13 @@ static int look(glance *g, const algsurf_camera *camera, int rectangle[4]) {
     return bottom > 0;
 }
 
-/* The distance from the extent's centre of the farthest point that is seen. */
+/* The distance from the extent's centre of the farthest point that a ray meets. */
 static double reach_of(const glance *g, const algsurf_camera *camera, const double centre[3]) {
     double reach = 0;
     for (int i = 0; i < g->width * g->height && *g->failed == ALGSURF_OK; i++) {
         algsurf_ray ray = {.t_max = 0};
         double square = 0;
-        if (g->state[i] == ALGSURF_MISS) continue;
+        if (g->state[i] == ALGSURF_MISS || g->state[i] == ALGSURF_THIN) continue;
         demand(g->failed,
                algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5, i / g->width + 0.5, &ray));
         for (int k = 0; k < 3; k++) {
@@ -219,30 +236,47 @@ static double reach_of(const glance *g, const algsurf_camera *camera, const doub
 
 static double length(const double v[3]) { return hypot(hypot(v[0], v[1]), v[2]); }
 
+/* The eye, for a view of that half height at the point looked at, by `back` away from it or, if that is too
+ * close to the extent, farther. */
+static void set_eye(view *v, const double back[3], double half, double radius) {
+    double from_centre[3], distance = length(back);
+    for (int i = 0; i < 3; i++) {
+        v->eye[i] = v->look_at[i] + back[i];
+        from_centre[i] = v->eye[i] - v->extent.centre[i];
+    }
+    double step = fmax(0, CLOSE * radius - length(from_centre));
+    for (int i = 0; i < 3; i++) v->eye[i] += step * back[i] / distance;
+    v->fov = 360 / PI * atan(half / (distance + step));
+}
+
+/* Looks at what is small in the extent. */
+static void aim(view *v, const algsurf_surface *surface, double radius, algsurf_status *failed) {
+    const box all = enclose_in(surface, &v->extent, ALGSURF_PART_ALL, failed);
+    double back[3], middle[3], half = all.empty ? 0 : sqrt(3) * half_edge(&all, middle);
+    if (!(half > 0 && half < SMALL * radius)) return;
+    for (int i = 0; i < 3; i++) {
+        back[i] = v->eye[i] - v->look_at[i];
+        v->look_at[i] = middle[i];
+    }
+    set_eye(v, back, half, radius);
+}
+
 /* Moves the view once towards what fills the picture; 0 when it is there, or nothing is seen. */
 static int move(glance *g, view *v, double radius) {
     algsurf_camera camera;
     int seen[4];
-    double back[3], from_centre[3];
+    double back[3];
     demand(g->failed, view_make_camera(v, 0, 1, &camera));
     if (*g->failed != ALGSURF_OK || !look(g, &camera, seen)) return 0;
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
-    double distance = length(back), half = camera.half_height * distance, pixel = 2 * half / g->height;
+    double half = camera.half_height * length(back), pixel = 2 * half / g->height;
     double aside = 0.5 * (seen[0] + seen[1] - g->width), down = 0.5 * (seen[2] + seen[3] - g->height);
     double times = fmax((seen[3] - seen[2]) / (HIGH * g->height), (seen[1] - seen[0]) / (WIDE * g->width));
     for (int i = 0; i < 3; i++) {
-        double by = pixel * (aside * camera.right[i] - down * camera.up[i]);
-        v->look_at[i] += by;
-        v->eye[i] = v->look_at[i] + times * back[i];
-        from_centre[i] = v->eye[i] - v->extent.centre[i];
+        v->look_at[i] += pixel * (aside * camera.right[i] - down * camera.up[i]);
+        back[i] *= times;
     }
-    double away = length(from_centre), least = CLOSE * radius;
-    if (away < least) {
-        double step = least - away;
-        for (int i = 0; i < 3; i++) v->eye[i] += step * back[i] / distance;
-        double now = times * distance + step;
-        v->fov = 360 / PI * atan(times * half / now);
-    }
+    set_eye(v, back, times * half, radius);
     return fabs(times - 1) > 0.01 || fabs(aside) > 1 || fabs(down) > 1;
 }
 
@@ -250,10 +284,10 @@ static int move(glance *g, view *v, double radius) {
 static void round_camera(view *v, int turned) {
     double back[3];
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
-    double distance = length(back);
+    double distance = length(back), half = distance * tan(v->fov * PI / 360);
     for (int i = 0; i < 3; i++) {
         v->eye[i] = rounded_place(v->eye[i], distance / 10);
-        v->look_at[i] = rounded_place(v->look_at[i], distance / 10);
+        v->look_at[i] = rounded_place(v->look_at[i], fmin(half, distance / 10));
     }
     v->fov = rounded_place(v->fov, v->fov / 10);
     double size = length(v->up);
@@ -272,12 +306,13 @@ static void stand_off(view *v, const view_options *options) {
 }
 
 /* Fits the camera; returns how far what is seen reaches from the extent's centre. */
-static double fit_camera(view *v, const view_options *options, const algsurf_surface *surface,
+static double fit_camera(view *v, const view_options *options, const algsurf_surface *surface, int thin,
                          algsurf_status *failed) {
     const algsurf_extent *extent = &v->extent;
     double radius = extent->kind == ALGSURF_EXTENT_BOX ? length(extent->size) : extent->size[0], reach = 0;
-    glance g = open_glance(options, surface, extent, failed);
+    glance g = open_glance(options, surface, extent, thin, failed);
     algsurf_camera camera;
+    if (options->extent.given || options->centre.given) aim(v, surface, radius, failed);
     for (int round = 0; round < ROUNDS && *failed == ALGSURF_OK && move(&g, v, radius); round++) {
     }
     demand(failed, view_make_camera(v, 0, 1, &camera));
@@ -287,7 +322,7 @@ static double fit_camera(view *v, const view_options *options, const algsurf_sur
 }
 
 algsurf_status fit_choose(view *v, const view_options *asked, const algsurf_surface *surface, int extent_only,
-                          fit_choice *choice) {
+                          int thin, fit_choice *choice) {
     view_options usual = *asked; /* what magnifies does so afterwards */
     const view_options *options = &usual;
     algsurf_status failed = ALGSURF_OK;
@@ -303,11 +338,11 @@ algsurf_status fit_choose(view *v, const view_options *asked, const algsurf_surf
     double fov = v->fov;
     int turned = options->turn[0] != 0 || options->turn[1] != 0;
     if (choose_camera) {
-        double reach = fit_camera(v, options, surface, &failed);
+        double reach = fit_camera(v, options, surface, thin, &failed);
         if (!bounded && reach > 0 && reach < LONELY * v->extent.size[0]) { /* all that goes on are lines */
             v->extent.size[0] = rounded_up(AROUND * reach);
             stand_off(v, options);
-            (void)fit_camera(v, options, surface, &failed);
+            (void)fit_camera(v, options, surface, 0, &failed);
         }
         round_camera(v, turned);
     }

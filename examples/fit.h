@@ -16,12 +16,14 @@ typedef struct fit_choice {
 /* Changes what of the view was not asked for in the options: the extent, so that it holds a bounded surface,
  * and of another one what is singular and near; then place and field of view of a pinhole camera, which looks
  * the same way as before.  extent_only: the camera stays, for pictures that show something else, complex
- * space or all sides.  The options have a size.  Of an error the view is not to be used. */
+ * space or all sides.  thin: what is thin counts as seen.  The options have a size.  Of an error the
+ * view is not to be used. */
 algsurf_status fit_choose(view *v, const view_options *options, const algsurf_surface *surface,
-                          int extent_only, fit_choice *choice);
+                          int extent_only, int thin, fit_choice *choice);
 
 /* The same in a program: each choice is told on standard error as the options that repeat it, and an error
  * ends it. */
-void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only);
+void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only,
+              int thin);
 
 #endif

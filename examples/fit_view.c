@@ -20,9 +20,10 @@ static void tell(const view *v, const fit_choice *choice) {
     if (choice->extent || choice->camera) cli_complain("chosen:%s", text);
 }
 
-void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only) {
+void fit_view(view *v, const view_options *options, const algsurf_surface *surface, int extent_only,
+              int thin) {
     fit_choice choice;
-    algsurf_status status = fit_choose(v, options, surface, extent_only, &choice);
+    algsurf_status status = fit_choose(v, options, surface, extent_only, thin, &choice);
     if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
     if (status != ALGSURF_OK) {
         (void)view_camera(v, 0, 1); /* of a bad camera it tells which options make it */

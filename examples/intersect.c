@@ -12,6 +12,7 @@ typedef struct intersect_options {
     cli_surface surface;
     cli_extent extent;
     cli_vector centre;
+    cli_planes clip;
     int all, json;
     algsurf_intersect_options how;
 } intersect_options;
@@ -26,6 +27,8 @@ static const cli_option options_table[] = {
      "only hits in a ball of radius R count, or in a box from -X,-Y,-Z to X,Y,Z; default:\nall of space",
      cli_set_extent, FIELD(extent)},
     {"--centre", "X,Y,Z", "the centre of that ball or box, default 0,0,0", cli_set_vector, FIELD(centre)},
+    {"--clip", "A,B,C,D", "only hits with A x + B y + C z <= D; may be given up to 8 times", cli_set_clip,
+     FIELD(clip)},
     {"--method", "default|brent|bisection|regula-falsi",
      "how a root is computed when an interval is found that holds it alone; default: the\nfastest way",
      cli_set_method, FIELD(how.method)},
@@ -180,6 +183,8 @@ int main(int argc, char **argv) {
     if (options.centre.given && !options.extent.given)
         cli_fail(CLI_BAD_INPUT, "--centre: has no effect without --extent");
     memcpy(options.extent.extent.centre, options.centre.x, sizeof options.centre.x);
+    options.how.planes = options.clip.plane;
+    options.how.plane_count = options.clip.count;
     algsurf_surface *surface = cli_make_surface(&options.surface);
     run r = {.surface = surface,
              .how = &options.how,

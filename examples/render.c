@@ -49,6 +49,11 @@ static void demand(algsurf_status status) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 
+static int shows_thin(const render_options *options, const algsurf_surface *surface) {
+    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
+    return usual || options->thin == THIN_ASKED;
+}
+
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
                                  const catalogue_entry *entry, const algsurf_extent *extent) {
     algsurf_scene *scene;
@@ -62,9 +67,9 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
-    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
-    demand(algsurf_scene_set_thin(scene, usual || options->thin == THIN_ASKED ? thin_colour : NULL));
+    demand(algsurf_scene_set_thin(scene, shows_thin(options, surface) ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
+    demand(algsurf_scene_set_clip(scene, options->clip.plane, options->clip.count));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
     return scene;
 }
@@ -215,8 +220,11 @@ static void explain_nothing(const run *r, const view *shown) {
             extent_text(&shown->extent).text);
     else
         cli_complain("nothing is seen: the surface can only lie within x %.3g..%.3g, y %.3g..%.3g, "
-                     "z %.3g..%.3g; --eye, --look-at choose another view",
-                     lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+                     "z %.3g..%.3g; %s",
+                     lo[0], hi[0], lo[1], hi[1], lo[2], hi[2],
+                     r->options->clip.count > 0
+                         ? "--clip cuts it off, or --eye, --look-at choose another view"
+                         : "--eye, --look-at choose another view");
 }
 
 static algsurf_surface *make_surface(const render_options *options, int picture) {
@@ -322,7 +330,7 @@ static void choose_view(const run *r, view *shown) {
     const int chosen[3] = {0, sweep->pictures - 1, (sweep->pictures - 1) / 2};
     algsurf_surface *surface[3];
     if (sweep->kind != SWEEP_LET) {
-        fit_view(shown, &options->view, r->surface, extent_only);
+        fit_view(shown, &options->view, r->surface, extent_only, shows_thin(options, r->surface));
         return;
     }
     for (int i = 0; i < 3; i++) surface[i] = make_surface(options, chosen[i]);

@@ -13,13 +13,15 @@ static int is_decided_by_tile(uint8_t way) { return (way & WAYS) <= ALGSURF_WAY_
 
 /* The bounded tier leaves a ray uncertain exactly where the certified tier would go to integers. */
 static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
-                   const algsurf_intersect_options *asked) {
+                   const render_options *options) {
     algsurf_observer observer = {.size = sizeof observer};
-    algsurf_intersect_options how = *asked;
+    algsurf_intersect_options how = options->intersect;
     algsurf_hit hit;
     how.tier = ALGSURF_TIER_BOUNDED;
     how.undecided_as = ALGSURF_AS_UNDECIDED;
     how.observer = &observer;
+    how.planes = options->clip.plane;
+    how.plane_count = options->clip.count;
     if (algsurf_intersect_first(surface, extent, ray, &how, &hit) != ALGSURF_OK ||
         hit.state == ALGSURF_UNDECIDED)
         return LEFT_OPEN;
@@ -46,7 +48,7 @@ static int *count_costs(const render_options *options, const algsurf_surface *su
             if (is_decided_by_tile(*way++)) continue;
             algsurf_status status =
                 algsurf_camera_ray(camera, width, height, x + 0.5, s->first + y + 0.5, &ray);
-            *at = status == ALGSURF_OK ? cost_of(surface, extent, &ray, &options->intersect) : LEFT_OPEN;
+            *at = status == ALGSURF_OK ? cost_of(surface, extent, &ray, options) : LEFT_OPEN;
         }
         (void)progress_rows(y + 1, s->rows, bar);
     }

@@ -103,6 +103,10 @@ static const cli_option options_table[] = {
     CLI_SURFACE_OPTIONS(render_options),
     CLI_HEADING("The view"),
     VIEW_OPTIONS(render_options),
+    {"--clip", "A,B,C,D",
+     "cuts the surface by a plane: shows only the points with A x + B y + C z <= D.  May\n"
+     "be given up to 8 times",
+     cli_set_clip, FIELD(clip)},
     CLI_HEADING("The picture"),
     {"--output", "FILE",
      "the file of the picture, a .png, .bmp or .ppm; also -o.  Default NAME.png, or\n"

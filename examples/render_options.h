@@ -23,6 +23,7 @@ typedef struct render_options {
     double antialias_threshold;
     enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn up to VIEW_USUALLY_THIN */
     algsurf_intersect_options intersect;
+    cli_planes clip;
     int threads;
     int row_begin, row_end; /* both 0: all rows */
     int frame;              /* of the sweep, from 1; 0: all */

@@ -99,6 +99,10 @@ uint64_t render_job_digest(const render_options *options, const algsurf_surface 
     digest = add_numbers(digest, extent->centre, 3);
     digest = add_numbers(digest, extent->size, 3); /* of a sphere, only the first is not 0 */
     digest = add_camera(digest, camera);
+    for (size_t i = 0; i < options->clip.count; i++) {
+        digest = add_numbers(digest, options->clip.plane[i].normal, 3);
+        digest = add_numbers(digest, &options->clip.plane[i].offset, 1);
+    }
     if (!space) return digest;
     digest = add_numbers(digest, (double[]){space->sector.sigma, space->sector.delta}, 2);
     return add_numbers(digest, space->imaginary, ALGSURF_MAX_DEGREE + 1);

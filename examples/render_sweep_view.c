@@ -44,7 +44,7 @@ static void choose_extent(view_options *options, algsurf_surface *const *surface
     cli_be_quiet(1);
     for (int i = 0; i < count; i++) {
         view one;
-        fit_view(&one, options, surface[i], 1);
+        fit_view(&one, options, surface[i], 1, 0);
         all = i == 0 ? one.extent : ball_about(&all, &one.extent);
     }
     cli_be_quiet(0);
@@ -139,6 +139,6 @@ void render_sweep_view(view *v, const view_options *asked, algsurf_surface *cons
     algsurf_surface *all = NULL;
     if (!asked->extent.given && !asked->centre.given) choose_extent(&options, surface, count);
     if (unite(surface, count, &all) != ALGSURF_OK) cli_no_memory();
-    fit_view(v, &options, all, extent_only);
+    fit_view(v, &options, all, extent_only, 0);
     algsurf_surface_free(all);
 }

@@ -12,7 +12,7 @@
 
 #include "exact_ray.h"
 
-enum { EXACT_MOST_FACES = 6, EXACT_MOST_HITS = ALGSURF_MAX_DEGREE };
+enum { EXACT_MOST_FACES = 6 + ALGSURF_MAX_CLIP_PLANES, EXACT_MOST_HITS = ALGSURF_MAX_DEGREE };
 
 /* A root: lo itself if lo = hi, else the only root in (lo,hi), neither of which is a root. */
 typedef struct exact_place {
@@ -253,6 +253,20 @@ static inline void exact_offset(mpq_t offset, mpq_t step, const algsurf_extent *
     mpq_clear(q);
 }
 
+/* offset - normal.X along the ray. */
+static inline void exact_plane_of(exact_face *face, const algsurf_plane *plane, const algsurf_ray *ray) {
+    mpq_t c[3], n, x;
+    mpq_inits(c[0], c[1], c[2], n, x, NULL);
+    exact_set(c[0], plane->offset);
+    for (int i = 0; i < 3; i++) {
+        exact_set(n, plane->normal[i]);
+        exact_set(x, ray->origin[i]), mpq_mul(x, x, n), mpq_sub(c[0], c[0], x);
+        exact_set(x, ray->direction[i]), mpq_mul(x, x, n), mpq_sub(c[1], c[1], x);
+    }
+    exact_face_of(face, c);
+    mpq_clears(c[0], c[1], c[2], n, x, NULL);
+}
+
 /* Inside: all faces >= 0. */
 static inline int exact_faces_of(exact_face *face, const algsurf_extent *e, const algsurf_ray *ray) {
     mpq_t c[3], a, b, q;
@@ -327,6 +341,15 @@ static inline void exact_keep_inside(exact_hits *h, const exact_sturm *s, const 
     h->count = kept;
 }
 
+/* Is no face negative at -infinity? */
+static inline int exact_is_inside_far_before(const exact_face *face, int faces) {
+    for (int i = 0; i < faces; i++) {
+        int n = face[i].degree;
+        if (n >= 0 && mpz_sgn(face[i].c[n]) == (n % 2 ? 1 : -1)) return 0;
+    }
+    return 1;
+}
+
 /* A ray in the surface: the first of t_min and the faces' roots that is inside. */
 static inline void exact_first_inside(exact_hits *h, const exact_face *face, int faces,
                                       const algsurf_ray *ray) {
@@ -342,7 +365,7 @@ static inline void exact_first_inside(exact_hits *h, const exact_face *face, int
     } else { /* a root before all others: none */
         mpz_set_ui(product[0], 1), n = 0;
     }
-    h->infinite = !isfinite(ray->t_min) && faces == 0;
+    h->infinite = !isfinite(ray->t_min) && exact_is_inside_far_before(face, faces);
     for (int i = 0; i < faces; i++) {
         if (face[i].degree < 1) continue;
         next = exact_polynomials(1, 2 * EXACT_MOST_FACES + 2);
@@ -357,12 +380,14 @@ static inline void exact_first_inside(exact_hits *h, const exact_face *face, int
     exact_free(product, 2 * EXACT_MOST_FACES + 2);
 }
 
-/* What there is on a ray; extent may be null.  To be cleared. */
+/* What there is on a ray; extent may be null, and planes where there are none.  To be cleared. */
 static inline exact_hits *exact_hits_of(const algsurf_term *terms, int count, int degree,
-                                        const algsurf_extent *extent, const algsurf_ray *ray) {
+                                        const algsurf_extent *extent, const algsurf_plane *planes,
+                                        size_t plane_count, const algsurf_ray *ray) {
     exact_hits *h = calloc(1, sizeof *h);
     exact_face face[EXACT_MOST_FACES];
     int faces = exact_faces_of(face, extent, ray);
+    for (size_t i = 0; i < plane_count; i++) exact_plane_of(face + faces++, planes + i, ray);
     exact_line line = exact_line_of(terms, count, degree, ray);
     int n = exact_degree(line.c, degree);
     h->in_surface = n < 0;

@@ -260,7 +260,8 @@ static inline const char *intersect_verdict(const intersect_case *c, const algsu
         if (!wrong && !extent && s.count > 0) wrong = intersect_truth(c, &s, a);
         exact_sturm_clear(&s);
     } else if (!wrong) {
-        exact_hits *h = exact_hits_of(c->terms, c->count, c->degree, extent, &c->ray);
+        exact_hits *h = exact_hits_of(c->terms, c->count, c->degree, extent, options ? options->planes : NULL,
+                                      options ? options->plane_count : 0, &c->ray);
         wrong = intersect_wrong(h, a);
         exact_hits_clear(h);
     }

@@ -295,6 +295,7 @@ static void test_explained(void **unused) {
         {"x + (", "", "expected a number"},
         {"sqrt2 x", "sqrt2", "behind sqrt"},
         {"x \u03b1", "\u03b1", "expected an operator"},
+        {"x = 1; y", "y", "nothing may follow ';'"},
         {"ax^2 + y", "a", "needs a value"},
         {"y radius", "radius", "needs a value"},
         {"y alpha_x", "alpha_x", "needs a value"},

@@ -1049,6 +1049,12 @@ static void call_algsurf_scene_set_camera(void) {
     SETS(algsurf_scene_set_camera(of.scene, &camera))
 }
 
+static void call_algsurf_scene_set_clip(void) {
+    algsurf_plane plane = {.offset = number(0.25)};
+    numbers(plane.normal, 3, up_usual);
+    SETS(algsurf_scene_set_clip(of.scene, &plane, 1))
+}
+
 static void call_algsurf_scene_set_complex_space(void) {
     algsurf_complex_space space = space_made();
     SETS(algsurf_scene_set_complex_space(of.scene, &space))
@@ -1286,6 +1292,7 @@ static const struct {
     CALL(algsurf_scene_set_antialias_threshold),
     CALL(algsurf_scene_set_background),
     CALL(algsurf_scene_set_camera),
+    CALL(algsurf_scene_set_clip),
     CALL(algsurf_scene_set_coherence),
     CALL(algsurf_scene_set_complex_space),
     CALL(algsurf_scene_set_extent),

@@ -1,4 +1,4 @@
-/* test_faces.c - the faces of an extent along a ray, against the definition in rational arithmetic.
+/* test_faces.c - the faces of an extent and a plane along a ray, against the definition in rational numbers.
  *
  * Breaks caught, each tried: the centre's sign, a mixed product added once, a bit less of width, the
  * direction without its power of two, the two sides of a box exchanged, a polynomial that is not compact.
@@ -52,6 +52,23 @@ static void define_face(mpq_t q[3], const algsurf_extent *x, const double *o, co
     mpq_clears(a, b, c, NULL);
 }
 
+/* The same of c - n.X. */
+static void define_plane(mpq_t q[3], const algsurf_plane *plane, const double *o, const double *d, int e) {
+    mpq_t n, x;
+    mpq_inits(n, x, NULL);
+    exact_set(q[0], plane->offset), mpq_set_ui(q[1], 0, 1), mpq_set_ui(q[2], 0, 1);
+    for (int i = 0; i < 3; i++) {
+        exact_set(n, plane->normal[i]);
+        exact_set(x, o[i]), mpq_mul(x, x, n), mpq_sub(q[0], q[0], x);
+        exact_set(x, d[i]), mpq_mul(x, x, n), mpq_sub(q[1], q[1], x);
+    }
+    if (e >= 0)
+        mpq_mul_2exp(q[1], q[1], (mp_bitcnt_t)e);
+    else
+        mpq_div_2exp(q[1], q[1], (mp_bitcnt_t)-e);
+    mpq_clears(n, x, NULL);
+}
+
 static void coefficient(mpq_t q, const algsurf_zpoly *p, int k) {
     mpz_t z, top;
     mpz_inits(z, top, NULL);
@@ -95,7 +112,8 @@ static int is_compact(const algsurf_zpoly *p) {
 }
 
 /* Counts the faces of each degree. */
-static void check(const algsurf_extent *x, const double *o, const double *d, int e, int of_degree[4]) {
+static void check(const algsurf_extent *x, const algsurf_plane *plane, const double *o, const double *d,
+                  int e, int of_degree[4]) {
     static uint64_t block[ROOM];
     algsurf_memory m;
     algsurf_zpoly face[ALGSURF_MOST_FACES];
@@ -104,12 +122,17 @@ static void check(const algsurf_extent *x, const double *o, const double *d, int
     mpq_t q[3];
     mpq_inits(q[0], q[1], q[2], NULL);
     algsurf_memory_begin(&m, block, ROOM, LIMIT);
-    assert_true(algsurf_i_faces(&m, x, o, d, e, face, &count));
-    assert_int_equal(count, x->kind == ALGSURF_EXTENT_SPHERE ? 1 : 6);
+    const algsurf_i_region region = {x, plane, 1};
+    assert_true(algsurf_i_faces(&m, &region, o, d, e, face, &count));
+    assert_int_equal(count, x->kind == ALGSURF_EXTENT_SPHERE ? 2 : 7);
     for (int f = 0; f < count; f++) {
-        define_face(q, x, o, d, e, f);
+        if (f < count - 1)
+            define_face(q, x, o, d, e, f);
+        else
+            define_plane(q, plane, o, d, e);
         if (!is_multiple(&face[f], q) || !is_compact(&face[f])) {
             print_case(x, o, d, e);
+            exact_print_doubles("normal", plane->normal, 3), exact_print_doubles("offset", &plane->offset, 1);
             fail_msg("another face %d", f);
         }
         of_degree[face[f].degree + 1]++;
@@ -142,9 +165,13 @@ static void test_random(void **state) {
             if (exact_random_int(&seed, 4) == 0) x.centre[i] = 0;
         }
         if (d[0] == 0) d[0] = 1;
-        check(&x, o, d, e, of_degree);
+        algsurf_plane plane = {{number(&seed, of), number(&seed, of), number(&seed, of)}, number(&seed, of)};
+        for (int i = 1; i < 3; i++)
+            if (exact_random_int(&seed, 4) == 0) plane.normal[i] = 0;
+        if (plane.normal[0] == 0) plane.normal[0] = -1;
+        check(&x, &plane, o, d, e, of_degree);
     }
-    for (int k = 0; k < 4; k++) assert_in_range(of_degree[k], 20, 9000);
+    for (int k = 0; k < 4; k++) assert_in_range(of_degree[k], 20, 12000);
 }
 
 /* The largest coefficients that numbers of some length can make, at the ends of limbs. */
@@ -160,7 +187,8 @@ static void test_longest(void **state) {
                 x.size[0] = ldexp(1, 1 - bits);
             else
                 d[0] = d[1] = d[2] = ldexp(-1, 1 - bits);
-            check(&x, o, d, 0, of_degree);
+            const algsurf_plane plane = {{-ones, ones, ones}, kind == ALGSURF_EXTENT_BOX ? ones : -x.size[0]};
+            check(&x, &plane, o, d, 0, of_degree);
         }
 }
 
@@ -172,10 +200,10 @@ static void test_none(void **state) {
     const algsurf_extent all = {ALGSURF_EXTENT_ALL, {0}, {0}};
     int count = 7;
     algsurf_memory_begin(&m, NULL, 0, 0);
-    assert_true(algsurf_i_faces(&m, NULL, o, o, 0, face, &count));
+    assert_true(algsurf_i_faces(&m, &(algsurf_i_region){NULL, NULL, 0}, o, o, 0, face, &count));
     assert_int_equal(count, 0);
     count = 7;
-    assert_true(algsurf_i_faces(&m, &all, o, o, 0, face, &count));
+    assert_true(algsurf_i_faces(&m, &(algsurf_i_region){&all, NULL, 0}, o, o, 0, face, &count));
     assert_int_equal(count, 0);
 }
 
@@ -185,14 +213,16 @@ static void test_memory(void **state) {
     uint64_t block[64];
     const double o[3] = {0.1, 0.2, 3}, d[3] = {0.3, 0.5, -0.1};
     for (int kind = 1; kind <= 2; kind++) {
-        algsurf_extent x = {(int)kind, {0.1, 0.3, 0.7}, {1.1, 1.2, 1.3}};
+        const algsurf_extent x = {(int)kind, {0.1, 0.3, 0.7}, {1.1, 1.2, 1.3}};
+        const algsurf_plane plane = {{0.2, 0.3, 0.1}, 1.7};
+        const algsurf_i_region region = {&x, &plane, 1};
         algsurf_memory m;
         algsurf_zpoly face[ALGSURF_MOST_FACES];
         int done = 0, count;
         size_t words = 0;
         for (; !done && words < 64; words++) {
             algsurf_memory_begin(&m, block, words, 0);
-            done = algsurf_i_faces(&m, &x, o, d, -3, face, &count);
+            done = algsurf_i_faces(&m, &region, o, d, -3, face, &count);
             if (!done) assert_ptr_equal(m.at, block);
             if (!done) assert_int_equal(count, 0);
         }

@@ -114,10 +114,11 @@ static void roots_of_all_sizes(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, cases[i].lo, cases[i].hi};
+        static const algsurf_i_region everywhere = {NULL, NULL, 0};
         algsurf_i_ray_root roots[6];
         int n = 0;
         intersect_equation(&c, cases[i].equation);
-        assert_int_equal(algsurf_i_exact_roots(c.surface, NULL, &ray, NULL, ALGSURF_WANT_ALL,
+        assert_int_equal(algsurf_i_exact_roots(c.surface, &everywhere, &ray, NULL, ALGSURF_WANT_ALL,
                                                ALGSURF_DEFAULT_MEMORY, NULL, roots, 6, &n),
                          ALGSURF_OK);
         int as_told = n == cases[i].count;

@@ -281,10 +281,11 @@ static int hair_between(hair h, double lo, double hi) {
 /* Each root in [lo,hi] is found once, in its order. */
 static void find_hairs(const algsurf_surface *surface, hair *roots, int count, double lo, double hi) {
     algsurf_i_ray_root found[8];
+    static const algsurf_i_region everywhere = {NULL, NULL, 0};
     algsurf_ray ray = beside;
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
-    assert_int_equal(algsurf_i_exact_roots(surface, NULL, &ray, NULL, ALGSURF_WANT_ALL,
+    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, NULL, ALGSURF_WANT_ALL,
                                            ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
                      ALGSURF_OK);
     qsort(roots, (size_t)count, sizeof *roots, in_order);

@@ -141,10 +141,11 @@ static void judge_single(const packet_case *c, int i, const algsurf_extent *exte
 
 /* What integers say of a ray. */
 static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *extent) {
+    const algsurf_i_region region = {extent, NULL, 0};
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_int_equal(algsurf_i_exact_roots(surface, extent, ray, NULL, ALGSURF_WANT_FIRST,
+    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, NULL, ALGSURF_WANT_FIRST,
                                            ALGSURF_DEFAULT_MEMORY, NULL, &root, 1, &count),
                      ALGSURF_OK);
     if (count == 0) return hit;

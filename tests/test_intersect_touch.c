@@ -150,10 +150,11 @@ static void test_backwards(void **state) {
     e.c.ray = (algsurf_ray){{-4, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_equation(&e.c, "(x^2 + y^2 + z^2 - 1)(x^2 + 7)");
     const double ends[][2] = {{2.5, 5}, {3, 5.5}, {2.7, 5.1}, {3, 5}};
+    const algsurf_i_region region = {&e.extent, NULL, 0};
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         int count = 0;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
-        assert_int_equal(algsurf_i_exact_roots(e.c.surface, &e.extent, &e.c.ray, NULL, ALGSURF_WANT_ALL,
+        assert_int_equal(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, NULL, ALGSURF_WANT_ALL,
                                                ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE,
                                                &count),
                          ALGSURF_OK);

@@ -1,10 +1,10 @@
 /* test_render_tiles.c - pictures by tiles against pictures ray by ray, for all named surfaces.
  *
- * Slices of high pictures: there pixels are small enough for tiles up to degree 10.  The reference is the
- * same scene with another method of refinement, which takes every ray through algsurf_intersect_first.  No
- * pixel may differ, nor its t by more than render.h allows: 2^-36 of the extent's radius, or what rounding
- * makes of a zero of P there; and neither slices, threads nor kernels may change a byte, with one sample a
- * pixel or more.
+ * Slices of high pictures: there pixels are small enough for tiles up to degree 10.  A third of them is cut
+ * by planes.  The reference is the same scene with another method of refinement, which takes every ray
+ * through algsurf_intersect_first.  No pixel may differ, nor its t by more than render.h allows: 2^-36 of the
+ * extent's radius, or what rounding makes of a zero of P there; and neither slices, threads nor kernels may
+ * change a byte, with one sample a pixel or more.
  *
  *     test_render_tiles [views [seed]]
  */
@@ -39,8 +39,23 @@ typedef struct view {
     algsurf_surface *surface;
     algsurf_extent extent;
     algsurf_camera camera;
+    algsurf_plane planes[2];
+    size_t plane_count;
     uint64_t seed;
 } view;
+
+/* Through about the middle of what is shown. */
+static void set_planes(view *v) {
+    v->plane_count = v->number % 3 == 2 ? 1 + (size_t)exact_random_int(&v->seed, 2) : 0;
+    for (size_t k = 0; k < v->plane_count; k++) {
+        algsurf_plane *p = &v->planes[k];
+        p->offset = 0.3 * v->entry->extent.size[0] * exact_random_unit(&v->seed);
+        for (int i = 0; i < 3; i++) {
+            p->normal[i] = exact_random_unit(&v->seed);
+            p->offset += p->normal[i] * v->extent.centre[i];
+        }
+    }
+}
 
 /* Near, far and inside; parallel and not; balls and boxes; at the centre, past it, and close to it. */
 static void set_view(view *v) {
@@ -68,6 +83,7 @@ static void set_view(view *v) {
         assert_int_equal(algsurf_camera_pinhole(
                              eye, look, up, 2 * atan(zoom * fmin(1.1 * radius / far, 1)) * 57.3, &v->camera),
                          ALGSURF_OK);
+    set_planes(v);
     v->row = HEIGHT / 2 - ROWS + exact_random_int(&v->seed, ROWS);
 }
 
@@ -78,6 +94,7 @@ static algsurf_scene *scene_of(const view *v, const algsurf_intersect_options *h
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_clip(scene, v->planes, v->plane_count), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
     if (threshold > 0) assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
     return scene;

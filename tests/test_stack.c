@@ -635,6 +635,10 @@ static void run_algsurf_scene_set_antialias_threshold(void) {
 }
 static void run_algsurf_scene_set_background(void) { (void)algsurf_scene_set_background(scene, grey); }
 static void run_algsurf_scene_set_camera(void) { (void)algsurf_scene_set_camera(scene, &camera); }
+static void run_algsurf_scene_set_clip(void) {
+    const algsurf_plane plane = {{1, 2, 3}, 0.5};
+    (void)algsurf_scene_set_clip(scene, &plane, 1);
+}
 static void run_algsurf_scene_set_coherence(void) {
     (void)algsurf_scene_set_coherence(scene, ALGSURF_COHERENCE_NONE);
 }
@@ -830,7 +834,7 @@ static const struct {
     STACK_OF(algsurf_real_roots_integers, 62, OTHERS),
     STACK_OF(algsurf_refine_function, USUAL, RENDERER),
     STACK_OF(algsurf_refine_poly, 42, RENDERER),
-    STACK_OF(algsurf_render, 57, RENDERER),
+    STACK_OF(algsurf_render, 58, RENDERER),
     STACK_OF(algsurf_scene_create, USUAL, OTHERS),
     STACK_OF(algsurf_scene_free, USUAL, OTHERS),
     STACK_OF(algsurf_scene_lighting, USUAL, OTHERS),
@@ -838,6 +842,7 @@ static const struct {
     STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_background, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_camera, USUAL, OTHERS),
+    STACK_OF(algsurf_scene_set_clip, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_coherence, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS),
     STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS),

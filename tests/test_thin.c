@@ -1,7 +1,7 @@
 /* test_thin.c - what is thin is drawn, all of it and nothing else.
  *
  * Which surfaces have thin parts is known: the handle of Whitney's umbrella, x = y = 0 < z; the axes beyond
- * 1/2 on Steiner's surface; the origin on x^2 + y^2 = z^2 (z - 1).  At sizes from 64 to 2048 each pixel that
+ * 1/2 on Steiner's surface; the origin on x^2 + y^2 = z^2 (z - 1).  At sizes from 5 to 2048 each pixel that
  * a point of them is seen through shows it, or what hides it, so a line has no gaps; only where a line
  * begins, 6 pixels may show the sheets there.  Nothing else thin is shown, but beside the line, where it
  * begins, and along its continuation, where sheets cross.  Smooth surfaces are drawn to the byte as without,
@@ -27,7 +27,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST = 2048 };
+enum { MOST = 2048, SMALL = 19 /* pixels: there sheets are thin, too, or hide everything */ };
 
 static int views = 12;
 static uint64_t first_seed = 20261125;
@@ -151,7 +151,7 @@ static long check_place(const image *of, const place *p, int may_be_sheet) {
     if (!(p->x >= 0 && p->y >= 0 && p->x < of->size && p->y < of->size)) return 0;
     size_t i = (size_t)p->y * (size_t)of->size + (size_t)p->x;
     if (of->states[i] == ALGSURF_THIN) {
-        assert_true(fabs(of->t[i] - p->t) < 12 * p->pixel || of->t[i] < p->t);
+        assert_true(fabs(of->t[i] - p->t) < 12 * p->pixel || of->t[i] < p->t || may_be_sheet);
         return 1;
     }
     int is_hidden = of->states[i] == ALGSURF_HIT && of->t[i] < p->t + 8 * p->pixel;
@@ -221,15 +221,15 @@ static void check_surface(const thin_surface *s, int size, int count, uint64_t *
         draw(scene, size, &first);
         memset(marks, 0, (size_t)size * (size_t)size * sizeof *marks);
         shown += check_parts(s, &camera, &first);
-        check_nothing_else(&first);
+        if (size > SMALL) check_nothing_else(&first);
         algsurf_scene_free(scene);
     }
-    assert_true(shown > 0);
+    assert_true(shown > 0 || size <= SMALL);
     algsurf_surface_free(surface);
 }
 
 static void thin_parts_are_drawn(void **state) {
-    static const int sizes[] = {64, 65, 100, 128, 256, 511, 1024, 2048};
+    static const int sizes[] = {5, 12, 19, 64, 65, 100, 128, 256, 511, 1024, 2048};
     (void)state;
     uint64_t seed = first_seed;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -272,6 +272,56 @@ static void smooth_surfaces_are_as_before(void **state) {
     }
 }
 
+/* Double sheets and cusps end where the pixels do that see them, but for corners. */
+static void edges_have_no_halo(void **state) {
+    static const char *const equations[] = {"(x^2 + y^2 + z^2 - 1)^2", "(z^3 - 2)^2 + (x^2 + y^2 - 3)^3",
+                                            "x^2 y^2 + (z^2 - 1)^3"};
+    static const double centre[3] = {0, 0, 0};
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2.5, 0, 0}};
+    (void)state;
+    uint64_t seed = first_seed;
+    for (size_t n = 0; n < sizeof equations / sizeof *equations; n++) {
+        algsurf_surface *surface = surface_of(equations[n]);
+        for (int view = 0; view < views; view += 3) {
+            algsurf_camera camera;
+            random_camera(&seed, 7, centre, 30, view % 2, &camera);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera);
+            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            draw(scene, 80, &first);
+            assert_true(first.stats.hits > 500);
+            uint64_t most = n == 0 ? 0 : 12; /* a halo takes a hundred */
+            if (first.stats.thin > most)
+                fail_msg("%s, view %d: %d", equations[n], view, (int)first.stats.thin);
+            algsurf_scene_free(scene);
+        }
+        algsurf_surface_free(surface);
+    }
+}
+
+/* P is small, but not 0. */
+static void empty_surfaces_stay_empty(void **state) {
+    static const char *const equations[] = {"x^2 + 1/1000000", "(x + y + z)^2 + x^2 + 1/10000000",
+                                            "(x^2 + y^2 + z^2 - 1)^2 + 1/10000", "(x - y z)^2 + 1/1000000",
+                                            "-(x^2 + y^2)^2 - 1/1000000000"};
+    static const double centre[3] = {0, 0, 0};
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
+    (void)state;
+    uint64_t seed = first_seed;
+    for (size_t n = 0; n < sizeof equations / sizeof *equations; n++) {
+        algsurf_surface *surface = surface_of(equations[n]);
+        for (int view = 0; view < views; view++) {
+            algsurf_camera camera;
+            random_camera(&seed, 7, centre, 20, view % 4 == 3, &camera);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera);
+            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            draw(scene, view % 2 ? 333 : 200, &first);
+            if (first.stats.thin > 0) fail_msg("%s, view %d: %d", equations[n], view, (int)first.stats.thin);
+            algsurf_scene_free(scene);
+        }
+        algsurf_surface_free(surface);
+    }
+}
+
 /* Where nothing is searched. */
 static void out_of_reach_is_as_before(void **state) {
     static const algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL};
@@ -305,7 +355,7 @@ static void out_of_reach_is_as_before(void **state) {
 /* ---- the same always ---- */
 
 static void compare_ways(const algsurf_surface *surface, const algsurf_extent *extent,
-                         const algsurf_camera *camera, int antialias, double threshold) {
+                         const algsurf_camera *camera, int antialias, double threshold, uint64_t least) {
     enum { SIZE = 150, CUT = 77 };
     algsurf_scene *scene = scene_of(surface, extent, camera);
     assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
@@ -313,7 +363,7 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
     assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
     draw(scene, SIZE, &first);
-    assert_true(first.stats.thin > 0);
+    assert_true(first.stats.thin >= least);
     uint64_t whole = first.stats.thin;
     draw_rows(scene, SIZE, 0, CUT, 1, &second);
     uint64_t upper = second.stats.thin;
@@ -341,9 +391,10 @@ static void nothing_changes_a_byte(void **state) {
         algsurf_camera camera;
         assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
                          ALGSURF_OK);
-        compare_ways(surface, &entry->extent, &camera, 1, 0);
-        compare_ways(surface, &entry->extent, &camera, 3, 0);
-        compare_ways(surface, &entry->extent, &camera, 3, 0.1);
+        uint64_t least = n < 2; /* of points like those of Barth's sextic rays see enough */
+        compare_ways(surface, &entry->extent, &camera, 1, 0, least);
+        compare_ways(surface, &entry->extent, &camera, 3, 0, least);
+        compare_ways(surface, &entry->extent, &camera, 3, 0.1, least);
         algsurf_surface_free(surface);
     }
 }
@@ -380,6 +431,7 @@ int main(int argc, char **argv) {
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_parts_are_drawn), cmocka_unit_test(smooth_surfaces_are_as_before),
+        cmocka_unit_test(edges_have_no_halo), cmocka_unit_test(empty_surfaces_stay_empty),
         cmocka_unit_test(out_of_reach_is_as_before), cmocka_unit_test(nothing_changes_a_byte),
         cmocka_unit_test(samples_are_finer_pixels)};
     return cmocka_run_group_tests_name("thin", tests, NULL, NULL);

@@ -2,12 +2,14 @@
  *
  * Random surfaces of degree 1 to 12, views, boxes, columns and parts of their depths.  Where P is said to
  * have a sign, it has it at random points of the part, its edges among them; where it is said to grow in a
- * direction, it does from one such point to another that lies in that direction.  P is what the frame has,
- * each of its doubles taken as it is.
+ * direction, it does from one such point to another that lies in that direction.  Some surfaces are squares of
+ * planes and a little more, so that ranges do not tell.  P is what the frame has, each of its doubles taken as
+ * it is.
  *
  * Breaks tried, each caught: signs without the terms of the second order; growth across with half of them,
- * without those of the third, or with a mixed term of 0; growth along from the middle alone.  Not caught:
- * signs without the third order, the fourth order left out, which are far below what else a part leaves open.
+ * without those of the third, or with a mixed term of 0; growth along from the middle alone; squares whose
+ * rest is left out.  Not caught: squares whose mixed terms count half; signs without the third order, the
+ * fourth order left out, which are far below what else a part leaves open.
  *
  *     test_thin_box [parts [seed]]
  */
@@ -41,6 +43,22 @@ typedef struct test_box {
     algsurf_i_solid solid;
 } test_box;
 
+/* The square of a plane, so much more, and perhaps a little of z^3. */
+static size_t add_square(uint64_t *seed, double more, int bent, algsurf_term *terms) {
+    static const int of[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double plane[4];
+    size_t count = 0;
+    for (int i = 0; i < 4; i++) plane[i] = i > 0 ? uniform(seed, -1, 1) : uniform(seed, -0.1, 0.1);
+    for (int i = 0; i < 4; i++)
+        for (int j = i; j < 4; j++) {
+            double a = (i == j ? 1 : 2) * plane[i] * plane[j] + (j == 0 ? more : 0);
+            terms[count++] =
+                (algsurf_term){of[i][0] + of[j][0], of[i][1] + of[j][1], of[i][2] + of[j][2], a};
+        }
+    if (bent) terms[count++] = (algsurf_term){0, 0, 3, 0.01};
+    return count;
+}
+
 static void make_box(test_box *b, uint64_t *seed) {
     algsurf_term terms[SIDE * SIDE];
     algsurf_surface *surface;
@@ -52,6 +70,10 @@ static void make_box(test_box *b, uint64_t *seed) {
             terms[count++] = (algsurf_term){i, j, k, uniform(seed, -1, 1)};
         }
     terms[count++] = (algsurf_term){0, 0, degree, 1};
+    if (exact_random_int(seed, 3) == 0) {
+        degree = 2 + exact_random_int(seed, 2);
+        count = add_square(seed, ldexp(1, -exact_random_int(seed, 24)), degree == 3, terms);
+    }
     assert_int_equal(algsurf_surface_from_terms(terms, count, &surface), ALGSURF_OK);
     algsurf_i_view *view = &b->frame.view;
     memset(view, 0, sizeof *view);
@@ -119,7 +141,7 @@ static double random_place(uint64_t *seed) {
 /* A column of a narrowed box, and the part [from,to] of its depths. */
 typedef struct test_part {
     double x, y, half, from, to;
-    unsigned sign, growth;
+    unsigned sign, square_sign, growth;
 } test_part;
 
 static test_part make_part(test_box *b, uint64_t *seed) {
@@ -132,6 +154,7 @@ static test_part make_part(test_box *b, uint64_t *seed) {
     p.from = length * exact_random_int(seed, (int)(1 / length)), p.to = p.from + length;
     algsurf_i_solid_column(&b->solid, p.x, p.y, p.half, &column);
     p.sign = algsurf_i_column_cut(&b->solid, &column, p.from, p.to, &part);
+    p.square_sign = algsurf_i_column_square_sign(&b->solid, &part);
     p.growth = algsurf_i_column_growth(&b->solid, &part, length);
     return p;
 }
@@ -140,15 +163,14 @@ static void set_depth(const test_box *b, const test_part *p, double share, mpq_t
     exact_line(z, b->solid.from, p->from + share * (p->to - p->from), b->solid.to - b->solid.from);
 }
 
-static long signs, across, along;
+static long signs, squares, across, along;
 
-static void check_sign(const test_box *b, const test_part *p, uint64_t *seed) {
+static void check_sign(const test_box *b, const test_part *p, unsigned sign, uint64_t *seed) {
     mpq_t z, value;
     mpq_inits(z, value, NULL);
     set_depth(b, p, 0.5 + 0.5 * random_place(seed), z);
     exact_value(b, p->x + p->half * random_place(seed), p->y + p->half * random_place(seed), z, value);
-    assert_int_equal(mpq_sgn(value), p->sign == ALGSURF_I_POSITIVE ? 1 : -1);
-    signs++;
+    assert_int_equal(mpq_sgn(value), sign == ALGSURF_I_POSITIVE ? 1 : -1);
     mpq_clears(z, value, NULL);
 }
 
@@ -189,13 +211,16 @@ static void parts_are_what_is_said(void **state) {
         uint64_t seed = first_seed + (uint64_t)i;
         make_box(&b, &seed);
         const test_part p = make_part(&b, &seed);
-        for (int k = 0; p.sign && k < POINTS; k++) check_sign(&b, &p, &seed);
+        for (int k = 0; p.sign && k < POINTS; k++) check_sign(&b, &p, p.sign, &seed);
+        for (int k = 0; p.square_sign && k < POINTS; k++) check_sign(&b, &p, p.square_sign, &seed);
+        signs += p.sign != 0, squares += !p.sign && p.square_sign;
         for (int m = 0; m < ALGSURF_I_DIRECTIONS; m++)
             if (p.growth >> m & 1) check_across(&b, &p, m, &seed);
         if (p.growth & ALGSURF_I_ALONG) check_along(&b, &p, &seed);
     }
-    printf("%ld signs, %ld across, %ld along\n", signs, across, along);
-    assert_true(signs > part_count / 3 && across > part_count / 2 && along > part_count / 10);
+    printf("%ld signs, %ld squares, %ld across, %ld along\n", signs, squares, across, along);
+    assert_true(signs > part_count / 2 && squares > part_count / 150);
+    assert_true(across > part_count / 2 && along > part_count / 10);
 }
 
 int main(int argc, char **argv) {

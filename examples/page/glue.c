@@ -71,6 +71,10 @@ static void keep(algsurf_status *failed, algsurf_status status) {
     if (*failed == ALGSURF_OK) *failed = status;
 }
 
+static int shows_thin(const page_state *state, int degree) {
+    return state->thin == THIN_ASKED || (state->thin == THIN_USUAL && degree <= VIEW_USUALLY_THIN);
+}
+
 static void set_colours(const page_state *state, const render_look *look, int degree, algsurf_scene *scene,
                         algsurf_status *failed) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
@@ -80,8 +84,7 @@ static void set_colours(const page_state *state, const render_look *look, int de
     algsurf_material material = *lighting.material;
     render_paint(look, &material);
     keep(failed, algsurf_scene_set_material(scene, &material));
-    int thin = state->thin == THIN_ASKED || (state->thin == THIN_USUAL && degree <= VIEW_USUALLY_THIN);
-    keep(failed, algsurf_scene_set_thin(scene, thin ? material.outside : NULL));
+    keep(failed, algsurf_scene_set_thin(scene, shows_thin(state, degree) ? material.outside : NULL));
 }
 
 /* A scene as render makes it for the options that say the same as the state; null: there is none.  The
@@ -150,7 +153,8 @@ int page_fit(const algsurf_surface *surface, const page_state *state, int width,
         options.extent = (cli_extent){extent_of(state), 1};
         options.centre = (cli_vector){{state->centre[0], state->centre[1], state->centre[2]}, 1};
     }
-    algsurf_status status = fit_choose(&v, &options, surface, state->complex_given != 0, &choice);
+    algsurf_status status = fit_choose(&v, &options, surface, state->complex_given != 0,
+                                       shows_thin(state, algsurf_surface_degree(surface)), &choice);
     if (status != ALGSURF_OK) return status;
     const double *const threes[] = {v.extent.centre, v.extent.size, v.eye, v.look_at, v.up};
     for (int i = 0; i < 5; i++) memcpy(fitted + 3 * i, threes[i], sizeof v.eye);

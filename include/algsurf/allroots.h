@@ -1,13 +1,14 @@
 /* algsurf/allroots.h - all complex roots of a polynomial, enclosed and counted.
  *
- * Two families.  The robust solver, algsurf_complex_roots and its kin, returns for degree n always n roots,
- * as disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.  The
- * algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
- * beside it, with the failures they have: algsurf_approximation, algsurf_interval_iteration,
+ * There are two families.  The robust solver, algsurf_complex_roots and its variants, always returns n roots
+ * for degree n: disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.
+ * The algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
+ * beside it, and can fail as published: algsurf_approximation, algsurf_interval_iteration,
  * algsurf_cpoly_zeros.
  *
- * Coefficients are complex numbers, lowest degree first; an optional array of radii r >= 0 widens the
- * polynomial to all those with complex |c'_k - c_k| <= r_k: every guarantee then holds for each of them.
+ * Coefficients are complex numbers, lowest degree first.  With an optional array of radii r >= 0 they stand
+ * for all polynomials with complex coefficients c'_k, |c'_k - c_k| <= r_k, and every guarantee holds for each
+ * of these.
  */
 #ifndef ALGSURF_ALLROOTS_H
 #define ALGSURF_ALLROOTS_H
@@ -33,20 +34,20 @@ typedef struct algsurf_complex_root {
  *   roots   room for `degree` entries; at least 1
  *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
  *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * Exact zeros at the low end are the root 0, exactly.  Polynomials whose coefficients are all real (and
- * without radii) have their real roots proved real and the others in exactly conjugate boxes.
- * A multiple root of such a polynomial (all imaginary parts and all radii 0) comes alone in its box, mostly a
- * few units in the last place wide, real or as one of a conjugate pair: exact integers find it.  Otherwise
- * (complex coefficients, radii, no memory, different roots closer than doubles can tell) a multiple root is a
- * cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box about 0.
- * Entries are in increasing order of root.re, then of root.im.
+ * If the lowest coefficients are exactly 0, the root 0 is exact.  Polynomials whose coefficients are all real
+ * (and without radii) have their real roots proved real and the others in exactly conjugate boxes.
+ * A multiple root of such a polynomial (all imaginary parts and all radii 0), real or one of a conjugate
+ * pair, is found by exact integers: it is alone in its box, which is mostly a few units in the last place
+ * wide.  Otherwise (complex coefficients, radii, no memory, different roots closer than doubles can separate)
+ * a multiple root is a cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box
+ * about 0.  Entries are in increasing order of root.re, then of root.im.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
  * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
  * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE).
  * Cost: O(degree^2) times some 10 iterations; with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16)
  * where roots are simple and apart, 1 to 20 otherwise.
  * Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  For a multiple root of a real
- * polynomial without radii, integers: up to 1 GiB where 16 KiB of the stack do not suffice.  All is freed.
+ * polynomial without radii, integers: up to 1 GiB if 16 KiB of the stack do not suffice.  All is freed.
  * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
  * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  64 KiB of stack.
  * Since 1.0. */
@@ -74,15 +75,15 @@ typedef struct algsurf_complex_batch {
  * imaginary parts), or algsurf_complex_roots.
  *   options  null: all defaults
  *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
- *   count    for each polynomial the number of its entries; or, where the single call fails, its error, a
+ *   count    for each polynomial the number of its entries; or, if the single call fails, its error, a
  *            negative algsurf_status: its entries mean nothing then
- * Neither may overlap the input.
- * Returns the first of these errors: all other answers stand.
+ * roots and count may not overlap the input.
+ * Returns the first error in count, or OK; the answers for all other polynomials are valid.
  * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel, a relative_tolerance): nothing is
  * written; else those of the single call.
  * Guarantee: verified, as algsurf_complex_roots.
- * Cost: exact polynomials of degrees to 24 are solved side by side, as many as the kernel has lanes, and
- * those that are not proved that way one by one, as are all others.
+ * Cost: polynomials without radii of degree 24 at most are solved side by side, as many as the kernel has
+ * lanes.  Those that this does not prove, and all others, are solved one by one.
  * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
  * 64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
@@ -91,23 +92,23 @@ ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_bat
 
 /* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
 
-/* Names are the papers': p the polynomial, z a root, q the deflated polynomial, Z and Q their enclosures. */
+/* Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q enclosures. */
 
 /* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {
     size_t size;          /* sizeof(algsurf_zero_options) */
-    double relative_step; /* the approximation stops when steps of z, and of q, are below this times their
-                             size; 0: 1e-10 */
+    double relative_step; /* the approximation stops when the last steps of z and of q are below this times
+                             their sizes; 0: 1e-10 */
     int max_steps;        /* of the approximation, 0: 50 */
     int max_inflations;   /* of the interval iteration, 0: 10 */
 } algsurf_zero_options;
 
 /* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.
  *   p       degree+1 coefficients, degree 1..ALGSURF_MAX_POLY_DEGREE, p[degree] not 0
- *   start   first z; the first q is Horner's.  A real polynomial with a real start stays real.  Degree 1 is
- *           solved from any start.
+ *   start   first z; the first q is the quotient that Horner's scheme gives.  With a real polynomial and a
+ *           real start all values are real.  Degree 1 is solved from any start.
  *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
- *   steps   how many were made; may be null
+ *   steps   number of steps made; may be null
  * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
  * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT,
  * E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
@@ -123,8 +124,8 @@ ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int d
  *             polynomial in the set: verified
  *   unique    1: the root in Z is simple and the only one there (0 is not in the enclosure of q(Z)):
  *             verified; 0: not known.  May be null
- *   inflations  how many were made; may be null
- * Returns OK, or NOT_VERIFIED (nothing is written but inflations); multiple roots never verify, roots closer
+ *   inflations  number of inflations made; may be null
+ * Returns OK, or NOT_VERIFIED (only inflations is written).  Multiple roots are never verified, roots closer
  * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_NOT_FINITE.  Cost: O(degree) each
  * inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
  * original uses an exact dot product).  80 KiB of stack.  Since 1.0. */
@@ -139,19 +140,19 @@ typedef struct algsurf_cpoly_zero {
     algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
     algsurf_complex root;  /* the approximation, polished on the whole polynomial; in the box */
     int verified;          /* the interval iteration ended in an inclusion */
-    int unique;            /* and the root is simple and alone in the box */
+    int unique;            /* verified, and the root is simple and alone in the box */
     int converged;         /* the approximation met its stopping test, on both polynomials */
-    int steps, inflations; /* of the approximation, of the interval iteration */
+    int steps, inflations; /* numbers: of the approximation, of the interval iteration */
 } algsurf_cpoly_zero;
 
 /* The paper's algorithm: approximate a root of the deflated polynomial, polish and verify it on the
  * original one, deflate, go on; the last root is that of the linear factor.
- *   start    null: the cold start 0 + i for every root, which even and odd real polynomials hold on the
- *            imaginary axis; or `degree` start values, best by increasing magnitude (dividing by a large root
- *            first costs the small ones their digits)
+ *   start    null: every root is approximated from 0 + i (even and odd real polynomials keep that on the
+ *            imaginary axis); or `degree` start values, best by increasing magnitude (dividing by a large
+ *            root first costs the small ones their digits)
  *   zeros    `degree` entries, in the order found
  *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
- *            0: at least one failed, or two slid onto the same root
+ *            0: at least one failed, or two approximations went to the same root
  * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
  * Cost: O(degree^2) times the steps.  Source: as above, AllCPolyZeros.  110 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
@@ -161,14 +162,14 @@ ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const d
 
 /* ---- the robust solver with its own memory ---- */
 
-/* Work memory for repeated calls of high degree, and start values; not to be used by two threads at once. */
+/* Work memory for repeated calls of high degree; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;
 
 /* What a solve took. */
 typedef struct algsurf_complex_solver_stats {
     size_t size;    /* sizeof(algsurf_complex_solver_stats), set by the caller */
     int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
-    int retries;    /* roots that went to double-double */
+    int retries;    /* roots that were computed again in double-double */
 } algsurf_complex_solver_stats;
 
 /* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,
@@ -176,8 +177,10 @@ typedef struct algsurf_complex_solver_stats {
 ALGSURF_API algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver);
 /* Releases a solver and its memory; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_complex_solver_free(algsurf_complex_solver *solver);
-/* As algsurf_complex_roots; `start` null, or `degree` start values for the iteration, all different (good
- * ones save time, bad ones cost it; the answer is as certain with either); `stats` null, or what it took.
+/* As algsurf_complex_roots.
+ *   start  null, or `degree` start values for the iteration, all different: good ones save time, bad ones
+ *          cost it; the answer is as certain with either
+ *   stats  null, or receives what the solve took
  * Errors: as algsurf_complex_roots; E_DEGREE (above the solver's).  28 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver,
                                                       const algsurf_complex *c, const double *r, int degree,

@@ -1,9 +1,9 @@
 /* algsurf/expand.h - a surface along a ray: from P(x,y,z) to a polynomial in one variable.
  *
- * p(t) = P(origin + t direction) for the exact surface and the exact ray.  Two forms are offered.
- * The power basis in the caller's own t is what the literature calls p_0 .. p_d; it loses digits
- * when the origin is far from the surface, and says so in its radii.  The Bernstein form over the
- * ray's chord does not: it is expanded about the chord's midpoint and scaled to its length.
+ * p(t) = P(origin + t direction) for the exact surface and the exact ray.  Two forms are offered.  The power
+ * basis in the caller's own t is what the literature calls p_0 .. p_d; it loses digits when the origin is far
+ * from the surface, and its radii show that.  The Bernstein form on [t_min, t_max] does not lose them: it is
+ * expanded about the middle of this interval and scaled to its length.
  */
 #ifndef ALGSURF_EXPAND_H
 #define ALGSURF_EXPAND_H
@@ -18,7 +18,7 @@ extern "C" {
  *   c, r  n+1 coefficients, lowest first, and their radii, n = algsurf_surface_degree(surface).
  *         Encloses: the exact coefficient p_i lies in [c[i]-r[i], c[i]+r[i]].  r may be null.
  * Errors: E_ARGUMENT (null, zero direction), E_NOT_FINITE (ray), E_RANGE (overflow).
- * Cost: about one multiply-add for each term and each degree, twice.  Source: nested Horner scheme
+ * Cost: about two multiply-adds for each term and each degree.  Source: nested Horner scheme
  * over polynomials in t; radii by the same scheme on magnitudes.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_expand_power(const algsurf_surface *surface, const algsurf_ray *ray,
                                                 double *c, double *r);

@@ -2,15 +2,14 @@
  *
  * An interval [lo,hi] is the set of all reals between its ends, ends included; lo may be -inf, hi +inf,
  * lo <= hi always.  Every operation encloses: the result holds f(x,y) for all x and y of the operands.
- * Real operations are tight: each end is the best double there is (the exact end rounded outward),
- * also near overflow, underflow and among subnormals.  Complex operations are made of real ones; their
- * results enclose the exact rectangle.  Guarantees hold in any rounding mode and with flush-to-zero
- * set, as everywhere in this library.
+ * Real operations are tight: each end is the exact end rounded outward, also near overflow and underflow
+ * and among subnormals.  Complex operations are made of real ones; their results enclose the exact rectangle.
+ * Guarantees hold in any rounding mode and with flush-to-zero set, as everywhere in this library.
  *
  * Operations return their result unless they can fail; those return a status and leave the output
  * untouched on failure.  Operands that are not intervals (lo > hi, NaN, lo = +inf, hi = -inf) are the
- * caller's error: E_ARGUMENT where there is a status, else an unspecified result, maybe no interval.
- * Check with algsurf_interval_make where values come from outside.
+ * caller's error: the status is E_ARGUMENT; without a status the result is unspecified, maybe no interval.
+ * Check values that come from outside by algsurf_interval_make.
  * An infinite end stands for arbitrarily large numbers: 0 times it is 0, and a finite number divided by it is
  * 0.  An end that is zero comes out as +0.
  * Cost: 5 to 20 ns for a real operation, 0.1 us for a complex product, modulus or argument, 0.4 us for a
@@ -67,10 +66,10 @@ ALGSURF_API algsurf_status algsurf_interval_sqrt(algsurf_interval a, algsurf_int
 ALGSURF_API algsurf_interval algsurf_interval_abs(algsurf_interval a);
 /* The least interval that holds both. */
 ALGSURF_API algsurf_interval algsurf_interval_hull(algsurf_interval a, algsurf_interval b);
-/* What both have in common.  Errors: E_ARGUMENT (null), E_RANGE (nothing). */
+/* What both have in common.  Errors: E_ARGUMENT (null), E_RANGE (they have nothing in common). */
 ALGSURF_API algsurf_status algsurf_interval_intersect(algsurf_interval a, algsurf_interval b,
                                                       algsurf_interval *result);
-/* hi - lo rounded up; +inf if an end is. */
+/* hi - lo rounded up; +inf if an end is infinite. */
 ALGSURF_API double algsurf_interval_width(algsurf_interval a);
 /* A finite double inside, nearest to the middle (0 for the whole line; for a half line the finite double
  * farthest along it). */
@@ -86,9 +85,10 @@ ALGSURF_API int algsurf_interval_interior(algsurf_interval a, algsurf_interval b
  * operand that is no interval).  Cost: about 30 ns times degree. */
 ALGSURF_API algsurf_status algsurf_interval_poly(const algsurf_interval *c, int degree, algsurf_interval x,
                                                  algsurf_interval *result);
-/* The same by the centred form p(m) + q(x) (x - m), m the middle of x, q the quotient of p - p(m) by x - m,
- * intersected with Horner's result: never wider, and the excess width is of second order in the width of x.
- * Errors: as above.  Cost: twice to three times.  Source: Krawczyk, Neumaier 1985. */
+/* The same by the centred form p(m) + q(x) (x - m), m the middle of x, q the quotient of p - p(m) by x - m.
+ * It is intersected with Horner's result, so it is never wider than that; its excess over the exact range is
+ * of second order in the width of x.
+ * Errors: as above.  Cost: two to three times that.  Source: Krawczyk, Neumaier 1985. */
 ALGSURF_API algsurf_status algsurf_interval_poly_centred(const algsurf_interval *c, int degree,
                                                          algsurf_interval x, algsurf_interval *result);
 
@@ -106,8 +106,8 @@ ALGSURF_API algsurf_cinterval algsurf_cinterval_add(algsurf_cinterval a, algsurf
 ALGSURF_API algsurf_cinterval algsurf_cinterval_sub(algsurf_cinterval a, algsurf_cinterval b);
 /* Encloses { z w : z in a, w in b }. */
 ALGSURF_API algsurf_cinterval algsurf_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b);
-/* Encloses { z / w : z in a, w in b }: a times the hull of 1/b; a few units in the last place of the modulus
- * for points, of any size.
+/* Encloses { z / w : z in a, w in b }: a times the hull of 1/b.  For points of any size, a few units in the
+ * last place of the modulus.
  * Errors: E_ARGUMENT (null), E_RANGE (b contains 0).  Source: Rokne, Lancaster 1971. */
 ALGSURF_API algsurf_status algsurf_cinterval_div(algsurf_cinterval a, algsurf_cinterval b,
                                                  algsurf_cinterval *result);
@@ -119,14 +119,15 @@ ALGSURF_API algsurf_status algsurf_cinterval_pow(algsurf_cinterval a, int n, alg
 /* { |z| }, ends within a few units in the last place. */
 ALGSURF_API algsurf_interval algsurf_cinterval_abs(algsurf_cinterval a);
 /* { arg z : z in a }, a without 0, as an interval [lo,hi], -pi <= lo <= pi, lo <= hi <= lo + 2 pi.  Arguments
- * are in (-pi,pi]; a rectangle that crosses the negative real axis, or touches it from below, gets hi > pi
- * (the part below the axis counted on by 2 pi), never a jump.  A rectangle on the real axis gives exactly
- * [0,0] or [pi_lo,pi_hi], the two doubles around pi.  pi in these bounds means the double on its outer side.
- * Ends are the best double or the next one.  Errors: E_ARGUMENT (null), E_RANGE (a contains 0). */
+ * are in (-pi,pi]; a rectangle that crosses the negative real axis, or touches it from below, gets hi > pi:
+ * 2 pi is added to the arguments below the axis, so that there is no jump.  A rectangle on the real axis
+ * gives exactly [0,0] or [pi_lo,pi_hi], the two doubles around pi.  pi in these bounds means the double on
+ * its outer side.  Ends are the best double or the next one.  Errors: E_ARGUMENT (null), E_RANGE (a contains
+ * 0). */
 ALGSURF_API algsurf_status algsurf_cinterval_arg(algsurf_cinterval a, algsurf_interval *result);
 /* The least rectangle that holds both. */
 ALGSURF_API algsurf_cinterval algsurf_cinterval_hull(algsurf_cinterval a, algsurf_cinterval b);
-/* What both have in common.  Errors: E_ARGUMENT (null), E_RANGE (nothing). */
+/* What both have in common.  Errors: E_ARGUMENT (null), E_RANGE (they have nothing in common). */
 ALGSURF_API algsurf_status algsurf_cinterval_intersect(algsurf_cinterval a, algsurf_cinterval b,
                                                        algsurf_cinterval *result);
 /* The larger of both widths. */

@@ -1,18 +1,21 @@
-/* algsurf/observe.h - how roots are found: each interval that is looked at, each point, and who decides.
+/* algsurf/observe.h - watching how roots are found: each interval, each point, by doubles or by integers.
  *
  * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
  * algsurf_intersect_options) run alike with and without it, and give the same bits; without one,
  * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
- * Isolation looks at cells.  It begins with the whole interval, or with parts of it, and cuts what has two
- * variations of sign or more; both parts are cells.  After algsurf_isolate_all, without radii, each point of
- * the interval lies in a cell without variations, in one with one variation, which holds one root, or on an
- * end of these; a search for the first root ends sooner.  There are no cells where something simpler decides:
- * a bound on the roots, one term that exceeds all others, a zero coefficient p_0.  A cell may reach beyond
- * the interval.  Where doubles leave something undecided there are further cells of the same places, at last
- * those of the integers, which always decide; these begin again with p's squarefree part where p shares a
- * factor with p'.  Of a polynomial t^m q(t^k) it is q that is looked at: signs and values are q's, and where
- * k is even, cells stand for their mirror images, too.
+ * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the
+ * interval asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A
+ * cell with two or more variations is cut, and both parts are cells.  At the end of algsurf_isolate_all
+ * without radii, each point of the interval lies in a cell without variations, which holds no root, or in one
+ * with one variation, which holds one root, or on an end of these.  A search for the first root ends as soon
+ * as that is isolated.
+ *     Parts of the interval need no cells if something simpler shows where their roots are: a bound on the
+ * roots, the signs of the coefficients, one term that exceeds all those of the other sign, or p_0 = 0.
+ *     What doubles leave undecided is searched again in new cells, finally by integers, which always decide.
+ * If p and p' have a common factor, the integers may begin again with p's squarefree part, p / gcd(p, p').
+ *     A polynomial t^m q(t^k) is searched by way of q: signs and values are those of q.  If k is even, a cell
+ * stands for its mirror image, too.
  */
 #ifndef ALGSURF_OBSERVE_H
 #define ALGSURF_OBSERVE_H
@@ -24,11 +27,11 @@
 extern "C" {
 #endif
 
-/* Who looks, and who decides. */
+/* What a cell or a value was computed with. */
 typedef enum algsurf_engine {
-    ALGSURF_ENGINE_NONE = 0,    /* nobody had to: no cells, no points */
+    ALGSURF_ENGINE_NONE = 0,    /* nothing: there were no cells and no points */
     ALGSURF_ENGINE_DOUBLES = 1, /* doubles with error bounds */
-    ALGSURF_ENGINE_INTEGERS = 2 /* integers: what doubles leave undecided */
+    ALGSURF_ENGINE_INTEGERS = 2 /* integers, which decide what doubles leave undecided */
 } algsurf_engine;
 
 /* A sign as far as it is known. */
@@ -39,38 +42,39 @@ typedef enum algsurf_sign {
     ALGSURF_SIGN_UNDECIDED = 2  /* error bounds, or radii of coefficients, leave it open */
 } algsurf_sign;
 
-/* An interval whose variations of sign were counted.  Made by the library, for the length of a callback; may
- * grow at its end. */
+/* An interval whose variations of sign were counted.  Made by the library, and valid during the callback; a
+ * later version may add members at its end. */
 typedef struct algsurf_cell {
-    double lo, hi;  /* its ends, rounded where they are no doubles; those of neighbours are the same */
-    int variations; /* of sign of the Bernstein coefficients on [lo,hi]; of undecided signs those that give
-                       the most.  Verified: 0, no root in (lo,hi); 1, the signs at both ends known, one */
+    double lo, hi;  /* its ends, rounded if they are not doubles; a common end of two cells is rounded once */
+    int variations; /* changes of sign among the Bernstein coefficients on [lo,hi]; undecided signs are chosen
+                       so that there are most.  0: no root in (lo,hi), verified.  1, with known signs at both
+                       ends: exactly one root, verified */
     int engine;     /* an algsurf_engine */
-    int degree;     /* of the polynomial looked at */
-    const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null where
-                                 variations were known without them: of a quadratic polynomial (they are its
-                                 roots), and of quarters of the line */
+    int degree;     /* of the polynomial whose coefficients these are */
+    const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null if
+                                 variations were found without them: of a quadratic polynomial (they are the
+                                 number of its roots), and of quarters of the line (between -s, 0 and s) */
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */
 typedef void (*algsurf_cell_observer)(const algsurf_cell *cell, void *data);
 
-/* Told of each point t at which a method of refinement evaluates, in its order, with the value that it gets:
- * p's; of its squarefree part, up to a positive factor, where integers look at that.  engine: an
- * algsurf_engine. */
+/* Told of each point t at which a method of refinement evaluates p, in order, with the value computed.  If
+ * integers evaluate p's squarefree part instead, it is the value of that, times some positive factor.
+ * engine: an algsurf_engine. */
 typedef void (*algsurf_point_observer)(double t, double value, int engine, void *data);
 
-/* Who watches.  Callbacks run in the library's floating-point environment, round to nearest, all exceptions
- * masked, and must leave that as it is; they must not change the observer.  One observer serves one call at
- * a time. */
+/* Callbacks, and counts.  Callbacks run in the library's floating-point environment (round to nearest, all
+ * exceptions masked) and must leave it as it is; they must not change the observer.  One observer serves one
+ * call at a time. */
 typedef struct algsurf_observer {
     size_t size;                     /* sizeof(algsurf_observer) */
     algsurf_cell_observer on_cell;   /* null: nobody is told of cells */
     algsurf_point_observer on_point; /* null: nobody is told of points */
     void *data;                      /* the caller's, passed to both */
-    size_t cells;                    /* how many; each call adds to it, and nobody resets it */
-    size_t evaluations;              /* at points; likewise */
-    int engine; /* the highest algsurf_engine of them, who decided; a call may raise it */
+    size_t cells;                    /* their number; each call adds to it, and none resets it */
+    size_t evaluations;              /* the number of points; likewise */
+    int engine;                      /* the highest algsurf_engine that was needed; no call lowers it */
 } algsurf_observer;
 
 #ifdef __cplusplus

@@ -14,8 +14,8 @@ extern "C" {
 #endif
 
 /* Arguments in radians, sigma .. sigma + delta, ends included: 0 <= sigma, 0 <= delta, sigma + delta <= pi.
- * The sum is that of real numbers, not a rounded one.  Only pi, which is no double, is taken as it is meant:
- * a sum that rounds to 0x1.921fb54442d18p+1 or to the next double stands for pi, a larger one is refused. */
+ * The sum is exact, not rounded.  Since pi is not a double, a sum that rounds to the double nearest to pi,
+ * 0x1.921fb54442d18p+1, or to the next larger one, counts as pi; a larger sum is refused. */
 typedef struct algsurf_sector {
     double sigma, delta; /* where the range begins, and how wide it is */
 } algsurf_sector;
@@ -23,12 +23,12 @@ typedef struct algsurf_sector {
 /* What is known of the root that is seen. */
 typedef enum algsurf_selected {
     ALGSURF_SELECTED_NONE = 0,     /* no root is in the sector: verified */
-    ALGSURF_SELECTED_ONE = 1,      /* the root at index is, and no smaller one can be: verified */
-    ALGSURF_SELECTED_UNDECIDED = 2 /* index is the least root that may be in the sector */
+    ALGSURF_SELECTED_ONE = 1,      /* the root at `index` is, and no smaller one can be: verified */
+    ALGSURF_SELECTED_UNDECIDED = 2 /* the root at `index` is the least that may be in the sector */
 } algsurf_selected;
 
-/* Are the roots of a box in the sector?  The root 0 has argument 0, a box proved real exactly 0 or pi.
- *   holds  1: every one is, in the sector or in its conjugate; 0: none is; 2: undecided
+/* Are the roots of a box in the sector?  The root 0 has argument 0; roots proved real have exactly 0 or pi.
+ *   holds  1: each is in the sector or in its conjugate; 0: none is; 2: undecided
  * Errors: E_ARGUMENT (null, sector out of range).  Cost: about 100 ns.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
                                                 const algsurf_complex_root *root, int *holds);
@@ -37,9 +37,9 @@ ALGSURF_API algsurf_status algsurf_sector_holds(const algsurf_sector *sector,
  *   roots, count  as algsurf_complex_roots gives them
  *   lo, hi        magnitudes that count; 0 <= lo <= hi, hi may be infinite
  *   selected      an algsurf_selected
- *   index         which; untouched if NONE
- * Nothing is assumed of the polynomial: two boxes whose magnitudes overlap leave open which root is smaller,
- * also where the boxes are mirror images of each other.
+ *   index         that of the root; untouched if NONE
+ * Nothing is assumed of the polynomial: if the magnitudes of two boxes overlap, it is undecided which root is
+ * smaller, also for boxes that are mirror images of each other.
  * Errors: E_ARGUMENT.  Cost: O(count), about 100 ns for each root whose argument has to be computed.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_select(const algsurf_complex_root *roots, int count,

@@ -1,8 +1,8 @@
 /* algsurf/shade.h - the colour of a point of a surface.
  *
  * Colours are red, green, blue in linear light: 0 is none, 1 all that a screen can show.  The bytes of a
- * picture, and of what is written "#2a80e0", are sRGB, which is another scale: algsurf_srgb_encode() and
- * algsurf_srgb_decode() lead from one to the other.
+ * picture, and those of "#2a80e0", are sRGB, which is another scale: algsurf_srgb_encode() and
+ * algsurf_srgb_decode() convert from one to the other.
  *     Both sides of a surface are lit alike: the normal is turned towards the viewer, and the side decides
  * between two colours.
  */
@@ -19,27 +19,29 @@ extern "C" {
 /* Largest number of lights of a scene. */
 #define ALGSURF_MAX_LIGHTS 16
 
-/* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0.  A 0 is 0 here, not a
- * default: to change a colour, copy the material that algsurf_scene_lighting() tells of a new scene (diffuse
- * 0.72, ambient 0.135, fill 0.135, specular 0.32, roughness 0.2, haze 0.2), and set the copy. */
+/* How a surface reflects light.  Every number is from 0 to 1; roughness is not 0.  Unlike in options, 0 is
+ * not a default here: to change one member, get the material of a new scene by algsurf_scene_lighting(),
+ * change a copy of it and set that.  (A new scene has diffuse 0.72, ambient 0.135, fill 0.135, specular 0.32,
+ * roughness 0.2, haze 0.2.) */
 typedef struct algsurf_material {
     size_t size;       /* sizeof(algsurf_material) */
     double outside[3]; /* colour where P grows towards the viewer (P > 0 in front) */
     double inside[3];  /* colour of the other side */
     double diffuse;    /* weight of the lights */
-    double ambient;    /* weight of light from all around, half as much more from above */
+    double ambient;    /* weight of light from all around, of which more comes from above */
     double fill;       /* weight of light from the eye, which no shadow takes away */
     double specular;   /* of the highlight; 1: its middle is white */
     double roughness;  /* how wide the highlight is: 0.1 is small and sharp, 0.5 covers half of a ball */
     double haze;       /* how much of its shading the farthest point loses; 1: all of it */
 } algsurf_material;
 
-/* A light: a point, or points of the parallelogram position + p edge_u + q edge_v, |p|, |q| <= 1/2.
- * Of samples_u x samples_v points p = a/(samples_u-1) - 1/2, a = 0, 1 ... (one: p = 0), q likewise.  With 0,
- * 0 a picture takes 32 points for each pixel, others for the next one, so that shadows end softly. */
+/* A light: a point, or the parallelogram position + p edge_u + q edge_v, |p|, |q| <= 1/2.  Shadows are
+ * computed from samples_u x samples_v of its points: p = a / (samples_u - 1) - 1/2 for a = 0, 1, ...,
+ * samples_u - 1 (p = 0 if samples_u is 1), and q likewise.  If both numbers are 0, a picture takes 32 points
+ * of the light for each pixel, different ones for the next pixel, so that shadows have soft edges. */
 typedef struct algsurf_light {
     double position[3];          /* of its middle, finite */
-    double colour[3];            /* each from 0 to 1000; 1 is what a material's weights are made for */
+    double colour[3];            /* each from 0 to 1000; the weights of the default material are made for 1 */
     double edge_u[3], edge_v[3]; /* of the parallelogram, finite */
     int samples_u, samples_v;    /* 1..64 each; 1, 1 is a point light; or 0, 0 */
 } algsurf_light;
@@ -52,8 +54,8 @@ typedef struct algsurf_lighting {
     int light_count;                  /* at most ALGSURF_MAX_LIGHTS */
     double up[3], forward[3]; /* unit vectors: which way is up in the picture, and away from the viewer */
     double centre[3], radius; /* a ball about what is shown, radius > 0 */
-    int bounded; /* 1: nothing is shown outside the ball; 0: that is not known, and haze and openness do
-                    without it */
+    int bounded; /* 1: nothing is shown outside the ball.  0: something may be; z and, without `visible`, O
+                    of the formula below are then constant */
 } algsurf_lighting;
 
 /* Position of sample (a,b) of a light, 0 <= a < samples_u, 0 <= b < samples_v.
@@ -66,18 +68,18 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  *              for each light the share of its points that nothing hides, and last the share of the
  *              directions around the point that are free
  *   point      on the surface
- *   normal     the unit normal grad P / |grad P|; 0 (a singular point) counts as facing the viewer
+ *   normal     the unit normal grad P / |grad P|; 0 (a singular point) counts as a normal towards the viewer
  *   direction  of the view, from the viewer to the point, a unit vector
  *   colour     receives red, green, blue, each from 0 to 1
- * N is the normal turned towards the viewer, V leads back to the viewer, L to a light's middle, all unit
- * vectors (L is 0 for a light at the point); nv = N.V, nl = N.L; q = (point - centre) / radius.
+ * N is the normal, turned towards the viewer; V points to the viewer, L to a light's middle; all are unit
+ * vectors (L is 0 for a light at the point).  nv = N.V, nl = N.L; q = (point - centre) / radius.
  * The light that arrives, in each channel:
  *     E = [diffuse sum_l colour_l K_l lambert(nl) + ambient (1 + 0.52 N.up) O + fill nv (0.35 + 0.65 O)]
  *         (1 - 0.35 (1 - nv)^3)
  *     lambert(x) = x for x >= 1/4, 0 for x <= -1/4, between them (x + 1/4)^2: light ends softly
  *     K_l = 0.15 + 0.85 visible_l, O likewise: no shadow is black.  With visible null K_l = 1, and
  *     O = 1 - 0.3 d, d = sqrt(max(0, (q.N)^2 + 1 - q.q)) - q.N within 0..2, how far it is along N to the
- *         end of the ball: what lies deep in a surface is darker (O = 1 if not bounded)
+ *         end of the ball: what lies deep inside is darker (O = 1 if not bounded)
  * Of a base colour a, with luminance Y = 0.2126 red + 0.7152 green + 0.0722 blue, w = min(E, 1):
  *     c = a w (1 + (1 - w)^2 0.8 min(a/Y - 1, 3))    shade is richer in colour, not greyer (Y = 0: c = 0)
  *     c += (1 - c) S_l for each light l              its highlight,
@@ -85,11 +87,11 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  *         g = r h / (h - (1 - r) (nl + nv)^2), r = roughness^2, h = 2 + 2 L.V
  *     c += (a - c) haze z^2                          what is far: z = 1/2 + q.forward / 2 within 0..1
  *         (z = 1/2 if not bounded)
- * Nothing exceeds 1 for a <= 1: the second factor of c is at most 1 / w for all w, and the rest mixes.
+ * No c exceeds 1: for a <= 1 the factor of a w is at most 1 / w, and the later lines take weighted means.
  * It is computed in single precision, with +, -, *, / and square roots only: the same bits everywhere, and
  * within 1e-4 of the formula, nearly always 1e-5, for a roughness of 0.1 or more and lights at least a tenth
  * of the radius away.  A roughness below 2^-10 counts as that.
- * Such is the way of a pixel: algsurf_camera_ray, algsurf_intersect_first, this, algsurf_srgb_encode.
+ * A pixel comes from algsurf_camera_ray, algsurf_intersect_first, algsurf_shade and algsurf_srgb_encode.
  * Errors: E_ARGUMENT (null; a number out of its range; a vector that is not a unit vector within 1e-6),
  * E_NOT_FINITE.  Cost: some 130 ns; pictures pay about 6 ns (AVX-512).
  * Source: Lambert; Blinn 1977 and Trowbridge, Reitz 1975 for the highlight.  Since 1.0. */
@@ -103,8 +105,9 @@ ALGSURF_API algsurf_status algsurf_shade_preview(const algsurf_lighting *lightin
                                                  const double normal[3], const double direction[3],
                                                  double colour[3]);
 
-/* The sRGB bytes of a colour, as pictures have them: what is below 0 counts as 0, above 1 as 1; each of 4096
- * steps of linear light is rounded to the nearest byte.  Errors: E_ARGUMENT (null), E_NOT_FINITE.
+/* The sRGB bytes of a colour, as pictures have them: a number below 0 counts as 0, one above 1 as 1; it is
+ * rounded to one of 4096 steps of linear light, and that to the nearest byte.  Errors: E_ARGUMENT (null),
+ * E_NOT_FINITE.
  * Source: IEC 61966-2-1.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_srgb_encode(const double colour[3], unsigned char bytes[3]);
 

@@ -9,25 +9,25 @@
  * Outcomes.  Every function that can fail returns an algsurf_status:
  *   negative     refused: outputs are untouched, unless the comment says otherwise;
  *   zero         done, as promised;
- *   positive     honestly undecided or stopped early: outputs hold what is known, unless the comment says
- *                otherwise, and the code says why.
+ *   positive     undecided, or stopped early: outputs hold what is known, unless the comment says otherwise,
+ *                and the number of the status says why.
  *
  * Conventions common to all functions, unless their comment says otherwise.
  *   names           comments leave the prefix of a status out: OK, E_RANGE, UNDECIDED_END.  u is 2^-53, the
  *                   largest relative error of one rounding;
- *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last, the data
- *                   of a callback last, too;
+ *   parameters      pointers are required where null is not said to be allowed.  Outputs stand last; of a
+ *                   callback's parameters its data do;
  *   threads         reentrant; no mutable globals; const objects may be shared by any number of threads;
  *   floating point  results do not depend on the caller's rounding mode or flush-to-zero bits, which are
  *                   saved and restored;
  *   side effects    none: nothing prints, exits, aborts or reads an environment variable;
- *   stack           a call takes 8 KiB at most, where its comment tells no other number (x86-64, optimised by
- *                   gcc).  What a renderer calls works on a thread of 64 KiB, everything on one of 128 KiB.
+ *   stack           a call takes 8 KiB at most, unless its comment gives another number (x86-64, optimised by
+ *                   gcc).  A thread of 64 KiB suffices for what a renderer calls, one of 128 KiB for all.
  */
 #ifndef ALGSURF_STATUS_H
 #define ALGSURF_STATUS_H
 
-/* The version compiled against; algsurf_version tells the one that runs. */
+/* The version compiled against; algsurf_version returns that of the library that runs. */
 #define ALGSURF_VERSION_MAJOR 1
 #define ALGSURF_VERSION_MINOR 0
 #define ALGSURF_VERSION_PATCH 0
@@ -55,7 +55,7 @@ extern "C" {
 
 /* X(name, number, text).  Numbers are part of the ABI: appended, never reused. */
 #define ALGSURF_STATUS_LIST(X)                                                                               \
-    X(ALGSURF_E_ARGUMENT, -1, "invalid argument")                                                            \
+    X(ALGSURF_E_ARGUMENT, -1, "an argument is null, out of its range, or a struct whose size is not set")    \
     X(ALGSURF_E_NOT_FINITE, -2, "a number is not finite")                                                    \
     X(ALGSURF_E_NO_MEMORY, -3, "out of memory")                                                              \
     X(ALGSURF_E_DEGREE, -4, "degree above the limit")                                                        \
@@ -97,12 +97,13 @@ ALGSURF_API const char *algsurf_version(void);
  * more digits, to flush small numbers to zero, to reorder sums.  For packagers, and for programs that start;
  * the library never calls it.
  *
- * Two things are tried: operations on operands chosen to tell, as compiled for each kernel that runs here
- * (algsurf_kernel_name); and a few polynomials, rays and pixels by each kernel, which must have equal bits.
+ * Two things are tried: single operations, on operands that show such changes, as compiled for each kernel
+ * that runs here (algsurf_kernel_name); and a few polynomials, rays and pixels, for which all kernels must
+ * return equal bits.
  *
- * Guarantee: E_BUILD means that something failed; OK, that nothing of what was tried did: it is a test, and
- * no proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 150 microseconds for each kernel; allocates 100 KB at most.
- * 60 KiB of stack.  Since 1.0. */
+ * Guarantee: E_BUILD means that something failed.  OK means that nothing failed of what was tried: it is a
+ * test, not a proof.  Errors: E_BUILD, E_NO_MEMORY.  Cost: 150 microseconds for each kernel; allocates 100 KB
+ * at most.  60 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_self_test(void);
 
 #ifdef __cplusplus

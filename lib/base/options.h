@@ -1,7 +1,7 @@
 /* options.h - reading a caller's struct that starts with its own size.
  *
  * Such a struct may be newer than the library: larger, and accepted if the part unknown here is all 0, hence
- * asks for defaults.  A smaller one is none of any release: this is the first.
+ * asks for defaults.  A smaller one is refused: no release has had one, for this is the first.
  */
 #ifndef ALGSURF_OPTIONS_H
 #define ALGSURF_OPTIONS_H

@@ -3,7 +3,8 @@
  * Every bound in this library counts roundings: + - * / and the square root round once each, to the nearest
  * double, ties to even, down to the smallest subnormal one.  A compiler that was told to may fuse a * b + c
  * into one rounding, keep more digits in a register, flush what is subnormal, or reorder sums, file by file.
- * So a file tells what it computes with, by functions compiled in it, and a few operands tell the rest. */
+ * So each file in question has a function for each operation, compiled with the file's options, and these are
+ * tried on a few operands for which another rounding gives another result. */
 #ifndef ALGSURF_ROUNDING_H
 #define ALGSURF_ROUNDING_H
 #include "eft.h"

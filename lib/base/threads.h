@@ -1,8 +1,8 @@
 /* threads.h - POSIX threads; where there are none, the part of their interface that this library uses.
  *
  * WebAssembly's system interface, WASI, has one thread without -pthread, and no <pthread.h>.  There a lock
- * has nobody to keep out, and the system refuses to start a thread, as any system may: the caller's then does
- * all the work.
+ * does nothing, and starting a thread fails, as it may on any system: the caller's thread then does all the
+ * work.
  */
 #ifndef ALGSURF_THREADS_H
 #define ALGSURF_THREADS_H

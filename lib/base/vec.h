@@ -1,7 +1,7 @@
 /* vec.h - vectors of three doubles: the few operations that the geometric rooms share.
  *
- * Lengths in this library range over all of double, squares of them do not; what is squared is first
- * scaled by a power of two to about 1, which is exact.
+ * A length may be any double, and its square out of range; so a vector is first scaled by a power of two to
+ * about 1, which is exact.
  */
 #ifndef ALGSURF_VEC_H
 #define ALGSURF_VEC_H

@@ -1,8 +1,8 @@
 /* boxes_template.h - narrow boxes about all complex roots, of LANES polynomials or of one.
  *
  * Layouts.  Either the lanes are polynomials, and group i of lanes has root i of each; or the lanes are the
- * roots of one polynomial, LANES of them in a group ("together").  The text is the same: only what
- * number_of, root_at and the two folds over all roots say differs, and sums over the other roots run in
+ * roots of one polynomial, LANES of them in a group ("together").  The code is the same: only
+ * number_of, root_at and the two folds over all roots differ, and sums over the other roots are added in
  * rising order in both.  So both give the same bits.
  *
  * Symmetry.  With real coefficients, a root that is nearer to its conjugate than all others are goes to the

@@ -1,8 +1,7 @@
 /* impl.h - the parts of the robust solver and what they share.
  *
- * Proposal and proof are different files: allroots_propose.c finds approximations, fast, and may be
- * wrong; allroots_tighten.c and allroots_retry.c improve them beyond double; allroots_prove.c alone
- * decides what is certain.
+ * Proposal and proof are different files: propose.c finds approximations, fast, and may be wrong; tighten.c
+ * and retry.c improve them beyond double; prove.c alone decides what is certain.
  *
  * The problem is scaled by powers of two: roots, in units of 2^unit, have magnitudes around 1; so have
  * the coefficients' mantissas, c_k = (cr + i ci) 2^shift.  A narrow problem, nearly every one, has all

@@ -1,4 +1,4 @@
-/* camera_impl.h - checks of a camera, and its rays without checks, for the rooms below camera. */
+/* camera_impl.h - checks of a camera, and its rays without checks, for other files of this room. */
 #ifndef ALGSURF_CAMERA_IMPL_H
 #define ALGSURF_CAMERA_IMPL_H
 #include "algsurf/camera.h"

@@ -19,6 +19,8 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
                                  .du = p->per_slope,
                                  .extent = &picture->scene->extent,
                                  .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                                 .planes = p->view_planes,
+                                 .plane_count = p->plane_count,
                                  .near = p->near};
     return f;
 }

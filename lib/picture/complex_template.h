@@ -6,7 +6,7 @@
  * a step of it makes two products, one of them with near L, rounded, and a sum: 4 u of its size, and 2^-900
  * covers what underflows.
  *
- * Error.  What is computed of q_ijk x^i y^j z^k is off by at most so much of |q_ijk| x^i y^j |z|^k
+ * Error.  The error of a term q_ijk x^i y^j z^k as computed is at most a known share of |q_ijk| x^i y^j |z|^k
  * (surface/view.c), where x, y are bounds for |z| <= 1.  For |z| >= 1 they grow as |z|, i + j + k <= n, and
  * so the error is at most R max(1,|z|)^n, R the row's radius at the pixel.  A pixel's ray differs from the
  * line computed with by a vector that is linear in w.  At z = -1 and z = 1 each part of it is at most the

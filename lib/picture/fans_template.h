@@ -6,7 +6,8 @@
  * Ends.  Let l be the length of the rectangle's half diagonal.  Segment and middle segment, at the same part
  * tau of them, are at most tau l apart.  So all segments are outside of a ball of radius R from the greater
  * root of |x + tau d| = R + tau l on, and within it up to that of |x + tau d| = R - tau l; for a box the same
- * holds face by face.  Searched is what comes before the former, or before the light; that is t = 1.
+ * holds face by face, and plane by plane.  Searched is what comes before the former, or before the light;
+ * that is t = 1.
  *
  * Lit: no segment has a root before.  Dark: each has one before the latter.  P's sign at the point itself
  * must be sure: the first coefficient belongs to all segments. */
@@ -68,6 +69,24 @@ INLINE fan_ends ends_in_box(const double half[3], const lanes x[3], const lanes 
     return e;
 }
 
+/* What planes leave of that, x and d in the caller's axes.  A segment that begins beyond a plane may come
+ * back through it: nothing is known to be inside then. */
+INLINE fan_ends ends_at_planes(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3], double reach,
+                               fan_ends e) {
+    const lanes never = all_lanes(HUGE_VAL);
+    for (int i = 0; i < job->plane_count; i++) {
+        const algsurf_i_cut_plane *p = job->planes + i;
+        const lanes n[3] = {all_lanes(p->normal[0]), all_lanes(p->normal[1]), all_lanes(p->normal[2])};
+        double slack = END_SLACK + p->error;
+        lanes below = p->offset - dot(n, x), speed = dot(n, d);
+        lanes last = choose(less(all_lanes(0), speed + reach), (below - slack) / (speed + reach), never);
+        lanes first = choose(less(all_lanes(reach), speed), (below + slack) / (speed - reach), never);
+        e.least = choose(less(all_lanes(slack), below), smaller(e.least, last), all_lanes(0));
+        e.most = smaller(e.most, first);
+    }
+    return e;
+}
+
 /* The points from `first` on, in the fan's axes; d and half for the part of segments that is searched. */
 INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3], int first, int count,
                        fan_packet *g) {
@@ -88,6 +107,7 @@ INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3
     fan_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE
                      ? ends_in_sphere(job->extent_size[0], g->x, g->d, reach)
                      : ends_in_box(job->extent_size, from, to, reach);
+    e = ends_at_planes(job, from, to, reach, e);
     lanes part = g->part = smaller(e.most * (1 + END_SLACK), all_lanes(1));
     g->open = less(numbered(), all_lanes(count)) & less(all_lanes(0), part) &
               less(dot(g->d, g->d), ALGSURF_I_SLANT * ALGSURF_I_SLANT * (g->d[2] * g->d[2]));

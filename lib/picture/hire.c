@@ -3,6 +3,7 @@
  * It is laid out twice: the first time at no address, which tells how much it is. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "thin.h"
 #include "shadow_rays.h"
 
 #include <stdlib.h>
@@ -33,6 +34,7 @@ typedef struct sizes {
     size_t dense;          /* samples of a row: as many as are taken together */
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t fans, places;   /* fans of lights; leaves of a band */
+    size_t thin;           /* of a search for what is thin */
     int cells;             /* 1: there are tiles, of a band or of single pixels */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
@@ -49,6 +51,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
+                   .thin = picture->thin ? algsurf_i_thin_memory() : 0,
                    .cells = tiles || (real && picture->selective),
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
@@ -113,6 +116,7 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     }
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
+    t->thin = take_bytes(a, s->thin);
     t->from = take_doubles(a, s->width + 2 * s->places);
     t->to = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);

@@ -97,6 +97,7 @@ typedef struct algsurf_i_tiling {
     algsurf_i_band band[2]; /* band b is at b % 2 */
     algsurf_i_beam_row beam;
     double *square; /* (degree+1)^2 */
+    void *thin;     /* algsurf_i_thin_memory() bytes, where what is thin is drawn */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
     double *to;
@@ -116,8 +117,11 @@ typedef struct algsurf_i_packets {
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
-    double *beams;                      /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_fan *fans;                /* where shadows are drawn: of each light; or null */
+    /* the planes that cut something off, in the axes of the view and in those of the caller */
+    algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
+    int plane_count;
+    double *beams;       /* in a tiled picture: algsurf_i_beam_expand's g */
+    algsurf_i_fan *fans; /* where shadows are drawn: of each light; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
@@ -274,6 +278,9 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
 
 /* Are there forms for tiles as small as pixels, and all rays of a row within their bounds? */
 int algsurf_i_has_cells(const algsurf_i_picture *picture, double y);
+
+/* The pixels of a row whose rays are within the bounds of forms, and those of the pixels about them. */
+void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin, int *end);
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);

@@ -11,6 +11,12 @@
 #include "algsurf/ray.h"
 #include "algsurf/shade.h"
 
+/* A cutting plane about a view's centre and in its unit: it keeps normal.X <= offset, with a normal of length
+ * 1, but for `error` in the distance of points X of what is shown. */
+typedef struct algsurf_i_cut_plane {
+    double normal[3], offset, error;
+} algsurf_i_cut_plane;
+
 /* The pixels of one row, one ray each: pixel x has u = u0 + du a, a = (x + offset) pixel. */
 typedef struct algsurf_i_row_job {
     const algsurf_i_view *view;
@@ -19,8 +25,11 @@ typedef struct algsurf_i_row_job {
     double offset, pixel, u0, du, slope; /* slope = alpha v + beta[1]; a is the slope alpha u + beta[0] */
     const algsurf_extent *extent;        /* sphere or box, about the view's centre */
     double extent_size[3];               /* in the view's unit */
-    double near;                         /* depth of the eye; the ray begins there */
-    double tolerance;                    /* wanted error of the depth; 0: all that the coefficients tell */
+    const algsurf_i_cut_plane *planes;   /* in the view's axes */
+    int plane_count;
+    double plane_room; /* added to their offsets */
+    double near;       /* depth of the eye; the ray begins there */
+    double tolerance;  /* wanted error of the depth; 0: all that the coefficients tell */
 } algsurf_i_row_job;
 
 /* Pixels of a row that follow `first`. */
@@ -127,10 +136,12 @@ typedef struct algsurf_i_complex_job {
 /* One light as points see it. */
 typedef struct algsurf_i_fan_job {
     const algsurf_i_fan *fan;
-    double unit;           /* of the caller's coordinates, in natural ones */
-    double light[3];       /* its middle about the fan's centre, in the fan's unit */
-    int extent_kind;       /* sphere or box, about that centre */
-    double extent_size[3]; /* in that unit */
+    double unit;                       /* of the caller's coordinates, in natural ones */
+    double light[3];                   /* its middle about the fan's centre, in the fan's unit */
+    int extent_kind;                   /* sphere or box, about that centre */
+    double extent_size[3];             /* in that unit */
+    const algsurf_i_cut_plane *planes; /* in the caller's axes */
+    int plane_count;
 } algsurf_i_fan_job;
 
 /* How much of a light a point sees: all of it, nothing, or that is not known; or it is too far aside for a

@@ -1,4 +1,4 @@
-/* kernel_template.h - all the packet code of pictures, as one kernel; but for colours. */
+/* kernel_template.h - the packet code of pictures, except that of colours, as one kernel. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */

@@ -1,6 +1,6 @@
 /* leaves_template.h - the pixels of leaves: the first root along the ray of each.
  *
- * They are few, and what is next to each other in a packet may be far apart in depth.  So each lane has a
+ * They are few, and neighbours in a packet may be far apart in depth.  So each lane has a
  * range of depth of its own: its chord, cut to what its tile has left open.  P along the ray is made in
  * powers of depth by Horner's rule in u, then brought to Bernstein's basis over the range as it is for a
  * segment of a row: on its way a term meets no more roundings than there (surface/view.c).

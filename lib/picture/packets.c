@@ -27,6 +27,8 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
                                .slope = view->alpha * form->v + view->beta[1],
                                .extent = &picture->scene->extent,
                                .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                               .planes = p->view_planes,
+                               .plane_count = p->plane_count,
                                .near = p->near,
                                .tolerance = p->tolerance};
 }
@@ -46,6 +48,19 @@ int algsurf_i_has_cells(const algsurf_i_picture *picture, double y) {
     if (!picture->packets || !picture->packets->beams) return 0;
     algsurf_i_make_row(picture, y, 0.5, &form, &job);
     return within_bounds(&job, 0, picture->width);
+}
+
+void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin, int *end) {
+    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_view *view = &p->frame.view;
+    double side = fabs(p->per_slope) * p->pixel, spread = 1 + fabs(view->alpha), half = 0.5 * picture->width;
+    double v = fabs(p->origin[1]) + side * (fabs(0.5 * picture->height - y) + 1);
+    /* pixels so far from the middle are within them */
+    double room = ((4 - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / side - 1;
+    *begin = *end = 0;
+    if (!(v * spread + fabs(view->beta[1]) < 4) || !(room > 0)) return;
+    *begin = room < half ? (int)ceil(half - room) : 0;
+    *end = room < half ? (int)floor(half + room) : picture->width;
 }
 
 int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,

@@ -92,12 +92,15 @@ APART void judge_places(const algsurf_i_fan *fan, const double *r, place_packet 
 INLINE fan_ends ends_of_places(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3]) {
     const algsurf_i_view *view = &job->fan->frame.view;
     lanes from[3], along[3];
-    if (job->extent_kind == ALGSURF_EXTENT_SPHERE) return ends_in_sphere(job->extent_size[0], x, d, 0);
+    int is_ball = job->extent_kind == ALGSURF_EXTENT_SPHERE;
+    if (is_ball && job->plane_count == 0) return ends_in_sphere(job->extent_size[0], x, d, 0);
     for (int i = 0; i < 3; i++) {
         from[i] = view->axis[0][i] * x[0] + view->axis[1][i] * x[1] + view->axis[2][i] * x[2];
         along[i] = view->axis[0][i] * d[0] + view->axis[1][i] * d[1] + view->axis[2][i] * d[2];
     }
-    return ends_in_box(job->extent_size, from, along, 0);
+    fan_ends e = is_ball ? ends_in_sphere(job->extent_size[0], x, d, 0)
+                         : ends_in_box(job->extent_size, from, along, 0);
+    return ends_at_planes(job, from, along, 0, e);
 }
 
 /* Of places from the fan's middle, in its axes. */

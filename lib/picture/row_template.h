@@ -1,14 +1,14 @@
-/* row_template.h - the pixels of a row: the chord inside the extent, coefficients by Horner's rule in u, and
- * the first root (roots/packet_template.h).
+/* row_template.h - the pixels of a row: the chord inside the extent, as planes cut it, coefficients by
+ * Horner's rule in u, and the first root (roots/packet_template.h).
  *
  * Pixels come in segments.  Their chords have a range of depth in common, and Bernstein coefficients over it
  * are made once a segment, as polynomials in u: they have fewer variations of sign than those over all
  * depths, so that most rays that miss show it at once.
  *
  * Two errors belong to a chord's ends.  Rounding, and the distance of the pixel's ray from the line
- * computed with: together e = 2^-44 + 4 noise in the view's unit for a line across the extent's surface;
- * where it meets the surface at a slant, e is divided by the sine.  It goes to packet.blur; lines that all
- * but touch the extent are doubtful. */
+ * computed with: together e = 2^-44 + 4 noise in the view's unit for a line across the extent's surface or a
+ * plane; where it meets that at a slant, e is divided by the sine.  It goes to packet.blur; lines that all
+ * but touch the extent, or go along a plane close to it, are doubtful. */
 #ifndef ALGSURF_ROW_TEMPLATE_H
 #define ALGSURF_ROW_TEMPLATE_H
 #include "kernel.h"
@@ -67,11 +67,37 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
     return c;
 }
 
-/* The part of each line of sight that is shown, from depth `near` on, and the lanes where there is one. */
-INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask *open) {
+/* What a plane keeps of chords.  Where it surely cuts nothing off, it leaves their error as it is. */
+INLINE void clip_to_plane(const algsurf_i_row_job *job, const algsurf_i_cut_plane *plane, const sight *s,
+                          double e, chord *c) {
+    const lanes n[3] = {all_lanes(plane->normal[0]), all_lanes(plane->normal[1]),
+                        all_lanes(plane->normal[2])};
+    lanes above = n[0] * s->u + (n[1] * s->v - all_lanes(plane->offset + job->plane_room));
+    lanes rise = n[0] * s->a + (n[1] * s->b + n[2]), room = all_lanes(4 * (PARALLEL + e));
+    mask along = at_most(absolute(rise), all_lanes(PARALLEL)), up = less(all_lanes(0), rise);
+    lanes safe = choose(along, all_lanes(1), rise), z = -above / safe, blur = all_lanes(e) / absolute(safe);
+    mask at_far = ~along & up & less(z - blur, c->far + c->blur);
+    mask at_near = ~along & ~up & less(c->near - c->blur, z + blur);
+    c->far = choose(at_far, smaller(c->far, z), c->far);
+    c->near = choose(at_near, larger(c->near, z), c->near);
+    c->blur = choose(at_far | at_near, larger(c->blur, blur), c->blur);
+    c->far = choose(along & less(room, above), c->near - 1, c->far);
+    c->doubtful |= along & at_most(absolute(above), room);
+}
+
+/* The part of each line of sight that is shown, as far as it is known. */
+INLINE chord chord_of(const algsurf_i_row_job *job, const sight *s) {
     double e = 0x1p-44 + 4 * job->view->noise;
     chord c =
         job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
+    for (int i = 0; i < job->plane_count; i++)
+        clip_to_plane(job, job->planes + i, s, e + job->planes[i].error, &c);
+    return c;
+}
+
+/* The same from depth `near` on, and the lanes where there is one. */
+INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask *open) {
+    chord c = chord_of(job, s);
     c.near = larger(c.near, near);
     lanes unsure = 8 * c.blur + 0x1p-38;
     c.doubtful |= at_most(absolute(c.far - c.near), unsure);

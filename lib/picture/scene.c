@@ -8,6 +8,7 @@
 #include "../base/fpenv.h"
 #include "../rays/intersect_impl.h"
 #include "../base/options.h"
+#include "../rays/planes.h"
 #include "../rays/ray_impl.h"
 #include "shade_impl.h"
 #include "../base/vec.h"
@@ -160,10 +161,25 @@ algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_i
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = algsurf_i_intersect_read_options(options, &o);
-    if (status == ALGSURF_OK && o.observer) status = ALGSURF_E_ARGUMENT;
+    if (status == ALGSURF_OK && (o.observer || o.planes || o.plane_count)) status = ALGSURF_E_ARGUMENT;
     algsurf_fpenv_leave(&saved);
     if (status != ALGSURF_OK) return status;
+    o.planes = scene->intersect.planes;
+    o.plane_count = scene->intersect.plane_count;
     scene->intersect = o;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
+    if (!scene) return ALGSURF_E_ARGUMENT;
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    int good = algsurf_i_planes_are_good(planes, count);
+    algsurf_fpenv_leave(&saved);
+    if (!good) return ALGSURF_E_ARGUMENT;
+    for (size_t i = 0; i < count; i++) scene->planes[i] = planes[i];
+    scene->intersect.planes = scene->planes;
+    scene->intersect.plane_count = count;
     return ALGSURF_OK;
 }
 

@@ -1,4 +1,4 @@
-/* shade_impl.h - checks, and colours without checks, for the rooms below shade. */
+/* shade_impl.h - checks of lights and materials, and colours without checks, for other files of this room. */
 #ifndef ALGSURF_SHADE_IMPL_H
 #define ALGSURF_SHADE_IMPL_H
 #include "algsurf/shade.h"

@@ -184,7 +184,11 @@ static algsurf_i_fan_job fan_job(const algsurf_i_picture *picture, int light) {
     const algsurf_i_fan *fan = &picture->packets->fans[light];
     const algsurf_i_view *view = &fan->frame.view;
     int unit = picture->scene->surface->unit;
-    algsurf_i_fan_job job = {.fan = fan, .unit = ldexp(1, -unit), .extent_kind = picture->scene->extent.kind};
+    algsurf_i_fan_job job = {.fan = fan,
+                             .unit = ldexp(1, -unit),
+                             .extent_kind = picture->scene->extent.kind,
+                             .planes = picture->packets->planes,
+                             .plane_count = picture->packets->plane_count};
     for (int i = 0; i < 3; i++) {
         job.light[i] = (ldexp(picture->lights[light].position[i], -unit) - view->centre[i]) / view->size;
         job.extent_size[i] = picture->packets->extent_size[i];

@@ -15,13 +15,18 @@
  *   with a corner of the box, where a diagonal neighbour's ray passes, account for cells of the group up to
  *   NEAR columns from them, at depths where they are inside.  (A straight outline that touches the pixel, but
  *   does not reach its middle, has a corner of the box inside.)
+ * - where it hangs together with what a neighbour's ray hits: in the half of the pixel on that neighbour's
+ *   side, and a column beyond.  An outline that does not reach the pixel's middle is in such halves, also
+ *   where P is a square, so that nothing is inside, or where sheets meet in a cusp, too close for a column
+ *   between them.  A line that goes on from there to the other side of the pixel is not.
  * What is left in the pixel itself, and cannot be proved empty in columns SHARPER times as narrow, is thin.
  *
  * Nothing is lost.  Where P is 0 and its gradient too, no cell has a sign and none grows; where moreover P
  * does not change its sign, nothing is inside.  So an isolated point, and each pixel that a double line
  * without sheets passes, is thin, unless it hangs together with what the ray sees, or is within half a
- * pixel's width of what a neighbour sees at that depth.  Nothing passes between pixels: boxes overlap, and
- * are closed.
+ * pixel's width of what a neighbour sees at that depth, or on the side of neighbours that see what it hangs
+ * together with.  Nothing passes between pixels: boxes overlap, and are closed, and neighbours' rays are
+ * solved for each pixel that asks.
  *
  * Where the work is bounded (MOST_CELLS, MOST_LOOKS), what is not looked at counts as without a sign. */
 #include "../base/arithmetic.h"
@@ -32,11 +37,12 @@
 
 #include "thin_box.h"
 
-#define FINEST 8       /* columns in each direction that a box is cut to at last; the pixel has the inner 4 */
-#define NEAR 2         /* columns */
-#define SHARPER 4      /* times */
-#define MOST_CELLS 12  /* of a column; outlines have 4 */
-#define MOST_LOOKS 256 /* at parts of a column; outlines take 30 */
+#define FINEST 8  /* columns in each direction that a box is cut to at last; the pixel has the inner 4 */
+#define NEAR 2    /* columns */
+#define SHARPER 4 /* times */
+#define ROUNDING 0x1p-30 /* of a place where a ray meets the surface, and more */
+#define MOST_CELLS 12    /* of a column; outlines have 4 */
+#define MOST_LOOKS 256   /* at parts of a column; outlines take 30 */
 
 /* A part of a column: without a sign, or inside. */
 typedef struct cell {
@@ -96,8 +102,10 @@ static void search_column(search *s, const algsurf_i_column *c, int column) {
         double to = w.from + w.length;
         unsigned growth = 0, sign = algsurf_i_column_cut(&s->box, c, w.from, to, &part);
         int last = w.length <= s->shortest || ++w.looks >= MOST_LOOKS;
-        if (!sign && (last || w.length <= s->longest))
+        if (!sign && (last || w.length <= s->longest)) {
             growth = algsurf_i_column_growth(&s->box, &part, w.length);
+            if (!is_sheet(growth)) sign = algsurf_i_column_square_sign(&s->box, &part);
+        }
         if (!sign && !last && !is_sheet(growth)) {
             w.length /= 2;
             continue;
@@ -235,15 +243,54 @@ static int reaches_end(const search *s, int group) {
     return 0;
 }
 
+/* Does a neighbour's ray, i and j pixels away, pass through that column? */
+static int passes(int column, int i, int j) {
+    int x = 2 * (column % FINEST) + 1 - FINEST, y = 2 * (column / FINEST) + 1 - FINEST;
+    int across = i == 0 ? x == 1 || x == -1 : i * x == FINEST - 1;
+    return across && (j == 0 ? y == 1 || y == -1 : j * y == FINEST - 1);
+}
+
+/* The columns on a neighbour's side of the middle, and next to it. */
+static uint64_t side_of(int i, int j) {
+    uint64_t side = 0;
+    for (int column = 0; column < FINEST * FINEST; column++) {
+        int x = 2 * (column % FINEST) + 1 - FINEST, y = 2 * (column / FINEST) + 1 - FINEST;
+        if (i * x + j * y >= -(i * i + j * j)) side |= (uint64_t)1 << column;
+    }
+    return side;
+}
+
+/* Does a neighbour's ray meet the group? */
+static int meets(const search *s, int group, int i, int j, double depth) {
+    double place = (depth - s->box.from) / (s->box.to - s->box.from);
+    for (int k = 0; k < s->count; k++) {
+        const cell *c = s->cells + k;
+        if (c->group < 0 || !passes(c->column, i, j) || group_of(s, k) != group) continue;
+        if (place >= c->from - ROUNDING && place <= c->to + ROUNDING) return 1;
+    }
+    return 0;
+}
+
+/* The columns on the sides of neighbours whose rays meet the group. */
+static uint64_t met_beside(const search *s, int group, const double depth[ALGSURF_I_NEIGHBOURS]) {
+    uint64_t met = 0;
+    for (int j = -1; j <= 1; j++)
+        for (int i = -1; i <= 1; i++) {
+            double at = depth[3 * (j + 1) + i + 1];
+            if ((i || j) && at < HUGE_VAL && meets(s, group, i, j, at)) met |= side_of(i, j);
+        }
+    return met;
+}
+
 /* ---- what is left ---- */
 
-/* Has P a sign in each part of a cell, over that column of it? */
+/* Is P surely not 0 in a cell, over that column of it? */
 static int is_empty(const search *s, const algsurf_i_column *c, const cell *whole) {
     double length = whole->to - whole->from;
     for (walk w = {0, 1, 0}; w.from < 1;) {
         algsurf_i_column part;
         double from = whole->from + w.from * length, to = fmin(from + w.length * length, 1);
-        if (algsurf_i_column_cut(&s->box, c, from, to, &part))
+        if (algsurf_i_column_cut(&s->box, c, from, to, &part) || algsurf_i_column_square_sign(&s->box, &part))
             go_on(&w);
         else if (w.length * length * SHARPER > s->shortest && ++w.looks < MOST_LOOKS)
             w.length /= 2;
@@ -267,15 +314,15 @@ static int is_empty_sharper(const search *s, const cell *whole) {
     return 1;
 }
 
-/* The first place of a group in the pixel that is thin; 2: there is none. */
-static double first_place(const search *s, int group) {
+/* The first place of a group in the pixel, but for columns that are met, that is thin; 2: there is none. */
+static double first_place(const search *s, int group, uint64_t met) {
     uint64_t seen = seen_beside(s, group);
     double first = 2;
     for (int i = 0; i < s->count; i++) {
         const cell *c = s->cells + i;
         double place = 0.5 * (c->from + c->to);
         if (c->group < 0 || group_of(s, i) != group || !is_in_pixel(s, c->column) || place >= first) continue;
-        if (!is_edge(s, c, seen) && !is_empty_sharper(s, c)) first = place;
+        if (!(met >> c->column & 1) && !is_edge(s, c, seen) && !is_empty_sharper(s, c)) first = place;
     }
     return first;
 }
@@ -288,21 +335,29 @@ static unsigned other_sign(const algsurf_i_thin_box *box, const algsurf_i_solid 
     return value > 0 ? ALGSURF_I_NEGATIVE : ALGSURF_I_POSITIVE;
 }
 
-int algsurf_i_is_thin(const algsurf_i_thin_box *box, double *depth) {
-    search s;
+size_t algsurf_i_thin_memory(void) { return sizeof(search); }
+
+int algsurf_i_is_thin(const algsurf_i_thin_box *box, void *memory, double *depth) {
+    search *s = memory;
     double from = 0.5 * (box->from + 1), to = 0.5 * (box->to + 1), first = 2;
-    int ends_at_hit = box->ends_at_hit;
-    algsurf_i_solid_expand(box, &s.box);
-    s.inside = other_sign(box, &s.box);
-    for (s.across = 1;; s.across *= 2) {
-        algsurf_i_solid_narrow(&s.box, from, to);
-        if (!find_groups(&s, fabs(box->h), &from, &to)) return 0;
-        if (s.across == FINEST) break;
+    double beside[ALGSURF_I_NEIGHBOURS];
+    int ends_at_hit = box->ends_at_hit, looked = 0;
+    algsurf_i_solid_expand(box, &s->box);
+    s->inside = other_sign(box, &s->box);
+    for (s->across = 1;; s->across *= 2) {
+        algsurf_i_solid_narrow(&s->box, from, to);
+        if (!find_groups(s, fabs(box->h), &from, &to)) return 0;
+        if (s->across == FINEST) break;
         ends_at_hit &= to == 1;
     }
-    for (int i = 0; i < s.count; i++)
-        if (s.cells[i].group == i && is_open(&s, i) && !(ends_at_hit && reaches_end(&s, i)))
-            first = fmin(first, first_place(&s, i));
-    *depth = s.box.from + first * (s.box.to - s.box.from);
+    for (int i = 0; i < s->count; i++) {
+        if (s->cells[i].group != i || !is_open(s, i) || (ends_at_hit && reaches_end(s, i))) continue;
+        double place = first_place(s, i, 0);
+        if (place > 1) continue;
+        if (!looked) box->look_beside(box->looker, beside);
+        looked = 1;
+        if (first_place(s, i, met_beside(s, i, beside)) <= 1) first = fmin(first, place);
+    }
+    *depth = s->box.from + first * (s->box.to - s->box.from);
     return first <= 1;
 }

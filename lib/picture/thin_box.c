@@ -19,6 +19,15 @@
  * to the second order are known, of the third order the sum of both sizes bounds them, of the others
  * 2 s times their bound does, in a part of a share s of the box's depths (tiles_template.h).
  *
+ * Sign by squares.  Beside an empty double sheet, as x^2 + 10^-6 = 0, P is small, but a sum of squares:
+ * ranges of its terms do not tell.  In a part, with zeta in [-1,1] along it, P is a quadratic in
+ * (xi',eta',zeta) and a rest: the terms 1; xi', eta'; and those of the second order are taken as polynomials
+ * of degree 2, 1 and 0 in zeta, and the rest is at most the largest difference in a Bernstein coefficient.  A
+ * variable x with a x^2 + l x, a > 0, l linear in the others, is at least -l^2 / (4a); or, where |l| may be
+ * 2a or more, at least a - max |l|.  What these say of one variable after the other, the better at each step,
+ * bounds the quadratic from below. Its roundings are less than 2^-44 of the sum of its coefficients: what is
+ * subtracted from one of them is larger than that only where the bound is below zero.
+ *
  * Roundings.  To those of a tile's coefficients (surface/beam.c: 1, 4n, 2n, n + 2, 3n, 2n) come 5 cuts of 6n,
  * of the box to its depths, three more as it is narrowed, and of a part from its column; 4n + 12 for a
  * column; 9 in sums: 46n + 24.  With the 31n + 14 and 24n that are counted there too it is less than 112
@@ -187,6 +196,87 @@ unsigned algsurf_i_column_cut(const algsurf_i_solid *s, const algsurf_i_column *
     *part = *c;
     cut_part(part->t[0], ALGSURF_I_COLUMN_TERMS, ALGSURF_I_COLUMN_TERMS, s->degree, from, to);
     return sign_of(part, s->degree, fourth_of(s, c->half) + s->rounding);
+}
+
+/* ---- sign by squares ---- */
+
+/* constant + sum linear_i x_i + sum over i <= j of square_ij x_i x_j */
+typedef struct quadratic {
+    double constant, linear[3], square[3][3];
+} quadratic;
+
+static double *entry(quadratic *q, int i, int j) { return i < j ? &q->square[i][j] : &q->square[j][i]; }
+
+/* A term along the part as p[0] + p[1] zeta + p[2] zeta^2, of that order; returns the size of the rest. */
+static double follow(const algsurf_i_column *c, int term, int n, int order, double p[3]) {
+    double first = c->t[0][term], last = c->t[n][term], rest = 0;
+    int bends = order == 2 && n > 1;
+    p[2] = bends ? 0.125 * n * ((last - c->t[n - 1][term]) - (c->t[1][term] - first)) : 0;
+    p[1] = order > 0 ? 0.5 * (last - first) : 0;
+    p[0] = 0.5 * (first + last) - p[2];
+    double step = n > 0 ? 2.0 / n : 0, bend = bends ? step / (n - 1) : 0;
+    for (int k = 0; k <= n; k++) { /* Bernstein coefficients of zeta and zeta^2 */
+        double zeta = k * step - 1, square = 2 * (k * (k - 1) * bend - k * step) + 1;
+        double off = fabs(c->t[k][term] - (p[0] + p[1] * zeta + p[2] * square));
+        rest = off > rest ? off : rest;
+    }
+    return rest;
+}
+
+/* Over a part; returns a bound on the rest but for what is not known of the terms. */
+static double quadratic_of(const algsurf_i_column *c, int n, quadratic *q) {
+    double p[LOW_TERMS][3], rest = 0, third = 0, sum = 0;
+    for (int i = 0; i < LOW_TERMS; i++) rest += follow(c, i, n, i == T00 ? 2 : i <= T01 ? 1 : 0, p[i]);
+    for (int k = 0; k <= n; k++) third = c->t[k][THIRD] > third ? c->t[k][THIRD] : third;
+    *q = (quadratic){p[T00][0],
+                     {p[T10][0], p[T01][0], p[T00][1]},
+                     {{p[T20][0], p[T11][0], p[T10][1]}, {0, p[T02][0], p[T01][1]}, {0, 0, p[T00][2]}}};
+    for (int i = 0; i < LOW_TERMS; i++) sum += fabs(p[i][0]) + fabs(p[i][1]) + fabs(p[i][2]);
+    return rest + third + 0x1p-44 * sum;
+}
+
+/* A bound from below, for all |x_i| <= 1; left: the variables that there are, a bit each. */
+static double least_value(const quadratic *q, unsigned left) {
+    int x = -1;
+    for (int i = 0; i < 3; i++)
+        if (left >> i & 1 && (x < 0 || q->square[i][i] > q->square[x][x])) x = i;
+    if (x < 0) return q->constant;
+    quadratic rest = *q, squares = *q;
+    double a = q->square[x][x], largest = fabs(q->linear[x]), best = -HUGE_VAL;
+    left &= ~(1u << x);
+    for (int i = 0; i < 3; i++)
+        if (left >> i & 1) largest += fabs(*entry(&rest, x, i));
+    if (!(largest < 2 * a)) { /* else squares say more */
+        rest.constant += a - largest;
+        best = least_value(&rest, left);
+        if (!(a > 0)) return best;
+    }
+    squares.constant -= 0.25 * q->linear[x] * q->linear[x] / a;
+    for (int i = 0; i < 3; i++) {
+        if (!(left >> i & 1)) continue;
+        double by = 0.5 * *entry(&rest, x, i) / a;
+        squares.linear[i] -= by * q->linear[x];
+        for (int j = i; j < 3; j++)
+            if (left >> j & 1) squares.square[i][j] -= (i == j ? 0.5 : 1) * by * *entry(&rest, x, j);
+    }
+    return fmax(best, least_value(&squares, left));
+}
+
+unsigned algsurf_i_column_square_sign(const algsurf_i_solid *s, const algsurf_i_column *part) {
+    quadratic q;
+    unsigned sign = ALGSURF_I_POSITIVE;
+    double rest = quadratic_of(part, s->degree, &q) + fourth_of(s, part->half) + s->rounding;
+    if (q.constant < 0) {
+        sign = ALGSURF_I_NEGATIVE;
+        q.constant = -q.constant;
+        for (int i = 0; i < 3; i++) {
+            q.linear[i] = -q.linear[i];
+            for (int j = i; j < 3; j++) q.square[i][j] = -q.square[i][j];
+        }
+    }
+    for (int i = 0; i < 3; i++) /* at the ends of the axes */
+        if (!(q.constant + q.square[i][i] - fabs(q.linear[i]) > rest)) return 0;
+    return q.constant > rest && least_value(&q, 7) > rest ? sign : 0;
 }
 
 unsigned algsurf_i_column_growth(const algsurf_i_solid *s, const algsurf_i_column *part, double share) {

@@ -47,6 +47,9 @@ void algsurf_i_solid_column(const algsurf_i_solid *s, double x, double y, double
 unsigned algsurf_i_column_cut(const algsurf_i_solid *s, const algsurf_i_column *c, double from, double to,
                               algsurf_i_column *part);
 
+/* The sign of P in a part, by its squares: known of more parts than by the above, and takes longer. */
+unsigned algsurf_i_column_square_sign(const algsurf_i_solid *s, const algsurf_i_column *part);
+
 /* The directions in which P grows in a part of that share of the depths. */
 unsigned algsurf_i_column_growth(const algsurf_i_solid *s, const algsurf_i_column *part, double share);
 

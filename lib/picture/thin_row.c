@@ -6,23 +6,28 @@
 #include "cells.h"
 #include "impl.h"
 #include "thin.h"
+#include "../rays/intersect_impl.h"
 #include "../base/vec.h"
 
 #define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
 
-/* The cells of the pass in wanted pixels that are in leaves. */
+/* The cells of the pass in wanted pixels that are in leaves; and those that have no tiles, which would
+ * reach beyond the bounds of forms, as in pictures of few rows. */
 static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                    const algsurf_i_cells *f, const algsurf_i_line *line, algsurf_i_tiling *t) {
-    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0;
-    const int *cell = band->cell + (row - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
-    int begin = band->begin > line->begin ? band->begin : line->begin;
-    int end = band->end < line->end ? band->end : line->end;
+    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0, begin, end;
+    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    algsurf_i_cell_range(picture, row + 0.5, &begin, &end);
+    if (begin < line->begin) begin = line->begin;
+    if (end > line->end) end = line->end;
     for (int x = begin; x < end; x++) {
-        int number = cell[x / ALGSURF_I_LEAF];
-        if (number <= 0 || band->tiles[number - 1].enough > 0 || (line->wanted && !line->wanted[x])) continue;
+        int tiled = band && x >= band->begin && x < band->end;
+        int number = tiled ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
+        if (tiled && (number <= 0 || band->tiles[number - 1].enough > 0)) continue;
+        if (line->wanted && !line->wanted[x]) continue;
         for (int i = 0; i < line->dense; i++) {
             t->at[count] = x * f->across + f->x + i;
-            t->from[count++] = band->tiles[number - 1].low;
+            t->from[count++] = tiled ? band->tiles[number - 1].low : -1;
         }
     }
     return count;
@@ -59,13 +64,40 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
+/* A sample, as its neighbours are asked for. */
+typedef struct sample {
+    const algsurf_i_picture *picture;
+    double x, y, side; /* in the picture; of its cell */
+    algsurf_i_tally *tally;
+} sample;
+
+/* Without memory nothing is met there. */
+static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
+    const sample *s = looker;
+    const algsurf_i_picture *picture = s->picture;
+    const algsurf_scene *scene = picture->scene;
+    uint64_t exact = 0;
+    for (int k = 0; k < ALGSURF_I_NEIGHBOURS; k++) {
+        algsurf_ray ray;
+        algsurf_hit hit;
+        depth[k] = HUGE_VAL;
+        if (k == ALGSURF_I_NEIGHBOURS / 2) continue;
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, s->x + (k % 3 - 1) * s->side,
+                             s->y + (k / 3 - 1) * s->side, &ray);
+        algsurf_status status = algsurf_i_intersect_first(scene->surface, &scene->extent, &ray, NULL,
+                                                          &scene->intersect, &hit, &exact);
+        s->tally->without_memory += status < 0;
+        if (status < 0 || hit.state != ALGSURF_HIT) continue;
+        depth[k] = picture->packets->near + hit.t * depth_per_t(picture, &ray);
+    }
+}
+
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_band *band = algsurf_i_band_of(picture, row, 0, t);
-    if (!band) return;
     const algsurf_i_cells f = algsurf_i_cells_of(picture, line->across, row, line->dense > 1 ? 0 : sx, sy);
     int count = collect(picture, band, row, &f, line, t);
     if (count > 0) count = algsurf_i_search_cells(&f, 1, count, t);
@@ -77,8 +109,8 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     for (int i = 0; i < count; i++) {
         int x = line->dense > 1 ? t->at[i] : t->at[i] / f.across, point = t->leaf[x];
         algsurf_ray ray;
-        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height,
-                             algsurf_i_place_of(line, x, sx), row + sy, &ray);
+        sample at = {picture, algsurf_i_place_of(line, x, sx), row + sy, 1.0 / f.across, tally};
+        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, at.x, at.y, &ray);
         double per_t = depth_per_t(picture, &ray), depth;
         algsurf_i_thin_box box = {.view = &p->frame.view,
                                   .beam = &t->beam,
@@ -86,12 +118,14 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
                                   .h = h + copysign(ALGSURF_I_WIDER, h),
                                   .from = t->from[i],
                                   .to = t->leaf_depth[i],
-                                  .within = t->leaf_low[i]};
+                                  .within = t->leaf_low[i],
+                                  .look_beside = look_beside,
+                                  .looker = &at};
         if (point >= 0) {
             double limit = p->near + line->points.t[point] * per_t - BEFORE * fabs(h);
             if (limit < box.to) box.to = limit, box.ends_at_hit = 1;
         }
-        if (!(box.from < box.to) || !algsurf_i_is_thin(&box, &depth)) continue;
+        if (!(box.from < box.to) || !algsurf_i_is_thin(&box, t->thin, &depth)) continue;
         show(picture, x, (depth - p->near) / per_t, &ray, line, point);
         tally->thin++;
     }

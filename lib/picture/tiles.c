@@ -126,6 +126,8 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
                                     .du = p->per_slope,
                                     .extent = &picture->scene->extent,
                                     .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
+                                    .planes = p->view_planes,
+                                    .plane_count = p->plane_count,
                                     .near = p->near};
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,

@@ -7,7 +7,8 @@
  * Chords.  Points of two rays of a tile at one depth are at most
  *     d = sqrt(h_u^2 + h_v^2) (1 + |alpha|)
  * apart, if one of the rays is the middle one.  So each ray's chord is inside that of the middle ray with an
- * extent larger by d in each direction, and holds that of the middle ray with an extent smaller by d.
+ * extent larger by d in each direction, and holds that of the middle ray with an extent smaller by d.  Planes
+ * are moved by d likewise.
  *
  * Range.  From the cut to the tile's chords on, the third order belongs to the rest, too (search_template.h).
  *
@@ -58,18 +59,15 @@ typedef struct tile_packet {
 
 /* ---- making tiles ---- */
 
-INLINE chord chord_in(const algsurf_i_row_job *job, const sight *s) {
-    double e = 0x1p-44 + 4 * job->view->noise;
-    return job->extent->kind == ALGSURF_EXTENT_SPHERE ? chord_in_sphere(job, s, e) : chord_in_box(job, s, e);
-}
-
-/* The row's extent, larger by so much in each direction; returns whether something is left. */
+/* The row's extent, larger by so much in each direction, and planes further away; returns whether something
+ * is left of the extent. */
 INLINE int widen_extent(algsurf_i_row_job *job, double by) {
     int directions = job->extent->kind == ALGSURF_EXTENT_SPHERE ? 1 : 3, some = 1;
     for (int i = 0; i < directions; i++) {
         job->extent_size[i] += by;
         some &= job->extent_size[i] > 0;
     }
+    job->plane_room += by;
     return some;
 }
 
@@ -83,7 +81,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
                      .a = all_lanes(view->alpha) * g->u + all_lanes(view->beta[0]),
                      .b = all_lanes(view->alpha * g->v + view->beta[1])};
     (void)widen_extent(&wide, apart);
-    chord c = chord_in(&wide, &s);
+    chord c = chord_of(&wide, &s);
     lanes slack = 4 * c.blur + SLACK;
     g->open &= less(c.near - slack, c.far + slack);
     lanes lo = larger(smaller(c.near, c.far) - slack, all_lanes(job->row->near - SLACK));
@@ -96,7 +94,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     g->least = all_lanes(2);
     g->most = all_lanes(-2);
     if (!widen_extent(&narrow, -apart)) return;
-    c = chord_in(&narrow, &s);
+    c = chord_of(&narrow, &s);
     slack = 4 * c.blur + SLACK;
     mask sure = ~c.doubtful & less(c.near, c.far);
     lanes near = larger(c.near + slack, all_lanes(job->row->near + SLACK));

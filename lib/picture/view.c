@@ -24,6 +24,7 @@
 
 #include "../rays/expand_impl.h"
 #include "../rays/own_ball.h"
+#include "../rays/planes.h"
 #include "impl.h"
 #include "../base/vec.h"
 
@@ -93,6 +94,32 @@ static int suits_packets(const algsurf_scene *scene) {
            algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
+/* Planes that keep all of the ball about what is shown are left out.  Returns 0 where the distance of one
+ * from the centre is not known well enough.
+ *   Errors: the distance has a few roundings of its terms; a normal of length 1 is off by some 2^-51 in each
+ * component, which points of size 4 or less take along, and their sum with it: 2^-46 in all. */
+static int place_planes(const algsurf_scene *scene, algsurf_i_packets *p) {
+    const algsurf_i_view *view = &p->frame.view;
+    p->plane_count = 0;
+    for (size_t i = 0; i < scene->intersect.plane_count; i++) {
+        const algsurf_plane plane =
+            algsurf_i_plane_in_unit(scene->intersect.planes + i, scene->surface->unit);
+        algsurf_i_cut_plane *world = &p->planes[p->plane_count], *in_view = &p->view_planes[p->plane_count];
+        const double *n = plane.normal, *c = view->centre;
+        double unit = algsurf_length(n) * view->size;
+        double size = fabs(plane.offset) + (fabs(n[0] * c[0]) + fabs(n[1] * c[1]) + fabs(n[2] * c[2]));
+        world->offset = (plane.offset - algsurf_dot(n, c)) / unit;
+        world->error = 0x1p-50 * size / unit + 0x1p-46;
+        if (world->offset > 4 && world->error <= 0.5 * world->offset) continue;
+        if (!(world->error < 0x1p-30)) return 0;
+        (void)algsurf_unit(n, world->normal);
+        *in_view = *world;
+        for (int k = 0; k < 3; k++) in_view->normal[k] = algsurf_dot(view->axis[k], world->normal);
+        p->plane_count++;
+    }
+    return 1;
+}
+
 int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
@@ -121,6 +148,6 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
         algsurf_i_complex_prepare(scene, p);
     }
     p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
-    return view->size > 0x1p-500 && view->size < 0x1p500 && fabs(p->near) > 0x1p-10 &&
-           view->noise * scene->surface->degree < 0x1p-22;
+    return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
+           fabs(p->near) > 0x1p-10 && view->noise * scene->surface->degree < 0x1p-22;
 }

@@ -1,4 +1,4 @@
-/* poly/common.h - common factors and what belongs to them, for common.c and multiplicity.c. */
+/* poly/common.h - common factors of integer polynomials, for common.c and multiplicity.c. */
 #ifndef ALGSURF_COMMON_H
 #define ALGSURF_COMMON_H
 #include "../base/wide.h"

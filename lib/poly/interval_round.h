@@ -3,7 +3,7 @@
  * No rounding mode is switched.  The operation to nearest has an error whose sign can be computed
  * exactly (Dekker 1971; Knuth; Ogita, Rump, Oishi 2005): if the exact result lies above the rounded one, the
  * next double up is the best upper end; otherwise the rounded one is.  Rounding down is rounding up with
- * the sign turned.  All results are the best doubles there are, over the whole range: the sign is that of
+ * the sign changed.  All results are the best doubles there are, over the whole range.  The sign is that of
  *     a + b - s          by two_sum, which knows no underflow;
  *     x y - p            by two_prod, exact for operands below 2^995 and 2^-960 <= |p| <= 2^1000;
  *     x - q y            = (x - high) - low with high + low = q y by two_prod: the first difference is

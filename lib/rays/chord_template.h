@@ -1,4 +1,4 @@
-/* chord_template.h - LANES rays as they are solved, and their chords inside the extent.
+/* chord_template.h - LANES rays as they are solved, and their chords inside the extent, as planes cut them.
  *
  * Everything is in natural units, and directions are divided by a power of two, so that their largest
  * component is in [1,2): rays and surfaces of any size are alike.  The caller's t is t_unit times ours.
@@ -115,6 +115,35 @@ INLINE void clip_to_box(ray_lanes *r, const double centre[3], const double size[
     keep_chord(r, near, far, 0x1p-49 * (absolute(near) + absolute(far)));
 }
 
+/* As rays/planes.c, with components of about 1: o + t d is n.X - c = above + t rise from the plane. */
+INLINE void clip_to_plane(ray_lanes *r, const algsurf_plane *plane) {
+    const double *n = plane->normal;
+    lanes above = all_lanes(-plane->offset), rise = all_lanes(0);
+    lanes above_error = all_lanes(fabs(plane->offset)), rise_error = all_lanes(0);
+    for (int i = 0; i < 3; i++) {
+        above += n[i] * r->origin[i];
+        rise += n[i] * r->direction[i];
+        above_error += absolute(n[i] * r->origin[i]);
+        rise_error += absolute(n[i] * r->direction[i]);
+    }
+    above_error = 0x1p-50 * above_error + LOST_BY_UNDERFLOW;
+    rise_error = 0x1p-50 * rise_error + LOST_BY_UNDERFLOW;
+    mask steep = less(4 * rise_error, absolute(rise)), up = less(all_lanes(0), rise);
+    lanes safe = choose(steep, rise, all_lanes(1)), t = -above / safe;
+    lanes off = 2 * (above_error + absolute(t) * rise_error) / absolute(safe) + 0x1p-50 * absolute(t);
+    mask cuts_far = steep & up & less(t - off, r->far + r->off);
+    mask cuts_near = steep & ~up & less(r->near - r->off, t + off);
+    r->far = choose(cuts_far, smaller(r->far, t), r->far);
+    r->near = choose(cuts_near, larger(r->near, t), r->near);
+    r->off = choose(cuts_far | cuts_near, larger(r->off, off), r->off);
+    /* along the plane */
+    lanes reach = larger(absolute(r->near), absolute(r->far)) + r->off;
+    lanes slack = 2 * (above_error + reach * (absolute(rise) + rise_error));
+    mask kept = steep | less(above, -slack), lost = ~steep & less(slack, above);
+    r->doubtful |= r->open & ~(kept | lost);
+    r->open &= kept;
+}
+
 INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale) {
     const algsurf_extent *e = job->extent;
     if (e && e->kind != ALGSURF_EXTENT_ALL) {
@@ -128,6 +157,7 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale)
         else
             clip_to_box(r, centre, size);
     }
+    for (int i = 0; i < job->plane_count; i++) clip_to_plane(r, job->planes + i);
     r->open &= ~less(r->far, r->near - 4 * r->off);
 }
 

@@ -18,6 +18,7 @@
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
 #include "../base/options.h"
+#include "planes.h"
 #include "../poly/interval_impl.h"
 #include "ray_impl.h"
 #include "../base/vec.h"
@@ -237,12 +238,13 @@ static algsurf_status check(const algsurf_complex_space *space, int n) {
     return algsurf_sector_holds(&space->sector, &probe, &holds);
 }
 
-static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface, const algsurf_extent *extent,
-                                                 const algsurf_ray *ray, const algsurf_complex_space *space,
+static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
+                                                 const algsurf_i_region *region, const algsurf_ray *ray,
+                                                 const algsurf_complex_space *space,
                                                  const algsurf_complex *start, algsurf_complex *roots,
                                                  algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_extent_check(region->extent);
     if (status == ALGSURF_OK) status = check(space, surface->degree);
     if (status != ALGSURF_OK) return status;
     complex_query q;
@@ -251,7 +253,8 @@ static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
     q.space = space;
     front.t_min = fmax(front.t_min, 0);
     *iterations = 0;
-    if (algsurf_i_extent_clip(extent, &front, &q.ray)) {
+    if (algsurf_i_extent_clip(region->extent, &front, &q.ray) &&
+        algsurf_i_planes_clip(region->planes, region->plane_count, &q.ray)) {
         solve(&q, start, roots, hit, root, iterations);
     } else {
         set_miss(hit, root);
@@ -260,7 +263,7 @@ static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
                                            const algsurf_ray *ray, const algsurf_complex_space *space,
                                            const algsurf_complex *start, algsurf_complex *roots,
                                            algsurf_hit *hit, algsurf_complex *root, int *iterations) {
@@ -269,7 +272,7 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
         return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = intersect(surface, extent, ray, &known, start, roots, hit, root, iterations);
+    algsurf_status status = intersect(surface, region, ray, &known, start, roots, hit, root, iterations);
     algsurf_fpenv_leave(&saved);
     return status;
 }
@@ -278,6 +281,7 @@ algsurf_status algsurf_intersect_complex(const algsurf_surface *surface, const a
                                          const algsurf_ray *ray, const algsurf_complex_space *space,
                                          const algsurf_complex *start, algsurf_complex *roots,
                                          algsurf_hit *hit, algsurf_complex *root) {
+    const algsurf_i_region region = {extent, NULL, 0};
     int iterations;
-    return algsurf_i_intersect_complex(surface, extent, ray, space, start, roots, hit, root, &iterations);
+    return algsurf_i_intersect_complex(surface, &region, ray, space, start, roots, hit, root, &iterations);
 }

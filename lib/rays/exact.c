@@ -21,7 +21,7 @@ enum { STACK_WORDS = 2048 };
 
 typedef struct query {
     const algsurf_surface *surface;
-    const algsurf_extent *extent;
+    const algsurf_i_region *region;
     const algsurf_ray *ray;
     const algsurf_i_exact_eye *eye;
     algsurf_ray chord;
@@ -53,7 +53,7 @@ static int is_inside(query *q, algsurf_exact_walk *walk, const algsurf_exact_roo
     int faces, sign = 1, done;
     algsurf_memory_mark mark = algsurf_memory_here(&q->memory);
     *inside = 1;
-    done = algsurf_i_faces(&q->memory, q->extent, q->ray->origin, q->ray->direction, q->unit, face, &faces);
+    done = algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, &faces);
     for (int i = 0; done && *inside && i < faces; i++) {
         if (i == except) continue;
         done = algsurf_exact_sign_at_root(walk, root, face + i, &sign);
@@ -64,7 +64,7 @@ static int is_inside(query *q, algsurf_exact_walk *walk, const algsurf_exact_roo
 }
 
 static int surely_inside(const query *q, const algsurf_exact_root *root) {
-    return !q->edges.extent || (root->lo >= q->edges.inner_lo && root->hi <= q->edges.inner_hi);
+    return !q->edges.cut || (root->lo >= q->edges.inner_lo && root->hi <= q->edges.inner_hi);
 }
 
 /* The roots of p that are inside. */
@@ -92,14 +92,24 @@ static algsurf_exact_root point_root(double t) {
     return (algsurf_exact_root){.lo = t, .hi = drawn_in, .t = drawn_in};
 }
 
-/* Is t itself inside all faces? */
+/* The sign of a face of degree 0 or more at -infinity. */
+static int sign_far_before(const algsurf_zpoly *face) {
+    int negative = algsurf_z_negative(algsurf_zpoly_at(face, face->degree), face->width);
+    return negative != face->degree % 2 ? -1 : 1;
+}
+
+/* Is t itself, not infinity, inside all faces? */
 static int begin_is_inside(query *q, const algsurf_zpoly *face, int faces, double t, int *inside) {
-    int e, sign = 1, done = 1;
-    algsurf_limb odd = algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
+    int e = 0, sign = 1, done = 1, endless = isinf(t);
+    algsurf_limb odd = endless ? 0 : algsurf_z_odd_part(t, &e), N = t < 0 ? 0 - odd : odd;
     *inside = 1;
     for (int i = 0; done && *inside && i < faces; i++) {
         if (face[i].degree < 0) continue;
-        done = algsurf_zpoly_sign_at(&q->memory, face + i, &N, 1, odd ? q->unit - e : 0, &sign, NULL, NULL);
+        if (endless)
+            sign = sign_far_before(face + i);
+        else
+            done =
+                algsurf_zpoly_sign_at(&q->memory, face + i, &N, 1, odd ? q->unit - e : 0, &sign, NULL, NULL);
         *inside = sign >= 0;
     }
     return done;
@@ -127,13 +137,11 @@ static algsurf_status ray_in_surface(query *q) {
     algsurf_zpoly face[ALGSURF_MOST_FACES];
     algsurf_exact_root best = point_root(q->ray->t_min);
     int faces = 0, any = 1;
-    if (!algsurf_i_faces(&q->memory, q->edges.extent, q->ray->origin, q->ray->direction, q->unit, face,
-                         &faces))
+    if (!algsurf_i_faces(&q->memory, q->region, q->ray->origin, q->ray->direction, q->unit, face, &faces))
         return ALGSURF_E_NO_MEMORY;
     if (faces > 0) {
         any = 0;
-        if (isfinite(q->ray->t_min) && !begin_is_inside(q, face, faces, q->ray->t_min, &any))
-            return ALGSURF_E_NO_MEMORY;
+        if (!begin_is_inside(q, face, faces, q->ray->t_min, &any)) return ALGSURF_E_NO_MEMORY;
         for (int i = 0, entered = any; !entered && i < faces; i++)
             if (!first_entry(q, face, i, &best, &any)) return ALGSURF_E_NO_MEMORY;
     }
@@ -145,7 +153,7 @@ static algsurf_status ray_in_surface(query *q) {
 static algsurf_status decide(query *q, algsurf_i_want want) {
     algsurf_zpoly p;
     const double *o = q->ray->origin, *d = q->ray->direction;
-    if (!algsurf_i_extent_bracket(q->extent, q->ray, &q->chord, &q->edges)) return ALGSURF_OK;
+    if (!algsurf_i_region_bracket(q->region, q->ray, &q->chord, &q->edges)) return ALGSURF_OK;
     q->unit = isfinite(q->chord.t_min) && isfinite(q->chord.t_max)
                   ? algsurf_exact_piece_of(q->chord.t_min, q->chord.t_max).unit
                   : unit_without_ends(q->surface, q->ray);
@@ -155,13 +163,13 @@ static algsurf_status decide(query *q, algsurf_i_want want) {
     return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
 }
 
-algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_extent *extent,
+algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
                                      const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
                                      algsurf_i_want want, size_t limit, algsurf_observer *observer,
                                      algsurf_i_ray_root *roots, int capacity, int *count) {
     algsurf_limb block[STACK_WORDS];
     query q = {.surface = surface,
-               .extent = extent,
+               .region = region,
                .ray = ray,
                .eye = eye,
                .observer = observer,

@@ -1,7 +1,8 @@
-/* rays/faces.c - the faces of a ball or a box along a ray, without rounding.
+/* rays/faces.c - the faces of a ball or a box, and planes, along a ray, without rounding.
  *
  * All doubles that are added are brought to their lowest common bit 2^-shift; then everything is integers:
- * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 or h -+ l_i. */
+ * l(u) = (o - c) + 2^e d u, and R^2 - sum l_i^2 or h -+ l_i.  Of a plane, normals have a lowest bit of their
+ * own, and so have the points o + 2^e d u; the offset has the bits of products. */
 #include "../base/arithmetic.h"
 #include "faces.h"
 
@@ -98,18 +99,66 @@ static int ball(algsurf_memory *m, const algsurf_extent *x, const double origin[
     return 1;
 }
 
-int algsurf_i_faces(algsurf_memory *m, const algsurf_extent *extent, const double origin[3],
-                    const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES], int *count) {
-    *count = 0;
-    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
+/* An integer of w limbs, x 2^shift. */
+static const algsurf_limb *integer_of(double x, int shift, int w, algsurf_limb *room) {
+    algsurf_z_zero(room, w);
+    algsurf_z_add_double(room, w, x, shift);
+    return room;
+}
+
+static int plane(algsurf_memory *m, const algsurf_plane *p, const double origin[3], const double direction[3],
+                 int e, algsurf_zpoly *face) {
+    range normals = {0, 0, 1}, points = {0, 0, 1}, offset = {0, 0, 1};
     algsurf_memory_mark before = algsurf_memory_here(m);
-    int is_ball = extent->kind == ALGSURF_EXTENT_SPHERE;
-    int done =
-        is_ball ? ball(m, extent, origin, direction, e, face) : box(m, extent, origin, direction, e, face);
-    if (!done) {
+    for (int i = 0; i < 3; i++)
+        include(&normals, p->normal[i], 0), include(&points, origin[i], 0), include(&points, direction[i], e);
+    include(&offset, p->offset, 0);
+    if (!offset.empty && offset.low - normals.low < points.low) points.low = offset.low - normals.low;
+    int low = normals.low + points.low, top = normals.top + points.top;
+    if (!offset.empty && offset.top > top) top = offset.top;
+    /* a product of each axis, and the offset: below 2^(bits + 2) */
+    int wn = algsurf_z_width(normals.top - normals.low), wp = algsurf_z_width(points.top - points.low);
+    if (!algsurf_zpoly_new(m, 1, algsurf_z_width(top - low + 2), face)) return 0;
+    algsurf_memory_mark work = algsurf_memory_here(m);
+    algsurf_limb *n = algsurf_memory_take(m, 2 * (size_t)wn + (size_t)wp);
+    if (!n) {
         algsurf_memory_release(m, before);
         return 0;
     }
-    *count = is_ball ? 1 : ALGSURF_MOST_FACES;
+    algsurf_limb *x = n + 2 * wn;
+    algsurf_z_add_double(algsurf_zpoly_at(face, 0), face->width, p->offset, -low);
+    for (int i = 0; i < 3; i++) {
+        const algsurf_z_factor f =
+            algsurf_z_factor_of(integer_of(p->normal[i], -normals.low, wn, n), wn, n + wn);
+        algsurf_z_add_times(algsurf_zpoly_at(face, 0), face->width, integer_of(origin[i], -points.low, wp, x),
+                            wp, &f, 1);
+        algsurf_z_add_times(algsurf_zpoly_at(face, 1), face->width,
+                            integer_of(direction[i], e - points.low, wp, x), wp, &f, 1);
+    }
+    algsurf_memory_release(m, work);
+    settle(m, face);
     return 1;
+}
+
+static int faces_of_extent(algsurf_memory *m, const algsurf_extent *extent, const double origin[3],
+                           const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES],
+                           int *count) {
+    *count = 0;
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
+    *count = extent->kind == ALGSURF_EXTENT_SPHERE ? 1 : 6;
+    return extent->kind == ALGSURF_EXTENT_SPHERE ? ball(m, extent, origin, direction, e, face)
+                                                 : box(m, extent, origin, direction, e, face);
+}
+
+int algsurf_i_faces(algsurf_memory *m, const algsurf_i_region *region, const double origin[3],
+                    const double direction[3], int e, algsurf_zpoly face[ALGSURF_MOST_FACES], int *count) {
+    algsurf_memory_mark before = algsurf_memory_here(m);
+    int done = faces_of_extent(m, region->extent, origin, direction, e, face, count);
+    for (size_t i = 0; done && i < region->plane_count; i++)
+        done = plane(m, region->planes + i, origin, direction, e, &face[(*count)++]);
+    if (!done) {
+        algsurf_memory_release(m, before);
+        *count = 0;
+    }
+    return done;
 }

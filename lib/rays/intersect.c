@@ -17,6 +17,7 @@
 #include "../simd/kernel.h"
 #include "../base/options.h"
 #include "own_ball.h"
+#include "planes.h"
 #include "ranges.h"
 #include "ray_impl.h"
 #include "../roots/watch.h"
@@ -34,12 +35,17 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
         isinf(options->absolute_tolerance))
         return ALGSURF_E_ARGUMENT;
     if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_planes_are_good(options->planes, options->plane_count)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
         if (!kernel) return ALGSURF_E_ARGUMENT;
         options->kernel = kernel->name; /* the caller's string need not live on */
     }
     return ALGSURF_OK;
+}
+
+algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options) {
+    return (algsurf_i_region){extent, options->planes, options->plane_count};
 }
 
 static void set_miss(algsurf_hit *hit) {
@@ -171,8 +177,15 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
     algsurf_extent wider;
     const algsurf_extent *extent = algsurf_i_without_own_ball(surface, given, &wider);
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o->kernel);
+    const algsurf_i_region region = algsurf_i_region_of(extent, o);
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    if (!algsurf_i_rays_fit(surface, &region)) return -1;
+    for (size_t i = 0; i < o->plane_count; i++)
+        planes[i] = algsurf_i_plane_in_unit(o->planes + i, surface->unit);
     const algsurf_i_rays_job job = {.surface = surface,
                                     .extent = extent,
+                                    .planes = planes,
+                                    .plane_count = (int)o->plane_count,
                                     .origin = {x, x + 1, x + 2},
                                     .direction = {d, d + 1, d + 2},
                                     .t_min = &ray->t_min,
@@ -181,7 +194,6 @@ static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *gi
                                     .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
-    if (!algsurf_i_rays_fit(surface, extent)) return -1;
     return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
 }
 
@@ -196,7 +208,8 @@ static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface
                                                   algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    algsurf_status status = algsurf_i_exact_roots(surface, extent, ray, eye, want, memory_limit(options),
+    const algsurf_i_region region = algsurf_i_region_of(extent, options);
+    algsurf_status status = algsurf_i_exact_roots(surface, &region, ray, eye, want, memory_limit(options),
                                                   options->observer, roots, most, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
     return status;
@@ -208,8 +221,9 @@ static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *sur
                                                       const algsurf_intersect_options *options,
                                                       algsurf_hit *hits, int *count) {
     algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
+    const algsurf_i_region region = algsurf_i_region_of(extent, options);
     algsurf_status status =
-        algsurf_i_exact_ranges(surface, extent, ray, memory_limit(options), options->observer, range, count);
+        algsurf_i_exact_ranges(surface, &region, ray, memory_limit(options), options->observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
         double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
@@ -221,12 +235,12 @@ static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *sur
     return status;
 }
 
-/* The bounded tier goes no further: one entry, if the ray meets the extent. */
-static void hit_undecided(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_hit *hit,
+/* The bounded tier goes no further: one entry, if the ray meets the region. */
+static void hit_undecided(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_hit *hit,
                           int *count) {
     algsurf_ray chord;
     algsurf_i_edges edges;
-    *count = algsurf_i_extent_bracket(extent, ray, &chord, &edges);
+    *count = algsurf_i_region_bracket(region, ray, &chord, &edges);
     if (*count) set_undecided(ray, chord.t_min, chord.t_max, ALGSURF_UNDECIDED_MULTIPLE, hit);
 }
 
@@ -249,8 +263,9 @@ static algsurf_status decide(const algsurf_surface *surface, const algsurf_exten
                              const algsurf_intersect_options *options, algsurf_i_want want, algsurf_hit *hits,
                              int *count) {
     algsurf_status status = ALGSURF_OK;
+    const algsurf_i_region region = algsurf_i_region_of(extent, options);
     if (options->tier == ALGSURF_TIER_BOUNDED)
-        hit_undecided(extent, ray, hits, count);
+        hit_undecided(&region, ray, hits, count);
     else if (surface->error > 0)
         status = hits_in_ranges(surface, extent, ray, options, hits, count);
     else

@@ -20,8 +20,11 @@ typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options);
 
+/* The part of an extent that the planes of some options keep. */
+algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options);
+
 /* Can the lanes square what is shown, in the surface's unit? */
-int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_extent *extent);
+int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_i_region *region);
 
 /* algsurf_intersect_packet, in the standard floating-point environment; exact: the rays that integers decided
  * are added to it. */
@@ -41,8 +44,8 @@ algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_
                                   const algsurf_ray *ray, const algsurf_intersect_options *options,
                                   int *state);
 
-/* algsurf_intersect_complex, and how many corrections of roots it took. */
-algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_extent *extent,
+/* algsurf_intersect_complex in a region, whose planes are good, and how many corrections of roots it took. */
+algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,
                                            const algsurf_ray *ray, const algsurf_complex_space *space,
                                            const algsurf_complex *start, algsurf_complex *roots,
                                            algsurf_hit *hit, algsurf_complex *root, int *iterations);

@@ -11,10 +11,12 @@
 
 /* Rays in any order, in the caller's units, all numbers finite but t_min and t_max; directions are not 0.
  * The surface has nodes and a unit within 2^+-800; in that unit the extent's sizes are within 2^+-100, its
- * centre is below 2^100. */
+ * centre and the offsets of planes are below 2^100. */
 typedef struct algsurf_i_rays_job {
     const algsurf_surface *surface;
     const algsurf_extent *extent; /* null: all of space */
+    const algsurf_plane *planes;  /* algsurf_i_plane_in_unit, of the natural one */
+    int plane_count;
     const double *origin[3], *direction[3];
     const double *t_min, *t_max; /* null: 0, infinity */
     const unsigned char *active; /* null: all */

@@ -1,12 +1,11 @@
-/* own_ball.h - a surface that is its own extent. */
+/* own_ball.h - a surface that is the sphere of its own extent. */
 #ifndef ALGSURF_OWN_BALL_H
 #define ALGSURF_OWN_BALL_H
 #include "algsurf/ray.h"
 #include "../surface/impl.h"
 
-/* Is the surface exactly the sphere that bounds the extent?  Then the extent cuts nothing off, whatever
- * contains it may stand in its place, and rays need not be compared with an edge on which all their roots
- * lie. */
+/* Is the surface exactly the sphere that bounds the extent?  Then the extent cuts nothing off: a larger one
+ * may stand in its place, so that the roots of rays are not all on the extent's edge. */
 int algsurf_i_is_own_ball(const algsurf_surface *surface, const algsurf_extent *extent);
 
 /* The extent, or in *wider a ball twice as large where the surface is its own. */

@@ -13,12 +13,14 @@
 #include "kernel.h"
 #include "../base/options.h"
 #include "own_ball.h"
+#include "planes.h"
 #include "ray_impl.h"
 
 typedef struct query {
     const algsurf_surface *surface;
     const algsurf_extent *extent; /* the caller's, or a wider one in which there is no more to be seen */
     algsurf_extent wider;
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES]; /* in the surface's unit */
     algsurf_ray_packet rays;
     algsurf_intersect_options options;
     const algsurf_i_kernel *kernel; /* null: every ray by itself */
@@ -70,8 +72,11 @@ static algsurf_status check_rays(const algsurf_ray_packet *rays) {
     return ALGSURF_OK;
 }
 
-int algsurf_i_rays_fit(const algsurf_surface *s, const algsurf_extent *extent) {
+int algsurf_i_rays_fit(const algsurf_surface *s, const algsurf_i_region *region) {
+    const algsurf_extent *extent = region->extent;
     if (!s->tables || s->unit < -800 || s->unit > 800) return 0;
+    for (size_t i = 0; i < region->plane_count; i++)
+        if (!(fabs(algsurf_i_plane_in_unit(region->planes + i, s->unit).offset) < 0x1p100)) return 0;
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
     for (int i = 0; i < 3; i++) {
         double size = ldexp(extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0], -s->unit);
@@ -90,8 +95,11 @@ static algsurf_status prepare(query *q, const algsurf_surface *surface, const al
     if (status != ALGSURF_OK) return status;
     q->surface = surface;
     q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
+    const algsurf_i_region region = algsurf_i_region_of(q->extent, &q->options);
     int fits = q->options.method == ALGSURF_METHOD_DEFAULT && q->options.max_iterations == 0 &&
-               algsurf_i_rays_fit(surface, q->extent);
+               algsurf_i_rays_fit(surface, &region);
+    for (size_t i = 0; fits && i < q->options.plane_count; i++)
+        q->planes[i] = algsurf_i_plane_in_unit(q->options.planes + i, surface->unit);
     q->kernel = fits ? algsurf_i_kernel_find(q->options.kernel) : NULL;
     return ALGSURF_OK;
 }
@@ -114,6 +122,8 @@ static void solve_together(const query *q, int any, int alone, const algsurf_i_r
     const algsurf_i_rays_job job = {
         .surface = q->surface,
         .extent = q->extent,
+        .planes = q->planes,
+        .plane_count = (int)q->options.plane_count,
         .origin = {rays->origin[0], rays->origin[1], rays->origin[2]},
         .direction = {rays->direction[0], rays->direction[1], rays->direction[2]},
         .t_min = rays->t_min,

@@ -3,7 +3,7 @@
  * A coefficient a is known to error |a|.  Along X + u D, in integers, p_k is then known to the coefficient of
  * u^k of the form of the terms error |a|, along |X| + u |D|: all of its summands are the magnitudes of those
  * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  What lies
- * within the rounding of the chord's ends is undecided: it may be inside the extent or not. */
+ * within the rounding of the chord's ends is undecided: it may be inside the region or not. */
 #include "../base/arithmetic.h"
 #include "ranges.h"
 
@@ -70,7 +70,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
                                      observer ? &watch : NULL))
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {
-        int inside = !edges->extent || (range[i].lo >= edges->inner_lo && range[i].hi <= edges->inner_hi);
+        int inside = !edges->cut || (range[i].lo >= edges->inner_lo && range[i].hi <= edges->inner_hi);
         int at_end = range[i].lo <= lo || range[i].hi >= hi;
         algsurf_status reason = lo == hi            ? ALGSURF_UNDECIDED_ZERO
                                 : !inside || at_end ? ALGSURF_UNDECIDED_END
@@ -81,7 +81,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algsurf_extent *extent,
+algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algsurf_i_region *region,
                                       const algsurf_ray *ray, size_t limit, algsurf_observer *observer,
                                       algsurf_i_ray_range ranges[ALGSURF_MAX_DEGREE], int *count) {
     algsurf_limb block[STACK_WORDS];
@@ -89,7 +89,7 @@ algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algs
     algsurf_ray chord;
     algsurf_i_edges edges;
     *count = 0;
-    if (!algsurf_i_extent_bracket(extent, ray, &chord, &edges)) return ALGSURF_OK;
+    if (!algsurf_i_region_bracket(region, ray, &chord, &edges)) return ALGSURF_OK;
     algsurf_term *spread = magnitudes(surface);
     if (!spread) return ALGSURF_E_NO_MEMORY;
     algsurf_memory_begin(&memory, block, STACK_WORDS, limit);

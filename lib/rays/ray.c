@@ -23,6 +23,7 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "planes.h"
 #include "../base/vec.h"
 
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray) {
@@ -150,9 +151,9 @@ static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int a
     return fmin(0x1p-41 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]), 0.25 * DBL_MAX);
 }
 
-int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
-                             algsurf_i_edges *edges) {
-    *edges = (algsurf_i_edges){NULL, -HUGE_VAL, HUGE_VAL};
+static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
+                          algsurf_i_edges *edges) {
+    *edges = (algsurf_i_edges){0, -HUGE_VAL, HUGE_VAL};
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
     algsurf_extent outer = *extent, inner = *extent;
     int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
@@ -170,13 +171,25 @@ int algsurf_i_extent_bracket(const algsurf_extent *extent, const algsurf_ray *ra
     chord->t_min = fmax(ray->t_min, fmin(ends[0], DBL_MAX));
     chord->t_max = fmin(ray->t_max, fmax(ends[1], -DBL_MAX));
     if (!(chord->t_min <= chord->t_max) || chord->t_min == INFINITY || chord->t_max == -INFINITY) return 0;
-    edges->extent = extent;
+    edges->cut = 1;
     edges->inner_lo = HUGE_VAL;
     edges->inner_hi = -HUGE_VAL;
     if (solid && clip_line(&inner, ray, ends)) {
         edges->inner_lo = fmax(ends[0], -DBL_MAX);
         edges->inner_hi = fmin(ends[1], DBL_MAX);
     }
+    return 1;
+}
+
+int algsurf_i_region_bracket(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_ray *chord,
+                             algsurf_i_edges *edges) {
+    if (!extent_bracket(region->extent, ray, chord, edges)) return 0;
+    if (region->plane_count == 0) return 1;
+    algsurf_i_cut cut = {chord->t_min, chord->t_max, edges->inner_lo, edges->inner_hi};
+    if (!algsurf_i_planes_cut(region->planes, region->plane_count, ray, &cut)) return 0;
+    chord->t_min = cut.outer_lo;
+    chord->t_max = cut.outer_hi;
+    *edges = (algsurf_i_edges){1, cut.inner_lo, cut.inner_hi};
     return 1;
 }
 

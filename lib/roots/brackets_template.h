@@ -1,11 +1,12 @@
 /* brackets_template.h - the roots in the brackets of a block (block_template.h).
  *
- * Halley's method on the power basis about the middle, from where the control polygon crosses zero.
+ * Halley's method on the power basis about the middle of the interval, beginning where the control polygon
+ * crosses zero.
  *
  * Error.  Values are off by about noise = u S (centred_template.h), a root x by noise / |p'(x)|, and by less
  * where x is nearer to the middle than the ends are: S is then replaced by the sum at x.  A root that may be
  * off by more than BLURRED is enclosed by values that are better than doubles (enclose_template.h), if its
- * coefficients are exact; else it stays in doubt, as does one that the method does not come to. */
+ * coefficients are exact; otherwise it is undecided, as is a root to which the method does not converge. */
 #ifndef ALGSURF_BRACKETS_TEMPLATE_H
 #define ALGSURF_BRACKETS_TEMPLATE_H
 #include "../poly/table.h"

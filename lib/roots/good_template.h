@@ -1,5 +1,4 @@
-/* good_template.h - are the numbers of a batch good?  Finite, in intervals with an inside, radii not
- * negative. */
+/* good_template.h - checks the numbers of a batch: coefficients finite, lo < hi, radii not negative. */
 #ifndef ALGSURF_GOOD_TEMPLATE_H
 #define ALGSURF_GOOD_TEMPLATE_H
 #include "centred_template.h"

@@ -4,7 +4,7 @@
  * Approach: Halley's method in doubles, kept to the bracket, whose ends follow the signs that doubles see,
  * and one more step with a compensated value; all this proves nothing.  Proof: two neighbouring doubles
  * within the bracket have values of different sign, both certain (certain_template.h).  That pair is unique,
- * so the answer does not depend on how it was come by.  The caller gives |c_k| <= 2^401 and ends with |t|^n
+ * so the answer does not depend on how it was found.  The caller gives |c_k| <= 2^401 and ends with |t|^n
  * <= 2^400. */
 #ifndef ALGSURF_SETTLE_TEMPLATE_H
 #define ALGSURF_SETTLE_TEMPLATE_H

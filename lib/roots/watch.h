@@ -1,7 +1,8 @@
 /* watch.h - what a call tells its observer (algsurf/observe.h).
  *
- * Whoever may be watched has a pointer to a watch, null where nobody looks.  The lanes have a text of their
- * own for that, compiled from the same template (packet_template.h): so nothing is asked where nobody looks.
+ * Code that can be watched has a pointer to a watch, null if there is no observer.  The packet code for
+ * single polynomials and rays is compiled twice from its template (packet_template.h), with a watch and
+ * without: so an observer costs nothing where there is none.
  */
 #ifndef ALGSURF_WATCH_H
 #define ALGSURF_WATCH_H

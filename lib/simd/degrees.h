@@ -1,7 +1,7 @@
 /* degrees.h - code compiled for the most common degrees and for all others.
  *
- * It multiplies what it is used for: by eight, so that a function with one in it should be a step that no
- * other function shares, and should hold nothing that is as fast for any degree.  The includer may define
+ * The statement is compiled eight times.  So it should be in a function of its own that is called from one
+ * place, and should hold nothing that is as fast without a constant degree.  The includer may define
  * COMMON_DEGREES: is there such code? */
 #ifndef ALGSURF_DEGREES_H
 #define ALGSURF_DEGREES_H

@@ -328,7 +328,7 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out) {
 static int parse_end(parser *p, int equals_seen) {
     if (peek(p) == ';') {
         take(p);
-        if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "behind ';': expected the end");
+        if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "nothing may follow ';'");
     }
     switch (peek(p)) {
     case '\0':

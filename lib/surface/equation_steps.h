@@ -1,4 +1,5 @@
-/* equation_steps.h - what operators of an equation make of values, with all conditions, and how a step fails.
+/* equation_steps.h - the operators of an equation: each checks its conditions and computes, or tells the
+ * error.
  *
  * Each function returns 1, or 0 after a failure: then the parser's status and error are set, and operands
  * that the function takes over are freed.  Offsets are places in the text, for the error.

@@ -2,7 +2,7 @@
  *
  * In axes along the rectangle's sides, with the point at x and the rectangle's middle at x + d, they are
  *     x + t (d_1 + h_1 xi, d_2 + h_2 eta, d_3),  |xi|, |eta| <= 1,
- * where 0 <= t <= 1 may be any first part of them, d and h being multiplied alike.  So P is
+ * 0 <= t <= 1; for the first part of the segments, d and h are multiplied by its share.  So P is
  *     sum over i + j <= n of (h_1 xi)^i (h_2 eta)^j t^(i+j) r_ij(t),
  * r_ij of degree n - i - j: a beam from a single point.  P is brought to these axes once a frame; points are
  * done side by side (picture/fans_template.h).

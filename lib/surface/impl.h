@@ -7,7 +7,8 @@
  * off by at most 2^-1074, far below any bound's absolute part).
  *
  * A surface with an `error` stands for all polynomials whose coefficients are off by up to that part of their
- * magnitude: bounds get error times the scheme on magnitudes more, and exact arithmetic has nothing to say.
+ * magnitude.  Bounds then grow by error times the scheme on magnitudes, and exact arithmetic on the
+ * coefficients decides nothing.
  *
  * Horner's scheme nests x in y in z.  For each power k of z a level, for each power j of y in it a
  * row: the dense coefficients of x^0 .. x^(length-1), length 0 when the row is empty.

@@ -68,10 +68,11 @@ static void check_values(const algsurf_surface *s) {
 
 static void check_rays(const algsurf_surface *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    const algsurf_plane plane = {{1, 0, 0}, 1}; /* through the second hit */
     BLANK(algsurf_intersect_options, o);
     o.tier = ALGSURF_TIER_CERTIFIED, o.method = ALGSURF_METHOD_BRENT, o.max_iterations = 200;
     o.absolute_tolerance = 1e-9, o.kernel = NULL, o.undecided_as = ALGSURF_AS_HIT, o.max_memory = 1 << 20;
-    o.observer = NULL;
+    o.observer = NULL, o.planes = &plane, o.plane_count = 1;
     {
         algsurf_hit hit, hits[2];
         int state = ALGSURF_MISS;
@@ -210,6 +211,7 @@ static void check_picture(const algsurf_surface *s) {
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
     const algsurf_material matt = {sizeof matt, {1, 0, 0}, {0, 1, 0}, 0.8, 0.2, 0, 0, 1, 0};
     const algsurf_light light = {{0, 0, 9}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 2, 2};
+    const algsurf_plane lower_half = {{0, 0, 1}, 0};
     algsurf_scene *scene = NULL;
     algsurf_camera camera;
     int rows = 0;
@@ -240,6 +242,9 @@ static void check_picture(const algsurf_surface *s) {
     CHECK(state[0] == ALGSURF_MISS && isinf(t[0]) && normals[2] == 0);
     CHECK(way[0] <= ALGSURF_WAY_SINGLE);
     CHECK(state[MIDDLE] == ALGSURF_HIT && t[MIDDLE] > 2 && t[MIDDLE] < 4 && normals[3 * MIDDLE + 2] > 0.9F);
+    CHECK(algsurf_scene_set_clip(scene, &lower_half, 1) == ALGSURF_OK);
+    CHECK(algsurf_render(scene, &o, &planes, NULL) == ALGSURF_OK);
+    CHECK(state[MIDDLE] == ALGSURF_HIT && t[MIDDLE] > 4);
     algsurf_scene_free(scene);
 }
 

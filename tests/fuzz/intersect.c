@@ -121,7 +121,7 @@ static const char *form(const algsurf_hit *h) {
 /* Everything about one ray, against the oracle. */
 static void judge_exactly(const algsurf_extent *extent) {
     intersect_ask(&c, extent, NULL, &answer);
-    exact_hits *h = exact_hits_of(c.terms, c.count, c.degree, extent, &c.ray);
+    exact_hits *h = exact_hits_of(c.terms, c.count, c.degree, extent, NULL, 0, &c.ray);
     const char *wrong = intersect_wrong(h, &answer);
     exact_hits_clear(h);
     if (!wrong) wrong = intersect_wrong_packet(&c, extent, NULL, &answer);

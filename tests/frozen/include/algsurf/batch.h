@@ -29,30 +29,31 @@ typedef struct algsurf_real_batch {
 typedef enum algsurf_first_root_state {
     ALGSURF_FIRST_ROOT_NONE = 0,  /* no root in the interval: verified; root is +inf */
     ALGSURF_FIRST_ROOT_FOUND = 1, /* there is one: verified */
-    /* Not the same for all polynomials within the radii, or zero throughout, or no memory.  root is a point
-     * of the undecided place, and no root lies before that place (+inf without memory). */
+    /* The answer differs among the polynomials within the radii; or all coefficients may be 0; or memory ran
+     * out.  No root lies before the undecided place, and root is a point of that place (+inf if memory ran
+     * out). */
     ALGSURF_FIRST_ROOT_UNDECIDED = 2
 } algsurf_first_root_state;
 
 /* The first (smallest) root of each polynomial in its interval.
  *   options  null: all defaults
  *   state    an algsurf_first_root_state for each polynomial
- *   root     for each polynomial; null: not asked for
- * Neither may overlap the input.
- * Guarantee: a state other than UNDECIDED is verified, and is what algsurf_isolate_first says.  (With
- * radii, one may be verified where the single call stays undecided.)  Without radii, only a polynomial that
- * is zero throughout is UNDECIDED.  Multiple roots are found like others.  A root lies in a bracket that
- * isolates the first one; its place there is approximate: to 1e-12 of the interval, by default, and the
- * rounding of the root; of an ill-conditioned root, and in an interval with an infinite end, it is the root
- * that algsurf_real_roots gives.  The bits of an answer depend on its polynomial only, not on the kernel, the
- * other polynomials or their number.
+ *   root     the root of each polynomial; null: not asked for
+ * state and root may not overlap the input.
+ * Guarantee: a state other than UNDECIDED is verified, and is that of algsurf_isolate_first.  (With radii, it
+ * may be verified although the single call is undecided.)  Without radii, only the zero polynomial is
+ * UNDECIDED.  Multiple roots are found like others.  A root lies in a bracket that isolates the first one;
+ * its place there is approximate: it is off by at most 1e-12 of the interval's length, by default, and by the
+ * rounding of the root.  Ill-conditioned roots, and those in an interval with an infinite end, are the roots
+ * of algsurf_real_roots.  The bits of an answer depend on its polynomial only, not on the kernel, the other
+ * polynomials or their number.
  * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo >= hi, NaN as an end, negative
- * radius, bad size, relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii), for any polynomial,
- * the first bad one deciding; nothing is written then.  E_NO_MEMORY: at least one polynomial is UNDECIDED for
- * want of memory; the other answers stand.
- * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more; one that
- * is decided alone takes 1 to 20 microseconds; so do all above degree 20 and in infinite intervals.  Integers
- * allocate what they need, 1 GiB at most, and give it back.
+ * radius, bad size, relative_tolerance or kernel), E_NOT_FINITE (coefficients, radii): that of the first bad
+ * polynomial, and nothing is written.  E_NO_MEMORY: at least one polynomial is UNDECIDED for want of memory;
+ * the other answers are valid.
+ * Cost: O(degree^2) for each, 3 to 100 nanoseconds for degrees 2 to 10 and batches of 100 or more.  A
+ * polynomial that is decided alone takes 1 to 20 microseconds; so does each of degree above 20 or with an
+ * infinite interval.  Integers allocate what they need, 1 GiB at most, and give it back.
  * Source: Taylor shift, Descartes' rule (Lane, Riesenfeld 1981), bracketed Halley iteration.  54 KiB of
  * stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
@@ -63,16 +64,17 @@ ALGSURF_API algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *b
  *   batch    without radii
  *   options  null: all defaults
  *   roots    room for m = max(degree, 1) of each polynomial: those of polynomial i start at roots[i * m], in
- *            increasing order; what is behind them there may be overwritten
- *   count    for each polynomial how many; or, where the single call fails, its error, a negative
+ *            increasing order; the rest of the room may be overwritten
+ *   count    the number of roots of each polynomial; or, if the single call fails, its error, a negative
  *            algsurf_status: E_ZERO, E_NO_MEMORY
- * Neither may overlap the input.  Returns the first of these errors: all other answers stand.
+ * roots and count may not overlap the input.  Returns the first error in count, or OK; the answers for all
+ * other polynomials are valid.
  * Guarantee: all are found, each with its multiplicity: verified.
- * Errors: as above, E_ARGUMENT also for radii or a relative_tolerance: nothing is written then; those of
+ * Errors: as above, E_ARGUMENT also for radii or a relative_tolerance: nothing is written then; and those in
  * count.
  * Cost: O(degree^2) for each root, 40 to 200 nanoseconds a polynomial of degrees 2 to 10 in batches of 100 or
- * more.  A polynomial that doubles leave undecided costs as much as in algsurf_real_roots; so do all above
- * degree 20 and in infinite intervals.
+ * more.  A polynomial that doubles leave undecided costs as much as in algsurf_real_roots; so does each of
+ * degree above 20 or with an infinite interval.
  * Source: as above; signs beside the roots by the compensated Horner scheme (Graillat, Langlois, Louvet
  * 2005).  54 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch,

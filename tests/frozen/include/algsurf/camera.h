@@ -11,12 +11,13 @@
 extern "C" {
 #endif
 
-/* A plain value; make it with one of the two functions below.  right, up, forward are orthonormal,
- * right-handed as seen: right x up points to the viewer. */
+/* A plain value; make it with one of the two functions below.  right, up, forward are orthonormal, and
+ * forward = up x right: right x up points to the viewer. */
 typedef struct algsurf_camera {
     double eye[3];                      /* where the rays start; orthographic: a point of their plane */
     double right[3], up[3], forward[3]; /* in the picture to the right and upwards, and along the view */
-    double half_height; /* of the image plane: at distance 1 (pinhole) or in space (orthographic) */
+    double half_height; /* of what the picture shows: at distance 1 from the eye (pinhole), everywhere
+                           (orthographic) */
     int orthographic;   /* 0 or 1 */
 } algsurf_camera;
 
@@ -32,10 +33,11 @@ ALGSURF_API algsurf_status algsurf_camera_orthographic(const double eye[3], cons
                                                        const double up[3], double height,
                                                        algsurf_camera *camera);
 
-/* The ray through the point (x,y), inside or not, of a width x height picture: t_min = 0, t_max = +inf,
- * direction of unit length up to rounding, so that t is the distance from the eye (pinhole) or from the
- * plane.
- * Errors: E_ARGUMENT (null, width or height < 1), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
+/* The ray through the point (x,y) of a width x height picture, or of its plane outside the picture: t_min =
+ * 0, t_max = +inf, direction of unit length up to rounding, so that t is the distance from the eye (pinhole)
+ * or from the plane (orthographic).
+ * Errors: E_ARGUMENT (null, width or height < 1, a camera whose axes are not orthonormal or whose other
+ * members are out of range), E_NOT_FINITE.  Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x,
                                               double y, algsurf_ray *ray);
 

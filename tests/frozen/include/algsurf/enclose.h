@@ -8,10 +8,10 @@
 extern "C" {
 #endif
 
-/* Which points of a surface. */
+/* Which points of a surface are enclosed. */
 typedef enum algsurf_part {
     ALGSURF_PART_ALL = 0,     /* all of them */
-    ALGSURF_PART_SINGULAR = 1 /* those where the gradient of P vanishes, too: tips, double lines, cusps */
+    ALGSURF_PART_SINGULAR = 1 /* those where the gradient of P is 0, too: tips, double lines, cusps */
 } algsurf_part;
 
 /* A box that holds all points of a part of the surface within an extent.
@@ -19,13 +19,13 @@ typedef enum algsurf_part {
  *   part       an algsurf_part
  *   precision  0 < precision <= 1: the search ends where a face cannot be pushed in by more than this share
  *              of the box's length; 1/16 is usual
- *   lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may reach over the sphere, not
- *              over a box
+ *   lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may reach beyond an extent that
+ *              is a sphere, not beyond one that is a box
  *   empty      receives 1: there is no such point, and lo and hi are not written; 0: there may be some
  *
- * Guarantee: verified.  No point is outside of the box, and where `empty` is 1 there is none.  The box is as
+ * Guarantee: verified.  No such point is outside of the box; if `empty` is 1, there is none.  The box is as
  * small as precision says unless that takes too long, as in degrees above 12 or where P is small in large
- * parts of space.  It tells of points in the extent only, also where it does not touch the extent's end.
+ * parts of space.  Nothing is said of points outside the extent, even if the box does not touch its boundary.
  * Errors: E_ARGUMENT (null; all of space; extent, part, precision out of range), E_NOT_FINITE (extent),
  * E_NO_MEMORY.
  * Cost: milliseconds in degree 4 to 8, at most some 0.3 s.

@@ -3,9 +3,9 @@
  * A polynomial of degree at most n is n+1 doubles, lowest degree first:
  *     p(t) = c[0] + c[1] t + ... + c[n] t^n                               power basis
  *     p(t) = sum b[j] C(n,j) (1-s)^(n-j) s^j,  s = (t-lo)/(hi-lo)         Bernstein basis on [lo,hi]
- * An optional array of radii r >= 0 widens it to the set of all polynomials whose i-th coefficient
- * lies in [c[i]-r[i], c[i]+r[i]]; every guarantee then holds for each member.  A null pointer of
- * radii means the coefficients are exact.  Leading zeros are allowed: n bounds the degree.
+ * An optional array of radii r >= 0 turns it into a set: that of all polynomials whose i-th coefficient lies
+ * in [c[i]-r[i], c[i]+r[i]] for each i.  Every guarantee then holds for each of them.  If the pointer to the
+ * radii is null, the coefficients are exact.  Leading zeros are allowed: n bounds the degree.
  */
 #ifndef ALGSURF_POLY_H
 #define ALGSURF_POLY_H
@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* Value at a point in double, with a bound on its error.
+/* The value at a point, computed in double, with a bound on its error.
  *   c, r    degree+1 coefficients (power basis) and radii, or r null
  *   value   p(t), by Horner's rule
  *   bound   encloses: |value - q(t)| <= bound for every q in the set.  May be +inf on overflow.
@@ -27,11 +27,11 @@ extern "C" {
 ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
 
-/* The same with a value computed as if in doubled precision: bound is about one unit in
- * the last place of value, plus the radii, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree
- * (coefficients and t beyond 2^900 may get the bound of algsurf_poly_eval instead).
- * Cost: O(degree), three to four times the above.  Source: compensated Horner scheme, Graillat, Langlois,
- * Louvet 2005.  Errors: as above.  Since 1.0. */
+/* The same with a value computed as if in doubled precision: bound is about one unit in the last place of
+ * value, plus sum r_i |t|^i, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree (coefficients and t
+ * beyond 2^900 may get the bound of algsurf_poly_eval instead).
+ * Cost: O(degree), three to four times that of algsurf_poly_eval.  Source: compensated Horner scheme,
+ * Graillat, Langlois, Louvet 2005.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);
 
@@ -47,15 +47,16 @@ ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const doub
 
 /* ---- many polynomials at once ---- */
 
-/* Numbers that belong to powers of polynomials, in the caller's own layout: that of power k of polynomial i
- * is at[k * power + i * polynomial].  With n = degree + 1, and m polynomials:
+/* Where the coefficients of many polynomials, or other numbers for each power of each polynomial, are in the
+ * caller's memory: that of power k of polynomial i is at[k * power + i * polynomial].  With n = degree + 1,
+ * and m polynomials:
  *     a polynomial a row, double c[m][n]          {&c[0][0], 1, n}
  *     a polynomial a column, double c[n][m]       {&c[0][0], m, 1}
  *     algsurf_complex z[m][n], real parts         {&z[0][0].re, 2, 2 * n}
  *                              imaginary parts    {&z[0][0].im, 2, 2 * n}
- * Steps may be negative, or 0: the same number for all. */
+ * Steps may be negative, or 0: then all have the same number. */
 typedef struct algsurf_table {
-    const double *at;            /* null: there are none, where that is allowed */
+    const double *at;            /* null, where that is allowed: there are none */
     ptrdiff_t power, polynomial; /* steps from one to the next, in doubles */
 } algsurf_table;
 
@@ -64,9 +65,9 @@ typedef struct algsurf_batch_options {
     size_t size;        /* sizeof(algsurf_batch_options) */
     const char *kernel; /* the SIMD code, by a name that algsurf_kernel_name (intersect.h) gives; null: the
                            fastest that runs here.  All of them give the same bits. */
-    double relative_tolerance; /* of algsurf_first_roots_batch: wanted error of a root, relative to the length
-                                  of its interval, 0 <= relative_tolerance < 1; 0: 1e-12 or better.  The other
-                                  calls require 0 */
+    double relative_tolerance; /* for algsurf_first_roots_batch: wanted error of a root, relative to the
+                                  length of its interval, 0 <= relative_tolerance < 1; 0: 1e-12 or better.
+                                  The other calls require 0 */
 } algsurf_batch_options;
 
 #ifdef __cplusplus

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* A surface; what it consists of is private. */
+/* A surface; its members are private. */
 typedef struct algsurf_surface algsurf_surface;
 
 /* The monomial a x^i y^j z^k. */
@@ -26,18 +26,18 @@ typedef struct algsurf_term {
 /* A named constant for algsurf_surface_from_equation. */
 typedef struct algsurf_constant {
     const char *name; /* a letter, then letters, digits, underscores; not x, y, z, sqrt */
-    double value;     /* finite; of a number that no double is, sqrt(5) say, the nearest one */
+    double value;     /* finite; for a number that is not a double, such as sqrt(5), the nearest double */
 } algsurf_constant;
 
 /* Where and why an equation was refused. */
 typedef struct algsurf_parse_error {
-    size_t offset;       /* of what is wrong from the start of the text, in bytes */
+    size_t offset;       /* where it is wrong: bytes from the start of the text */
     size_t length;       /* of the name, number or sign there, in bytes; 0 at the end of the text */
-    const char *message; /* what was expected or what is wrong there; static */
+    const char *message; /* what is wrong there, or what was expected; static */
 } algsurf_parse_error;
 
-/* A surface from its terms, in any order; terms with the same exponents are added (in order, each sum
- * rounded once), then zero terms vanish, whatever their exponents.  count is at least 1.
+/* A surface from its terms, in any order.  Terms with the same exponents are added (in order, each sum
+ * rounded once); then terms that are zero are dropped, whatever their exponents.  count is at least 1.
  *   surface  receives the new surface; free it with algsurf_surface_free
  * Errors: E_ARGUMENT (null, count 0, negative exponent), E_NOT_FINITE (coefficient), E_RANGE (a sum
  * overflows), E_DEGREE (i+j+k above ALGSURF_MAX_DEGREE in a term that is not zero), E_ZERO (nothing remains),
@@ -52,24 +52,25 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * a constant, at most 100 radians, implicit multiplication (3x^2 y), blanks anywhere between tokens, at
  * most one '=' (left minus right).  ^ binds tighter than unary minus, is right associative and takes a
  * constant integer exponent 0..64 (down to -64 for a constant base); division only by a constant.
- * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is read
- * as long as it goes; one that is no constant is the product of what it is made of: xyz, and ax where a is
- * a constant.
- *     As equations are pasted, UTF-8: ** is ^, == is =, a middle dot, dot operator or cross is *, a minus
- * sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of what
- * follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
- * variables, unless they are constants; spaces of typesetters are blanks; '=' may lead, ';' may trail.
+ * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is the
+ * longest one that can be read; if it is not a constant, it is the product of those it is made of: xyz, and
+ * ax for a constant a.
+ *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
+ * minus sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of
+ * what follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
+ * variables, unless they are constants; no-break and other typographic spaces are blanks; the text may begin
+ * with '=' and end with ';'.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
- * double.  pi, roots, sines and cosines are right to double-double, so that a coefficient made of them is
- * the double nearest to what is written, or the one next to it: the surface is the one of that double
- * (algsurf_surface_rounding).  What double-double cannot tell from zero is zero: p^2-p-1 for
- * p = (1+sqrt(5))/2.
+ * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
+ * coefficient made of them is the double nearest to what is written, or the one next to it.  The surface is
+ * that of these doubles; algsurf_surface_rounding returns how much they differ from the equation.  What
+ * double-double cannot distinguish from zero is zero: p^2-p-1 for p = (1+sqrt(5))/2.
  *   constants, count  named values; may be null when count is 0
  *   error             may be null; filled only when E_SYNTAX, E_NAME, E_DEGREE, E_RANGE is returned
  * Errors: E_SYNTAX (also what is no polynomial: division by zero or by x, y, z, functions, fractions as
- * exponents), E_NAME (a name that is neither variable nor constant: a parameter in want of a value),
- * E_DEGREE (a product or power above degree 64, even if it would cancel: at its operator), E_RANGE (a
- * number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
+ * exponents), E_NAME (a name that is neither variable nor constant: a parameter that needs a value),
+ * E_DEGREE (a product or power above degree 64, even if it would cancel; error points at its operator),
+ * E_RANGE (a number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
  * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26
  * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 100 is E_SYNTAX.
  * 96 KiB of stack.  Since 1.0. */
@@ -77,19 +78,19 @@ ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const
                                                          size_t count, algsurf_surface **surface,
                                                          algsurf_parse_error *error);
 
-/* How far the coefficients of a surface made from an equation are from those the equation has, numbers such
- * as 11.8 and sqrt(5) taken for what they are (constants for the doubles given): the largest relative error,
- * or a bound a little above it.  0 when the coefficients are computed from whole or binary numbers and all
- * that occurs fits a double, and for surfaces from terms; some 2^-53 as a rule; infinite when a coefficient
- * underflowed to 0.  Those that double-double could not tell from zero are not counted.  0 for null.
- * Since 1.0. */
+/* How much the coefficients of a surface made from an equation differ from the exact coefficients of the
+ * equation: the largest relative error, or a little more.  11.8 and sqrt(5) in the text are exact numbers;
+ * constants are the doubles given.  0 if the coefficients are computed from whole or binary numbers and all
+ * intermediate results are doubles, and for surfaces from terms; some 2^-53 as a rule; infinite if a
+ * coefficient underflowed to 0.  Coefficients that became 0 because double-double cannot distinguish them
+ * from 0 are not counted.  0 for null.  Since 1.0. */
 ALGSURF_API double algsurf_surface_rounding(const algsurf_surface *surface);
 
 /* The same surface with coefficients that are known up to a relative error only: it stands for all
- * polynomials with coefficients a', |a' - a| <= error |a|, and what is said to be certain of it (states, that
- * a root is the first, the intervals that enclose it, bounds of values) holds for each of them.  What differs
- * among them is undecided; the certified tier cannot decide it either.  With the error that
- * algsurf_surface_rounding tells, answers are about the equation instead of its rounded coefficients.
+ * polynomials with coefficients a', |a' - a| <= error |a|, and every guarantee (states, that a root is the
+ * first, intervals that enclose it, bounds on values) holds for each of them.  What differs among them is
+ * undecided, in the certified tier, too.  With the error that algsurf_surface_rounding returns, answers are
+ * about the equation instead of its rounded coefficients.
  *   error        0 <= error < 1; 0 for exact coefficients
  *   approximate  receives the new surface; free it with algsurf_surface_free
  * Errors: E_ARGUMENT (null, error out of range), E_NO_MEMORY.  Cost: as algsurf_surface_from_terms.

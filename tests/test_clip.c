@@ -1,0 +1,362 @@
+/* test_clip.c - planes that cut what is shown: of rays against rational arithmetic, six of them against a
+ * box, of pictures against rays.
+ *
+ * Rays, planes and surfaces have small numbers, so that roots lie on planes, rays along and in planes, and in
+ * the surface, often; or planes are an ulp away from there, or of any size.
+ *
+ * Breaks caught, each tried: a point on a plane not kept; the sign of a plane's face turned; a ray along a
+ * plane always kept, or kept at infinity; what is surely kept, or surely not, without the error of its end;
+ * planes left out of shadows' fans, of tiles, of rows, of single rays of complex space.
+ */
+#include "intersect_case.h"
+
+#include "algsurf/algsurf.h"
+
+#define SEED 20261129u
+
+enum { ROUNDS = 3000, RAYS = 400, WIDTH = 96, HEIGHT = 72 };
+
+static const char *const equations[] = {
+    "x = 1",
+    "x^2 + y^2 + z^2 = 4",
+    "x^2 + y^2 = z^2",
+    "(x - 1/2) (y + z) (x + y - 1) = 0",
+    "(x + y)^2 = 0",
+    "x y z = 0",
+    "(x^2 + y^2 + z^2 - 1) (x - y) = 0",
+    "x^4 + y^4 + z^4 - 5 (x^2 + y^2 + z^2) + 11.8 = 0",
+};
+
+enum { EQUATIONS = sizeof equations / sizeof *equations };
+
+static const char tangle[] = "x^4 + y^4 + z^4 - 5 (x^2 + y^2 + z^2) + 11.8 = 0";
+
+/* ---- single rays ---- */
+
+/* A multiple of 1/2, at most `most` in size. */
+static double short_number(uint64_t *seed, int most) {
+    return 0.5 * (exact_random_int(seed, 4 * most + 1) - 2 * most);
+}
+
+static void set_direction(double v[3], uint64_t *seed) {
+    do {
+        for (int i = 0; i < 3; i++) v[i] = exact_random_int(seed, 2) ? short_number(seed, 2) : 0;
+    } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
+}
+
+static void set_ray(algsurf_ray *ray, uint64_t *seed) {
+    for (int i = 0; i < 3; i++) ray->origin[i] = short_number(seed, 3);
+    set_direction(ray->direction, seed);
+    if (exact_random_int(seed, 4) == 0) /* any numbers */
+        for (int i = 0; i < 3; i++) ray->direction[i] += exact_random_unit(seed);
+    ray->t_min = exact_random_int(seed, 3) ? 0 : -INFINITY;
+    ray->t_max = exact_random_int(seed, 3) ? INFINITY : 4 + short_number(seed, 3);
+}
+
+static void set_planes(algsurf_plane *planes, size_t count, uint64_t *seed) {
+    for (size_t k = 0; k < count; k++) {
+        int scale = exact_random_int(seed, 8) ? 0 : exact_random_int(seed, 600) - 300;
+        double offset = short_number(seed, 3);
+        set_direction(planes[k].normal, seed);
+        if (exact_random_int(seed, 4) == 0) offset = nextafter(offset, 100 * exact_random_unit(seed));
+        planes[k].offset = ldexp(offset, scale);
+        for (int i = 0; i < 3; i++) planes[k].normal[i] = ldexp(planes[k].normal[i], scale);
+    }
+}
+
+/* Through a hit of the uncut surface, or an ulp beside it, as far as doubles can tell. */
+static void move_to_hit(algsurf_plane *plane, const algsurf_hit *hit, uint64_t *seed) {
+    const double *n = plane->normal, *x = hit->position;
+    plane->offset = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
+    if (exact_random_int(seed, 3) == 0) plane->offset = nextafter(plane->offset, exact_random_unit(seed));
+}
+
+/* A ball, a box, or null. */
+static const algsurf_extent *some_extent(algsurf_extent *extent, uint64_t *seed) {
+    int kind = exact_random_int(seed, 3);
+    if (kind == ALGSURF_EXTENT_ALL) return NULL;
+    extent->kind = kind;
+    for (int i = 0; i < 3; i++) {
+        extent->centre[i] = short_number(seed, 1);
+        extent->size[i] = 2 + fabs(short_number(seed, 2));
+    }
+    return extent;
+}
+
+/* Is a hit exactly on one of the planes? */
+static int lies_on_plane(const algsurf_hit *hit, const algsurf_intersect_options *o) {
+    for (size_t k = 0; k < o->plane_count; k++) {
+        const double *n = o->planes[k].normal, *x = hit->position;
+        if (n[0] * x[0] + n[1] * x[1] + n[2] * x[2] == o->planes[k].offset) return 1;
+    }
+    return 0;
+}
+
+static void hits_are_those_kept(void **state) {
+    uint64_t seed = SEED;
+    int cut = 0, kept = 0, on_plane = 0, in_surface = 0;
+    static intersect_case cases[EQUATIONS];
+    (void)state;
+    for (int i = 0; i < EQUATIONS; i++) intersect_equation(&cases[i], equations[i]);
+    for (int round = 0; round < ROUNDS; round++) {
+        intersect_case *c = &cases[exact_random_int(&seed, EQUATIONS)];
+        algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+        algsurf_extent extent;
+        int most = exact_random_int(&seed, 4) ? 2 : ALGSURF_MAX_CLIP_PLANES;
+        const algsurf_intersect_options whole = {.size = sizeof whole};
+        algsurf_intersect_options o = {.size = sizeof o, .planes = planes};
+        intersect_answer a, uncut;
+        o.plane_count = 1 + (size_t)exact_random_int(&seed, most);
+        set_ray(&c->ray, &seed);
+        set_planes(planes, o.plane_count, &seed);
+        const algsurf_extent *in = some_extent(&extent, &seed);
+        intersect_ask(c, in, &whole, &uncut);
+        if (uncut.count > 0 && exact_random_int(&seed, 2))
+            move_to_hit(&planes[0], &uncut.all[exact_random_int(&seed, uncut.count)], &seed);
+        const char *wrong = intersect_verdict(c, in, &o, &a);
+        for (size_t k = 0; wrong && k < o.plane_count; k++) {
+            exact_print_doubles("normal", planes[k].normal, 3);
+            exact_print_doubles("offset", &planes[k].offset, 1);
+        }
+        if (wrong) {
+            fprintf(stderr, "seed %u, round %d, extent of kind %d\n", SEED, round, in ? in->kind : 0);
+            intersect_fail(wrong, c, &a);
+        }
+        cut += a.count<uncut.count, kept += a.count> 0;
+        for (int i = 0; i < a.count; i++) {
+            on_plane += lies_on_plane(&a.all[i], &o);
+            in_surface += a.all[i].multiplicity == 0;
+        }
+    }
+    for (int i = 0; i < EQUATIONS; i++) algsurf_surface_free(cases[i].surface);
+    printf("%d rounds: %d cut, %d with hits, %d hits on planes, %d in the surface\n", ROUNDS, cut, kept,
+           on_plane, in_surface);
+    assert_true(cut > ROUNDS / 5 && kept > ROUNDS / 8 && on_plane > ROUNDS / 20 && in_surface > ROUNDS / 200);
+}
+
+/* ---- packets ---- */
+
+typedef struct answers {
+    unsigned char state[RAYS], occluded[RAYS];
+    int multiplicity[RAYS];
+    double t[RAYS];
+} answers;
+
+static void ask(const algsurf_surface *surface, const algsurf_extent *extent, double (*numbers)[RAYS],
+                const algsurf_intersect_options *o, answers *a) {
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = RAYS,
+                                     .origin = {numbers[0], numbers[1], numbers[2]},
+                                     .direction = {numbers[3], numbers[4], numbers[5]}};
+    const algsurf_hit_packet hits = {
+        .size = sizeof hits, .state = a->state, .t = a->t, .multiplicity = a->multiplicity};
+    memset(a, 0, sizeof *a);
+    assert_int_equal(algsurf_intersect_packet(surface, extent, &rays, o, &hits), ALGSURF_OK);
+    assert_int_equal(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded), ALGSURF_OK);
+}
+
+/* Rays from anywhere to about the middle. */
+static void set_rays(double (*numbers)[RAYS], uint64_t *seed) {
+    for (int i = 0; i < RAYS; i++)
+        for (int k = 0; k < 3; k++) {
+            numbers[k][i] = 6 * exact_random_unit(seed);
+            numbers[3 + k][i] = 2 * exact_random_unit(seed) - numbers[k][i];
+        }
+}
+
+static void six_planes_are_a_box(void **state) {
+    static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0.25, 0, -0.125}, {1.5, 2, 1.75}};
+    static double numbers[6][RAYS];
+    static answers planes_say, box_says, first;
+    algsurf_plane planes[6];
+    algsurf_surface *surface = NULL;
+    uint64_t seed = SEED;
+    int hits = 0;
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        int side = k % 2 ? 1 : -1;
+        planes[k] = (algsurf_plane){{0}, side * box.centre[k / 2] + box.size[k / 2]};
+        planes[k].normal[k / 2] = side;
+    }
+    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
+    for (int round = 0; round < 5; round++) {
+        set_rays(numbers, &seed);
+        for (int k = 0; algsurf_kernel_name(k); k++) {
+            algsurf_intersect_options o = {.size = sizeof o, .kernel = algsurf_kernel_name(k)};
+            ask(surface, &box, numbers, &o, &box_says);
+            o.planes = planes, o.plane_count = 6;
+            ask(surface, NULL, numbers, &o, &planes_say);
+            if (k == 0) first = planes_say;
+            assert_memory_equal(&first, &planes_say, sizeof first);
+        }
+        assert_memory_equal(box_says.state, planes_say.state, RAYS);
+        assert_memory_equal(box_says.occluded, planes_say.occluded, RAYS);
+        assert_memory_equal(box_says.multiplicity, planes_say.multiplicity, sizeof box_says.multiplicity);
+        for (int i = 0; i < RAYS; i++) {
+            hits += box_says.state[i] == ALGSURF_HIT;
+            if (box_says.state[i] == ALGSURF_HIT && !(fabs(box_says.t[i] - planes_say.t[i]) < 1e-13))
+                fail_msg("ray %d: t = %a, not %a", i, planes_say.t[i], box_says.t[i]);
+        }
+    }
+    algsurf_surface_free(surface);
+    assert_true(hits > RAYS && hits < 4 * RAYS);
+}
+
+/* ---- pictures ---- */
+
+typedef struct picture {
+    uint8_t bytes[3 * WIDTH * HEIGHT];
+    unsigned char states[WIDTH * HEIGHT];
+    double t[WIDTH * HEIGHT];
+} picture;
+
+static void draw(const algsurf_scene *scene, picture *p) {
+    const algsurf_picture planes = {
+        .size = sizeof planes, .pixels = p->bytes, .format = ALGSURF_RGB8, .state = p->states, .t = p->t};
+    const algsurf_render_options o = {.size = sizeof o, .width = WIDTH, .height = HEIGHT, .threads = 1};
+    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+}
+
+static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent) {
+    algsurf_scene *scene = NULL;
+    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
+    return scene;
+}
+
+/* By Brent's method every ray goes by itself, and no fan is asked: what is cut away casts no shadow. */
+static void shadows_as_by_rays(void **state) {
+    static const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
+    static const algsurf_extent extents[] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}},
+                                             {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2.5, 2, 2.25}}};
+    static const algsurf_plane planes[] = {{{0.3, -1, 0.2}, 0.1}, {{0, 0, 1}, 0.75}, {{-1, 0, 0}, 3.5}};
+    static picture fans, rays, whole;
+    algsurf_surface *surface = NULL;
+    (void)state;
+    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
+    for (int i = 0; i < 2; i++) {
+        algsurf_scene *scene = scene_of(surface, &extents[i]);
+        assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+        draw(scene, &whole);
+        assert_int_equal(algsurf_scene_set_clip(scene, planes, 3), ALGSURF_OK);
+        draw(scene, &fans);
+        assert_int_equal(algsurf_scene_set_intersect(scene, &by_rays), ALGSURF_OK);
+        draw(scene, &rays);
+        assert_memory_equal(fans.states, rays.states, sizeof fans.states);
+        int differ = 0, brighter = 0; /* t is rounded otherwise: a few bytes may differ by one */
+        for (int k = 0; k < 3 * WIDTH * HEIGHT; k++) {
+            differ += abs(fans.bytes[k] - rays.bytes[k]) > 1;
+            brighter += whole.states[k / 3] == ALGSURF_HIT && whole.t[k / 3] == fans.t[k / 3] &&
+                        fans.bytes[k] > whole.bytes[k] + 8;
+        }
+        assert_int_equal(differ, 0);
+        assert_true(brighter > 100);
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
+/* The part of a pixel's ray before or behind a plane. */
+static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *plane, int pixel) {
+    algsurf_ray ray;
+    assert_int_equal(
+        algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray),
+        ALGSURF_OK);
+    double above = -plane->offset, rise = 0;
+    for (int i = 0; i < 3; i++) {
+        above += plane->normal[i] * ray.origin[i];
+        rise += plane->normal[i] * ray.direction[i];
+    }
+    if (rise > 0)
+        ray.t_max = fmin(ray.t_max, -above / rise);
+    else
+        ray.t_min = fmax(ray.t_min, -above / rise);
+    return ray;
+}
+
+static void complex_space_is_cut(void **state) {
+    static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {4, 0, 0}};
+    static const algsurf_plane plane = {{0.25, 1, -0.5}, 0.125};
+    static const double eye[3] = {3, 6, 4}, centre[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.15}};
+    static picture cut, whole;
+    algsurf_camera camera;
+    algsurf_surface *surface = NULL;
+    int fewer = 0, hits = 0;
+    (void)state;
+    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_int_equal(algsurf_camera_pinhole(eye, centre, up, 45, &camera), ALGSURF_OK);
+    algsurf_scene *scene = scene_of(surface, &ball);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    draw(scene, &whole);
+    assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+    draw(scene, &cut);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const algsurf_ray ray = cut_ray(&camera, &plane, i);
+        algsurf_hit hit = {.state = ALGSURF_MISS};
+        if (ray.t_min <= ray.t_max)
+            assert_int_equal(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL),
+                             ALGSURF_OK);
+        if (hit.state != cut.states[i]) fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
+        if (hit.state == ALGSURF_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
+            fail_msg("pixel %d: t = %a, not %a", i, cut.t[i], hit.t);
+        fewer += whole.states[i] == ALGSURF_HIT && cut.states[i] != ALGSURF_HIT;
+        hits += cut.states[i] == ALGSURF_HIT;
+    }
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+    assert_true(fewer > 100 && hits > 500);
+}
+
+/* ---- arguments ---- */
+
+static void bad_planes_are_refused(void **state) {
+    static const algsurf_plane good[ALGSURF_MAX_CLIP_PLANES + 1] = {{{1, 0, 0}, 0}};
+    static const algsurf_plane bad[] = {
+        {{0, 0, 0}, 1}, {{NAN, 1, 0}, 1}, {{1, 0, INFINITY}, 1}, {{1, 0, 0}, NAN}, {{1, 0, 0}, -INFINITY}};
+    const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
+    static picture before, after;
+    algsurf_intersect_options o = {.size = sizeof o, .plane_count = 1};
+    algsurf_surface *surface = NULL;
+    algsurf_hit hit;
+    (void)state;
+    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &surface, NULL),
+                     ALGSURF_OK);
+    algsurf_scene *scene = scene_of(surface, &ball);
+    assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
+    o.planes = good, o.plane_count = ALGSURF_MAX_CLIP_PLANES + 1;
+    assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_clip(scene, good, ALGSURF_MAX_CLIP_PLANES + 1), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_clip(scene, NULL, 1), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_clip(NULL, good, 1), ALGSURF_E_ARGUMENT);
+    o.plane_count = 1;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        o.planes = &bad[i];
+        assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
+        assert_int_equal(algsurf_scene_set_clip(scene, &bad[i], 1), ALGSURF_E_ARGUMENT);
+    }
+    /* a scene's planes are set by algsurf_scene_set_clip alone, and stay */
+    assert_int_equal(algsurf_scene_set_clip(scene, good, 1), ALGSURF_OK);
+    draw(scene, &before);
+    o.planes = good;
+    assert_int_equal(algsurf_scene_set_intersect(scene, &o), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_scene_set_intersect(scene, NULL), ALGSURF_OK);
+    draw(scene, &after);
+    assert_memory_equal(before.bytes, after.bytes, sizeof before.bytes);
+    assert_int_equal(algsurf_scene_set_clip(scene, NULL, 0), ALGSURF_OK);
+    draw(scene, &after);
+    assert_memory_not_equal(before.bytes, after.bytes, sizeof before.bytes);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hits_are_those_kept),    cmocka_unit_test(six_planes_are_a_box),
+        cmocka_unit_test(shadows_as_by_rays),     cmocka_unit_test(complex_space_is_cut),
+        cmocka_unit_test(bad_planes_are_refused),
+    };
+    return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
+}
