@@ -285,8 +285,9 @@ store.subscribe((state, { changed, moving }) => {
     keepAddress();
 });
 
-window.addEventListener("hashchange", () => {
-    const read = stateOfLink(location.hash, checkedState(SURFACES[0]).state);
+// The event's address: that of the page may by now be the one that keepAddress wrote.
+window.addEventListener("hashchange", ({ newURL }) => {
+    const read = stateOfLink(new URL(newURL).hash, checkedState(SURFACES[0]).state);
     if (read) void openLink(read);
 });
 

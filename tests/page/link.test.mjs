@@ -44,6 +44,15 @@ visitTest("a link that is opened while the page is open is followed", {}, async 
     await visit.settled();
 });
 
+visitTest("such a link is followed even if the page writes its own address at that moment", {}, async (visit) => {
+    await visit.page.evaluate((link) => {
+        location.hash = link;
+        history.replaceState(null, "", "#v1&equation=x=0");
+    }, "#v1&equation=x^2%2By^2=z^3");
+    await visit.until(({ equation }) => equation === "x^2+y^2=z^3");
+    await visit.settled();
+});
+
 const TOLD = {
     "a field of a newer version": ["#v1&equation=x^2%2By^2=1&warp=9", /warp/],
     "a newer version": ["#v7&equation=x^2%2By^2=1&warp=9", /newer|warp/],
