@@ -66,16 +66,20 @@ const states = {
     "one colour": { ...usual, equation: "z = x y", colours: { outside: "#ffb000", inside: null, background: null } },
     "degree 9": { ...usual, equation: "x^9 + y^9 + z^9 = x^2 + y^2 + z^2" },
     "degree 16": { ...usual, equation: "x^16 + y^16 + z^16 = 1", camera: { ...usual.camera, up: [0.1, 0.2, 1] } },
+    "one plane": { ...tangle, clip: [[0, 0, 1, 0.5]] },
+    "three planes": { ...tangle, clip: [[1, 0.3, 0, 1.1], [-2, 5, 1, 4], [0, 0, -1e-3, 1.5e-3]] },
+    "complex space, cut": { ...tangle, clip: [[0, -1, 0, 0.7]], complex: { sigma: 0.1, delta: 0.25, imaginary: {} } },
     complex: { ...tangle, complex: { sigma: 0.1, delta: 0.25, imaginary: {} } },
     imaginary: { ...usual, complex: { sigma: 0, delta: 0.4, imaginary: { 0: 0.5, 2: -0.125 } } },
 };
 
-function optionsOf({ equation, parameters, extent, camera, colours, light, thin, complex }) {
+function optionsOf({ equation, parameters, extent, clip, camera, colours, light, thin, complex }) {
     const list = (numbers) => numbers.join(",");
     const options = ["--equation", equation, "--centre", list(extent.centre)];
     for (const [name, { value }] of Object.entries(parameters))
         if (equation.includes(name)) options.push("--let", `${name}=${value}`);
     options.push("--extent", `${extent.kind}:${list(extent.size)}`);
+    for (const plane of clip) options.push("--clip", list(plane));
     options.push("--eye", list(camera.eye), "--look-at", list(camera.lookAt), "--up", list(camera.up));
     options.push("--fov", String(camera.fov));
     if (colours.outside) options.push("--colour", colours.outside);
@@ -210,7 +214,7 @@ for (const [name, state] of Object.entries(states).filter(([, { complex }]) => !
     const { origin, direction } = pick.ray;
     const ray = [...origin, ...direction, 0, "inf"].join(" ");
     const options = optionsOf({ ...state, colours: {}, light: null, thin: null });
-    const own = options.filter((_, i) => ["--equation", "--let", "--extent", "--centre"].includes(options[i - (i % 2)]));
+    const own = options.filter((_, i) => ["--equation", "--let", "--extent", "--centre", "--clip"].includes(options[i - (i % 2)]));
     const [row] = String(run("intersect", [...own, "--format", "json"], ray).stdout).trim().split("\n").map((line) => JSON.parse(line));
     const same = ["t", "t_lo", "t_hi"].every((key, i) => pick.state === "miss" || pick[["t", "tLo", "tHi"][i]] === row[key]);
     check(pick.state === row.state && same, `${name}: pick ${pick.state} ${pick.t}, intersect ${row.state} ${row.t}`);
@@ -246,9 +250,13 @@ for (const [name, state] of Object.entries(states).filter(([, { complex }]) => !
 const halving = ["bisection", "default"].map((method) => engine.refine(tangle, { ...size, x: 45, y: 36 }, method).evaluations);
 check(halving[0] > 30 && halving[1] < 20 && halving[1] > 0, `evaluations: ${halving}`);
 check(engine.pick(usual, { ...size, x: 0, y: 0 }) === null, "a ray that misses the extent");
+check(engine.pick({ ...usual, clip: [[0, 0, 1, -2]] }, { ...size, x: 48, y: 36 }) === null, "a plane that keeps nothing");
 const place = { ...size, x: 44, y: 40 };
 const there = { ...size, x: 30, y: 36 };
 const inComplex = engine.pick(states.complex, there);
+const behind = engine.pick({ ...usual, clip: [[0.2, -0.7, 0.5, 0.1]] }, { ...size, x: 48, y: 36 });
+check(behind.state === "hit" && behind.t > engine.pick(usual, { ...size, x: 48, y: 36 }).t, "a plane cuts the first hit off");
+check(behind.ray.tMin <= behind.t && behind.t <= behind.ray.tMax, "the chord begins at the plane");
 const seen = engine.complexRoots(states.complex, there).filter((root) => root.chosen);
 check(seen.length === 1 && near(Math.hypot(seen[0].re, seen[0].im), inComplex.t, 1e-9), "the root that complex space shows");
 
@@ -268,7 +276,10 @@ const bad = {
     "a sector above pi": { ...usual, complex: { sigma: 3, delta: 3 } },
     "coefficient 65": { ...usual, complex: { sigma: 0, delta: 1, imaginary: { 65: 1 } } },
     "a name that is none": { ...usual, parameters: { "a b": { value: 1 } } },
-    "a plane that cuts": { ...usual, clip: [[0, 0, Infinity, 0]] },
+    "a plane at infinity": { ...usual, clip: [[0, 0, Infinity, 0]] },
+    "a plane without a normal": { ...usual, clip: [[0, 0, 0, 1]] },
+    "three numbers as a plane": { ...usual, clip: [[0, 0, 1]] },
+    "nine planes": { ...usual, clip: new Array(9).fill([0, 0, 1, 0]) },
     "degree 1000": { ...usual, equation: "x^1000" },
     "a long equation": { ...usual, equation: "(".repeat(1 << 20) },
     "too long an equation": { ...usual, equation: "x+".repeat(1 << 20) },

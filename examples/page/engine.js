@@ -11,6 +11,7 @@
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "./algsurf.js";
 
 const MAX_DEGREE = 64;
+const MOST_PLANES = 8; // ALGSURF_MAX_CLIP_PLANES
 const LONGEST_EQUATION = 1 << 20; // characters
 const MOST_LETTERS = 64; // without a value that are looked for
 const LONGEST_SEARCH = 300; // milliseconds for them
@@ -87,6 +88,18 @@ function complexNumbers(complex) {
     return [1, number(complex.sigma ?? 0, "sigma", 0, 4), number(complex.delta, "delta", 0, 4), ...imaginary];
 }
 
+/** The cutting planes: how many, and four numbers each. */
+function planeNumbers(clip) {
+    const planes = clip ?? [];
+    if (!Array.isArray(planes) || planes.length > MOST_PLANES) throw refused(`clip: at most ${MOST_PLANES} planes`);
+    const room = new Array(4 * MOST_PLANES).fill(0);
+    planes.forEach((plane, i) => {
+        if (!Array.isArray(plane) || plane.length !== 4) throw refused("clip: not four numbers");
+        plane.forEach((x, k) => (room[4 * i + k] = number(x, "clip")));
+    });
+    return [planes.length, ...room];
+}
+
 /** glue.c's page_state. */
 function numbersOf(state, { camera = true } = {}) {
     const { light } = state, colours = state.colours ?? {};
@@ -101,6 +114,7 @@ function numbersOf(state, { camera = true } = {}) {
         colours.background === "none" ? TRANSPARENT : colour(colours.background, "background"),
         ...angles,
         thinness(state.thin),
+        ...planeNumbers(state.clip),
         ...complexNumbers(state.complex),
     ];
 }
@@ -262,7 +276,6 @@ export class Engine {
 
     /** Calls use(address of glue.c's page_state, address of so many doubles more). */
     #withState(state, room, use, options) {
-        if (state.clip?.length) throw refused("clip: no cutting planes");
         const numbers = numbersOf(state, options);
         const module = this.#module;
         if (numbers.length !== module.wasm.page_state_length()) throw refused("state: another version");
@@ -347,7 +360,7 @@ export class Engine {
     // ---- one ray ----
 
     /** Calls use(numbers, surface, ray, room) with the ray through the middle of the pixel that holds the place,
-     * cut to the extent, and so many doubles more. */
+     * cut to the extent and by the planes, and so many doubles more. */
     #alongRay(state, place, room, use) {
         return this.#answer(() => {
             const { address: surface, degree } = this.#surfaceOf(state);

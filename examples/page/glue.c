@@ -5,6 +5,7 @@
  * that a state means here what the options mean there.  Each function returns an algsurf_status or, where it
  * says so, a count, which is then negative in its place.
  */
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -28,6 +29,7 @@ typedef struct page_state {
     double outside, inside, background;
     double light_given, azimuth, elevation;
     double thin;
+    double plane_count, planes[ALGSURF_MAX_CLIP_PLANES][4];
     double complex_given, sigma, delta, imaginary[ALGSURF_MAX_DEGREE + 1];
 } page_state;
 static const double TRANSPARENT = -2; /* as background */
@@ -57,6 +59,16 @@ static render_look look_of(const page_state *state) {
                          .transparent = state->background == TRANSPARENT,
                          .light = state->light_given != 0 ? LIGHT_ANGLES : LIGHT_DEFAULT,
                          .place = {state->azimuth, state->elevation, 0}};
+}
+
+/* The cutting planes; returns how many. */
+static size_t planes_of(const page_state *state, algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES]) {
+    const size_t count = (size_t)state->plane_count;
+    for (size_t i = 0; i < count; i++) {
+        memcpy(planes[i].normal, state->planes[i], sizeof planes[i].normal);
+        planes[i].offset = state->planes[i][3];
+    }
+    return count;
 }
 
 static algsurf_complex_space space_of(const page_state *state) {
@@ -94,12 +106,15 @@ algsurf_scene *page_scene(const algsurf_surface *surface, const page_state *stat
     const algsurf_extent extent = extent_of(state);
     const algsurf_complex_space space = space_of(state);
     const render_look look = look_of(state);
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const size_t plane_count = planes_of(state, planes);
     algsurf_scene *scene = NULL;
     algsurf_camera camera;
     algsurf_status failed = algsurf_scene_create(surface, &scene);
     keep(&failed, camera_of(state, &camera));
     if (failed == ALGSURF_OK) {
         keep(&failed, algsurf_scene_set_extent(scene, &extent));
+        keep(&failed, algsurf_scene_set_clip(scene, planes, plane_count));
         set_colours(state, &look, algsurf_surface_degree(surface), scene, &failed);
         keep(&failed, algsurf_scene_set_antialias_threshold(scene, VIEW_THRESHOLD));
         keep(&failed, algsurf_scene_set_camera(scene, &camera));
@@ -165,8 +180,43 @@ int page_fit(const algsurf_surface *surface, const page_state *state, int width,
 
 /* ---- one ray ---- */
 
-/* The ray through a point of a picture, cut to the extent: origin, direction, t_min, t_max in eight doubles.
- * Returns 1; 0: it misses the extent, t_min and t_max are those of the whole ray. */
+/* The half space that a plane keeps leaves t with slope t <= room; both sums have a few roundings. */
+static void along(const algsurf_plane *plane, const algsurf_ray *ray, double *slope, double *slope_error,
+                  double *room, double *room_error) {
+    static const double ROUNDINGS = 8 * DBL_EPSILON;
+    *slope = *slope_error = 0;
+    *room = plane->offset;
+    *room_error = fabs(plane->offset);
+    for (int i = 0; i < 3; i++) {
+        *slope += plane->normal[i] * ray->direction[i];
+        *slope_error += fabs(plane->normal[i] * ray->direction[i]);
+        *room -= plane->normal[i] * ray->origin[i];
+        *room_error += fabs(plane->normal[i] * ray->origin[i]);
+    }
+    *slope_error *= ROUNDINGS;
+    *room_error *= ROUNDINGS;
+}
+
+/* What the planes leave of a chord, rounded outwards: with the planes themselves in the options of a call no
+ * point is lost.  Returns 0: nothing. */
+static int cut(const algsurf_plane *planes, size_t count, algsurf_ray *chord) {
+    for (size_t i = 0; i < count; i++) {
+        double slope, slope_error, room, room_error;
+        along(&planes[i], chord, &slope, &slope_error, &room, &room_error);
+        if (fabs(slope) <= 2 * slope_error) {
+            if (room < -room_error && slope == 0 && slope_error == 0) return 0;
+            continue; /* as good as parallel */
+        }
+        const double t = room / slope;
+        const double error = (room_error + fabs(t) * slope_error) / (fabs(slope) - slope_error);
+        if (slope > 0) chord->t_max = fmin(chord->t_max, t + error);
+        if (slope < 0) chord->t_min = fmax(chord->t_min, t - error);
+    }
+    return chord->t_min <= chord->t_max;
+}
+
+/* The ray through a point of a picture, cut to the extent and by the planes: origin, direction, t_min, t_max
+ * in eight doubles.  Returns 1; 0: nothing is left, t_min and t_max are those of the ray in the extent. */
 EXPORTED(page_ray)
 int page_ray(const page_state *state, int width, int height, double x, double y, algsurf_ray *chord) {
     const algsurf_extent extent = extent_of(state);
@@ -175,7 +225,12 @@ int page_ray(const page_state *state, int width, int height, double x, double y,
     algsurf_status status = camera_of(state, &camera);
     keep(&status, status == ALGSURF_OK ? algsurf_camera_ray(&camera, width, height, x, y, chord) : status);
     keep(&status, status == ALGSURF_OK ? algsurf_extent_clip(&extent, chord, chord, &meets) : status);
-    return status < 0 ? (int)status : meets;
+    if (status < 0) return status;
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    algsurf_ray left = *chord;
+    if (!meets || !cut(planes, planes_of(state, planes), &left)) return 0;
+    *chord = left;
+    return 1;
 }
 
 static void tell_hit(const algsurf_hit *hit, double told[12]) {
@@ -196,11 +251,14 @@ int page_hit(const algsurf_surface *surface, const page_state *state, const algs
              double told[12]) {
     const algsurf_extent extent = extent_of(state);
     const algsurf_complex_space space = space_of(state);
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const algsurf_intersect_options options = {
+        .size = sizeof options, .planes = planes, .plane_count = planes_of(state, planes)};
     algsurf_hit hit;
     algsurf_status status =
         state->complex_given != 0
             ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, NULL)
-            : algsurf_intersect_first(surface, &extent, ray, NULL, &hit);
+            : algsurf_intersect_first(surface, &extent, ray, &options, &hit);
     if (status >= 0) tell_hit(&hit, told);
     return status;
 }
@@ -256,7 +314,11 @@ int page_isolate(const algsurf_surface *surface, const page_state *state, const 
     const algsurf_extent extent = extent_of(state);
     record r = {.numbers = cells, .capacity = capacity};
     algsurf_observer observer = {.size = sizeof observer, .on_cell = on_cell, .data = &r};
-    const algsurf_intersect_options options = {.size = sizeof options, .observer = &observer};
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const algsurf_intersect_options options = {.size = sizeof options,
+                                               .observer = &observer,
+                                               .planes = planes,
+                                               .plane_count = planes_of(state, planes)};
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
     algsurf_status status =
@@ -276,8 +338,12 @@ int page_refine(const algsurf_surface *surface, const page_state *state, const a
     const algsurf_extent extent = extent_of(state);
     record r = {.numbers = points, .capacity = capacity};
     algsurf_observer observer = {.size = sizeof observer, .on_point = on_point, .data = &r};
-    const algsurf_intersect_options options = {
-        .size = sizeof options, .method = method, .observer = &observer};
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const algsurf_intersect_options options = {.size = sizeof options,
+                                               .method = method,
+                                               .observer = &observer,
+                                               .planes = planes,
+                                               .plane_count = planes_of(state, planes)};
     algsurf_hit hit;
     algsurf_status status = algsurf_intersect_first(surface, &extent, ray, &options, &hit);
     if (status >= 0) tell_hit(&hit, told);
@@ -343,12 +409,15 @@ int page_chosen(const algsurf_surface *surface, const page_state *state, const a
                 double root[2]) {
     const algsurf_extent extent = extent_of(state);
     const algsurf_complex_space space = space_of(state);
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    const algsurf_intersect_options options = {
+        .size = sizeof options, .planes = planes, .plane_count = planes_of(state, planes)};
     algsurf_hit hit;
     algsurf_complex z = {0, 0};
     algsurf_status status =
         state->complex_given != 0
             ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, &z)
-            : algsurf_intersect_first(surface, &extent, ray, NULL, &hit);
+            : algsurf_intersect_first(surface, &extent, ray, &options, &hit);
     if (status < 0) return status;
     if (state->complex_given == 0) z.re = hit.t;
     root[0] = z.re;

@@ -4,8 +4,7 @@
 // missing, out of range or of the wrong kind becomes the default, and its name is told.
 
 export const VERSION = 1;
-// planes: this build of the library cuts by none; a link that asks for one is told so.
-export const LIMITS = { equation: 10_000, parameters: 50, planes: 0, degree: 64, number: 1e12 };
+export const LIMITS = { equation: 10_000, parameters: 50, planes: 6, degree: 64, number: 1e12 };
 export const BLUE = { outside: "#69b5ff", inside: "#f6a245" };
 const TAKEN = new Set(["x", "y", "z", "sqrt", "sin", "cos", "pi"]);
 
