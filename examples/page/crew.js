@@ -123,7 +123,10 @@ export class Crew {
         worker.thread.terminate();
         this.#workers[at] = this.#hire();
         this.#replaced++;
-        for (const job of worker.jobs.values()) if (!job.cancelled) job.reject(Boolean(job.urgent) === urgent ? reason : crash);
+        const behind = reason?.code === "E_TIME" ? [...worker.jobs.values()].filter((job) => job.urgent).slice(1) : [];
+        for (const job of worker.jobs.values())
+            if (!job.cancelled && !behind.includes(job)) job.reject(Boolean(job.urgent) === urgent ? reason : crash);
+        this.#unsent.push(...behind.filter((job) => !job.cancelled)); // it was the first of them that took too long
         if (reason) this.#callbacks.onStatus({ kind: "replaced", ...reason });
     }
 

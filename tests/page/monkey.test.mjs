@@ -8,6 +8,7 @@ import { MONKEY_SECONDS } from "./settings.mjs";
 
 const MEGABYTE = 2 ** 20;
 const MAY_GROW = 24; // megabytes of JavaScript and of wasm, between a third of the time and its end
+const LONGEST_QUESTION = 40_000; // milliseconds: the page gives up a question after 20 s, and then answers the next one
 const SEED = Number(process.env.CHECK_PAGE_SEED ?? 20), WIDE = 1100, HIGH = 760;
 
 /** Numbers from 0 to 1 (mulberry32). */
@@ -110,7 +111,7 @@ async function calm(visit) {
     await page.setViewportSize({ width: WIDE, height: HIGH });
     for (let i = 0; i < 3; i++) await page.keyboard.press("Escape");
     await page.evaluate(() => (location.hash = "#v1&equation=x^2%2By^2%2Bz^2=1&extent=sphere:1.2"));
-    await visit.until(({ equation }) => equation === "x^2+y^2+z^2=1");
+    await visit.until(({ equation }) => equation === "x^2+y^2+z^2=1", null, LONGEST_QUESTION);
     await visit.settled();
     await page.evaluate(() => (location.hash = ""));
 }
