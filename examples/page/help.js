@@ -19,7 +19,7 @@ const KEYS = [
     [["?"], "help.help"],
     [["Esc"], "help.escape"],
 ];
-const POINTERS = ["drag", "shift", "alt", "wheel", "ctrlwheel", "pinch", "double", "click"];
+const POINTERS = ["drag", "shift", "alt", "cut", "wheel", "ctrlwheel", "pinch", "double", "click"];
 
 export function fillHelp(dialog, text) {
     const key = (name) => element("kbd", {}, name);

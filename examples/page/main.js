@@ -198,7 +198,7 @@ const reset = () => store.set({ camera: home });
 const motion = new Motion(canvas, { ...services, home: () => home });
 const files = openDrops(document.body, { ...services, drop: at("drop"), open: (state) => openLink({ state, hasCamera: true, bad: [], unknown: [] }) });
 const take = new Take(at("take"), { ...services, link, openFile: files.choose });
-mountView(at("view"), { ...services, fit, reset });
+mountView(at("view"), { ...services, motion, fit, reset });
 mountLook(at("look"), services);
 mountCertain(at("certain"), services);
 mountRay(at("ray"), services);

@@ -1,11 +1,13 @@
 // motion.js - the picture moved: pointers, wheel, keys.
 //
-//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the light
+//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the light,
+//                    with Ctrl, or while `cuts` is true, the cutting plane
 //     two pointers   pinch: zoom at the place between them, move
 //     wheel          zooms at the pointer; with Ctrl it changes the radius of what is shown
 //     double click   as at first
 //     click          looked into: listeners of "place" get { x, y } in 0..1 of the picture
 import { axesOf, lookAtDistance, pan, roll, turn, zoom } from "./camera.js";
+import { dragged } from "./clip.js";
 import { debounced } from "./dom.js";
 import { radiusOf } from "./state.js";
 
@@ -16,6 +18,7 @@ const SECOND = 260; // milliseconds in which a second click makes a double one
 const REST = 180; // milliseconds without input: the picture rests
 
 export class Motion {
+    cuts = false;
     #canvas;
     #store;
     #painter;
@@ -90,7 +93,9 @@ export class Motion {
         const { height } = this.#canvas.getBoundingClientRect();
         const dx = (now[0] - before[0]) / height, dy = (now[1] - before[1]) / height;
         if (event.altKey) this.#dragLight(dx, dy);
+        else if (event.ctrlKey || event.metaKey) this.#dragPlane(dx, dy);
         else if (event.shiftKey || event.buttons === 4) this.#setCamera(pan(camera, 2 * dx, -2 * dy));
+        else if (this.cuts) this.#dragPlane(dx, dy);
         else this.#setCamera(turn(camera, TURN * this.#calm() * dx, TURN * this.#calm() * dy));
     }
 
@@ -125,7 +130,12 @@ export class Motion {
         }
     }
 
-    // ---- light ----
+    // ---- cutting plane, light ----
+
+    #dragPlane(dx, dy) {
+        this.#store.set({ clip: dragged(this.#store.get(), dx, dy) }, { moving: true });
+        this.#rest();
+    }
 
     #dragLight(dx, dy) {
         const light = this.#store.get().light ?? { azimuth: -31, elevation: 30 };

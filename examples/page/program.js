@@ -51,15 +51,6 @@ function colourLines(name, colour) {
 
 function clipLines({ clip }) {
     if (clip.length === 0) return [];
-    const planes = clip.map((plane) => `{${braces(plane.slice(0, 3))}, ${number(plane[3])}}`);
-    return [
-        `    const algsurf_plane planes[] = {${planes.join(", ")}};`,
-        `    check(algsurf_scene_set_clip(scene, planes, ${clip.length}));`,
-    ];
-}
-
-function clipLines({ clip }) {
-    if (clip.length === 0) return [];
     const planes = clip.map(([a, b, c, d]) => `{${braces([a, b, c])}, ${number(d)}}`);
     return [
         `    const algsurf_plane planes[] = {${planes.join(", ")}};`,
@@ -147,7 +138,6 @@ export function programOf(state, { width, height, quality = "standard", antialia
         `    check(algsurf_camera_pinhole(eye, look_at, up, ${number(fov)}, &camera));`,
         "    check(algsurf_scene_set_extent(scene, &extent));",
         "    check(algsurf_scene_set_camera(scene, &camera));",
-        ...clipLines(state),
         ...clipLines(state),
         "",
         "    /* colours and light */",

@@ -1,4 +1,5 @@
-// view.js - the panel "view": extent, thin features, fitting.
+// view.js - the panel "view": extent, cutting plane, thin features, fitting.
+import { clipRows } from "./clip.js";
 import { button, choice, numberField, row, slider } from "./controls.js";
 import { element } from "./dom.js";
 import { radiusOf } from "./state.js";
@@ -6,8 +7,8 @@ import { radiusOf } from "./state.js";
 const DECADES = 2; // of the radius, around the one that was fitted
 const THIN_DEGREE = 12; // above it the library draws nothing that is thin
 
-/** services: { store, text, fit(what): "view" chooses extent and camera, "camera" the camera } */
-export function mount(room, { store, text, fit, reset }) {
+/** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera, reset } */
+export function mount(room, { store, text, motion, fit, reset }) {
     const extent = () => store.get().extent;
     const set = (partial, moving = false) => store.set({ extent: { ...extent(), ...partial } }, { moving });
     let base = radiusOf(extent());
@@ -53,6 +54,7 @@ export function mount(room, { store, text, fit, reset }) {
         row(text("view.radius"), radius.range, radius.output),
         edgeRow,
         trio(text("view.centre"), centre),
+        ...clipRows({ store, text, motion }),
         row(text("view.thin"), thin),
         element(
             "div",

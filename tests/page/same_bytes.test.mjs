@@ -21,6 +21,8 @@ const LINKS = {
     "what is thin": "#v1&equation=x^2*z%2By^2*z=x^2*y*0.5&extent=sphere:1.5&eye=4,-5,2&look-at=0,0,0&up=0,0,1&fov=25",
     "complex space": "#v1&equation=x^4-5x^2%2By^4-5y^2%2Bz^4-5z^2%2B11.8=0&extent=sphere:4&eye=12,-9,7&look-at=0,0,0&up=0,0,1" +
         "&fov=25&sigma=0&delta=0.2&imag=0:0.5",
+    "two cutting planes": "#v1&equation=x^4-5x^2%2By^4-5y^2%2Bz^4-5z^2%2B11.8=0&extent=sphere:4&eye=12,-9,7&look-at=0,0,0" +
+        "&up=0,0,1&fov=25&clip=0.75,-0.55,0.4,0.3&clip=0,0,1,1.5",
 };
 
 /** Words of the command for the present state, from the page's own module. */
@@ -69,7 +71,7 @@ for (const [what, link] of Object.entries(LINKS))
         assert.equal(difference(saved, drawnBy(command)), "");
     });
 
-for (const what of ["a sphere", "letters, a box, colours, a light", "complex space"])
+for (const what of ["a sphere", "letters, a box, colours, a light", "complex space", "two cutting planes"])
     visitTest(`the C program that is copied compiles without a warning and draws the same: ${what}`, { link: LINKS[what] },
         async (visit) => {
             const { page } = visit;
