@@ -260,6 +260,44 @@ check(behind.ray.tMin <= behind.t && behind.t <= behind.ray.tMax, "the chord beg
 const seen = engine.complexRoots(states.complex, there).filter((root) => root.chosen);
 check(seen.length === 1 && near(Math.hypot(seen[0].re, seen[0].im), inComplex.t, 1e-9), "the root that complex space shows");
 
+// ---- boxes of roots hold the roots of the exact ray: the exact signs at their ends differ ----
+
+/** A double as [n, e]: n 2^e. */
+function exactly(x) {
+    let e = 0;
+    while (!Number.isInteger(x)) [x, e] = [2 * x, e - 1];
+    return [BigInt(x), e];
+}
+const times = ([n, e], [m, f]) => [n * m, e + f];
+const plus = ([n, e], [m, f]) => (e < f ? [n + (m << BigInt(f - e)), e] : [(n << BigInt(e - f)) + m, f]);
+const ONE = exactly(1);
+
+/** The sign of TANGLE's polynomial where the ray is at t. */
+function exactSign({ origin, direction }, t) {
+    const at = origin.map((o, i) => plus(exactly(o), times(exactly(t), exactly(direction[i]))));
+    const parts = at.map((x) => times(x, times(x, plus(times(x, x), times(exactly(-5), ONE)))));
+    const [n] = parts.reduce(plus, exactly(11.8));
+    return n > 0n ? 1 : n < 0n ? -1 : 0;
+}
+let boxes = 0;
+for (const away of [1, 10, 1e4]) {
+    const eye = tangle.camera.eye.map((x) => away * x);
+    const state = { ...tangle, camera: { ...tangle.camera, eye, fov: 25 / away } };
+    for (let i = 0; i < 100; i++) {
+        const at = { ...size, x: (37 * i) % size.width, y: (53 * i) % size.height };
+        const pick = engine.pick(state, at);
+        if (!pick) continue;
+        for (const { box, real, multiplicity } of engine.complexRoots(state, at)) {
+            if (!real || multiplicity > 1) continue;
+            const signs = box.slice(0, 2).map((t) => exactSign(pick.ray, t));
+            boxes++;
+            check(signs[0] * signs[1] <= 0, `a root outside its box ${box.slice(0, 2)}, eye ${away} times as far`);
+            check(box[1] - box[0] < 1e-9 * away, `a box as wide as ${box[1] - box[0]}`);
+        }
+    }
+}
+check(boxes > 200, `${boxes} boxes`);
+
 // ---- states of all kinds ----
 
 const far = (value) => ({ ...usual.camera, eye: value });
