@@ -64,7 +64,7 @@ export function clipRows({ store, text, motion }) {
         motion.cuts = isPressed;
         drags.setAttribute("aria-pressed", String(isPressed));
     }
-    const rows = [row(text("clip.at"), place.range, place.output), element("div", { class: "buttons" }, face, drags)];
+    const rows = [row(text("clip.at"), place.range, place.output), element("div", { class: "row" }, face, drags)];
 
     function follow({ clip, extent }) {
         cuts.checked = clip.length > 0;

@@ -1,4 +1,5 @@
-// text.js - the words of the page, from texts/LANGUAGE.json; {name} in a text stands for a value.
+// text.js - the words of the page, from texts/LANGUAGE.json; {name} in a text stands for a value.  English has keys;
+// of the other languages build leaves a list, in the order of those keys.
 //
 // Texts in index.html have an attribute data-text="KEY"; data-label, data-title and data-hint="KEY" stand for
 // the attributes aria-label, title and placeholder.  A key that a translation lacks is shown in English.
@@ -21,8 +22,8 @@ function preferred() {
 
 /** The texts of a language: text(key, {name: value}), with text.language, text.has and text.number. */
 export async function loadText(language = preferred()) {
-    const [english, own] = await Promise.all([read("en"), language === "en" ? {} : read(language)]);
-    const words = new Map([...Object.entries(english), ...Object.entries(own)]);
+    const [english, own] = await Promise.all([read("en"), language === "en" ? [] : read(language)]);
+    const words = new Map(Object.entries(english).map(([key, word], i) => [key, own[i] ?? word]));
     const number = new Intl.NumberFormat(language, { maximumFractionDigits: 3 });
     const text = (key, values = {}) =>
         (words.get(key) ?? key).replace(/\{(\w+)\}/g, (whole, name) => {

@@ -4,7 +4,9 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Visit, visitTest } from "./harness.mjs";
-import { PAGE } from "./settings.mjs";
+import { SOURCE } from "./settings.mjs";
+
+const TEXTS = join(SOURCE, "examples", "page", "texts");
 
 const names = (visit) => visit.page.evaluate(async () =>
     (await import(new URL("surfaces.js", location.href))).SURFACES.map(({ name }) => name));
@@ -13,8 +15,8 @@ visitTest("at least 40 surfaces, with a name and two sentences in each language"
     const all = await names(visit);
     assert.ok(all.length >= 40, `${all.length} surfaces`);
     assert.equal(new Set(all).size, all.length);
-    for (const file of readdirSync(join(PAGE, "texts"))) {
-        const words = JSON.parse(readFileSync(join(PAGE, "texts", file), "utf8"));
+    for (const file of readdirSync(TEXTS)) {
+        const words = JSON.parse(readFileSync(join(TEXTS, file), "utf8"));
         for (const name of all) {
             assert.ok(words[`name.${name}`], `${file}: no name.${name}`);
             const sentences = (words[`surface.${name}`] ?? "").match(/[.!?](\s|$)/g) ?? [];
@@ -25,9 +27,9 @@ visitTest("at least 40 surfaces, with a name and two sentences in each language"
 });
 
 visitTest("texts have the same keys and the same places for values in each language", {}, async () => {
-    const read = (file) => JSON.parse(readFileSync(join(PAGE, "texts", file), "utf8"));
+    const read = (file) => JSON.parse(readFileSync(join(TEXTS, file), "utf8"));
     const english = read("en.json"), places = (text) => (text.match(/\{\w+\}/g) ?? []).sort().join();
-    for (const file of readdirSync(join(PAGE, "texts"))) {
+    for (const file of readdirSync(TEXTS)) {
         const words = read(file);
         assert.deepEqual(Object.keys(english).filter((key) => !(key in words)), [], `${file} lacks`);
         assert.deepEqual(Object.keys(words).filter((key) => !(key in english)), [], `${file} has, and English has not`);
