@@ -1,14 +1,19 @@
 // crew.js - the workers: who has room, who answers, who is replaced.
 //
-// A worker that crashes, that has taken too much memory, or that is stuck in what nobody wants any more is replaced
-// by a new one; its jobs are refused with E_CRASH, and who sent them may send them again.
+// A worker that crashes, that has taken too much memory, that is stuck in what nobody wants any more, or that keeps
+// an ask waiting behind a band is replaced by a new one.  The job that it was at is refused with E_CRASH or E_TIME, or
+// with E_UNBEGUN where a band had to give way; so are bands that it had not begun.  Asks that it had not begun go to
+// another worker.
 
 const AT_ONCE = 2; // bands a worker, so that it never waits for the next one
 const WATCH = 200; // milliseconds between two looks at the workers
 const UNWANTED = 400; // milliseconds a worker may go on with what was cancelled,
 const ASK_TIME = 20e3; // with an ask,
+const WAIT_TIME = 3e3; // with a band while an ask waits,
 const BAND_TIME = 120e3; // with a band
 const MOST_MEMORY = 512 * 2 ** 20; // bytes that an idle worker may hold
+const CANCELLED = { code: "E_CANCELLED", message: "given up for a newer one" };
+const UNBEGUN = { code: "E_UNBEGUN", message: "its worker was replaced" };
 
 export class Crew {
     #module; // a promise of the compiled module
@@ -63,12 +68,14 @@ export class Crew {
 
     /** Jobs that nobody wants any more are refused with E_CANCELLED, and not begun. */
     cancel(isMeant) {
+        for (const job of this.#unsent.filter(isMeant)) job.reject(CANCELLED);
+        this.#unsent = this.#unsent.filter((job) => !isMeant(job));
         for (const worker of this.#workers) {
             const meant = [...worker.jobs.values()].filter((job) => !job.cancelled && isMeant(job));
             for (const job of meant) {
                 job.cancelled = true;
                 job.unwantedSince = performance.now();
-                job.reject({ code: "E_CANCELLED", message: "given up for a newer one" });
+                job.reject(CANCELLED);
             }
             if (meant.length) worker.thread.postMessage({ cancel: meant.map((job) => job.number) });
         }
@@ -78,7 +85,7 @@ export class Crew {
 
     #hire() {
         const thread = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
-        const worker = { thread, ready: false, jobs: new Map(), since: performance.now(), memory: 0 };
+        const worker = { thread, ready: false, jobs: new Map(), at: 0, since: performance.now(), memory: 0 };
         thread.onmessage = ({ data }) => this.#hear(worker, data);
         thread.onerror = (event) => {
             event.preventDefault();
@@ -93,6 +100,11 @@ export class Crew {
 
     #hear(worker, data) {
         worker.since = performance.now();
+        if (data.begun) {
+            worker.at = data.begun;
+            return;
+        }
+        worker.at = 0;
         if (data.ready) {
             worker.ready = true;
             this.#callbacks.onStatus({ kind: "ready", workers: this.size });
@@ -114,32 +126,35 @@ export class Crew {
         else if (result !== undefined) job.resolve(result);
     }
 
-    /** A new worker for this one; its jobs are refused for that reason. */
+    /** A new worker for this one; the job that it was at is refused for that reason. */
     #replace(worker, reason) {
-        const at = this.#workers.indexOf(worker);
-        if (at < 0) return;
-        const urgent = [...worker.jobs.values()].some((job) => job.urgent); // then it is these that take too long
-        const crash = { code: "E_CRASH", message: "a worker was replaced" };
+        const position = this.#workers.indexOf(worker);
+        if (position < 0) return;
         worker.thread.terminate();
-        this.#workers[at] = this.#hire();
+        this.#workers[position] = this.#hire();
         this.#replaced++;
-        const behind = reason?.code === "E_TIME" ? [...worker.jobs.values()].filter((job) => job.urgent).slice(1) : [];
-        for (const job of worker.jobs.values())
-            if (!job.cancelled && !behind.includes(job)) job.reject(Boolean(job.urgent) === urgent ? reason : crash);
-        this.#unsent.push(...behind.filter((job) => !job.cancelled)); // it was the first of them that took too long
-        if (reason) this.#callbacks.onStatus({ kind: "replaced", ...reason });
+        for (const [number, job] of worker.jobs) {
+            if (job.cancelled) continue;
+            if (number === worker.at) job.reject(reason ?? UNBEGUN);
+            else if (job.urgent) this.#unsent.push(job);
+            else job.reject(UNBEGUN);
+        }
+        if (reason && reason !== UNBEGUN) this.#callbacks.onStatus({ kind: "replaced", ...reason });
     }
 
     /** Looks for workers that are stuck. */
     #watch() {
         const now = performance.now();
         for (const worker of [...this.#workers]) {
-            const jobs = [...worker.jobs.values()];
+            const jobs = [...worker.jobs.values()], current = worker.jobs.get(worker.at);
             if (jobs.length === 0) continue;
-            const unwanted = jobs.every((job) => job.cancelled && now - job.unwantedSince > UNWANTED);
-            const limit = jobs.some((job) => job.urgent) ? ASK_TIME : BAND_TIME;
-            if (unwanted && now - worker.since > UNWANTED) this.#replace(worker, null);
-            else if (now - worker.since > limit) this.#replace(worker, { code: "E_TIME", message: "it takes too long" });
+            const silent = now - worker.since;
+            const unwanted = current?.cancelled && now - current.unwantedSince > UNWANTED;
+            const waits = !current?.urgent && jobs.some((job) => job.urgent && !job.cancelled);
+            if (unwanted && silent > UNWANTED) this.#replace(worker, null);
+            else if (current && waits && silent > WAIT_TIME) this.#replace(worker, UNBEGUN);
+            else if (silent > (current && !current.urgent ? BAND_TIME : ASK_TIME))
+                this.#replace(worker, { code: "E_TIME", message: "it takes too long" });
         }
         if (this.#workers.every((worker) => worker.jobs.size === 0)) {
             clearInterval(this.#timer);

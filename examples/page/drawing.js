@@ -72,8 +72,12 @@ export class Drawing {
         if (this.isWhole) this.onDone();
     }
 
-    /** A band failed: after a crash or for want of memory it is tried once more. */
+    /** A band failed: after a crash or for want of memory it is tried once more; one that had to wait, always. */
     fail(band, error) {
+        if (error.code === "E_UNBEGUN") {
+            this.#again.push(band);
+            return;
+        }
         const again = !this.#retried && ["E_CRASH", "E_TRAP", "E_NO_MEMORY"].includes(error.code);
         if (!again && !(this.#again.length > 0 && error.code === "E_CRASH")) return this.onFail(error);
         this.#retried = true;

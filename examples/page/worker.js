@@ -5,7 +5,7 @@
 //     { cancel: [job, ...] }                          those not begun are answered { job, cancelled: true }
 //     { crash: "trap" | "throw" }                     for tests: see painter.js, Painter.kill
 //
-// Each job is answered by { job, result } or { job, error: { code, message, ... } }.  Between two jobs messages are
+// A job that is begun is told by { begun: job }.  Each job is answered by { job, result } or { job, error: { code, message, ... } }.  Between two jobs messages are
 // read, so that a cancelled one is not begun; urgent ones come first.
 import { Engine, EngineError } from "./engine.js";
 
@@ -36,6 +36,7 @@ tick.port1.onmessage = () => {
     const first = jobs.findIndex((job) => job.urgent);
     const [job] = jobs.splice(first >= 0 ? first : 0, 1);
     if (!job) return;
+    postMessage({ begun: job.job });
     try {
         const [result, buffers] = done(job);
         postMessage({ job: job.job, result, memory: engine.memoryBytes }, buffers);
