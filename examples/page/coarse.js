@@ -7,6 +7,7 @@ const SURE = 0.8; // of these times, before it becomes finer again
 const OVERHEAD = 1; // milliseconds of each picture, however coarse
 const GROWTH = 0.5; // a pixel of a coarser picture takes that power of the factor longer: there is more in it
 const TRUST = 0.4; // in the last picture, of one: other programs take their time, too
+const SLOWEST = 10; // milliseconds a pixel
 const FIRST_GUESS = 1e-4; // milliseconds a pixel, of one worker
 
 export class Coarseness {
@@ -26,6 +27,11 @@ export class Coarseness {
     learn(drawing) {
         const measured = drawing.workMsPerPixel / drawing.factor ** GROWTH;
         this.msPerPixel += TRUST * (measured - this.msPerPixel);
+    }
+
+    /** Nothing came in time: the coarsest picture is next. */
+    slowest() {
+        this.msPerPixel = SLOWEST;
     }
 
     /** A picture was given up: it is at least as slow as its bands were. */

@@ -330,10 +330,11 @@ export class Engine {
         return this.#scene;
     }
 
-    /** Rows rowBegin .. rowEnd-1 of a picture. */
+    /** Rows rowBegin .. rowEnd-1 of a picture; bounded: doubles alone decide. */
     render(state, options) {
         return this.#answer(() => {
-            const { width, height, rowBegin = 0, rowEnd = height, quality = "standard", antialias = 1, t = false } = options;
+            const { width, height, rowBegin = 0, rowEnd = height, quality = "standard", antialias = 1 } = options;
+            const { t = false, bounded = false } = options;
             const pixels = side(width, "width") * (rowEnd - rowBegin);
             side(height, "height");
             if (!(rowBegin >= 0 && rowBegin < rowEnd && rowEnd <= height)) throw refused("rows");
@@ -343,6 +344,7 @@ export class Engine {
             const { address: scene, degree } = this.#sceneOf(state);
             this.#checked(wasm.algsurf_scene_set_quality(scene, QUALITIES[quality] ?? -1));
             this.#checked(wasm.algsurf_scene_set_antialias(scene, antialias));
+            this.#checked(wasm.page_set_bounded(scene, bounded ? 1 : 0));
             return module.borrow(8 * 5 + (t ? 8 * pixels : 0) + 4 * pixels, (counts) => {
                 const far = counts + 8 * 5, rgba = far + (t ? 8 * pixels : 0);
                 this.#checked(

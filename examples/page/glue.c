@@ -127,6 +127,14 @@ algsurf_scene *page_scene(const algsurf_surface *surface, const page_state *stat
     return NULL;
 }
 
+/* With `bounded`, doubles alone decide; a ray that they leave undecided is drawn and counted as that.  For a
+ * first picture where every ray takes long. */
+EXPORTED(page_set_bounded) int page_set_bounded(algsurf_scene *scene, int bounded) {
+    const algsurf_intersect_options options = {.size = sizeof options,
+                                               .tier = bounded ? ALGSURF_TIER_BOUNDED : ALGSURF_TIER_CERTIFIED};
+    return algsurf_scene_set_intersect(scene, &options);
+}
+
 /* Draws rows row_begin .. row_end-1 of a picture.
  *   rgba    four bytes a pixel
  *   t       null, or a double a pixel

@@ -46,11 +46,12 @@ const store = new Store({ ...first, picture: null });
 
 const painter = new Painter({
     onPicture(report) {
-        if (report.stage !== "moving") hideNotice("trouble");
+        if (report.stage !== "moving") ["trouble", "slow"].forEach(hideNotice);
         page.firstPicture ??= performance.now();
         store.set({ picture: report }, { moving: report.stage === "moving" });
     },
     onStatus({ kind }) {
+        if (kind === "slow") void words.then(() => notify(text("slow"), "slow"));
         if (kind === "replaced") void words.then(() => notify(text("worker.replaced")));
     },
     onError: (error) => words.then(() => notify(text("trouble", { why: error.message ?? error.code }), "trouble")),

@@ -16,6 +16,7 @@ const STAGES = [
     { stage: "smooth", quality: "standard", antialias: 4 },
     { stage: "full", quality: "full", antialias: 4 },
 ];
+const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is drawn by doubles alone
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
 const THIN_SHARE = 1 / 8; // of the height, in samples: so many show something thin that moving pictures need it
@@ -38,6 +39,7 @@ export class Painter {
     #latest = new Map(); // kind of ask: its newest job
     #thinShown = false;
     #seen = ""; // the state of the last moving picture
+    #slow = ""; // the surface whose coarse pictures are drawn by doubles alone
 
     /** workers: how many; onPicture(report), onStatus(status), onError(error) are told what happens. */
     constructor({ workers, onPicture = () => {}, onStatus = () => {}, onError = () => {} } = {}) {
@@ -108,6 +110,7 @@ export class Painter {
     #begin(request, stageNumber) {
         const { state, width, height, moving } = request;
         const step = STAGES[stageNumber];
+        const bounded = moving && this.#slow === surfaceIn(state);
         const factor = moving ? this.#coarseness.choose(width, height, this.#crew.size) : 1;
         const shown = moving && state.thin !== true && !this.#thinShown ? { ...state, thin: false } : state;
         const drawing = new Drawing({
@@ -116,6 +119,7 @@ export class Painter {
             height: Math.ceil(height / factor),
             quality: step.quality,
             antialias: step.antialias,
+            bounded,
             order: stageNumber === 0 ? ORDER.shown : ORDER.refined,
             msPerPixel: this.#coarseness.msPerPixel,
             workers: this.#crew.size,
@@ -125,6 +129,18 @@ export class Painter {
         });
         Object.assign(drawing, { request, stageNumber, factor, stage: moving ? "moving" : step.stage });
         this.#add(drawing);
+        if (moving && !bounded) setTimeout(() => drawing.ended || drawing.isWhole || this.#tooSlow(drawing), SLOW);
+    }
+
+    /** A coarse picture that is not done in time is begun again, by doubles alone, as coarse as can be. */
+    #tooSlow(drawing) {
+        const { request } = drawing;
+        this.#slow = surfaceIn(request.state);
+        this.#coarseness.slowest();
+        this.#drop(drawing);
+        this.#callbacks.onStatus({ kind: "slow" });
+        if (request === this.#request || request.then === this.#request) this.#begin(request, 0);
+        else this.#next();
     }
 
     #add(drawing) {
@@ -215,8 +231,8 @@ export class Painter {
 
     #send(worker, drawing) {
         const band = drawing.nextBand();
-        const { state, width, height, quality, antialias } = drawing;
-        const options = { width, height, rowBegin: band.begin, rowEnd: band.end, quality, antialias };
+        const { state, width, height, quality, antialias, bounded } = drawing;
+        const options = { width, height, rowBegin: band.begin, rowEnd: band.end, quality, antialias, bounded };
         const job = { kind: "band", args: [state, options], drawing };
         this.#crew.send(job, worker).then(
             (picture) => drawing.ended || drawing.take(band, picture),
@@ -288,6 +304,11 @@ export class Painter {
     kill(number) {
         this.#crew.kill(number);
     }
+}
+
+/** What a state's surface depends on. */
+function surfaceIn({ equation, parameters }) {
+    return JSON.stringify([equation, Object.entries(parameters ?? {}).map(([name, p]) => [name, p.value])]);
 }
 
 /** Does the drawing look for thin features, which moving pictures do without as a rule? */
