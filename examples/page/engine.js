@@ -227,7 +227,7 @@ export class Engine {
 
     /** Is this one of the equation's letters? */
     #isUsed(equation, values, name) {
-        if (!equation.includes(name)) return false;
+        if (!mentions(equation, name)) return false;
         const others = { ...values };
         delete others[name];
         try {
@@ -250,7 +250,7 @@ export class Engine {
             surface.free();
             const quick = (performance.now() - begin) * Object.keys(values).length < LONGEST_SEARCH;
             const used = Object.keys(values).filter((name) =>
-                quick ? this.#isUsed(equation, all, name) : equation.includes(name),
+                quick ? this.#isUsed(equation, all, name) : mentions(equation, name),
             );
             return { degree, letters: [...used, ...missing], missing };
         });
@@ -473,6 +473,11 @@ export class Engine {
             return roots;
         });
     }
+}
+
+/** May the equation have that letter, alone or in a product such as ax? */
+function mentions(equation, name) {
+    return equation.replace(/sqrt|sin|cos|pi/g, " ").includes(name);
 }
 
 /** Cells from the numbers that glue.c's on_cell records. */
