@@ -90,7 +90,10 @@ export class Sliders {
         const id = `parameter-${name}`;
         const slide = element("input", {
             type: "range", id, min: 0, max: STEPS, step: 1,
-            input: () => this.#change(name, { value: rounded(at().from + (slide.value / STEPS) * (at().to - at().from), at().to - at().from) }, true),
+            input: () => {
+                const p = at(), range = p.to - p.from;
+                this.#change(name, { value: rounded(p.from + (slide.value / STEPS) * range, range) }, true);
+            },
             change: () => this.#services.store.set({}, { moving: false }),
         });
         const number = (label, take) => {

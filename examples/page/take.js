@@ -39,7 +39,10 @@ export class Take {
         this.format = choice(formats, () => {});
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("take.progress") });
         this.working = element("div", { hidden: true }, this.progress, button(text("take.cancel"), () => this.#abort?.abort()));
-        this.start = [button(text("take.png"), () => this.savePicture(), { class: "main" }), button(text("take.film"), () => this.#saveFilm())];
+        this.start = [
+            button(text("take.png"), () => this.savePicture(), { class: "main" }),
+            button(text("take.film"), () => this.#saveFilm()),
+        ];
         this.#build(room);
         this.#follow(services.store.get());
         services.store.subscribe((state, { changed }) => changed.has("parameters") && this.#follow(state));
@@ -82,7 +85,8 @@ export class Take {
 
     #follow({ parameters }) {
         const { text } = this.#services, before = this.what.value;
-        const pairs = [["turn", text("take.film.turn")], ...Object.keys(parameters).map((name) => [`let:${name}`, text("take.film.let", { name })])];
+        const letters = Object.keys(parameters).map((name) => [`let:${name}`, text("take.film.let", { name })]);
+        const pairs = [["turn", text("take.film.turn")], ...letters];
         this.what.replaceChildren(...pairs.map(([value, label]) => element("option", { value }, label)));
         this.what.value = pairs.some(([value]) => value === before) ? before : "turn";
     }
@@ -112,7 +116,12 @@ export class Take {
     }
 
     #options() {
-        return { width: numberIn(this.width), height: numberIn(this.height), quality: this.quality.value, antialias: Number(this.samples.value) };
+        return {
+            width: numberIn(this.width),
+            height: numberIn(this.height),
+            quality: this.quality.value,
+            antialias: Number(this.samples.value),
+        };
     }
 
     copyLink() {

@@ -20,7 +20,8 @@ export function mount(room, { store, text, motion, fit, reset }) {
     function changeKind(value) {
         if (value === "fitted") return void fit("view");
         const { size } = extent();
-        set({ kind: value, size: value === "box" ? (size.length === 3 ? size : [size[0], size[0], size[0]]) : [radiusOf(extent())] });
+        const halves = size.length === 3 ? size : [size[0], size[0], size[0]];
+        set({ kind: value, size: value === "box" ? halves : [radiusOf(extent())] });
     }
 
     const radius = slider({
