@@ -27,6 +27,7 @@ static const double ROOM = 1.35;           /* about singular points */
 static const double LONELY = 0.6;          /* of the extent: no sheet reaches its end */
 static const double AROUND = 1.2;          /* about what is seen then */
 static const double PRECISION = 1.0 / 16;
+static const double POINT = 1e-9; /* of a unit: what is smaller has no size that could fill a picture */
 static const double LEAST_UNIT = 1e-140, MOST_UNIT = 1e140; /* squares are in range */
 
 /* The first thing that failed is kept; what follows it may be anything, and is not used. */
@@ -156,12 +157,18 @@ static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounde
     }
     *bounded = all.empty || ends_within(&all, half);
     if (all.empty) return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {rounded_up(FAR * unit), 0, 0}};
-    return *bounded ? ball_about(&all) : unbounded_extent(surface, unit, failed);
+    if (!*bounded) return unbounded_extent(surface, unit, failed);
+    double middle[3], point = half_edge(&all, middle);
+    for (int i = 0; i < 3 && point < POINT * unit; i++) {
+        all.lo[i] = middle[i] - unit;
+        all.hi[i] = middle[i] + unit;
+    }
+    return ball_about(&all);
 }
 
 /* ---- camera ---- */
 
-enum { ROWS = 144, MOST_COLUMNS = 512, ROUNDS = 8 };
+enum { ROWS = 144, MOST_COLUMNS = 512, ROUNDS = 8, DOT = 6 };
 static const double HIGH = 0.90, WIDE = 0.95; /* of the picture */
 static const double CLOSE = 1.3;              /* radii of the extent, from its centre to the eye */
 static const double SMALL = 0.1;              /* of the extent: aimed at */
@@ -197,22 +204,24 @@ static void close_glance(glance *g) {
     free(g->t);
 }
 
-/* The smallest rectangle about what is seen, in pixels; 0: nothing is. */
-static int look(glance *g, const algsurf_camera *camera, int rectangle[4]) {
+/* The rectangle about what is seen, in pixels; 0: nothing is.  dot: it is tiny, and no ray meets it. */
+static int look(glance *g, const algsurf_camera *camera, int rectangle[4], int *dot) {
     const algsurf_render_options size = {.size = sizeof size, .width = g->width, .height = g->height};
     const algsurf_picture planes = {.size = sizeof planes, .state = g->state, .t = g->t};
-    int left = g->width, right = 0, top = g->height, bottom = 0;
+    int left = g->width, right = 0, top = g->height, bottom = 0, met = 0;
     demand(g->failed, algsurf_scene_set_camera(g->scene, camera));
     demand(g->failed, algsurf_render(g->scene, &size, &planes, NULL));
     if (*g->failed != ALGSURF_OK) return 0;
     for (int y = 0; y < g->height; y++)
         for (int x = 0; x < g->width; x++) {
             if (g->state[y * g->width + x] == ALGSURF_MISS) continue;
+            met |= g->state[y * g->width + x] != ALGSURF_THIN;
             left = x < left ? x : left, right = x + 1 > right ? x + 1 : right;
             top = y < top ? y : top, bottom = y + 1;
         }
     const int found[4] = {left, right, top, bottom};
     memcpy(rectangle, found, sizeof found);
+    *dot = !met && right - left <= DOT && bottom - top <= DOT;
     return bottom > 0;
 }
 
@@ -258,20 +267,22 @@ static void aim(view *v, const algsurf_surface *surface, double radius, algsurf_
         back[i] = v->eye[i] - v->look_at[i];
         v->look_at[i] = middle[i];
     }
-    set_eye(v, back, half, radius);
+    set_eye(v, back, half < POINT * radius ? SMALL * radius : half, radius);
 }
 
-/* Moves the view once towards what fills the picture; 0 when it is there, or nothing is seen. */
+/* Moves the view once towards what fills the picture, or has a dot in its middle; 0 when it is there, or
+ * nothing is seen. */
 static int move(glance *g, view *v, double radius) {
     algsurf_camera camera;
-    int seen[4];
+    int seen[4], dot = 0;
     double back[3];
     demand(g->failed, view_make_camera(v, 0, 1, &camera));
-    if (*g->failed != ALGSURF_OK || !look(g, &camera, seen)) return 0;
+    if (*g->failed != ALGSURF_OK || !look(g, &camera, seen, &dot)) return 0;
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
     double half = camera.half_height * length(back), pixel = 2 * half / g->height;
     double aside = 0.5 * (seen[0] + seen[1] - g->width), down = 0.5 * (seen[2] + seen[3] - g->height);
-    double times = fmax((seen[3] - seen[2]) / (HIGH * g->height), (seen[1] - seen[0]) / (WIDE * g->width));
+    double high = (seen[3] - seen[2]) / (HIGH * g->height), wide = (seen[1] - seen[0]) / (WIDE * g->width);
+    double times = dot ? 1 : fmax(high, wide);
     for (int i = 0; i < 3; i++) {
         v->look_at[i] += pixel * (aside * camera.right[i] - down * camera.up[i]);
         back[i] *= times;

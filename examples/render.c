@@ -281,10 +281,9 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
         explain_nothing(r, shown);
     if (counted.thin > 0 && options->thin == THIN_USUAL && !options->surface.name)
-        cli_complain(
-            "thin: %" PRIu64
-            " samples show parts too thin for rays to hit, or not proved absent; --thin none leaves them out",
-            counted.thin);
+        cli_complain("thin: %" PRIu64 " sample%s parts too thin for rays to hit, or not proved absent; "
+                     "--thin none leaves them out",
+                     counted.thin, counted.thin == 1 ? " shows" : "s show");
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
 
     output_set set = {.count = 0};
