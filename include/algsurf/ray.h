@@ -30,14 +30,15 @@ typedef struct algsurf_extent {
     double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
 } algsurf_extent;
 
+/* How many planes may cut what is shown. */
+#define ALGSURF_MAX_CLIP_PLANES 8
+
 /* A cutting plane: of what is shown it keeps the closed half space normal . X <= offset, of the exact
  * doubles.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
 typedef struct algsurf_plane {
     double normal[3]; /* of any length; finite, not all zero */
     double offset;    /* finite */
 } algsurf_plane;
-
-#define ALGSURF_MAX_CLIP_PLANES 8
 
 /* The part of a ray inside an extent: a ray with the same origin and direction, t_min and t_max
  * narrowed.  extent null is all of space.
