@@ -91,6 +91,7 @@ static void read_jsurf(cli_surface *choice) {
     jsurf_file *read = malloc(sizeof *read);
     jsurf_error error;
     if (!read) cli_no_memory();
+    choice->file = read;
     if (!file) cli_fail(CLI_BAD_INPUT, "%s: %s", cli_quote(path).text, strerror(errno));
     if (jsurf_read(file, read, &error) != 0) {
         if (error.no_memory) cli_no_memory();
@@ -103,7 +104,6 @@ static void read_jsurf(cli_surface *choice) {
         if (!has_let(choice, p->name))
             add_let(choice, path, copy_of(p->name, strlen(p->name)), copy_of(p->value, strlen(p->value)), 1);
     }
-    choice->file = read;
     choice->equation = read->equation;
 }
 
