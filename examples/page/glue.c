@@ -252,21 +252,29 @@ static void tell_hit(const algsurf_hit *hit, double told[12]) {
     memcpy(told + 9, hit->normal, sizeof hit->normal);
 }
 
-/* What a ray sees, in complex space if the state says so.
- *   told  receives state, multiplicity, side, t, t_lo, t_hi, position, normal */
-EXPORTED(page_hit)
-int page_hit(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
-             double told[12]) {
+/* What a ray sees, in complex space if the state says so; root: the root shown, of a real hit t. */
+static algsurf_status see(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
+                          algsurf_hit *hit, algsurf_complex *root) {
     const algsurf_extent extent = extent_of(state);
     const algsurf_complex_space space = space_of(state);
     algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
     const algsurf_intersect_options options = {
         .size = sizeof options, .planes = planes, .plane_count = planes_of(state, planes)};
+    if (state->complex_given != 0)
+        return algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, hit, root);
+    algsurf_status status = algsurf_intersect_first(surface, &extent, ray, &options, hit);
+    if (status >= 0) *root = (algsurf_complex){hit->t, 0};
+    return status;
+}
+
+/* The hit of a ray.
+ *   told  receives state, multiplicity, side, t, t_lo, t_hi, position, normal */
+EXPORTED(page_hit)
+int page_hit(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
+             double told[12]) {
     algsurf_hit hit;
-    algsurf_status status =
-        state->complex_given != 0
-            ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, NULL)
-            : algsurf_intersect_first(surface, &extent, ray, &options, &hit);
+    algsurf_complex root;
+    algsurf_status status = see(surface, state, ray, &hit, &root);
     if (status >= 0) tell_hit(&hit, told);
     return status;
 }
@@ -500,19 +508,10 @@ int page_complex_roots(const algsurf_surface *surface, const page_state *state, 
 EXPORTED(page_chosen)
 int page_chosen(const algsurf_surface *surface, const page_state *state, const algsurf_ray *ray,
                 double root[2]) {
-    const algsurf_extent extent = extent_of(state);
-    const algsurf_complex_space space = space_of(state);
-    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
-    const algsurf_intersect_options options = {
-        .size = sizeof options, .planes = planes, .plane_count = planes_of(state, planes)};
     algsurf_hit hit;
     algsurf_complex z = {0, 0};
-    algsurf_status status =
-        state->complex_given != 0
-            ? algsurf_intersect_complex(surface, &extent, ray, &space, NULL, NULL, &hit, &z)
-            : algsurf_intersect_first(surface, &extent, ray, &options, &hit);
+    algsurf_status status = see(surface, state, ray, &hit, &z);
     if (status < 0) return status;
-    if (state->complex_given == 0) z.re = hit.t;
     root[0] = z.re;
     root[1] = z.im;
     return hit.state;
