@@ -21,13 +21,8 @@ static void print_line(const char *format, va_list arguments) {
     fputc('\n', stderr);
 }
 
-static int is_quiet;
-
-void cli_be_quiet(int quiet) { is_quiet = quiet; }
-
 void cli_complain(const char *format, ...) {
     va_list arguments;
-    if (is_quiet) return;
     va_start(arguments, format);
     print_line(format, arguments);
     va_end(arguments);

@@ -27,9 +27,6 @@ _Noreturn void cli_fail(int status, const char *format, ...) CLI_FORMAT(2, 3);
 void cli_complain(const char *format, ...) CLI_FORMAT(1, 2);
 _Noreturn void cli_no_memory(void);
 
-/* While quiet, cli_complain prints nothing: what is tried says nothing yet. */
-void cli_be_quiet(int quiet);
-
 /* The end of the program, status 2: one line, then the text and a mark below `length` bytes of it. */
 _Noreturn void cli_fail_in(const char *text, size_t offset, size_t length, const char *format, ...)
     CLI_FORMAT(4, 5);

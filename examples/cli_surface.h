@@ -36,7 +36,7 @@ void cli_set_let(const cli_option *option, const char *value, void *field); /* c
      "how to take coefficients that no double is equal to, as 0.1 and sqrt(2).\n"                            \
      "exact (default): the nearest doubles are the surface; all is proved for them.\n"                       \
      "rounded: all is proved for the equation as it is written; rays for which the\n"                        \
-     "rounding matters are counted as uncertain", cli_set_choice,                                            \
+     "rounding matters are counted as undecided", cli_set_choice,                                            \
      offsetof(type, surface.rounded), 0, 0}
 /* clang-format on */
 

@@ -1,170 +1,21 @@
 /* fit.c - see fit.h.
  *
- * The unit of a polynomial is the length in which its terms of the highest degree are as large as others of
- * lower degree: r = max over k < n of (A_k / A_n)^(1/(n-k)), A_k the largest coefficient of degree k.
- * Everything that is special about a surface, as a rule, is within a few units of the origin.  Where a proof
- * finds all of it within 32 units, and not next to the end, it is bounded as far as eyes can tell, and the
- * extent is a ball about the box of that proof.  The unit of a flat surface is its thickness, so boxes 32 and
- * 1024 times as large are tried, too.  Else the extent is a ball that shows the singular points, if these are
- * bounded, and 3.5 units in any case; if nothing is in it, twice as much, and so on.
- *
- * The camera is placed by what a coarse picture shows, thin things among it where they are drawn: moved
- * sideways until that is in the middle, and along the view until it fills 90 per cent of the height or 95 of
- * the width.  It stays out of the extent; to show what is small in there the field of view is narrowed.  What
- * a coarse picture would miss in a given extent is found by a proof first, and aimed at.
+ * The extent is that of fit_extent.h.  The camera is placed by what a coarse picture shows, thin things among
+ * it where they are drawn: moved sideways until that is in the middle, and along the view until it fills 90
+ * per cent of the height or 95 of the width.  It stays out of the extent; to show what is small in there the
+ * field of view is narrowed.  What a coarse picture would miss in a given extent is found by a proof first,
+ * and aimed at.
  */
 #include "fit.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double FAR = 32, USUAL = 3.5; /* in units of the polynomial */
-static const int FARTHER = 2;              /* larger boxes, each FAR times as large */
-static const double NEARLY = 0.95;         /* of the way to the end: what gets there may go on */
-static const double ROOM = 1.35;           /* about singular points */
-static const double LONELY = 0.6;          /* of the extent: no sheet reaches its end */
-static const double AROUND = 1.2;          /* about what is seen then */
-static const double PRECISION = 1.0 / 16;
-static const double POINT = 1e-9; /* of a unit: what is smaller has no size that could fill a picture */
-static const double LEAST_UNIT = 1e-140, MOST_UNIT = 1e140; /* squares are in range */
+#include "fit_extent.h"
 
-/* The first thing that failed is kept; what follows it may be anything, and is not used. */
-static void demand(algsurf_status *failed, algsurf_status status) {
-    if (*failed == ALGSURF_OK) *failed = status;
-}
-
-/* ---- extent ---- */
-
-static double unit_of(const algsurf_surface *surface, algsurf_status *failed) {
-    double largest[ALGSURF_MAX_DEGREE + 1] = {0}, unit = 0;
-    size_t count = algsurf_surface_term_count(surface);
-    int n = algsurf_surface_degree(surface);
-    algsurf_term *terms = malloc((count + 1) * sizeof *terms);
-    if (!terms) {
-        demand(failed, ALGSURF_E_NO_MEMORY);
-        return 1;
-    }
-    demand(failed, algsurf_surface_terms(surface, terms));
-    for (size_t i = 0; i < count; i++) {
-        double *of_degree = &largest[terms[i].i + terms[i].j + terms[i].k];
-        *of_degree = fmax(*of_degree, fabs(terms[i].a));
-    }
-    for (int k = 0; k < n; k++)
-        if (largest[k] > 0) unit = fmax(unit, exp((log(largest[k]) - log(largest[n])) / (n - k)));
-    free(terms);
-    return unit > LEAST_UNIT && unit < MOST_UNIT ? unit : 1;
-}
-
-typedef struct box {
-    double lo[3], hi[3];
-    int empty;
-} box;
-
-static box enclose_in(const algsurf_surface *surface, const algsurf_extent *extent, int part,
-                      algsurf_status *failed) {
-    box found = {.empty = 1};
-    demand(failed,
-           algsurf_surface_enclose(surface, extent, part, PRECISION, found.lo, found.hi, &found.empty));
-    return found;
-}
-
-static box enclose(const algsurf_surface *surface, double half, int part, algsurf_status *failed) {
-    const algsurf_extent all = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {half, half, half}};
-    return enclose_in(surface, &all, part, failed);
-}
-
-/* Is all of it within half the size of a box about the origin? */
-static int ends_within(const box *b, double half) {
-    for (int i = 0; i < 3; i++)
-        if (b->lo[i] < -NEARLY * half || b->hi[i] > NEARLY * half) return 0;
-    return !b->empty;
-}
-
-/* The number that is read where this one is told. */
-static double as_told(double x) {
-    char text[32];
-    snprintf(text, sizeof text, "%.15g", x + 0.0); /* no -0 */
-    return strtod(text, NULL);
-}
-
-/* To two digits, upward. */
-static double rounded_up(double x) {
-    double step = pow(10, floor(log10(x)) - 1);
-    return as_told(ceil(x / step - 1e-9) * step);
-}
-
-/* To three digits of the radius. */
-static double rounded_place(double x, double radius) {
-    double step = pow(10, floor(log10(radius)) - 2);
-    return as_told(round(x / step) * step);
-}
-
-/* A ball about the box, the corners at that part of its radius or nearer. */
-static algsurf_extent ball_about(const box *b) {
-    algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
-    double half[3], square = 0;
-    for (int i = 0; i < 3; i++) half[i] = 0.5 * (b->hi[i] - b->lo[i]);
-    double radius = sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
-    for (int i = 0; i < 3; i++) {
-        ball.centre[i] = rounded_place(0.5 * (b->lo[i] + b->hi[i]), radius);
-        double far = fmax(b->hi[i] - ball.centre[i], ball.centre[i] - b->lo[i]);
-        square += far * far;
-    }
-    ball.size[0] = rounded_up(sqrt(square));
-    return ball;
-}
-
-/* Half the longest edge; the middle. */
-static double half_edge(const box *b, double middle[3]) {
-    double half = 0;
-    for (int i = 0; i < 3; i++) {
-        half = fmax(half, 0.5 * (b->hi[i] - b->lo[i]));
-        middle[i] = 0.5 * (b->lo[i] + b->hi[i]);
-    }
-    return half;
-}
-
-static int is_nothing_in(const algsurf_surface *surface, const algsurf_extent *extent,
-                         algsurf_status *failed) {
-    box b = {.empty = 0};
-    demand(failed, algsurf_surface_enclose(surface, extent, ALGSURF_PART_ALL, 1, b.lo, b.hi, &b.empty));
-    return b.empty;
-}
-
-static algsurf_extent unbounded_extent(const algsurf_surface *surface, double unit, algsurf_status *failed) {
-    algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
-    double radius = USUAL * unit, middle[3];
-    const box singular = enclose(surface, FAR * unit, ALGSURF_PART_SINGULAR, failed);
-    if (ends_within(&singular, FAR * unit)) {
-        double half = half_edge(&singular, middle);
-        radius = fmax(radius, ROOM * half);
-        for (int i = 0; i < 3; i++)
-            if (fabs(middle[i]) > 0.1 * radius) ball.centre[i] = rounded_place(middle[i], radius);
-    }
-    ball.size[0] = rounded_up(radius);
-    for (int k = 0; k < 8 && is_nothing_in(surface, &ball, failed); k++) ball.size[0] *= 2;
-    return ball;
-}
-
-static algsurf_extent fitting_extent(const algsurf_surface *surface, int *bounded, algsurf_status *failed) {
-    double unit = unit_of(surface, failed), half = FAR * unit;
-    box all = enclose(surface, half, ALGSURF_PART_ALL, failed);
-    for (int k = 0; k < FARTHER && !ends_within(&all, half); k++) {
-        half *= FAR;
-        all = enclose(surface, half, ALGSURF_PART_ALL, failed);
-    }
-    *bounded = all.empty || ends_within(&all, half);
-    if (all.empty) return (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {rounded_up(FAR * unit), 0, 0}};
-    if (!*bounded) return unbounded_extent(surface, unit, failed);
-    double middle[3], point = half_edge(&all, middle);
-    for (int i = 0; i < 3 && point < POINT * unit; i++) {
-        all.lo[i] = middle[i] - unit;
-        all.hi[i] = middle[i] + unit;
-    }
-    return ball_about(&all);
-}
+static const double LONELY = 0.6; /* of the extent: no sheet reaches its end */
+static const double AROUND = 1.2; /* about what is seen then */
 
 /* ---- camera ---- */
 
@@ -191,10 +42,10 @@ static glance open_glance(const view_options *options, const algsurf_surface *su
     g.width = (int)width;
     g.state = malloc((size_t)g.width * ROWS);
     g.t = malloc((size_t)g.width * ROWS * sizeof *g.t);
-    if (!g.state || !g.t) demand(failed, ALGSURF_E_NO_MEMORY);
-    demand(failed, algsurf_scene_create(surface, &g.scene));
-    demand(failed, algsurf_scene_set_extent(g.scene, extent));
-    demand(failed, algsurf_scene_set_thin(g.scene, thin ? any_colour : NULL));
+    if (!g.state || !g.t) fit_demand(failed, ALGSURF_E_NO_MEMORY);
+    fit_demand(failed, algsurf_scene_create(surface, &g.scene));
+    fit_demand(failed, algsurf_scene_set_extent(g.scene, extent));
+    fit_demand(failed, algsurf_scene_set_thin(g.scene, thin ? any_colour : NULL));
     return g;
 }
 
@@ -209,8 +60,8 @@ static int look(glance *g, const algsurf_camera *camera, int rectangle[4], int *
     const algsurf_render_options size = {.size = sizeof size, .width = g->width, .height = g->height};
     const algsurf_picture planes = {.size = sizeof planes, .state = g->state, .t = g->t};
     int left = g->width, right = 0, top = g->height, bottom = 0, met = 0;
-    demand(g->failed, algsurf_scene_set_camera(g->scene, camera));
-    demand(g->failed, algsurf_render(g->scene, &size, &planes, NULL));
+    fit_demand(g->failed, algsurf_scene_set_camera(g->scene, camera));
+    fit_demand(g->failed, algsurf_render(g->scene, &size, &planes, NULL));
     if (*g->failed != ALGSURF_OK) return 0;
     for (int y = 0; y < g->height; y++)
         for (int x = 0; x < g->width; x++) {
@@ -232,8 +83,8 @@ static double reach_of(const glance *g, const algsurf_camera *camera, const doub
         algsurf_ray ray = {.t_max = 0};
         double square = 0;
         if (g->state[i] == ALGSURF_MISS || g->state[i] == ALGSURF_THIN) continue;
-        demand(g->failed,
-               algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5, i / g->width + 0.5, &ray));
+        fit_demand(g->failed, algsurf_camera_ray(camera, g->width, g->height, i % g->width + 0.5,
+                                                 i / g->width + 0.5, &ray));
         for (int k = 0; k < 3; k++) {
             double away = ray.origin[k] + g->t[i] * ray.direction[k] - centre[k];
             square += away * away;
@@ -260,14 +111,14 @@ static void set_eye(view *v, const double back[3], double half, double radius) {
 
 /* Looks at what is small in the extent. */
 static void aim(view *v, const algsurf_surface *surface, double radius, algsurf_status *failed) {
-    const box all = enclose_in(surface, &v->extent, ALGSURF_PART_ALL, failed);
-    double back[3], middle[3], half = all.empty ? 0 : sqrt(3) * half_edge(&all, middle);
+    const fit_box all = fit_enclose(surface, &v->extent, ALGSURF_PART_ALL, failed);
+    double back[3], middle[3], half = all.empty ? 0 : sqrt(3) * fit_half_edge(&all, middle);
     if (!(half > 0 && half < SMALL * radius)) return;
     for (int i = 0; i < 3; i++) {
         back[i] = v->eye[i] - v->look_at[i];
         v->look_at[i] = middle[i];
     }
-    set_eye(v, back, half < POINT * radius ? SMALL * radius : half, radius);
+    set_eye(v, back, half < FIT_POINT * radius ? SMALL * radius : half, radius);
 }
 
 /* Moves the view once towards what fills the picture, or has a dot in its middle; 0 when it is there, or
@@ -276,7 +127,7 @@ static int move(glance *g, view *v, double radius) {
     algsurf_camera camera;
     int seen[4], dot = 0;
     double back[3];
-    demand(g->failed, view_make_camera(v, 0, 1, &camera));
+    fit_demand(g->failed, view_make_camera(v, 0, 1, &camera));
     if (*g->failed != ALGSURF_OK || !look(g, &camera, seen, &dot)) return 0;
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
     double half = camera.half_height * length(back), pixel = 2 * half / g->height;
@@ -297,12 +148,12 @@ static void round_camera(view *v, int turned) {
     for (int i = 0; i < 3; i++) back[i] = v->eye[i] - v->look_at[i];
     double distance = length(back), half = distance * tan(v->fov * PI / 360);
     for (int i = 0; i < 3; i++) {
-        v->eye[i] = rounded_place(v->eye[i], distance / 10);
-        v->look_at[i] = rounded_place(v->look_at[i], fmin(half, distance / 10));
+        v->eye[i] = fit_rounded_place(v->eye[i], distance / 10);
+        v->look_at[i] = fit_rounded_place(v->look_at[i], fmin(half, distance / 10));
     }
-    v->fov = rounded_place(v->fov, v->fov / 10);
+    v->fov = fit_rounded_place(v->fov, v->fov / 10);
     double size = length(v->up);
-    for (int i = 0; i < 3 && turned; i++) v->up[i] = rounded_place(v->up[i], size / 100);
+    for (int i = 0; i < 3 && turned; i++) v->up[i] = fit_rounded_place(v->up[i], size / 100);
 }
 
 /* ---- both ---- */
@@ -326,7 +177,7 @@ static double fit_camera(view *v, const view_options *options, const algsurf_sur
     if (options->extent.given || options->centre.given) aim(v, surface, radius, failed);
     for (int round = 0; round < ROUNDS && *failed == ALGSURF_OK && move(&g, v, radius); round++) {
     }
-    demand(failed, view_make_camera(v, 0, 1, &camera));
+    fit_demand(failed, view_make_camera(v, 0, 1, &camera));
     if (*failed == ALGSURF_OK) reach = reach_of(&g, &camera, extent->centre);
     close_glance(&g);
     return reach;
@@ -343,7 +194,7 @@ algsurf_status fit_choose(view *v, const view_options *asked, const algsurf_surf
     int choose_camera =
         !options->eye.given && !options->look_at.given && !(options->orthographic > 0) && !extent_only;
     if (choose_extent) {
-        v->extent = fitting_extent(surface, &bounded, &failed);
+        v->extent = fit_extent(surface, &bounded, &failed);
         stand_off(v, options);
     }
     double fov = v->fov;
@@ -351,7 +202,7 @@ algsurf_status fit_choose(view *v, const view_options *asked, const algsurf_surf
     if (choose_camera) {
         double reach = fit_camera(v, options, surface, thin, &failed);
         if (!bounded && reach > 0 && reach < LONELY * v->extent.size[0]) { /* all that goes on are lines */
-            v->extent.size[0] = rounded_up(AROUND * reach);
+            v->extent.size[0] = fit_rounded_up(AROUND * reach);
             stand_off(v, options);
             (void)fit_camera(v, options, surface, 0, &failed);
         }

@@ -36,7 +36,7 @@ static const cli_option options_table[] = {
      FIELD(how.absolute_tolerance)},
     {"--tier", "certified|bounded",
      "certified (default): every ray is decided, by integers where doubles do not\n"
-     "suffice.  bounded: by doubles alone; what they leave open is uncertain",
+     "suffice.  bounded: by doubles alone; what they leave open is undecided",
      cli_set_tier, FIELD(how.tier)},
     {"--format", "tsv|json",
      "tsv (default): a table.  json: an object a line, with null for '-' and inf as a\nstring",
@@ -51,8 +51,8 @@ static const cli_program program = {
              "\"ox oy oz dx dy dz t_min t_max\" for each: the points o + t d, t_min <= t <= t_max.  Numbers\n"
              "are decimal or hexadecimal, t_min and t_max may be inf; '#' starts a comment.\n\n"
              "Prints a table with a row for each ray, '-' where there is no value.  Its columns:\n"
-             "line, of the input; state: hit, miss, uncertain or error; t, at the hit; t_lo, t_hi: the\n"
-             "hit is between them (uncertain: no hit is before t_lo); x, y, z: the point; nx, ny, nz:\n"
+             "line, of the input; state: hit, miss, undecided or error; t, at the hit; t_lo, t_hi: the\n"
+             "hit is between them (undecided: no hit is before t_lo); x, y, z: the point; nx, ny, nz:\n"
              "the unit normal; multiplicity, of the root t: 1 where the ray crosses the surface, 2 where\n"
              "it touches it, 0 where it lies in it; side: the sign of P just before the hit.",
     .options = options_table,
@@ -83,7 +83,7 @@ static void add_numbers(table *out, const double *values, int count) {
 
 static void print_hit(run *r, size_t line, const algsurf_hit *hit) {
     table *out = &r->out;
-    table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "uncertain");
+    table_add(out, "%zu\t%s", line, hit->state == ALGSURF_HIT ? "hit" : "undecided");
     add_numbers(out, &hit->t, 1);
     add_numbers(out, &hit->t_lo, 1);
     add_numbers(out, &hit->t_hi, 1);

@@ -135,7 +135,7 @@ static void write_members(output_set *set, const char *path, const char *lines) 
 static void write_stats(output_set *set, const char *path, const run *r, const algsurf_render_stats *stats) {
     static const char format[] =
         "surface\t%s\ndegree\t%d\nwidth\t%d\nheight\t%d\nquality\t%s\nspace\t%s\ntier\t%s\nkernel\t%s\n"
-        "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nuncertain\t%" PRIu64 "\nthin\t%" PRIu64
+        "threads\t%d\nrays\t%" PRIu64 "\nhits\t%" PRIu64 "\nundecided\t%" PRIu64 "\nthin\t%" PRIu64
         "\nsingle_rays\t%" PRIu64 "\nexact_rays\t%" PRIu64 "\nempty_rays\t%" PRIu64 "\nsheet_rays\t%" PRIu64
         "\nshadow_rays\t%" PRIu64 "\niterations\t%" PRIu64 "\ntiles\t%" PRIu64 "\nempty_tiles\t%" PRIu64
         "\nsheet_tiles\t%" PRIu64 "\nleaf_tiles\t%" PRIu64

@@ -11,7 +11,7 @@ enum { WAYS = 3 };                      /* an algsurf_way in algsurf_picture.way
 
 static int is_decided_by_tile(uint8_t way) { return (way & WAYS) <= ALGSURF_WAY_SHEET; }
 
-/* The bounded tier leaves a ray uncertain exactly where the certified tier would go to integers. */
+/* The bounded tier leaves a ray undecided exactly where the certified tier would go to integers. */
 static int cost_of(const algsurf_surface *surface, const algsurf_extent *extent, const algsurf_ray *ray,
                    const render_options *options) {
     algsurf_observer observer = {.size = sizeof observer};

@@ -168,7 +168,7 @@ static const cli_option options_table[] = {
     {"--tier", "certified|bounded",
      "certified (default): for every ray it is proved what it meets, by integers where\n"
      "doubles do not suffice.  bounded: by doubles alone; rays that they leave open are\n"
-     "counted as uncertain",
+     "counted as undecided",
      set_tier, 0, 0, 0},
     {"--threads", "N", "how many threads draw, 0 to 256; default 0: one for each processor", cli_set_int,
      offsetof(render_options, threads), 0, 256},
@@ -224,7 +224,7 @@ static const cli_option options_table[] = {
     {"--stats", "FILE",
      "writes counts and times, a line 'key<TAB>value' each, or, if FILE ends in .json,\n"
      "an object; - is standard output.\n"
-     "rays: samples of the picture; hits, uncertain: of these, rays that meet the\n"
+     "rays: samples of the picture; hits, undecided: of these, rays that meet the\n"
      "surface, or are left open; thin: samples that show a thin part;\n"
      "single_rays: rays not solved together with others of their row; exact_rays: of\n"
      "these, decided by integers; empty_rays, sheet_rays: decided by tiles;\n"

@@ -12,10 +12,15 @@
 
 #include "fit.h"
 
+static void must(algsurf_status status) {
+    if (status == ALGSURF_E_NO_MEMORY) cli_no_memory();
+    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "fitting the view: %s", algsurf_status_text(status));
+}
+
 /* ---- one extent ---- */
 
-/* The number that is read where this one is told, to three digits. */
-static double as_told(double x) {
+/* To three digits, as it is told and read again. */
+static double to_three_digits(double x) {
     char text[32];
     snprintf(text, sizeof text, "%.3g", x);
     return strtod(text, NULL);
@@ -31,23 +36,22 @@ static algsurf_extent ball_about(const algsurf_extent *a, const algsurf_extent *
     algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE};
     for (int i = 0; i < 3; i++) {
         double exact = a->centre[i] + (radius - a->size[0]) / apart * way[i];
-        ball.centre[i] = as_told(fabs(exact) < 1e-3 * radius ? 0 : exact);
+        ball.centre[i] = to_three_digits(fabs(exact) < 1e-3 * radius ? 0 : exact);
         moved += fabs(ball.centre[i] - exact);
     }
-    ball.size[0] = as_told(1.01 * (radius + moved));
+    ball.size[0] = to_three_digits(1.01 * (radius + moved));
     return ball;
 }
 
 /* Of what fits each surface; told as the options that repeat it. */
 static void choose_extent(view_options *options, algsurf_surface *const *surface, int count) {
     algsurf_extent all;
-    cli_be_quiet(1);
     for (int i = 0; i < count; i++) {
         view one;
-        fit_view(&one, options, surface[i], 1, 0);
+        fit_choice choice;
+        must(fit_choose(&one, options, surface[i], 1, 0, &choice));
         all = i == 0 ? one.extent : ball_about(&all, &one.extent);
     }
-    cli_be_quiet(0);
     const double *c = all.centre;
     if (c[0] != 0 || c[1] != 0 || c[2] != 0)
         cli_complain("chosen: --extent sphere:%.15g --centre %.15g,%.15g,%.15g", all.size[0], c[0], c[1],
@@ -138,7 +142,7 @@ void render_sweep_view(view *v, const view_options *asked, algsurf_surface *cons
     view_options options = *asked;
     algsurf_surface *all = NULL;
     if (!asked->extent.given && !asked->centre.given) choose_extent(&options, surface, count);
-    if (unite(surface, count, &all) != ALGSURF_OK) cli_no_memory();
+    must(unite(surface, count, &all));
     fit_view(v, &options, all, extent_only, 0);
     algsurf_surface_free(all);
 }

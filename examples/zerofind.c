@@ -103,7 +103,7 @@ static const cli_option options_table[] = {
     {"--trace", NULL,
      "prints the search as a table on standard output; --output may then be left out.\n"
      "The columns: k, a number; point, what the row is: cell, end, iterate, root, other\n"
-     "(a later root) or uncertain; t; P, the value P*(t); t_lo, t_hi, the interval known\n"
+     "(a later root) or undecided; t; P, the value P*(t); t_lo, t_hi, the interval known\n"
      "then; signs, of a cell's Bernstein coefficients; engine, doubles or integers",
      cli_set_flag, FIELD(trace)},
     {"--format", "tsv|json",
@@ -190,7 +190,7 @@ static void print_hit(table *out, const algsurf_hit *hit, const char *kind, cons
     double value = 0;
     (void)algsurf_surface_value(surface, hit->position, &value, NULL);
     table_add(out, "-\t");
-    print_row(out, hit->state == ALGSURF_HIT ? kind : "uncertain", hit->t, value, hit->t_lo, hit->t_hi, "-");
+    print_row(out, hit->state == ALGSURF_HIT ? kind : "undecided", hit->t, value, hit->t_lo, hit->t_hi, "-");
 }
 
 static void print_trace(const zerofind *z, const algsurf_surface *surface, int json) {
