@@ -3,8 +3,9 @@
  * Two questions.  Operations: those that the rooms share (base/rounding.h), as compiled without and with each
  * instruction set that runs here.  Answers: a few polynomials, rays and pixels by each kernel, chosen so that
  * each part of its code is used: packets that are full and one that is not, roots, no roots, roots close
- * together, both shapes of extent, tiles, normals, shadows, complex space.  Their bits must be those
- * of "baseline", and so must those of single calls, which have code of their own.
+ * together, both shapes of extent, a cutting plane, tiles, normals, shadows, colours in floats, complex
+ * space. Their bits must be those of "baseline", and so must those of single calls, which have code of their
+ * own.
  *
  * It stands in the highest room since it asks all of them, by the functions that a user calls. */
 #include "../base/arithmetic.h"
@@ -124,6 +125,8 @@ static algsurf_status solve_polynomials(const problem *p, const char *kernel, an
     return status;
 }
 
+static const algsurf_plane cut = {{1, 0.25, -0.5}, 0.75}; /* some of what is seen goes, some stays */
+
 static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2.5, 2, 2.25}};
 
 static algsurf_status solve_rays(const problem *p, const char *kernel, answers *a) {
@@ -138,7 +141,8 @@ static algsurf_status solve_rays(const problem *p, const char *kernel, answers *
                                      .t_hi = a->t[2],
                                      .position = {a->position[0], a->position[1], a->position[2]},
                                      .normal = {a->normal[0], a->normal[1], a->normal[2]}};
-    const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_intersect_options how = {
+        .size = sizeof how, .planes = &cut, .plane_count = 1, .kernel = kernel};
     algsurf_status status = algsurf_intersect_packet(p->surface, &box, &rays, &how, &hits);
     if (status == ALGSURF_OK) status = algsurf_occluded_packet(p->surface, NULL, &rays, &how, a->occluded[0]);
     if (status == ALGSURF_OK) status = algsurf_occluded_packet(p->surface, &box, &rays, &how, a->occluded[1]);
@@ -150,12 +154,14 @@ typedef struct manner {
     int rows, begin; /* of the whole picture, of many rows there are tiles; the first one drawn */
     algsurf_quality quality;
     int complex;
+    size_t planes;
 } manner;
 
 static algsurf_status set_manner(const problem *p, const char *kernel, const manner *m) {
     static const algsurf_complex_space space = {sizeof space, {0, 0.0625}, {2}};
     const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
     algsurf_status status = algsurf_scene_set_intersect(p->scene, &how);
+    if (status == ALGSURF_OK) status = algsurf_scene_set_clip(p->scene, &cut, m->planes);
     if (status == ALGSURF_OK) status = algsurf_scene_set_quality(p->scene, m->quality);
     if (status == ALGSURF_OK) status = algsurf_scene_set_complex_space(p->scene, m->complex ? &space : NULL);
     return status;
@@ -165,10 +171,10 @@ static algsurf_status set_manner(const problem *p, const char *kernel, const man
  * leaves, too. */
 static algsurf_status draw(const problem *p, const char *kernel, answers *a) {
     static const manner manners[PICTURES] = {
-        {ROWS, 0, ALGSURF_QUALITY_FULL, 0},
-        {HIGH, MIDDLE, ALGSURF_QUALITY_FULL, 0},
-        {HIGH, OUTLINE, ALGSURF_QUALITY_STANDARD, 0},
-        {ROWS, 0, ALGSURF_QUALITY_STANDARD, 1},
+        {ROWS, 0, ALGSURF_QUALITY_FULL, 0, 1},
+        {HIGH, MIDDLE, ALGSURF_QUALITY_FULL, 0, 1},
+        {HIGH, OUTLINE, ALGSURF_QUALITY_STANDARD, 0, 0},
+        {ROWS, 0, ALGSURF_QUALITY_STANDARD, 1, 1},
     };
     algsurf_status status = ALGSURF_OK;
     for (int which = 0; which < PICTURES && status == ALGSURF_OK; which++) {
@@ -215,9 +221,10 @@ static int same_roots(const problem *p, int i, const answers *a) {
 
 static int same_ray(const problem *p, int i, const answers *a) {
     algsurf_ray ray = {.t_max = HUGE_VAL};
+    const algsurf_intersect_options how = {.size = sizeof how, .planes = &cut, .plane_count = 1};
     algsurf_hit hit;
     for (int k = 0; k < 3; k++) ray.origin[k] = p->origin[k][i], ray.direction[k] = p->direction[k][i];
-    return algsurf_intersect_first(p->surface, &box, &ray, NULL, &hit) == ALGSURF_OK &&
+    return algsurf_intersect_first(p->surface, &box, &ray, &how, &hit) == ALGSURF_OK &&
            hit.state == a->state[1][i] && memcmp(&hit.t, &a->t[0][i], sizeof hit.t) == 0 &&
            memcmp(&hit.normal[0], &a->normal[0][i], sizeof hit.normal[0]) == 0;
 }
