@@ -90,8 +90,9 @@ void colour_set(const cli_option *option, const char *value, void *field) {
     if (colour_read(value, field)) return;
     cli_guess guess = cli_guess_begin(value, strlen(value));
     for (size_t n = 0; n < sizeof named / sizeof *named; n++) cli_guess_try(&guess, named[n].name);
-    cli_fail(CLI_BAD_INPUT, "%s: expected a colour, as teal or #2a80e0, got '%s'%s%s", option->name,
-             cli_quote(value).text, guess.name ? "; " : "", guess.name ? cli_guess_text(&guess).text : "");
+    cli_fail(CLI_BAD_INPUT, "%s: expected %s, as teal or #2a80e0, got '%s'%s%s", option->name,
+             strstr(option->argument, "none") ? "a colour or none" : "a colour", cli_quote(value).text,
+             guess.name ? "; " : "", guess.name ? cli_guess_text(&guess).text : "");
 }
 
 void colour_of(const css_colour *c, double rgb[3]) { (void)algsurf_srgb_decode(c->srgb, rgb); }

@@ -106,11 +106,13 @@ static void print_empty(run *r, size_t line, const char *state) {
     table_end(&r->out);
 }
 
-/* The ray of a line's eight fields; 0 and a complaint when there is none. */
-static int parse_ray(size_t line, char **field, algsurf_ray *ray) {
+/* The ray of a line's six or eight fields; 0 and a complaint when there is none. */
+static int parse_ray(size_t line, char **field, int fields, algsurf_ray *ray) {
     double *to[8] = {&ray->origin[0],    &ray->origin[1],    &ray->origin[2], &ray->direction[0],
                      &ray->direction[1], &ray->direction[2], &ray->t_min,     &ray->t_max};
-    for (int i = 0; i < 8; i++) {
+    ray->t_min = 0;
+    ray->t_max = INFINITY;
+    for (int i = 0; i < fields; i++) {
         int infinite_allowed = i >= 6;
         if (cli_number(field[i], to[i]) && !isnan(*to[i]) && (infinite_allowed || isfinite(*to[i]))) continue;
         cli_complain("line %zu: field %d: expected a %s, got '%s'", line, i + 1,
@@ -148,9 +150,10 @@ static void take_line(run *r, cli_line *line) {
     if (fields == 0) return;
     if (fields < 0)
         cli_complain("line %zu: a NUL byte: not a text", line->number);
-    else if (fields != 8)
-        cli_complain("line %zu: expected eight numbers, got %d", line->number, fields);
-    else if (parse_ray(line->number, field, &ray) && meet(r, line->number, &ray))
+    else if (fields != 6 && fields != 8)
+        cli_complain("line %zu: expected six or eight numbers, separated by blanks, got %d", line->number,
+                     fields);
+    else if (parse_ray(line->number, field, fields, &ray) && meet(r, line->number, &ray))
         return;
     r->bad_lines++;
     print_empty(r, line->number, "error");

@@ -14,6 +14,7 @@
 #include "render_heatmap.h"
 #include "render_join.h"
 #include "render_options.h"
+#include "render_rounding.h"
 #include "render_slice.h"
 #include "render_sweep_view.h"
 #include "table.h"
@@ -49,8 +50,11 @@ static void demand(algsurf_status status) {
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s", algsurf_status_text(status));
 }
 
+/* Where coefficients have an error, nothing can be proved to be absent near the surface: all of it seems
+ * thin. */
 static int shows_thin(const render_options *options, const algsurf_surface *surface) {
-    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN;
+    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN &&
+                !options->surface.rounded;
     return usual || options->thin == THIN_ASKED;
 }
 
@@ -215,9 +219,10 @@ static void explain_nothing(const run *r, const view *shown) {
     }
     demand(algsurf_surface_enclose(r->surface, &shown->extent, ALGSURF_PART_ALL, 1.0 / 16, lo, hi, &empty));
     if (empty)
-        cli_complain(
-            "nothing of the surface lies in %s (proved); --extent, --centre choose another part of space",
-            extent_text(&shown->extent).text);
+        cli_complain("nothing of the surface lies in %s (proved): it is elsewhere (--extent, --centre), or "
+                     "the equation "
+                     "holds for no real point",
+                     extent_text(&shown->extent).text);
     else
         cli_complain("nothing is seen: the surface can only lie within x %.3g..%.3g, y %.3g..%.3g, "
                      "z %.3g..%.3g; %s",
@@ -281,7 +286,8 @@ static void draw_picture(run *r, const view *shown, int picture) {
     if (counted.hits + counted.undecided + counted.thin == 0 && options->row_end == 0)
         explain_nothing(r, shown);
     if (counted.thin > 0 && options->thin == THIN_USUAL && !options->surface.name)
-        cli_complain("thin: %" PRIu64 " sample%s parts too thin for rays to hit, or not proved absent; "
+        cli_complain("thin: %" PRIu64
+                     " sample%s points or lines that no ray meets, some of them perhaps not there; "
                      "--thin none leaves them out",
                      counted.thin, counted.thin == 1 ? " shows" : "s show");
     if (r->hits) mark_misses(r->hits, (size_t)options->view.width * (size_t)r->rows);
@@ -362,6 +368,8 @@ static void draw(const render_options *options) {
     view shown = view_make(&options->view, given->name ? catalogue_find(given->name) : NULL);
     if (!given->name) choose_view(&r, &shown);
     (void)view_camera(&shown, 0, 1); /* a bad camera is told before anything else is done */
+    if (given->equation && !given->rounded && !options->space.is_complex)
+        render_tell_of_rounding(r.surface, &shown);
     r.rows = options->row_end > 0 ? options->row_end - options->row_begin : options->view.height;
     size_t count = (size_t)options->view.width * (size_t)r.rows;
     r.pixels = malloc((options->look.transparent ? 4 : 3) * count);

@@ -105,7 +105,7 @@ static const cli_option options_table[] = {
     VIEW_OPTIONS(render_options),
     {"--clip", "A,B,C,D",
      "cuts the surface by a plane: shows only the points with A x + B y + C z <= D.  May\n"
-     "be given up to 8 times",
+     "be given up to 8 times.  The view stays that of the whole surface",
      cli_set_clip, FIELD(clip)},
     CLI_HEADING("The picture"),
     {"--output", "FILE",

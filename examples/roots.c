@@ -46,7 +46,7 @@ static const cli_option options_table[] = {
      set_interval, FIELD(real)},
     {"--tolerance", "EPS",
      "with --real: how wide the interval about a root may be.  Default 0: as narrow as\n"
-     "doubles allow, which is also what all other roots get",
+     "doubles allow; without --real it always is",
      cli_set_tolerance, FIELD(tolerance)},
     {"--coefficients", "exact|rounded",
      "exact (default): decimals are taken exactly.  rounded: they are rounded to doubles\n"
@@ -68,8 +68,9 @@ static const cli_program program = {
              "numbers; '#' starts a comment.\n\n"
              "A coefficient is a real number, or re,im for a complex one, decimal or hexadecimal.\n"
              "Decimals are exact, whatever their length and exponent, as long as a polynomial has at most\n"
-             "9800 digits from its first to its last.  The degree is at most 512; zeros at the end of a\n"
-             "line lower it.\n\n"
+             "9800 digits from its first to its last.  (Without --real, a coefficient that no double is\n"
+             "equal to makes boxes wider: roots that are closer to each other share one.)  The degree is\n"
+             "at most 512; zeros at the end of a line lower it.\n\n"
              "For each root it prints an approximation, an interval or box that is proved to hold it, and\n"
              "its multiplicity: how many roots, equal or too close to be separated, the box holds.\n"
              "Numbers have the fewest digits that read back exactly.  The columns of --format tsv: line,\n"

@@ -103,7 +103,7 @@ static const cli_option options_table[] = {
     {"--trace", NULL,
      "prints the search as a table on standard output; --output may then be left out.\n"
      "The columns: k, a number; point, what the row is: cell, end, iterate, root, other\n"
-     "(a later root) or undecided; t; P, the value P*(t); t_lo, t_hi, the interval known\n"
+     "(a later root), undecided, or miss: no root; t; P, the value P*(t); t_lo, t_hi, the interval known\n"
      "then; signs, of a cell's Bernstein coefficients; engine, doubles or integers",
      cli_set_flag, FIELD(trace)},
     {"--format", "tsv|json",
@@ -122,7 +122,7 @@ static const cli_program program = {
     .options = options_table,
     .positional = offsetof(zerofind_options, surface.name),
     .examples = "zerofind barth --pixel 500,300 --output p.svg\n"
-                "zerofind tangle --ray -4,1,0.5,1,0,0 --method regula-falsi --trace",
+                "zerofind tangle --ray -4,1,1.7,1,0,0 --method regula-falsi --trace",
 };
 
 static void refuse_camera(const view_options *asked) {
@@ -209,6 +209,10 @@ static void print_trace(const zerofind *z, const algsurf_surface *surface, int j
                   engine_name(p->engine));
     }
     for (int i = 0; i < z->count; i++) print_hit(&out, z->hits + i, i == 0 ? "root" : "other", surface);
+    if (z->count == 0) {
+        table_add(&out, "-\tmiss\t-\t-\t-\t-\t-\t-");
+        table_end(&out);
+    }
     free(out.row);
     cli_finish_output();
 }

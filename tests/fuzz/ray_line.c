@@ -18,7 +18,8 @@ static algsurf_surface *torus(void) {
 static void check_line(run *r, cli_line *line) {
     char *field[8];
     algsurf_ray ray;
-    if (cli_split(line, field, 8) != 8 || !parse_ray(line->number, field, &ray)) return;
+    int fields = cli_split(line, field, 8);
+    if ((fields != 6 && fields != 8) || !parse_ray(line->number, field, fields, &ray)) return;
     for (int i = 0; i < 3; i++) fuzz_check(isfinite(ray.origin[i]) && isfinite(ray.direction[i]));
     fuzz_check(!isnan(ray.t_min) && !isnan(ray.t_max));
     fuzz_check(meet(r, line->number, &ray));
