@@ -1,9 +1,8 @@
 // equation.js - the box that equations are typed into: compiled while typing; the last good picture stays.
 //
 // What is wrong is marked in place, by a layer of the same text behind the transparent box.
-import { compile } from "../picture/asking.js";
+import { compiledWith } from "../picture/asking.js";
 import { element, fill } from "../base/dom.js";
-import { constantsOf, isName, LIMITS, usualRange } from "../state/state.js";
 
 const WAIT = 30; // milliseconds after a key
 
@@ -25,6 +24,7 @@ export class EquationBox {
         box.addEventListener("scroll", () => (mirror.scrollTop = box.scrollTop));
         box.addEventListener("keydown", (event) => this.#key(event));
         new ResizeObserver(() => this.#fit()).observe(box.parentElement);
+        if (!this.isSettled) this.#later(); // typed before there was this
     }
 
     /** Is what stands in the box what is shown? */
@@ -110,18 +110,4 @@ export class EquationBox {
         if (error.offset === undefined || error.offset === null) return what;
         return text("mistake.at", { column: offset + 1, what });
     }
-}
-
-/** Values for the free letters of an equation: those known, 1 for new ones; and what compile says then. */
-export async function compiledWith(painter, equation, known) {
-    if (equation.length > LIMITS.equation) throw Object.assign(new Error(), { code: "LONG" });
-    const compiled = await compile(painter, equation, constantsOf({ parameters: known }));
-    if (compiled.letters.length > LIMITS.parameters) throw Object.assign(new Error(), { code: "LETTERS" });
-    const parameters = {};
-    for (const name of compiled.letters.filter(isName)) {
-        const [from, to] = usualRange(1);
-        parameters[name] = known[name] ?? { value: 1, from, to };
-    }
-    if (compiled.missing.length === 0) return { parameters, compiled };
-    return { parameters, compiled: await compile(painter, equation, constantsOf({ parameters })) };
 }

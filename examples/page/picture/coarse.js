@@ -8,7 +8,7 @@ const OVERHEAD = 1; // milliseconds of each picture, however coarse
 const GROWTH = 0.5; // a pixel of a coarser picture takes that power of the factor longer: there is more in it
 const TRUST = 0.4; // in the last picture, of one: other programs take their time, too
 const SLOWEST = 10; // milliseconds a pixel
-const FIRST_GUESS = 1e-4; // milliseconds a pixel, of one worker
+const FIRST_GUESS = 5e-4; // milliseconds a pixel, of one worker whose code is not compiled yet
 
 export class Coarseness {
     factor = 1;

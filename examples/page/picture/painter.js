@@ -41,12 +41,10 @@ export class Painter {
     #seen = ""; // the state of the last moving picture
     #slow = ""; // the surface whose coarse pictures are drawn by doubles alone
 
-    /** workers: how many; onPicture(report), onStatus(status), onError(error) are told what happens. */
-    constructor({ workers, onPicture = () => {}, onStatus = () => {}, onError = () => {} } = {}) {
+    /** onPicture(report), onStatus(status), onError(error) are told what happens. */
+    constructor({ onPicture = () => {}, onStatus = () => {}, onError = () => {} } = {}) {
         this.#callbacks = { onPicture, onStatus, onError };
-        const asked = Number(workers ?? new URLSearchParams(globalThis.location?.search).get("workers"));
-        const usual = Math.max(1, (navigator.hardwareConcurrency || 2) - 1);
-        this.#pool = new Pool(asked >= 1 && asked <= 64 ? Math.floor(asked) : usual, {
+        this.#pool = new Pool({
             onRoom: () => this.#handOut(),
             onStatus: (status) => onStatus(status),
             onError: (error) => onError(error),

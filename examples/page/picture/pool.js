@@ -5,6 +5,7 @@
 // with E_UNBEGUN where a band had to give way; so are bands that it had not begun.  Asks that it had not begun go to
 // another worker.
 
+const MOST_WORKERS = 64;
 const AT_ONCE = 2; // bands a worker, so that it never waits for the next one
 const WATCH = 200; // milliseconds between two looks at the workers
 const UNWANTED = 400; // milliseconds a worker may go on with what was cancelled,
@@ -15,8 +16,31 @@ const MOST_MEMORY = 512 * 2 ** 20; // bytes that an idle worker may hold
 const CANCELLED = { code: "E_CANCELLED", message: "given up for a newer one" };
 const UNBEGUN = { code: "E_UNBEGUN", message: "its worker was replaced" };
 
+/** The number of workers: as the address says, else that of the processors less one. */
+function usualSize() {
+    const asked = Number(new URLSearchParams(location.search).get("workers"));
+    if (asked >= 1 && asked <= MOST_WORKERS) return Math.floor(asked);
+    return Math.max(1, (navigator.hardwareConcurrency || 2) - 1);
+}
+
+function newThread() {
+    return new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+}
+
+/** The compiled module; from a server that does not know the type of .wasm files, too. */
+async function compileModule(url) {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+    if (response.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(await response.arrayBuffer());
+}
+
+// Begun as soon as this file is there, while others are still loaded: the page begins with it.
+const module = compileModule(new URL("../algsurf.wasm", import.meta.url));
+module.catch(() => {}); // told by each worker that waits for it
+const threads = Array.from({ length: usualSize() }, newThread);
+
 export class Pool {
-    #module; // a promise of the compiled module
     #workers = [];
     #callbacks;
     #unsent = []; // urgent jobs from before there was a worker
@@ -24,10 +48,9 @@ export class Pool {
     #replaced = 0;
     #timer = null;
 
-    constructor(size, callbacks) {
+    constructor(callbacks) {
         this.#callbacks = callbacks;
-        this.#module = compileModule(new URL("../algsurf.wasm", import.meta.url));
-        for (let i = 0; i < size; i++) this.#workers.push(this.#start());
+        for (const thread of threads) this.#workers.push(this.#start(thread));
     }
 
     get size() {
@@ -83,15 +106,14 @@ export class Pool {
 
     // ---- starting and replacing ----
 
-    #start() {
-        const thread = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    #start(thread = newThread()) {
         const worker = { thread, ready: false, jobs: new Map(), at: 0, since: performance.now(), memory: 0 };
         thread.onmessage = ({ data }) => this.#hear(worker, data);
         thread.onerror = (event) => {
             event.preventDefault();
             this.#replace(worker, { code: "E_CRASH", message: `a worker stopped: ${event.message}` });
         };
-        this.#module.then(
+        module.then(
             (start) => thread.postMessage({ start }),
             (error) => this.#callbacks.onError({ code: "E_LOAD", message: error.message }),
         );
@@ -166,12 +188,4 @@ export class Pool {
     kill(number) {
         this.#workers[number]?.thread.postMessage({ crash: true });
     }
-}
-
-/** The compiled module; from a server that does not know the type of .wasm files, too. */
-async function compileModule(url) {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-    if (response.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(response);
-    return WebAssembly.compile(await response.arrayBuffer());
 }
