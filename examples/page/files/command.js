@@ -1,4 +1,6 @@
 // command.js - the command line of the program render that draws a state, pixel for pixel.
+import { isInOwnColours } from "../state/state.js";
+
 const list = (numbers) => numbers.map(String).join(",");
 
 /** A word of a POSIX shell. */
@@ -17,8 +19,9 @@ function extentWords({ kind, size, centre }) {
     return centre.some((x) => x !== 0) ? [...words, "--centre", list(centre)] : words;
 }
 
-function colourWords({ outside, inside, background }) {
-    const words = ["--colour", outside, "--inside", inside];
+function colourWords(state) {
+    const { outside, inside, background } = state.colours;
+    const words = isInOwnColours(state) ? [] : ["--colour", outside, "--inside", inside];
     return background === null ? words : [...words, "--background", background];
 }
 
@@ -40,7 +43,7 @@ export function commandWords(state, { width, height, quality = "standard", antia
     for (const [name, p] of letters) words.push("--let", `${name}=${p.value}`);
     words.push(...extentWords(state.extent), ...state.clip.flatMap(clipWords));
     words.push("--eye", list(eye), "--look-at", list(lookAt), "--up", list(up), "--fov", String(fov));
-    words.push(...colourWords(state.colours));
+    words.push(...colourWords(state));
     if (state.light) words.push("--light", `${state.light.azimuth}:${state.light.elevation}`);
     if (state.thin !== null && !(state.thin && state.complex)) words.push("--thin", state.thin ? state.colours.outside : "none");
     if (state.complex) words.push(...complexWords(state.complex));

@@ -1,7 +1,7 @@
 // program.js - a complete C program that draws a state with the library, and writes a PAM or PPM picture.
 import { axesOf } from "../picture/camera.js";
 import { stemOf } from "./command.js";
-import { radiusOf } from "../state/state.js";
+import { isInOwnColours, radiusOf } from "../state/state.js";
 
 const EDGE = 0.45, DISTANCE = 16; // of a light that is told by angles, as render has it
 const USUALLY_THIN = 6; // the degree up to which render shows what is thin without being asked
@@ -87,6 +87,15 @@ function complexLines(state) {
     ];
 }
 
+function sideLines({ outside, inside }) {
+    return [
+        ...colourLines("outside", outside),
+        ...colourLines("inside", inside),
+        "    check(algsurf_srgb_decode(outside_srgb, material.outside));",
+        "    check(algsurf_srgb_decode(inside_srgb, material.inside));",
+    ];
+}
+
 function backgroundLines({ background }) {
     if (background === "none") return ["    check(algsurf_scene_set_background(scene, NULL));"];
     if (background === null) return [];
@@ -141,14 +150,11 @@ export function programOf(state, { width, height, quality = "standard", antialia
         ...clipLines(state),
         "",
         "    /* colours and light */",
-        ...colourLines("outside", state.colours.outside),
-        ...colourLines("inside", state.colours.inside),
         "    algsurf_light usual[ALGSURF_MAX_LIGHTS];",
         "    algsurf_lighting lighting = {.size = sizeof lighting};",
         "    check(algsurf_scene_lighting(scene, usual, &lighting));",
         "    algsurf_material material = *lighting.material;",
-        "    check(algsurf_srgb_decode(outside_srgb, material.outside));",
-        "    check(algsurf_srgb_decode(inside_srgb, material.inside));",
+        ...(isInOwnColours(state) ? [] : sideLines(state.colours)),
         "    check(algsurf_scene_set_material(scene, &material));",
         ...backgroundLines(state.colours),
         ...lightLines(state),

@@ -9,6 +9,7 @@
 // glue.c; what a state's members are there, `numbersOf` says.  Surface and scene are kept from one call to the
 // next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts, too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "../algsurf.js";
+import { isInOwnColours } from "../state/state.js";
 
 const MAX_DEGREE = 64;
 const MOST_PLANES = 8; // ALGSURF_MAX_CLIP_PLANES
@@ -102,16 +103,17 @@ function planeNumbers(clip) {
 
 /** glue.c's page_state. */
 function numbersOf(state, { camera = true } = {}) {
-    const { light } = state, colours = state.colours ?? {};
+    const { light } = state, isOwn = isInOwnColours(state);
+    const { outside, inside, background } = state.colours ?? {};
     const angles = light
         ? [1, number(light.azimuth, "light", -180, 180), number(light.elevation, "light", -90, 90)]
         : [0, 0, 0];
     return [
         ...extentNumbers(state.extent),
         ...(camera ? cameraNumbers(state.camera) : new Array(10).fill(0)),
-        colour(colours.outside, "outside"),
-        colour(colours.inside, "inside"),
-        colours.background === "none" ? TRANSPARENT : colour(colours.background, "background"),
+        isOwn ? LIBRARY : colour(outside, "outside"),
+        isOwn ? LIBRARY : colour(inside, "inside"),
+        background === "none" ? TRANSPARENT : colour(background, "background"),
         ...angles,
         thinness(state.thin),
         ...planeNumbers(state.clip),

@@ -4,7 +4,7 @@
 //
 // Fields have the names of render's options.  What a reader does not know is ignored, and named; so is what
 // is out of range.  A camera that was not moved is left out: the picture then suits the reader's window.
-import { checkedState, LIMITS, VERSION } from "./state.js";
+import { areUsual, checkedState, LIMITS, VERSION } from "./state.js";
 
 const LONGEST = 40_000; // characters of a link; an equation of 10,000 may be escaped
 const list = (numbers) => numbers.map((x) => String(x)).join(",");
@@ -46,8 +46,10 @@ export function linkOf(state, home = null) {
         add("fov", String(fov));
     }
     const { outside, inside, background } = state.colours;
-    add("colour", outside.slice(1));
-    add("inside", inside.slice(1));
+    if (!areUsual(state.colours)) {
+        add("colour", outside.slice(1));
+        add("inside", inside.slice(1));
+    }
     if (background !== "none") add("background", background === null ? "white" : background.slice(1));
     if (state.light) add("light", `${state.light.azimuth}:${state.light.elevation}`);
     if (state.thin !== null) add("thin", state.thin ? "yes" : "no");

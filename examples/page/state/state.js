@@ -159,6 +159,17 @@ export function checkedState(raw, defaults = initialState()) {
     return { state, bad, unknown };
 }
 
+/** Are both sides coloured as everywhere where nothing is said?  Links leave them out then. */
+export function areUsual({ outside, inside }) {
+    return outside === BLUE.outside && inside === BLUE.inside;
+}
+
+/** Is the picture in the library's own colours, of which BLUE is what eight bits hold?  Then nothing is told of them.
+ * render has no word for thin features that are asked for in that colour. */
+export function isInOwnColours({ colours, thin }) {
+    return areUsual(colours ?? {}) && thin !== true;
+}
+
 /** Values of the parameters, by name. */
 export function constantsOf(state) {
     return Object.fromEntries(Object.entries(state.parameters).map(([name, p]) => [name, p.value]));
