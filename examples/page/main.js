@@ -1,4 +1,5 @@
-// main.js - shows the first picture, and then makes the rest of the page (parts.js), which this does not need.
+// main.js - shows the first picture, and then makes the rest of the page (parts.js), which this does not
+// need.
 import { Notice } from "./base/notice.js";
 import { loadText, translate } from "./base/text.js";
 import { loadTheme } from "./base/theme.js";
@@ -33,7 +34,8 @@ const painter = new Painter({
         if (kind === "slow") void words.then((text) => notice.show(text("slow"), "slow"));
         if (kind === "replaced") void words.then((text) => notice.show(text("worker.replaced")));
     },
-    onError: ({ message, code }) => words.then((text) => notice.show(text("trouble", { why: message ?? code }), "trouble")),
+    onError: ({ message, code }) =>
+        words.then((text) => notice.show(text("trouble", { why: message ?? code }), "trouble")),
 });
 const page = (window.algsurfPage = { store, painter, firstPicture: null, isWhole: false }); // for tests
 
@@ -55,4 +57,5 @@ await Promise.race([firstPicture, new Promise((resolve) => setTimeout(resolve, P
 const { makeParts } = await import("./parts.js");
 makeParts({ store, painter, text, canvas, shown, box, notice });
 page.isWhole = true;
-if (isSecureContext && "serviceWorker" in navigator) void navigator.serviceWorker.register("offline.js", { scope: "./" });
+if (isSecureContext && "serviceWorker" in navigator)
+    void navigator.serviceWorker.register("offline.js", { scope: "./" });

@@ -76,7 +76,9 @@ function mountSections({ store, painter, text, canvas, shown, box, notice }) {
 function listen({ text, canvas, box }, { gallery, sliders, motion, take }) {
     at("handle").addEventListener("click", () => openPanel(text, !document.body.classList.contains("open")));
     at("copy-link").addEventListener("click", () => take.copyLink());
-    at("open-save").addEventListener("click", () => showSection(text, "take").querySelector("button").focus());
+    at("open-save").addEventListener("click", () =>
+        showSection(text, "take").querySelector("button").focus(),
+    );
     at("theme").addEventListener("click", switchTheme);
     at("open-help").addEventListener("click", () => at("help").showModal());
     canvas.addEventListener("place", () => showSection(text, "ray"));

@@ -6,7 +6,8 @@ export function element(tag, attributes = {}, ...children) {
     for (const [name, value] of Object.entries(attributes)) {
         if (typeof value === "function") made.addEventListener(name, value);
         else if (value === true) made.setAttribute(name, "");
-        else if (value !== false && value !== undefined && value !== null) made.setAttribute(name, String(value));
+        else if (value !== false && value !== undefined && value !== null)
+            made.setAttribute(name, String(value));
     }
     made.append(...children);
     return made;

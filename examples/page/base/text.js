@@ -1,5 +1,5 @@
-// text.js - the words of the page, from texts/LANGUAGE.json; {name} in a text stands for a value.  English has keys;
-// of the other languages build leaves a list, in the order of those keys.
+// text.js - the words of the page, from texts/LANGUAGE.json; {name} in a text stands for a value.  English
+// has keys; of the other languages build leaves a list, in the order of those keys.
 //
 // Texts in index.html have an attribute data-text="KEY"; data-label, data-title and data-hint="KEY" stand for
 // the attributes aria-label, title and placeholder.  A key that a translation lacks is shown in English.
@@ -28,7 +28,11 @@ export async function loadText(language = preferred()) {
     const text = (key, values = {}) =>
         (words.get(key) ?? key).replace(/\{(\w+)\}/g, (whole, name) => {
             const value = values[name];
-            return value === undefined ? whole : typeof value === "number" ? number.format(value) : String(value);
+            return value === undefined
+                ? whole
+                : typeof value === "number"
+                  ? number.format(value)
+                  : String(value);
         });
     text.language = language;
     text.has = (key) => words.has(key);

@@ -60,7 +60,8 @@ export function latest(work) {
 
 const REST = 180; // milliseconds without change: the picture rests
 
-/** A function that sets a part of the store's state while something moves, and lets the picture rest after. */
+/** A function that sets a part of the store's state while something moves, and lets the picture rest
+ * after. */
 export function mover(store) {
     const rest = debounced(REST, () => store.set({}, { moving: false }));
     return (partial) => {

@@ -1,4 +1,5 @@
-// complex.js - complex space: on or off, the sector of arguments, imaginary parts, and the sweeps of the paper.
+// complex.js - complex space: on or off, the sector of arguments, imaginary parts, and the sweeps of the
+// paper.
 import { element } from "../base/dom.js";
 import { numberField } from "../base/fields.js";
 import { ImaginaryParts } from "./imaginary.js";
@@ -16,8 +17,8 @@ function presetName({ surface, sweep }, text) {
     return `${text(`name.${surface}`)}, ${symbol}`;
 }
 
-/** The camera with a field of view that shows the same on a canvas that is higher than wide: the eye has to stay
- * where it is, since what complex space shows depends on it. */
+/** The camera with a field of view that shows the same on a canvas that is higher than wide: the eye has to
+ * stay where it is, since what complex space shows depends on it. */
 function seenWhole(camera, { clientWidth, clientHeight }) {
     const half = Math.tan(toRadians(camera.fov / 2)) * Math.max(1, clientHeight / clientWidth);
     return { ...camera, fov: Number(toDegrees(2 * Math.atan(half)).toPrecision(6)) };
@@ -50,7 +51,11 @@ class Panel {
             element("p", { class: "ray-said" }, text("complex.what")),
             this.inside,
             element("h3", {}, text("complex.presets")),
-            element("div", { class: "complex-presets" }, ...PAPER_SWEEPS.map((preset) => this.#preset(preset))),
+            element(
+                "div",
+                { class: "complex-presets" },
+                ...PAPER_SWEEPS.map((preset) => this.#preset(preset)),
+            ),
         );
         this.#show(store.get());
         store.subscribe((state, { changed }) => {

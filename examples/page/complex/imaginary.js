@@ -1,4 +1,5 @@
-// imaginary.js - the imaginary parts of the coefficients p_0 ... p_n of a ray's polynomial, a slider for each.
+// imaginary.js - the imaginary parts of the coefficients p_0 ... p_n of a ray's polynomial, a slider for
+// each.
 import { element } from "../base/dom.js";
 import { numberField } from "../base/fields.js";
 import { lowered } from "../base/number.js";
@@ -26,7 +27,13 @@ export class ImaginaryParts {
             this.#all = true;
             this.#build();
         });
-        this.node = element("fieldset", {}, element("legend", {}, text("complex.imaginary")), this.rows, this.more);
+        this.node = element(
+            "fieldset",
+            {},
+            element("legend", {}, text("complex.imaginary")),
+            this.rows,
+            this.more,
+        );
     }
 
     #build() {
@@ -51,7 +58,9 @@ export class ImaginaryParts {
     /** parts: value by k. */
     show(parts, degree) {
         this.parts = parts;
-        const needed = Object.keys(parts).some((k) => parts[k] !== 0 && Number(k) >= FEW && Number(k) <= degree);
+        const needed = Object.keys(parts).some(
+            (k) => parts[k] !== 0 && Number(k) >= FEW && Number(k) <= degree,
+        );
         const grows = needed && !this.#all;
         if (grows) this.#all = true;
         if (grows || degree !== this.#degree) {

@@ -1,7 +1,7 @@
-// papersweeps.js - what Sanjuan-Estrada, Casado and Garcia show of complex space (Rendering (complex) algebraic
-// surfaces, figures 2 to 11), as sweeps: surface, coefficient p_k with an imaginary part, delta in degrees.
-// The paper prints neither the imaginary parts nor where the eye stands: these are ours, those of the target
-// gallery-complex (examples/gallery_complex.cmake), where something vanishes or appears.
+// papersweeps.js - what Sanjuan-Estrada, Casado and Garcia show of complex space (Rendering (complex)
+// algebraic surfaces, figures 2 to 11), as sweeps: surface, coefficient p_k with an imaginary part, delta in
+// degrees. The paper prints neither the imaginary parts nor where the eye stands: these are ours, those of
+// the target gallery-complex (examples/gallery_complex.cmake), where something vanishes or appears.
 
 const ball = (radius, centre = [0, 0, 0]) => ({ kind: "sphere", size: [radius], centre });
 const camera = (eye, lookAt, fov) => ({ eye, lookAt, up: [0, 0, 1], fov });
@@ -16,7 +16,13 @@ const imaginary = (k, to) => ({ what: "imaginary", k, from: 0, to });
 
 /** Each: name of the surface in the catalogue, its view, sigma and delta, imaginary parts, and the sweep. */
 export const PAPER_SWEEPS = [
-    { surface: "sphere", view: SPHERE, delta: 70, imaginary: { 0: 1 }, sweep: { what: "delta", from: 0, to: 70 } },
+    {
+        surface: "sphere",
+        view: SPHERE,
+        delta: 70,
+        imaginary: { 0: 1 },
+        sweep: { what: "delta", from: 0, to: 70 },
+    },
     { surface: "tangle", view: TANGLE, delta: 1, imaginary: { 0: 2 }, sweep: imaginary(0, 2) },
     { surface: "tangle", view: TANGLE, delta: 10, imaginary: { 2: 0.3 }, sweep: imaginary(2, 0.3) },
     { surface: "whitney", view: WHITNEY, delta: 10, imaginary: { 0: 1.5 }, sweep: imaginary(0, 1.5) },

@@ -1,5 +1,5 @@
-// sector.js - the range of arguments sigma .. sigma + delta of complex space, in radians, and how it may change.
-// The library wants 0 <= sigma, 0 <= delta, sigma + delta <= pi.
+// sector.js - the range of arguments sigma .. sigma + delta of complex space, in radians, and how it may
+// change. The library wants 0 <= sigma, 0 <= delta, sigma + delta <= pi.
 
 /** Real space: positive real roots only, whose arguments are exactly 0. */
 export const REAL = { sigma: 0, delta: 1e-10 };

@@ -68,7 +68,9 @@ export class SweepFields {
 
     #list(degree, chosen) {
         const choice = (name, label) => element("option", { value: name }, label);
-        const parts = Array.from({ length: degree + 1 }, (_, k) => choice(`imaginary-${k}`, `Im p${lowered(k)}`));
+        const parts = Array.from({ length: degree + 1 }, (_, k) =>
+            choice(`imaginary-${k}`, `Im p${lowered(k)}`),
+        );
         this.what.replaceChildren(choice("delta", "δ (°)"), choice("sigma", "σ (°)"), ...parts);
         this.what.value = chosen;
         if (this.what.selectedIndex < 0) this.what.value = "delta";
@@ -106,7 +108,9 @@ export class SweepFields {
             download(film, `${stemOf(state)}-${this.what.value}.png`);
             this.said.textContent = "";
         } catch (error) {
-            this.said.textContent = signal.aborted ? "" : this.text("complex.record.failed", { reason: error.message });
+            this.said.textContent = signal.aborted
+                ? ""
+                : this.text("complex.record.failed", { reason: error.message });
         }
         this.#recording = null;
         return this.#label();

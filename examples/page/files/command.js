@@ -27,7 +27,13 @@ function colourWords(state) {
 
 function complexWords({ sigma, delta, imaginary }) {
     const parts = Object.entries(imaginary).filter(([, v]) => v !== 0);
-    return ["--sigma", String(sigma), "--delta", String(delta), ...parts.flatMap(([k, v]) => ["--imag", `${k}=${v}`])];
+    return [
+        "--sigma",
+        String(sigma),
+        "--delta",
+        String(delta),
+        ...parts.flatMap(([k, v]) => ["--imag", `${k}=${v}`]),
+    ];
 }
 
 /** A plane as --clip has it. */
@@ -35,17 +41,21 @@ function clipWords(plane) {
     return ["--clip", list(plane)];
 }
 
-/** options: { width, height, quality, antialias, sweep: { kind: "turn"|"let", name, from, to, pictures, rate } } */
+/** options: { width, height, quality, antialias, sweep: { kind: "turn"|"let", name, from, to, pictures, rate
+ * } } */
 export function commandWords(state, { width, height, quality = "standard", antialias = 4, sweep = null }) {
     const { eye, lookAt, up, fov } = state.camera;
-    const letters = Object.entries(state.parameters).filter(([name]) => sweep?.kind !== "let" || name !== sweep.name);
+    const letters = Object.entries(state.parameters).filter(
+        ([name]) => sweep?.kind !== "let" || name !== sweep.name,
+    );
     const words = ["render", "--equation", state.equation];
     for (const [name, p] of letters) words.push("--let", `${name}=${p.value}`);
     words.push(...extentWords(state.extent), ...state.clip.flatMap(clipWords));
     words.push("--eye", list(eye), "--look-at", list(lookAt), "--up", list(up), "--fov", String(fov));
     words.push(...colourWords(state));
     if (state.light) words.push("--light", `${state.light.azimuth}:${state.light.elevation}`);
-    if (state.thin !== null && !(state.thin && state.complex)) words.push("--thin", state.thin ? state.colours.outside : "none");
+    if (state.thin !== null && !(state.thin && state.complex))
+        words.push("--thin", state.thin ? state.colours.outside : "none");
     if (state.complex) words.push(...complexWords(state.complex));
     words.push("--size", `${width}x${height}`, "--antialias", String(antialias));
     if (quality !== "standard" && !state.complex) words.push("--quality", quality);

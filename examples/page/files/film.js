@@ -1,4 +1,5 @@
-// film.js - an animation: the pictures of a turn, or of a letter that goes through its range, one after the other.
+// film.js - an animation: the pictures of a turn, or of a letter that goes through its range, one after the
+// other.
 import { circle } from "../picture/camera.js";
 import { Film } from "./png.js";
 
@@ -12,7 +13,8 @@ export function webmType() {
 
 /** State number i of a sweep { kind: "turn" | "let", name, pictures }, as render --sweep has it. */
 export function stateAt(state, sweep, i) {
-    if (sweep.kind === "turn") return { ...state, camera: circle(state.camera, (2 * Math.PI * i) / sweep.pictures) };
+    if (sweep.kind === "turn")
+        return { ...state, camera: circle(state.camera, (2 * Math.PI * i) / sweep.pictures) };
     const p = state.parameters[sweep.name];
     const share = sweep.pictures > 1 ? i / (sweep.pictures - 1) : 0;
     const value = p.from + (p.to - p.from) * share;
@@ -33,8 +35,12 @@ class Recording {
     }
 
     async end(signal) {
-        const context = this.canvas.getContext("2d"), parts = [];
-        const recorder = new MediaRecorder(this.canvas.captureStream(this.rate), { mimeType: webmType(), videoBitsPerSecond: 12e6 });
+        const context = this.canvas.getContext("2d"),
+            parts = [];
+        const recorder = new MediaRecorder(this.canvas.captureStream(this.rate), {
+            mimeType: webmType(),
+            videoBitsPerSecond: 12e6,
+        });
         recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
         const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve));
         context.fillStyle = "#fff"; // a film has no alpha
@@ -57,10 +63,20 @@ class Recording {
 export async function filmOf(painter, state, sweep, options, { onProgress, signal }) {
     const { width, height, rate, format, quality } = options;
     const alpha = state.colours.background === "none";
-    const film = format === "webm" ? new Recording({ width, height, rate }) : new Film({ width, height, rate, alpha, pictures: sweep.pictures });
+    const film =
+        format === "webm"
+            ? new Recording({ width, height, rate })
+            : new Film({ width, height, rate, alpha, pictures: sweep.pictures });
     for (let i = 0; i < sweep.pictures; i++) {
         const part = (share) => onProgress((i + share) / sweep.pictures);
-        const picture = await painter.image(stateAt(state, sweep, i), { width, height, quality, antialias: 4, onProgress: part, signal });
+        const picture = await painter.image(stateAt(state, sweep, i), {
+            width,
+            height,
+            quality,
+            antialias: 4,
+            onProgress: part,
+            signal,
+        });
         await film.add(picture);
     }
     return film.end(signal);

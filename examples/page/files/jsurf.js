@@ -1,9 +1,9 @@
 // jsurf.js - files of IMAGINARY's SURFER: equation, parameters, view and colours, read and written.
 //
-// Sources: java.util.Properties for the lines; jsurf_file.c and view.c of the programs for the keys and for the
-// view: the same file gives the same picture there and here, but for parallel projection, which is not drawn
-// here: a camera that is far away stands for it.
-import { LIMITS } from "../state/state.js";
+// Sources: java.util.Properties for the lines; jsurf_file.c and view.c of the programs for the keys and for
+// the view: the same file gives the same picture there and here, but for parallel projection, which is not
+// drawn here: a camera that is far away stands for it.
+import { isColour, LIMITS } from "../state/state.js";
 
 const LARGEST = 1 << 20; // bytes of a file
 const RADIANS = Math.PI / 180;
@@ -55,7 +55,8 @@ function properties(text) {
 function numbersOf(all, key, count, fallback) {
     if (!all.has(key)) return fallback;
     const numbers = all.get(key).split(/\s+/).map(Number);
-    if (numbers.length !== count || !numbers.every(Number.isFinite)) throw new FileError("file.value", { key });
+    if (numbers.length !== count || !numbers.every(Number.isFinite))
+        throw new FileError("file.value", { key });
     return numbers;
 }
 
@@ -94,11 +95,14 @@ export function stateOfFile(text) {
     const perspective = all.get("camera_type") !== "ORTHOGRAPHIC_CAMERA";
     const height = numbersOf(all, "camera_height", 1, [2])[0];
     const fov = perspective ? numbersOf(all, "camera_fov_y", 1, [60])[0] : FAR_FOV;
-    const distance = perspective ? 1 / Math.sin((fov / 2) * RADIANS) : height / 2 / Math.tan((FAR_FOV / 2) * RADIANS);
+    const distance = perspective
+        ? 1 / Math.sin((fov / 2) * RADIANS)
+        : height / 2 / Math.tan((FAR_FOV / 2) * RADIANS);
     const parameters = {};
     for (const [key, value] of all) {
         const name = /^surface_parameter_(.+)$/.exec(key)?.[1];
-        if (name && Object.keys(parameters).length < LIMITS.parameters) parameters[name] = { value: Number(value) };
+        if (name && Object.keys(parameters).length < LIMITS.parameters)
+            parameters[name] = { value: Number(value) };
     }
     const outside = colourOf(all, "front_material_color", null);
     return {
@@ -106,7 +110,12 @@ export function stateOfFile(text) {
         equation,
         parameters,
         extent: { kind: "sphere", size: [radius], centre: [0, 0, 0] },
-        camera: { eye: back.map((x) => told(x * distance * radius)), lookAt: [0, 0, 0], up: up.map(told), fov },
+        camera: {
+            eye: back.map((x) => told(x * distance * radius)),
+            lookAt: [0, 0, 0],
+            up: up.map(told),
+            fov,
+        },
         colours: {
             outside,
             inside: colourOf(all, "back_material_color", outside),
@@ -142,7 +151,7 @@ export function fileOf(state, axes) {
         `camera_fov_y=${(2 / RADIANS) * Math.asin(Math.min(0.99, radius / axes.distance))}`,
         `front_material_color=${rgbOf(state.colours.outside)}`,
         `back_material_color=${rgbOf(state.colours.inside)}`,
-        `background_color=${/^#/.test(state.colours.background ?? "") ? rgbOf(state.colours.background) : "1 1 1"}`,
+        `background_color=${isColour(state.colours.background) ? rgbOf(state.colours.background) : "1 1 1"}`,
     ];
     return `${lines.join("\n")}\n`;
 }

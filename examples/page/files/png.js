@@ -51,7 +51,8 @@ function filtered(data, width, height, channels) {
             for (let c = 0; c < channels; c++, i++) row[i] = data[4 * (y * width + x) + c];
         rows[to++] = 4;
         for (let i = 0; i < stride; i++) {
-            const left = i >= channels ? row[i - channels] : 0, corner = i >= channels ? above[i - channels] : 0;
+            const left = i >= channels ? row[i - channels] : 0,
+                corner = i >= channels ? above[i - channels] : 0;
             rows[to++] = row[i] - paeth(left, above[i], corner);
         }
     }
@@ -74,7 +75,12 @@ function header(width, height, channels) {
 export async function pngOf({ width, height, data }, { alpha }) {
     const channels = alpha ? 4 : 3;
     const pixels = await deflated(filtered(data, width, height, channels));
-    const parts = [Uint8Array.from(SIGNATURE), header(width, height, channels), chunk("IDAT", pixels), chunk("IEND")];
+    const parts = [
+        Uint8Array.from(SIGNATURE),
+        header(width, height, channels),
+        chunk("IDAT", pixels),
+        chunk("IEND"),
+    ];
     return new Blob(parts, { type: "image/png" });
 }
 

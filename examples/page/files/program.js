@@ -23,7 +23,8 @@ const braces = (numbers) => `{${numbers.map(number).join(", ")}}`;
 const bytesOf = (colour) => `{${[1, 3, 5].map((i) => `0x${colour.slice(i, i + 2)}`).join(", ")}}`;
 const scaled = (v, x) => v.map((c) => c * x);
 const sum = (...vectors) => [0, 1, 2].map((i) => vectors.reduce((all, v) => all + v[i], 0));
-const cross = (a, b) => [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+const cross = (a, b) =>
+    [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
 
 /** Place and edges of the wide light, as render makes it of two angles. */
 function lightOf(state) {
@@ -111,6 +112,8 @@ function backgroundLines({ background }) {
 export function programOf(state, { width, height, quality = "standard", antialias = 4, degree }) {
     const { eye, lookAt, up, fov } = state.camera, { kind, size, centre } = state.extent;
     const letters = Object.entries(state.parameters);
+    const given = letters.length > 0 ? "constants" : "NULL", shape = kind === "box" ? "BOX" : "SPHERE";
+    const drawn = state.complex ? "standard" : quality;
     const isClear = state.colours.background === "none", channels = isClear ? 4 : 3;
     const edges = kind === "box" ? size : [size[0], 0, 0];
     const file = `${stemOf(state)}.${isClear ? "pam" : "ppm"}`;
@@ -120,7 +123,8 @@ export function programOf(state, { width, height, quality = "standard", antialia
     const constants = letters.map(([name, p]) => `{${literal(name)}, ${number(p.value)}}`).join(", ");
     return [
         `/* Draws ${file} with libalgsurf:  cc -O2 program.c -lalgsurf && ./a.out`,
-        " * or, in the library's folder:    cc -O2 -Iinclude program.c $(find lib -name '*.c') -lm -pthread && ./a.out */",
+        " * or, in the library's folder:    " +
+            "cc -O2 -Iinclude program.c $(find lib -name '*.c') -lm -pthread && ./a.out */",
         "#include <stdio.h>",
         "#include <stdlib.h>",
         "#include <algsurf/algsurf.h>",
@@ -136,12 +140,12 @@ export function programOf(state, { width, height, quality = "standard", antialia
         `    const char *equation = ${literal(state.equation)};`,
         ...(letters.length > 0 ? [`    const algsurf_constant constants[] = {${constants}};`] : []),
         "    algsurf_surface *surface;",
-        `    check(algsurf_surface_from_equation(equation, ${letters.length > 0 ? "constants" : "NULL"}, ${letters.length}, &surface, NULL));`,
+        `    check(algsurf_surface_from_equation(equation, ${given}, ${letters.length}, &surface, NULL));`,
         "",
         "    /* what is shown, and from where */",
         "    algsurf_scene *scene;",
         "    algsurf_camera camera;",
-        `    const algsurf_extent extent = {ALGSURF_EXTENT_${kind === "box" ? "BOX" : "SPHERE"}, ${braces(centre)}, ${braces(edges)}};`,
+        `    const algsurf_extent extent = {ALGSURF_EXTENT_${shape}, ${braces(centre)}, ${braces(edges)}};`,
         `    const double eye[3] = ${braces(eye)}, look_at[3] = ${braces(lookAt)}, up[3] = ${braces(up)};`,
         "    check(algsurf_scene_create(surface, &scene));",
         `    check(algsurf_camera_pinhole(eye, look_at, up, ${number(fov)}, &camera));`,
@@ -160,13 +164,15 @@ export function programOf(state, { width, height, quality = "standard", antialia
         ...lightLines(state),
         ...thinLines(state, degree),
         ...complexLines(state),
-        `    check(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_${(state.complex ? "standard" : quality).toUpperCase()}));`,
+        `    check(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_${drawn.toUpperCase()}));`,
         `    check(algsurf_scene_set_antialias(scene, ${antialias}));`,
         "    check(algsurf_scene_set_antialias_threshold(scene, 0.1));",
         "",
         `    static unsigned char pixels[${channels} * WIDTH * HEIGHT];`,
-        "    const algsurf_render_options options = {.size = sizeof options, .width = WIDTH, .height = HEIGHT};",
-        `    const algsurf_picture picture = {.size = sizeof picture, .pixels = pixels, .format = ALGSURF_RGB${isClear ? "A" : ""}8};`,
+        "    const algsurf_render_options options = {",
+        "        .size = sizeof options, .width = WIDTH, .height = HEIGHT};",
+        "    const algsurf_picture picture = {",
+        `        .size = sizeof picture, .pixels = pixels, .format = ALGSURF_RGB${isClear ? "A" : ""}8};`,
         "    check(algsurf_render(scene, &options, &picture, NULL));",
         "",
         `    FILE *file = fopen("${file}", "wb");`,

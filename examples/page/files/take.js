@@ -23,22 +23,48 @@ export class Take {
         this.height = numberField({ label: text("take.height"), min: 1, max: MOST_SIDE, onNumber: () => {} });
         this.width.follow(1920);
         this.height.follow(1440);
-        this.filmWidth = numberField({ label: text("take.width"), min: 1, max: MOST_SIDE, onNumber: () => {} });
-        this.filmHeight = numberField({ label: text("take.height"), min: 1, max: MOST_SIDE, onNumber: () => {} });
+        this.filmWidth = numberField({
+            label: text("take.width"),
+            min: 1,
+            max: MOST_SIDE,
+            onNumber: () => {},
+        });
+        this.filmHeight = numberField({
+            label: text("take.height"),
+            min: 1,
+            max: MOST_SIDE,
+            onNumber: () => {},
+        });
         this.filmWidth.follow(640);
         this.filmHeight.follow(480);
-        this.quality = choice([["standard", text("take.quality.standard")], ["full", text("take.quality.full")]], () => {});
+        this.quality = choice(
+            [
+                ["standard", text("take.quality.standard")],
+                ["full", text("take.quality.full")],
+            ],
+            () => {},
+        );
         this.quality.value = "full";
         this.samples = choice([["4", text("take.samples.4")], ["1", text("take.samples.1")]], () => {});
         this.what = choice([["turn", text("take.film.turn")]], () => {});
-        this.pictures = numberField({ label: text("take.film.pictures"), min: 2, max: MOST_PICTURES, onNumber: () => {} });
+        this.pictures = numberField({
+            label: text("take.film.pictures"),
+            min: 2,
+            max: MOST_PICTURES,
+            onNumber: () => {},
+        });
         this.rate = numberField({ label: text("take.film.rate"), min: 1, max: 60, onNumber: () => {} });
         this.pictures.follow(72);
         this.rate.follow(24);
         const formats = [["apng", text("take.film.apng")], ...(webmType() ? [["webm", "WebM"]] : [])];
         this.format = choice(formats, () => {});
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("take.progress") });
-        this.working = element("div", { hidden: true }, this.progress, button(text("take.cancel"), () => this.#abort?.abort()));
+        this.working = element(
+            "div",
+            { hidden: true },
+            this.progress,
+            button(text("take.cancel"), () => this.#abort?.abort()),
+        );
         this.start = [
             button(text("take.png"), () => this.savePicture(), { class: "main" }),
             button(text("take.film"), () => this.#saveFilm()),
@@ -84,8 +110,12 @@ export class Take {
     }
 
     #follow({ parameters }) {
-        const { text } = this.#services, before = this.what.value;
-        const letters = Object.keys(parameters).map((name) => [`let:${name}`, text("take.film.let", { name })]);
+        const { text } = this.#services,
+            before = this.what.value;
+        const letters = Object.keys(parameters).map((name) => [
+            `let:${name}`,
+            text("take.film.let", { name }),
+        ]);
         const pairs = [["turn", text("take.film.turn")], ...letters];
         this.what.replaceChildren(...pairs.map(([value, label]) => element("option", { value }, label)));
         this.what.value = pairs.some(([value]) => value === before) ? before : "turn";
@@ -106,10 +136,21 @@ export class Take {
     /** Where a page may not write to the clipboard: the words, selected, in a dialog. */
     #offer(words) {
         const { text } = this.#services;
-        const area = element("textarea", { rows: 8, cols: 60, readonly: true, "aria-label": text("take.copy") });
+        const area = element("textarea", {
+            rows: 8,
+            cols: 60,
+            readonly: true,
+            "aria-label": text("take.copy"),
+        });
         area.value = words;
         const close = button(text("close"), () => dialog.close());
-        const dialog = element("dialog", { class: "sheet", close: () => dialog.remove() }, element("p", {}, text("take.copy")), area, close);
+        const dialog = element(
+            "dialog",
+            { class: "sheet", close: () => dialog.remove() },
+            element("p", {}, text("take.copy")),
+            area,
+            close,
+        );
         document.body.append(dialog);
         dialog.showModal();
         area.select();
@@ -134,12 +175,18 @@ export class Take {
 
     #copyProgram() {
         const state = this.#services.store.get();
-        return this.#copy(programOf(state, { ...this.#options(), degree: state.picture?.degree ?? 0 }), "take.program.done");
+        return this.#copy(
+            programOf(state, { ...this.#options(), degree: state.picture?.degree ?? 0 }),
+            "take.program.done",
+        );
     }
 
     #saveFile() {
         const state = this.#services.store.get();
-        download(new Blob([fileOf(state, axesOf(state.camera))], { type: "text/plain" }), `${stemOf(state)}.jsurf`);
+        download(
+            new Blob([fileOf(state, axesOf(state.camera))], { type: "text/plain" }),
+            `${stemOf(state)}.jsurf`,
+        );
     }
 
     // ---- pictures ----
@@ -169,19 +216,34 @@ export class Take {
         if (options.width * options.height > MOST_PIXELS) return notify(text("take.large"));
         return this.#work(async (how) => {
             const picture = await painter.image(plain(state), { ...options, ...how });
-            download(await pngOf(picture, { alpha: state.colours.background === "none" }), `${stemOf(state)}.png`);
+            download(
+                await pngOf(picture, { alpha: state.colours.background === "none" }),
+                `${stemOf(state)}.png`,
+            );
         });
     }
 
     #saveFilm() {
         const { store, painter, text, notify } = this.#services;
-        const state = store.get(), { quality } = this.#options();
-        const [width, height, rate, pictures] = [this.filmWidth, this.filmHeight, this.rate, this.pictures].map(numberIn);
+        const state = store.get(),
+            { quality } = this.#options();
+        const [width, height, rate, pictures] = [
+            this.filmWidth,
+            this.filmHeight,
+            this.rate,
+            this.pictures,
+        ].map(numberIn);
         const [kind, name] = this.what.value.split(":");
         if (width * height * pictures > PIXELS_OF_FILM) return notify(text("take.film.large"));
         return this.#work(async (how) => {
             const format = this.format.value;
-            const film = await filmOf(painter, plain(state), { kind, name, pictures }, { width, height, quality, rate, format }, how);
+            const film = await filmOf(
+                painter,
+                plain(state),
+                { kind, name, pictures },
+                { width, height, quality, rate, format },
+                how,
+            );
             download(film, `${stemOf(state)}.${format === "webm" ? "webm" : "png"}`);
         });
     }

@@ -1,7 +1,7 @@
 // clip.js - the cutting plane: how it is made and moved, and its rows in the panel "view".
 //
-// A plane [a, b, c, d] keeps a x + b y + c z <= d.  The first one of the state is the one that moves; a link can
-// bring more of them, which stay.
+// A plane [a, b, c, d] keeps a x + b y + c z <= d.  The first one of the state is the one that moves; a link
+// can bring more of them, which stay.
 import { axesOf } from "../picture/camera.js";
 import { button, row, slider } from "../base/controls.js";
 import { element } from "../base/dom.js";
@@ -28,7 +28,8 @@ function facing({ camera, extent }) {
     return placed(normal, 0, extent);
 }
 
-/** The planes after a drag in the picture, in its heights, y downwards: the first follows the pointer along its
+/** The planes after a drag in the picture, in its heights, y downwards: the first follows the pointer along
+ * its
  *  normal; seen from the front, down is towards the viewer.  Where there is none, one is made. */
 export function dragged(state, dx, dy) {
     const plane = state.clip[0] ?? facing(state), [a, b, c] = plane;
@@ -64,7 +65,10 @@ export function clipRows({ store, text, motion }) {
         motion.cuts = isPressed;
         drags.setAttribute("aria-pressed", String(isPressed));
     }
-    const rows = [row(text("clip.at"), place.range, place.output), element("div", { class: "row" }, face, drags)];
+    const rows = [
+        row(text("clip.at"), place.range, place.output),
+        element("div", { class: "row" }, face, drags),
+    ];
 
     function follow({ clip, extent }) {
         cuts.checked = clip.length > 0;

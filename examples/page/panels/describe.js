@@ -9,7 +9,9 @@ export function titleOf(state, text) {
 
 /** The part of the panel that tells about the surface. */
 export function showAbout(room, state, text) {
-    const degree = state.picture ? [element("p", { class: "degree" }, text("about.degree", { degree: state.picture.degree }))] : [];
+    const degree = state.picture
+        ? [element("p", { class: "degree" }, text("about.degree", { degree: state.picture.degree }))]
+        : [];
     const key = `surface.${state.name}`;
     const words = state.name && text.has(key) ? text(key) : text("about.own");
     fill(room, ...degree, element("p", {}, words));

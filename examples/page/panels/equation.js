@@ -95,7 +95,8 @@ export class EquationBox {
             this.#mistake.textContent = "";
             return;
         }
-        const offset = Math.min(error.offset ?? 0, value.length), end = offset + Math.max(error.length ?? 1, 1);
+        const offset = Math.min(error.offset ?? 0, value.length),
+            end = offset + Math.max(error.length ?? 1, 1);
         const piece = value.slice(offset, end) || " ";
         const parts = [value.slice(0, offset), element("mark", {}, piece), value.slice(end)];
         fill(this.#mirror, ...(typeof error.offset === "number" ? parts : []));

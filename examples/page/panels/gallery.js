@@ -1,4 +1,5 @@
-// gallery.js - the catalogue as thumbnails, those looked at lately before it; each is drawn when it is first seen.
+// gallery.js - the catalogue as thumbnails, those looked at lately before it; each is drawn when it is first
+// seen.
 import { element, fill, memory } from "../base/dom.js";
 import { checkedState } from "../state/state.js";
 import { SURFACES } from "../state/surfaces.js";
@@ -19,7 +20,10 @@ export class Gallery {
         this.#room = room;
         this.#services = services;
         this.#recent = this.#remembered();
-        this.#observer = new IntersectionObserver((entries) => this.#seen(entries), { root: room, rootMargin: "0px 200px" });
+        this.#observer = new IntersectionObserver((entries) => this.#seen(entries), {
+            root: room,
+            rootMargin: "0px 200px",
+        });
         room.addEventListener("keydown", (event) => this.#key(event));
         room.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
         this.#build();
@@ -56,7 +60,9 @@ export class Gallery {
 
     #build() {
         const recent = this.#recent.map((state) => this.#button(state, state.equation, state.equation));
-        const named = SURFACES.map((state) => this.#button(state, this.#services.text(`name.${state.name}`), state.name));
+        const named = SURFACES.map((state) =>
+            this.#button(state, this.#services.text(`name.${state.name}`), state.name),
+        );
         this.#observer.disconnect();
         this.#buttons = [...recent, ...named];
         const nodes = [...recent.map(({ button }) => button), ...named.map(({ button }) => button)];
@@ -69,7 +75,13 @@ export class Gallery {
     #button(state, label, key) {
         const button = element(
             "button",
-            { type: "button", class: "thumb", title: label, tabindex: -1, click: () => this.#services.open(state) },
+            {
+                type: "button",
+                class: "thumb",
+                title: label,
+                tabindex: -1,
+                click: () => this.#services.open(state),
+            },
             element("span", {}, label),
         );
         const canvas = this.#pictures.get(key);
@@ -82,7 +94,10 @@ export class Gallery {
         const { name, equation } = this.#services.store.get();
         let current = null;
         for (const entry of this.#buttons) {
-            const is = name !== "" ? entry.state.name === name : entry.state.equation === equation && entry.state.name === "";
+            const is =
+                name !== ""
+                    ? entry.state.name === name
+                    : entry.state.equation === equation && entry.state.name === "";
             entry.button.setAttribute("aria-current", String(is));
             if (is) current ??= entry;
         }
@@ -119,7 +134,9 @@ export class Gallery {
 
     #key(event) {
         const at = this.#buttons.findIndex(({ button }) => button === document.activeElement);
-        const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: this.#buttons.length - 1 }[event.key];
+        const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: this.#buttons.length - 1 }[
+            event.key
+        ];
         if (at < 0 || to === undefined || event.ctrlKey || event.altKey) return;
         event.preventDefault();
         event.stopPropagation();

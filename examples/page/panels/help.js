@@ -23,7 +23,10 @@ const POINTERS = ["drag", "shift", "alt", "cut", "wheel", "ctrlwheel", "pinch", 
 
 export function fillHelp(dialog, text) {
     const key = (name) => element("kbd", {}, name);
-    const keys = KEYS.flatMap(([names, what]) => [element("dt", {}, ...names.map(key)), element("dd", {}, text(what))]);
+    const keys = KEYS.flatMap(([names, what]) => [
+        element("dt", {}, ...names.map(key)),
+        element("dd", {}, text(what)),
+    ]);
     const pointers = POINTERS.flatMap((name) => [
         element("dt", {}, text(`help.${name}.how`)),
         element("dd", {}, text(`help.${name}`)),

@@ -1,6 +1,7 @@
 // keys.js - keys for everything, where no text is being typed.
 
-const TYPED = "input:not([type='range']):not([type='checkbox']):not([type='radio']):not([type='color']), textarea, select";
+const TYPED =
+    "input:not([type='range'], [type='checkbox'], [type='radio'], [type='color']), textarea, select";
 const ARROWS = /^(Arrow|Home|End|Page)/;
 
 /** acts: motion, gallery, sliders, and functions by name. */

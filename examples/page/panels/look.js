@@ -7,7 +7,11 @@ const radians = (degrees) => (degrees * Math.PI) / 180;
 const within = (x, most) => Math.round(Math.min(Math.max(x, -most), most));
 
 function colourField(onColour) {
-    const field = element("input", { type: "color", input: () => onColour(field.value, true), change: () => onColour(field.value, false) });
+    const field = element("input", {
+        type: "color",
+        input: () => onColour(field.value, true),
+        change: () => onColour(field.value, false),
+    });
     return field;
 }
 
@@ -23,14 +27,17 @@ export function mount(room, { store, text }) {
         ["none", "white", "own"].map((value) => [value, text(`look.background.${value}`)]),
         (value) => set({ background: value === "none" ? "none" : value === "white" ? null : own.value }),
     );
-    const swap = button(text("look.swap"), () => set({ outside: colours().inside, inside: colours().outside }));
+    const swap = button(text("look.swap"), () =>
+        set({ outside: colours().inside, inside: colours().outside }),
+    );
 
     const lamp = makeLamp(store);
     const angle = (key, most) =>
         slider({
             min: -most, max: most, step: 1, "aria-label": text(`look.${key}`),
             show: (value) => `${Math.round(value)}°`,
-            onInput: (value, moving) => store.set({ light: { ...(store.get().light ?? USUAL), [key]: value } }, { moving }),
+            onInput: (value, moving) =>
+                store.set({ light: { ...(store.get().light ?? USUAL), [key]: value } }, { moving }),
         });
     const azimuth = angle("azimuth", 180), elevation = angle("elevation", 90);
     const usual = button(text("look.usual"), () => store.set({ light: null }));
@@ -67,7 +74,9 @@ export function mount(room, { store, text }) {
         lamp.follow(at);
     }
     follow(store.get());
-    store.subscribe((state, { changed }) => (changed.has("colours") || changed.has("light")) && follow(state));
+    store.subscribe(
+        (state, { changed }) => (changed.has("colours") || changed.has("light")) && follow(state),
+    );
 }
 
 /** A ball as seen from the eye; the light is where its bright place is. */
@@ -79,15 +88,22 @@ function makeLamp(store) {
         let x = (2 * (event.clientX - left)) / width - 1, y = 1 - (2 * (event.clientY - top)) / width;
         const far = Math.hypot(x, y);
         if (far > 0.98) [x, y] = [(0.98 * x) / far, (0.98 * y) / far];
-        const elevation = Math.asin(y), azimuth = Math.asin(Math.max(-1, Math.min(1, x / Math.cos(elevation))));
+        const elevation = Math.asin(y),
+            azimuth = Math.asin(Math.max(-1, Math.min(1, x / Math.cos(elevation))));
         const degrees = (angle) => (angle * 180) / Math.PI;
-        store.set({ light: { azimuth: within(degrees(azimuth), 180), elevation: within(degrees(elevation), 90) } }, { moving });
+        store.set(
+            { light: { azimuth: within(degrees(azimuth), 180), elevation: within(degrees(elevation), 90) } },
+            { moving },
+        );
     };
     node.addEventListener("pointerdown", (event) => {
         node.setPointerCapture(event.pointerId);
         drag(event, true);
     });
-    node.addEventListener("pointermove", (event) => node.hasPointerCapture(event.pointerId) && drag(event, true));
+    node.addEventListener(
+        "pointermove",
+        (event) => node.hasPointerCapture(event.pointerId) && drag(event, true),
+    );
     node.addEventListener("pointerup", (event) => drag(event, false));
     const follow = ({ azimuth, elevation }) => {
         const x = Math.cos(radians(elevation)) * Math.sin(radians(azimuth)), y = Math.sin(radians(elevation));

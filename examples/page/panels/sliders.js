@@ -115,11 +115,24 @@ export class Sliders {
             x > at().from && this.#change(name, { to: x, value: Math.min(x, at().value) }, false));
         const button = element(
             "button",
-            { type: "button", "aria-label": text("parameters.play", { name }), "aria-pressed": "false", click: () => this.toggle(name) },
+            {
+                type: "button",
+                "aria-label": text("parameters.play", { name }),
+                "aria-pressed": "false",
+                click: () => this.toggle(name),
+            },
             "▶",
         );
         const range = element("div", { class: "range" }, from, to);
-        const node = element("div", { class: "parameter" }, element("label", { for: id }, name), slide, value, button, range);
+        const node = element(
+            "div",
+            { class: "parameter" },
+            element("label", { for: id }, name),
+            slide,
+            value,
+            button,
+            range,
+        );
         const follow = (p) => {
             slide.value = Math.round((STEPS * (p.value - p.from)) / (p.to - p.from));
             slide.setAttribute("aria-valuetext", String(p.value));

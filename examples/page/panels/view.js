@@ -7,7 +7,8 @@ import { radiusOf } from "../state/state.js";
 const DECADES = 2; // of the radius, around the one that was fitted
 const THIN_DEGREE = 12; // above it the library draws nothing that is thin
 
-/** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera, reset } */
+/** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera, reset
+ * } */
 export function mount(room, { store, text, motion, fit, reset }) {
     const extent = () => store.get().extent;
     const set = (partial, moving = false) => store.set({ extent: { ...extent(), ...partial } }, { moving });
@@ -35,14 +36,26 @@ export function mount(room, { store, text, motion, fit, reset }) {
     }
 
     const edges = ["x", "y", "z"].map((axis, i) =>
-        numberField({ label: text("view.edge", { axis }), min: 1e-6, onNumber: (x) => set({ size: extent().size.with(i, x) }) }));
+        numberField({
+            label: text("view.edge", { axis }),
+            min: 1e-6,
+            onNumber: (x) => set({ size: extent().size.with(i, x) }),
+        }),
+    );
     const centre = ["x", "y", "z"].map((axis, i) =>
         numberField({
             label: text("view.centre.of", { axis }),
-            onNumber: (x) => set({ kind: extent().kind === "box" ? "box" : "sphere", centre: extent().centre.with(i, x) }),
-        }));
+            onNumber: (x) =>
+                set({ kind: extent().kind === "box" ? "box" : "sphere", centre: extent().centre.with(i, x) }),
+        }),
+    );
     const trio = (label, fields) =>
-        element("div", { class: "row", role: "group", "aria-label": label }, element("span", { class: "label" }, label), ...fields);
+        element(
+            "div",
+            { class: "row", role: "group", "aria-label": label },
+            element("span", { class: "label" }, label),
+            ...fields,
+        );
     const edgeRow = trio(text("view.edges"), edges);
 
     const thin = choice(

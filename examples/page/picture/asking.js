@@ -33,7 +33,8 @@ export function fit(painter, state, size) {
     return new Promise((resolve, reject) => {
         const timer = setTimeout(() => {
             resolve(null);
-            painter.ask("fit", initialState(), size, { latest: true }).catch(() => {}); // takes its place, and ends it
+            // Takes its place, and ends it.
+            painter.ask("fit", initialState(), size, { latest: true }).catch(() => {});
         }, LONGEST_FIT);
         painter
             .ask("fit", state, size, { latest: true })

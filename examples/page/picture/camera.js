@@ -9,7 +9,8 @@ const MOST_DISTANCE = 1e9;
 const minus = (a, b) => a.map((x, i) => x - b[i]);
 const plus = (a, b, times = 1) => a.map((x, i) => x + times * b[i]);
 const unit = (a) => a.map((x) => x / Math.hypot(...a));
-const cross = (a, b) => [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+const cross = (a, b) =>
+    [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Right, up and forward, unit vectors; half the picture's height where it looks at, and how far that is. */
@@ -40,7 +41,8 @@ function tidy(camera) {
     };
 }
 
-/** The surface follows the pointer: angles to the right and downwards, in radians, about what is looked at. */
+/** The surface follows the pointer: angles to the right and downwards, in radians, about what is looked
+ * at. */
 export function turn(camera, toRight, down) {
     const angle = Math.hypot(toRight, down);
     if (angle === 0) return camera;
@@ -62,18 +64,23 @@ export function circle(camera, angle) {
     return { ...camera, eye: plus(camera.lookAt, back), up: turned(camera.up, axis, angle) };
 }
 
-/** A place of the picture, x to the right, y up from the middle, in halves of its height, moves by so much. */
+/** A place of the picture, x to the right, y up from the middle, in halves of its height, moves by so
+ * much. */
 export function pan(camera, x, y) {
     const { right, up, half } = axesOf(camera);
     const by = plus(right.map((r) => -x * half * r), up, -y * half);
     return tidy({ ...camera, eye: plus(camera.eye, by), lookAt: plus(camera.lookAt, by) });
 }
 
-/** Narrows or widens the field of view; the eye stays, and the ray through x, y (as for pan) keeps its place. */
+/** Narrows or widens the field of view; the eye stays, and the ray through x, y (as for pan) keeps its
+ * place. */
 function magnify(camera, slope, x, y) {
     const { right, up, forward, distance, half } = axesOf(camera);
     const through = (steepness) => unit(plus(plus(forward, right, x * steepness), up, y * steepness));
-    const from = through(slope), to = through(half / distance), axis = cross(from, to), sine = Math.hypot(...axis);
+    const from = through(slope),
+        to = through(half / distance),
+        axis = cross(from, to),
+        sine = Math.hypot(...axis);
     const turn = (v) => (sine > 1e-15 ? turned(v, unit(axis), Math.atan2(sine, dot(from, to))) : v);
     return {
         ...camera,
@@ -83,9 +90,10 @@ function magnify(camera, slope, x, y) {
     };
 }
 
-/** `times` as large.  The field of view narrows and widens back to the usual one; beyond that the eye moves, and
- *  comes as near as `nearest` again.  What is at x, y (as for pan) stays there: all of the ray in the former case,
- *  in the latter the point of the plane that is looked at. */
+/** `times` as large.  The field of view narrows and widens back to the usual one; beyond that the eye moves,
+ * and
+ *  comes as near as `nearest` again.  What is at x, y (as for pan) stays there: all of the ray in the former
+ *  case, in the latter the point of the plane that is looked at. */
 export function zoom(camera, times, x = 0, y = 0, nearest = 0) {
     const { distance, half } = axesOf(camera);
     const usual = Math.tan((USUAL_FOV / 2) * RADIANS), least = Math.tan((LEAST_FOV / 2) * RADIANS);

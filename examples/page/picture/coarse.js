@@ -18,7 +18,8 @@ export class Coarseness {
     choose(width, height, workers) {
         const perPixel = (factor) => this.msPerPixel * factor ** GROWTH;
         const time = (factor) => OVERHEAD + (perPixel(factor) * width * height) / (factor * factor) / workers;
-        const limit = (factor) => (factor === 1 ? FULL_TIME : COARSE_TIME) * (factor < this.factor ? SURE : 1);
+        const limit = (factor) =>
+            (factor === 1 ? FULL_TIME : COARSE_TIME) * (factor < this.factor ? SURE : 1);
         this.factor = FACTORS.find((factor) => time(factor) <= limit(factor)) ?? FACTORS.at(-1);
         return this.factor;
     }

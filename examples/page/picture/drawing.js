@@ -18,7 +18,8 @@ export class Drawing {
     #doneRows = 0;
     #retried = false;
 
-    /** options: state, width, height, quality, antialias, order, msPerPixel, workers, onBand, onDone, onFail */
+    /** options: state, width, height, quality, antialias, order, msPerPixel, workers, onBand, onDone,
+     * onFail */
     constructor(options) {
         Object.assign(this, options);
         this.data = new Uint8ClampedArray(4 * this.width * this.height);
@@ -72,7 +73,8 @@ export class Drawing {
         if (this.isWhole) this.onDone();
     }
 
-    /** A band failed: after a crash or for want of memory it is tried once more; one that had to wait, always. */
+    /** A band failed: after a crash or for want of memory it is tried once more; one that had to wait,
+     * always. */
     fail(band, error) {
         if (error.code === "E_UNBEGUN") {
             this.#again.push(band);

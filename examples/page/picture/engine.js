@@ -4,10 +4,11 @@
 //     engine.compile("x^2 + y^2 = a", { a: 1 }).degree
 //     engine.render(state, { width, height, rowBegin, rowEnd, quality: "standard", antialias: 1 }).data
 //
-// A state is what state.js makes; nothing of it is believed: what is out of range throws an EngineError with a
-// code.  An instance that traps is replaced by a new one, and the call throws E_TRAP.  The calls are those of
-// glue.c; what a state's members are there, `numbersOf` says.  Surface and scene are kept from one call to the
-// next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts, too.
+// A state is what state.js makes; nothing of it is believed: what is out of range throws an EngineError with
+// a code.  An instance that traps is replaced by a new one, and the call throws E_TRAP.  The calls are those
+// of glue_*.c; what a state's members are there, `numbersOf` says.  Surface and scene are kept from one call to
+// the next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts,
+// too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "../algsurf.js";
 import { isInOwnColours } from "../state/state.js";
 
@@ -19,6 +20,7 @@ const LONGEST_SEARCH = 300; // milliseconds for them
 const MAX_SIDE = 65535;
 const CURVE_POINTS = 256;
 const MOST_NUMBERS = 1 << 16; // of cells or points
+const ENOSYS = 52; // of WASI: there are no files here
 const LIBRARY = -1;
 const TRANSPARENT = -2;
 const STATES = ["miss", "hit", "undecided", "thin"];
@@ -43,7 +45,8 @@ function refused(message) {
 // ---- from a state to numbers ----
 
 function number(value, what, low = -1e300, high = 1e300) {
-    if (typeof value !== "number" || !(value >= low && value <= high)) throw refused(`${what}: not a number in range`);
+    if (typeof value !== "number" || !(value >= low && value <= high))
+        throw refused(`${what}: not a number in range`);
     return value;
 }
 
@@ -55,7 +58,8 @@ function vector(value, what, low, high) {
 /** "#rrggbb" as a number; null and undefined: the library's. */
 function colour(value, what) {
     if (value === null || value === undefined) return LIBRARY;
-    if (typeof value !== "string" || !/^#[0-9a-f]{6}$/i.test(value)) throw refused(`${what}: not a colour #rrggbb`);
+    if (typeof value !== "string" || !/^#[0-9a-f]{6}$/i.test(value))
+        throw refused(`${what}: not a colour #rrggbb`);
     return parseInt(value.slice(1), 16);
 }
 
@@ -63,7 +67,8 @@ function thinness(value) {
     return value === null || value === undefined ? -1 : value ? 1 : 0;
 }
 
-/** The extent: whether it is given, kind, centre, size.  A fitted one that holds no numbers yet is not given. */
+/** The extent: whether it is given, kind, centre, size.  A fitted one that holds no numbers yet is not
+ * given. */
 function extentNumbers(extent) {
     const { kind, size, centre = [0, 0, 0] } = extent ?? {};
     const fitted = kind === "fitted" || kind === undefined;
@@ -76,7 +81,12 @@ function extentNumbers(extent) {
 
 function cameraNumbers(camera) {
     const { eye, lookAt, up, fov } = camera ?? {};
-    return [...vector(eye, "eye"), ...vector(lookAt, "look at"), ...vector(up, "up"), number(fov, "field of view")];
+    return [
+        ...vector(eye, "eye"),
+        ...vector(lookAt, "look at"),
+        ...vector(up, "up"),
+        number(fov, "field of view"),
+    ];
 }
 
 function complexNumbers(complex) {
@@ -92,7 +102,8 @@ function complexNumbers(complex) {
 /** The cutting planes: how many, and four numbers each. */
 function planeNumbers(clip) {
     const planes = clip ?? [];
-    if (!Array.isArray(planes) || planes.length > MOST_PLANES) throw refused(`clip: at most ${MOST_PLANES} planes`);
+    if (!Array.isArray(planes) || planes.length > MOST_PLANES)
+        throw refused(`clip: at most ${MOST_PLANES} planes`);
     const room = new Array(4 * MOST_PLANES).fill(0);
     planes.forEach((plane, i) => {
         if (!Array.isArray(plane) || plane.length !== 4) throw refused("clip: not four numbers");
@@ -101,7 +112,7 @@ function planeNumbers(clip) {
     return [planes.length, ...room];
 }
 
-/** glue.c's page_state. */
+/** glue.h's page_state. */
 function numbersOf(state, { camera = true } = {}) {
     const { light } = state, isOwn = isInOwnColours(state);
     const { outside, inside, background } = state.colours ?? {};
@@ -127,7 +138,8 @@ function valuesOf(parameters) {
 }
 
 function side(value, what) {
-    if (!Number.isInteger(value) || value < 1 || value > MAX_SIDE) throw refused(`${what}: from 1 to ${MAX_SIDE}`);
+    if (!Number.isInteger(value) || value < 1 || value > MAX_SIDE)
+        throw refused(`${what}: from 1 to ${MAX_SIDE}`);
     return value;
 }
 
@@ -158,7 +170,7 @@ export class Engine {
     #start() {
         this.#surface = this.#scene = null;
         const nothing = Object.fromEntries(
-            WebAssembly.Module.imports(this.#compiled).map(({ name }) => [name, () => 52]), // ENOSYS: no files here
+            WebAssembly.Module.imports(this.#compiled).map(({ name }) => [name, () => ENOSYS]),
         );
         const system = { ...nothing, ...systemOf(() => instance.exports.memory) };
         const instance = new WebAssembly.Instance(this.#compiled, { wasi_snapshot_preview1: system });
@@ -204,7 +216,10 @@ export class Engine {
             const { code, offset = null, length = 0 } = error;
             const name = code === "E_NAME" ? equation.slice(offset, offset + length) : null;
             // "E_SYNTAX: text is ...: what is wrong, at 3": the rest is the code's and the offset's
-            const message = offset === null ? error.message : error.message.replace(/^.*?: .*?: /, "").replace(/, at \d+$/, "");
+            const message =
+                offset === null
+                    ? error.message
+                    : error.message.replace(/^.*?: .*?: /, "").replace(/, at \d+$/, "");
             throw new EngineError(code, message, { offset, length, name });
         }
     }
@@ -240,8 +255,8 @@ export class Engine {
         }
     }
 
-    /** Degree, and all letters of the equation that are neither variables nor constants: `missing` of them are
-     * without a value, and stand for 1.5 in the degree. */
+    /** Degree, and all letters of the equation that are neither variables nor constants: `missing` of them
+     * are without a value, and stand for 1.5 in the degree. */
     compile(equation, values = {}) {
         return this.#answer(() => {
             const missing = this.#missing(equation, values);
@@ -276,7 +291,7 @@ export class Engine {
         this.#scene = null;
     }
 
-    /** Calls use(address of glue.c's page_state, address of so many doubles more). */
+    /** Calls use(address of glue.h's page_state, address of so many doubles more). */
     #withState(state, room, use, options) {
         const numbers = numbersOf(state, options);
         const module = this.#module;
@@ -335,7 +350,14 @@ export class Engine {
     /** Rows rowBegin .. rowEnd-1 of a picture; bounded: doubles alone decide. */
     render(state, options) {
         return this.#answer(() => {
-            const { width, height, rowBegin = 0, rowEnd = height, quality = "standard", antialias = 1 } = options;
+            const {
+                width,
+                height,
+                rowBegin = 0,
+                rowEnd = height,
+                quality = "standard",
+                antialias = 1,
+            } = options;
             const { t = false, bounded = false } = options;
             const pixels = side(width, "width") * (rowEnd - rowBegin);
             side(height, "height");
@@ -354,7 +376,16 @@ export class Engine {
                 );
                 const [rays, hits, undecided, exact, thin] = module.doubles(counts, 5);
                 const data = new Uint8ClampedArray(module.bytes(rgba, 4 * pixels));
-                const picture = { data, rays, hits, undecided, exact, thin, degree, ms: performance.now() - begin };
+                const picture = {
+                    data,
+                    rays,
+                    hits,
+                    undecided,
+                    exact,
+                    thin,
+                    degree,
+                    ms: performance.now() - begin,
+                };
                 if (t) picture.t = module.doubles(far, pixels).slice();
                 return picture;
             });
@@ -363,8 +394,8 @@ export class Engine {
 
     // ---- one ray ----
 
-    /** Calls use(numbers, surface, ray, room) with the ray through the middle of the pixel that holds the place,
-     * cut to the extent and by the planes, and so many doubles more. */
+    /** Calls use(numbers, surface, ray, room) with the ray through the middle of the pixel that holds the
+     * place, cut to the extent and by the planes, and so many doubles more. */
     #alongRay(state, place, room, use) {
         return this.#answer(() => {
             const { address: surface, degree } = this.#surfaceOf(state);
@@ -397,80 +428,131 @@ export class Engine {
         return { state: STATES[state], t, tLo, tHi, position, normal, multiplicity, side: hitSide };
     }
 
-    /** What is seen at a place of a picture, and the polynomial along the ray; null: the ray misses the extent. */
+    /** What is seen at a place of a picture, and the polynomial along the ray; null: the ray misses the
+     * extent. */
     pick(state, place) {
-        return this.#alongRay(state, place, 12 + 2 * (MAX_DEGREE + 1), ({ numbers, surface, degree, ray, meets, room }) => {
-            if (!meets) return null;
-            const { wasm } = this.#module;
-            const c = room + 8 * 12, radii = c + 8 * (MAX_DEGREE + 1);
-            this.#checked(wasm.page_hit(surface, numbers, ray, room));
-            this.#checked(wasm.page_polynomial(surface, ray, c, radii));
-            const polynomial = this.#doubles(c, degree + 1);
-            return { ...this.#hitAt(room), ray: this.#rayAt(ray), polynomial, radii: this.#doubles(radii, degree + 1), degree };
-        });
+        return this.#alongRay(
+            state,
+            place,
+            12 + 2 * (MAX_DEGREE + 1),
+            ({ numbers, surface, degree, ray, meets, room }) => {
+                if (!meets) return null;
+                const { wasm } = this.#module;
+                const c = room + 8 * 12,
+                    radii = c + 8 * (MAX_DEGREE + 1);
+                this.#checked(wasm.page_hit(surface, numbers, ray, room));
+                this.#checked(wasm.page_polynomial(surface, ray, c, radii));
+                const polynomial = this.#doubles(c, degree + 1);
+                return {
+                    ...this.#hitAt(room),
+                    ray: this.#rayAt(ray),
+                    polynomial,
+                    radii: this.#doubles(radii, degree + 1),
+                    degree,
+                };
+            },
+        );
     }
 
-    /** Where all roots on the chord were isolated: cells in the order of the search; null: the extent is missed. */
+    /** Where all roots on the chord were isolated: cells in the order of the search; null: the extent is
+     * missed. */
     isolate(state, place) {
         const hits = 12 * MAX_DEGREE;
-        return this.#alongRay(state, place, hits + 2 + 65 + MOST_NUMBERS, ({ numbers, surface, degree, ray, meets, room }) => {
-            if (!meets) return null;
-            const { wasm } = this.#module;
-            const counts = room + 8 * hits, bernstein = counts + 16, cellNumbers = bernstein + 8 * 65;
-            this.#checked(wasm.page_isolate(surface, numbers, ray, room, cellNumbers, MOST_NUMBERS, counts));
-            this.#checked(wasm.page_hull(surface, ray, bernstein));
-            const [hitCount, used] = this.#doubles(counts, 2);
-            const cells = cellsFrom(this.#doubles(cellNumbers, used));
-            const found = Array.from({ length: hitCount }, (_, i) => this.#hitAt(room + 96 * i));
-            const { tMin, tMax } = this.#rayAt(ray);
-            const b = this.#doubles(bernstein, degree + 1);
-            const at = (i, n) => tMin + ((tMax - tMin) * i) / n;
-            return {
-                cells,
-                brackets: found.map((hit) => bracketOf(hit, cells)),
-                hits: found,
-                hull: b.map((value, i) => [degree ? at(i, degree) : tMin, value]),
-                curve: Array.from({ length: CURVE_POINTS + 1 }, (_, i) => [at(i, CURVE_POINTS), casteljau(b, i / CURVE_POINTS)]),
-            };
-        });
+        return this.#alongRay(
+            state,
+            place,
+            hits + 2 + 65 + MOST_NUMBERS,
+            ({ numbers, surface, degree, ray, meets, room }) => {
+                if (!meets) return null;
+                const { wasm } = this.#module;
+                const counts = room + 8 * hits,
+                    bernstein = counts + 16,
+                    cellNumbers = bernstein + 8 * 65;
+                this.#checked(
+                    wasm.page_isolate(surface, numbers, ray, room, cellNumbers, MOST_NUMBERS, counts),
+                );
+                this.#checked(wasm.page_hull(surface, ray, bernstein));
+                const [hitCount, used] = this.#doubles(counts, 2);
+                const cells = cellsFrom(this.#doubles(cellNumbers, used));
+                const found = Array.from({ length: hitCount }, (_, i) => this.#hitAt(room + 96 * i));
+                const { tMin, tMax } = this.#rayAt(ray);
+                const b = this.#doubles(bernstein, degree + 1);
+                const at = (i, n) => tMin + ((tMax - tMin) * i) / n;
+                return {
+                    cells,
+                    brackets: found.map((hit) => bracketOf(hit, cells)),
+                    hits: found,
+                    hull: b.map((value, i) => [degree ? at(i, degree) : tMin, value]),
+                    curve: Array.from({ length: CURVE_POINTS + 1 }, (_, i) => [
+                        at(i, CURVE_POINTS),
+                        casteljau(b, i / CURVE_POINTS),
+                    ]),
+                };
+            },
+        );
     }
 
     /** The first hit by a method of refinement, point by point; null: the extent is missed. */
     refine(state, place, method = "default") {
-        return this.#alongRay(state, place, 12 + 2 + MOST_NUMBERS, ({ numbers, surface, ray, meets, room }) => {
-            if (!meets) return null;
-            if (!(method in METHODS)) throw refused("method: unknown");
-            const counts = room + 8 * 12, list = counts + 16;
-            this.#checked(
-                this.#module.wasm.page_refine(surface, numbers, ray, METHODS[method], room, list, MOST_NUMBERS, counts),
-            );
-            const [used, evaluations] = this.#doubles(counts, 2);
-            const from = this.#doubles(list, used);
-            const points = Array.from({ length: used / 3 }, (_, i) => ({
-                t: from[3 * i],
-                value: from[3 * i + 1],
-                engine: ENGINES[from[3 * i + 2]],
-            }));
-            const hit = this.#hitAt(room);
-            return { points, root: hit.state === "miss" ? null : hit.t, evaluations, hit };
-        });
+        return this.#alongRay(
+            state,
+            place,
+            12 + 2 + MOST_NUMBERS,
+            ({ numbers, surface, ray, meets, room }) => {
+                if (!meets) return null;
+                if (!(method in METHODS)) throw refused("method: unknown");
+                const counts = room + 8 * 12,
+                    list = counts + 16;
+                this.#checked(
+                    this.#module.wasm.page_refine(
+                        surface,
+                        numbers,
+                        ray,
+                        METHODS[method],
+                        room,
+                        list,
+                        MOST_NUMBERS,
+                        counts,
+                    ),
+                );
+                const [used, evaluations] = this.#doubles(counts, 2);
+                const from = this.#doubles(list, used);
+                const points = Array.from({ length: used / 3 }, (_, i) => ({
+                    t: from[3 * i],
+                    value: from[3 * i + 1],
+                    engine: ENGINES[from[3 * i + 2]],
+                }));
+                const hit = this.#hitAt(room);
+                return { points, root: hit.state === "miss" ? null : hit.t, evaluations, hit };
+            },
+        );
     }
 
-    /** All complex roots t of the polynomial along the ray, with the imaginary parts of the state; chosen: the one
-     * that is shown. */
+    /** All complex roots t of the polynomial along the ray, with the imaginary parts of the state; chosen:
+     * the one that is shown. */
     complexRoots(state, place) {
         return this.#alongRay(state, place, 8 * MAX_DEGREE + 2, ({ numbers, surface, ray, meets, room }) => {
             const { wasm } = this.#module;
             const count = this.#checked(wasm.page_complex_roots(surface, numbers, ray, room));
             const roots = Array.from({ length: count }, (_, i) => {
                 const [re, im, reLo, reHi, imLo, imHi, multiplicity, real] = this.#doubles(room + 64 * i, 8);
-                return { re, im, box: [reLo, reHi, imLo, imHi], multiplicity, real: real === 1, chosen: false };
+                return {
+                    re,
+                    im,
+                    box: [reLo, reHi, imLo, imHi],
+                    multiplicity,
+                    real: real === 1,
+                    chosen: false,
+                };
             });
             const shown = room + 8 * 8 * MAX_DEGREE;
             const seen = meets ? this.#checked(wasm.page_chosen(surface, numbers, ray, shown)) : 0;
             const [re, im] = this.#doubles(shown, 2);
             const away = (root) => Math.hypot(root.re - re, root.im - im);
-            const nearest = roots.reduce((best, root) => (!best || away(root) < away(best) ? root : best), null);
+            const nearest = roots.reduce(
+                (best, root) => (!best || away(root) < away(best) ? root : best),
+                null,
+            );
             if (seen && nearest) nearest.chosen = true;
             return roots;
         });
@@ -497,7 +579,10 @@ function cellsFrom(numbers) {
 /** The narrowest cell with this root alone, or else what encloses the root. */
 function bracketOf(hit, cells) {
     const holding = cells.filter((cell) => cell.variations === 1 && cell.lo <= hit.tLo && hit.tHi <= cell.hi);
-    const narrowest = holding.reduce((best, cell) => (!best || cell.hi - cell.lo < best.hi - best.lo ? cell : best), null);
+    const narrowest = holding.reduce(
+        (best, cell) => (!best || cell.hi - cell.lo < best.hi - best.lo ? cell : best),
+        null,
+    );
     return narrowest ? { lo: narrowest.lo, hi: narrowest.hi } : { lo: hit.tLo, hi: hit.tHi };
 }
 

@@ -1,6 +1,7 @@
 // motion.js - the picture moved: pointers, wheel, keys.
 //
-//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the light,
+//     one pointer    turns the surface (a trackball: no pole); with Shift it moves, with Alt it moves the
+//                    light,
 //                    with Ctrl, or while `cuts` is true, the cutting plane
 //     two pointers   pinch: zoom at the place between them, move
 //     wheel          zooms at the pointer; with Ctrl it changes the radius of what is shown
@@ -37,7 +38,8 @@ export class Motion {
         this.#home = home;
         canvas.addEventListener("pointerdown", (event) => this.#down(event));
         canvas.addEventListener("pointermove", (event) => this.#move(event));
-        for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.#up(event));
+        for (const end of ["pointerup", "pointercancel"])
+            canvas.addEventListener(end, (event) => this.#up(event));
         canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
         canvas.addEventListener("dblclick", () => {
             clearTimeout(this.#click);
@@ -126,7 +128,10 @@ export class Motion {
             const { left, top, width, height } = this.#canvas.getBoundingClientRect();
             const detail = { x: (event.clientX - left) / width, y: (event.clientY - top) / height };
             clearTimeout(this.#click);
-            this.#click = setTimeout(() => this.#canvas.dispatchEvent(new CustomEvent("place", { detail })), SECOND);
+            this.#click = setTimeout(
+                () => this.#canvas.dispatchEvent(new CustomEvent("place", { detail })),
+                SECOND,
+            );
         }
     }
 
@@ -141,7 +146,12 @@ export class Motion {
         const light = this.#store.get().light ?? { azimuth: -31, elevation: 30 };
         const within = (x, most) => Math.round(Math.min(Math.max(x, -most), most));
         this.#store.set(
-            { light: { azimuth: within(light.azimuth + 180 * dx, 180), elevation: within(light.elevation - 180 * dy, 90) } },
+            {
+                light: {
+                    azimuth: within(light.azimuth + 180 * dx, 180),
+                    elevation: within(light.elevation - 180 * dy, 90),
+                },
+            },
             { moving: true },
         );
         this.#rest();
@@ -160,13 +170,20 @@ export class Motion {
         const delta = Math.max(-240, Math.min(240, event.deltaY * lines));
         const isPinch = event.ctrlKey && Math.abs(event.deltaY) < 30 && !Number.isInteger(event.deltaY);
         if (event.ctrlKey && !isPinch) this.#resize(Math.exp(-delta * 0.0012));
-        else this.#zoomBy(Math.exp(-delta * (isPinch ? 0.01 : 0.0016)), ...this.#placeOf(event.clientX, event.clientY));
+        else
+            this.#zoomBy(
+                Math.exp(-delta * (isPinch ? 0.01 : 0.0016)),
+                ...this.#placeOf(event.clientX, event.clientY),
+            );
     }
 
     #resize(times) {
         const { extent } = this.#store.get();
         const size = extent.size.map((x) => Number((x * times).toPrecision(3)));
-        this.#store.set({ extent: { ...extent, kind: extent.kind === "box" ? "box" : "sphere", size } }, { moving: true });
+        this.#store.set(
+            { extent: { ...extent, kind: extent.kind === "box" ? "box" : "sphere", size } },
+            { moving: true },
+        );
         this.#rest();
     }
 
@@ -181,7 +198,12 @@ export class Motion {
         const { width, height } = this.#canvas;
         if (state.complex || this.#calm() > 0.7 || this.#pointers.size > 0) return;
         try {
-            const hit = await this.#painter.ask("pick", state, { width, height, x: width / 2, y: height / 2 });
+            const hit = await this.#painter.ask("pick", state, {
+                width,
+                height,
+                x: width / 2,
+                y: height / 2,
+            });
             const same = this.#store.get().camera === state.camera;
             if (!same || hit?.state !== "hit") return;
             const way = hit.position.map((p, i) => p - state.camera.eye[i]);

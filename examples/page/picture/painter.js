@@ -4,9 +4,9 @@
 //     painter.draw(state, { canvas, width, height, moving: false });
 //     const { degree } = await painter.ask("compile", "x^2 + y^2 = z^2", {});
 //
-// A picture is a Drawing (drawing.js): its rows are handed out in bands of some milliseconds, two to a worker so that
-// none waits.  What is newer goes first: a picture at rest ends everything of the older one; a moving one, coarse
-// enough to be short, is finished unless it is late.  Asks are answered between two bands.
+// A picture is a Drawing (drawing.js): its rows are handed out in bands of some milliseconds, two to a worker
+// so that none waits.  What is newer goes first: a picture at rest ends everything of the older one; a moving
+// one, coarse enough to be short, is finished unless it is late.  Asks are answered between two bands.
 import { Coarseness } from "./coarse.js";
 import { Pool } from "./pool.js";
 import { Drawing } from "./drawing.js";
@@ -19,7 +19,7 @@ const STAGES = [
 const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is drawn by doubles alone
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
-const THIN_SHARE = 1 / 8; // of the height, in samples: so many show something thin that moving pictures need it
+const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
 const USUALLY_THIN = 6; // the degree up to which thin features are drawn without being asked for
 const MAX_SIDE = 65535;
 const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "thumbnail"];
@@ -59,8 +59,17 @@ export class Painter {
 
     /** Shows the state on the canvas, as soon as can be; the newest call wins. */
     draw(state, { canvas, width, height, moving = false }) {
-        const [columns, rows] = [width, height].map((x) => Math.min(MAX_SIDE, Math.max(1, Math.round(x) || 1)));
-        const request = { state: structuredClone(state), canvas, width: columns, height: rows, moving, number: ++this.#count };
+        const [columns, rows] = [width, height].map((x) =>
+            Math.min(MAX_SIDE, Math.max(1, Math.round(x) || 1)),
+        );
+        const request = {
+            state: structuredClone(state),
+            canvas,
+            width: columns,
+            height: rows,
+            moving,
+            number: ++this.#count,
+        };
         this.#request = request;
         this.#waiting = null;
         if (!moving) {
@@ -127,7 +136,8 @@ export class Painter {
         });
         Object.assign(drawing, { request, stageNumber, factor, stage: moving ? "moving" : step.stage });
         this.#add(drawing);
-        if (moving && !bounded) setTimeout(() => drawing.ended || drawing.isWhole || this.#tooSlow(drawing), SLOW);
+        if (moving && !bounded)
+            setTimeout(() => drawing.ended || drawing.isWhole || this.#tooSlow(drawing), SLOW);
     }
 
     /** A coarse picture that is not done in time is begun again, by doubles alone, as coarse as can be. */
@@ -147,7 +157,8 @@ export class Painter {
         this.#handOut();
     }
 
-    /** Bands of a picture at rest are shown as they come, once it is late or over an older one of the same state. */
+    /** Bands of a picture at rest are shown as they come, once it is late or over an older one of the same
+     * state. */
     #show(drawing, band) {
         const { request, stageNumber } = drawing;
         if (request.moving || (stageNumber === 0 && performance.now() - drawing.begin < PATIENCE)) return;
@@ -182,7 +193,7 @@ export class Painter {
         if (request.moving) this.#seen = JSON.stringify(request.state);
         if (request.then && request.then === this.#request) return this.#begin(request.then, 0);
         if (request !== this.#request || request.moving) return this.#next();
-        const last = request.state.complex ? 1 : STAGES.length - 1; // of complex space full quality is standard
+        const last = request.state.complex ? 1 : STAGES.length - 1; // complex space has no full quality
         if (stageNumber < last) this.#begin(request, stageNumber + 1);
     }
 
@@ -230,7 +241,15 @@ export class Painter {
     #send(worker, drawing) {
         const band = drawing.nextBand();
         const { state, width, height, quality, antialias, bounded } = drawing;
-        const options = { width, height, rowBegin: band.begin, rowEnd: band.end, quality, antialias, bounded };
+        const options = {
+            width,
+            height,
+            rowBegin: band.begin,
+            rowEnd: band.end,
+            quality,
+            antialias,
+            bounded,
+        };
         const job = { kind: "band", args: [state, options], drawing };
         this.#pool.send(job, worker).then(
             (picture) => drawing.ended || drawing.take(band, picture),
@@ -269,7 +288,10 @@ export class Painter {
 
     /** A picture of any size, for saving; onProgress(share from 0 to 1), signal: an AbortSignal. */
     image(state, { width, height, quality = "standard", antialias = 4, onProgress, signal }) {
-        return this.#picture(state, { width, height, quality, antialias }, ORDER.image, { onProgress, signal });
+        return this.#picture(state, { width, height, quality, antialias }, ORDER.image, {
+            onProgress,
+            signal,
+        });
     }
 
     /** A call of Engine; the last argument may be { latest: true }: an older ask of that kind is given up. */
@@ -314,7 +336,8 @@ function drawsThin({ state, degree, stageNumber }) {
     return stageNumber > 0 || (state.thin ?? degree <= USUALLY_THIN);
 }
 
-/** Gives the canvas the size of the drawing, and what it showed, scaled, if it is to be replaced bit by bit. */
+/** Gives the canvas the size of the drawing, and what it showed, scaled, if it is to be replaced bit by
+ * bit. */
 function fitBitmap(canvas, context, { width, height, isWhole }) {
     if (canvas.width === width && canvas.height === height) return;
     const older = isWhole || canvas.width * canvas.height === 0 ? null : document.createElement("canvas");

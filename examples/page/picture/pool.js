@@ -1,9 +1,9 @@
 // pool.js - the workers: who has room, who answers, who is replaced.
 //
-// A worker that crashes, that has taken too much memory, that is stuck in what nobody wants any more, or that keeps
-// an ask waiting behind a band is replaced by a new one.  The job that it was at is refused with E_CRASH or E_TIME, or
-// with E_UNBEGUN where a band had to give way; so are bands that it had not begun.  Asks that it had not begun go to
-// another worker.
+// A worker that crashes, that has taken too much memory, that is stuck in what nobody wants any more, or that
+// keeps an ask waiting behind a band is replaced by a new one.  The job that it was at is refused with
+// E_CRASH or E_TIME, or with E_UNBEGUN where a band had to give way; so are bands that it had not begun.
+// Asks that it had not begun go to another worker.
 
 const MOST_WORKERS = 64;
 const AT_ONCE = 2; // bands a worker, so that it never waits for the next one
@@ -31,7 +31,8 @@ function newThread() {
 async function compileModule(url) {
     const response = await fetch(url);
     if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-    if (response.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(response);
+    if (response.headers.get("Content-Type") === "application/wasm")
+        return WebAssembly.compileStreaming(response);
     return WebAssembly.compile(await response.arrayBuffer());
 }
 

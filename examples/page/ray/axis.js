@@ -56,8 +56,8 @@ export function log(lo, hi) {
 // Of largest to median size, as much as a linear axis still shows well.
 const LINEAR_RANGE = 40;
 
-/** For values of a polynomial: linear where they are of a size, else symmetric logarithmic.  Returns the scale
- * and whether it is linear. */
+/** For values of a polynomial: linear where they are of a size, else symmetric logarithmic.  Returns the
+ * scale and whether it is linear. */
 export function ofValues(values) {
     const sizes = values
         .map(Math.abs)
@@ -74,7 +74,8 @@ export function ofValues(values) {
     return { scale: symlog(lo < 0 ? 1.6 * lo : -power, hi > 0 ? 1.6 * hi : power, power), even: false };
 }
 
-/** What to subtract from values between lo and hi where they agree in their first digits; 0 where they don't. */
+/** What to subtract from values between lo and hi where they agree in their first digits; 0 where they
+ * don't. */
 export function anchorOf(lo, hi) {
     const size = Math.max(Math.abs(lo), Math.abs(hi));
     const span = hi - lo;

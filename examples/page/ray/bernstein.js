@@ -23,8 +23,8 @@ export function restrict(b, lo, hi, from, to) {
     return part.map((value, k) => [n === 0 ? from : from + ((to - from) * k) / n, value]);
 }
 
-/** Values of the polynomial with coefficients b on lo..hi, at count + 1 places evenly from from to to, as points
- * [t, value]. */
+/** Values of the polynomial with coefficients b on lo..hi, at count + 1 places evenly from from to to, as
+ * points [t, value]. */
 export function samples(b, lo, hi, from, to, count) {
     return Array.from({ length: count + 1 }, (_, i) => {
         const t = from + ((to - from) * i) / count;
@@ -37,7 +37,8 @@ const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] 
 function half(points) {
     const chain = [];
     for (const point of points) {
-        while (chain.length > 1 && turn(chain[chain.length - 2], chain[chain.length - 1], point) <= 0) chain.pop();
+        while (chain.length > 1 && turn(chain[chain.length - 2], chain[chain.length - 1], point) <= 0)
+            chain.pop();
         chain.push(point);
     }
     return chain;

@@ -9,7 +9,12 @@ function cross() {
     const size = 2 * ARM + 4;
     return svg(
         "svg",
-        { class: "ray-cross", width: size, height: size, viewBox: `${-size / 2} ${-size / 2} ${size} ${size}` },
+        {
+            class: "ray-cross",
+            width: size,
+            height: size,
+            viewBox: `${-size / 2} ${-size / 2} ${size} ${size}`,
+        },
         svg("path", { class: "ray-cross-rim", d: arms }),
         svg("path", { class: "ray-cross-arms", d: arms }),
     );
@@ -51,7 +56,12 @@ export class Place {
     get() {
         if (!this.#share) return null;
         const { width, height } = this.#size;
-        return { width, height, x: Math.floor(this.#share[0] * width), y: Math.floor(this.#share[1] * height) };
+        return {
+            width,
+            height,
+            x: Math.floor(this.#share[0] * width),
+            y: Math.floor(this.#share[1] * height),
+        };
     }
 
     /** To a pixel; nothing given: the middle. */

@@ -1,5 +1,5 @@
-// plane.js - all complex roots of a ray's polynomial in the plane: proved boxes with their multiplicities, the
-// sector of complex space laid over them, the root that is seen marked.
+// plane.js - all complex roots of a ray's polynomial in the plane: proved boxes with their multiplicities,
+// the sector of complex space laid over them, the root that is seen marked.
 import { anchorOf, linear } from "./axis.js";
 import { element } from "../base/dom.js";
 import { short } from "../base/number.js";
@@ -26,7 +26,10 @@ function axes(view) {
     const range = (of, a, b) => {
         const [lo, hi] = [of(a), of(b)];
         const shift = anchorOf(lo, hi);
-        return { shift, ticks: linear(lo - shift, hi - shift).ticks(Math.max(2, Math.floor(Math.abs(b - a) / 75))) };
+        return {
+            shift,
+            ticks: linear(lo - shift, hi - shift).ticks(Math.max(2, Math.floor(Math.abs(b - a) / 75))),
+        };
     };
     const below = range(view.re, 30, view.width - 20);
     const beside = range(view.im, view.height - 30, 28);
@@ -42,9 +45,11 @@ function axes(view) {
         nodes.push(svg("text", { x: 4, y: y - 3 }, name));
     }
     const y = view.y(0);
-    if (y > -1 && y < view.height + 1) nodes.push(svg("path", { class: "plot-zero", d: `M0 ${y}H${view.width}` }));
+    if (y > -1 && y < view.height + 1)
+        nodes.push(svg("path", { class: "plot-zero", d: `M0 ${y}H${view.width}` }));
     const x = view.x(0);
-    if (x > -1 && x < view.width + 1) nodes.push(svg("path", { class: "plot-zero", d: `M${x} 0V${view.height}` }));
+    if (x > -1 && x < view.width + 1)
+        nodes.push(svg("path", { class: "plot-zero", d: `M${x} 0V${view.height}` }));
     const title = (what, shift) => (shift ? `${what} − ${short(shift, 15)}`.replace("− −", "+ ") : what);
     const ends = { class: "plot-label", "text-anchor": "end", x: view.width - 6 };
     nodes.push(svg("text", { ...ends, y: view.height - 20 }, title("Re t", below.shift)));
@@ -146,7 +151,9 @@ export class Plane {
         const count = roots.reduce((sum, root) => sum + root.multiplicity, 0);
         const real = roots.reduce((sum, root) => sum + (root.real ? root.multiplicity : 0), 0);
         const chosen = roots.find((root) => root.chosen);
-        const seen = chosen ? this.text("ray.plane.seen", { root: nameOf(chosen) }) : this.text("ray.plane.unseen");
+        const seen = chosen
+            ? this.text("ray.plane.seen", { root: nameOf(chosen) })
+            : this.text("ray.plane.unseen");
         const far = roots.length - this.#inReach().length;
         const away = far > 0 ? ` ${this.text("ray.plane.far", { count: far })}` : "";
         this.said.textContent = `${this.text("ray.plane.count", { count, real })} ${seen}${away}`;

@@ -1,8 +1,8 @@
 // plot.js - a plot as SVG: a frame with labelled axes, and layers that draw in it.
 //
-// A layer is a function of the frame that returns SVG nodes; frame.x and frame.y bring values to pixels of the
-// element, so that letters have the same size on a telephone and on a wide screen.  Colours and strokes are
-// those of ray.css.
+// A layer is a function of the frame that returns SVG nodes; frame.x and frame.y bring values to pixels of
+// the element, so that letters have the same size on a telephone and on a wide screen.  Colours and strokes
+// are those of ray.css.
 import { element } from "../base/dom.js";
 import { svg } from "../base/svg.js";
 
@@ -17,7 +17,13 @@ const near = (pixels) => Math.max(-FAR, Math.min(FAR, pixels));
 function frameOf(width, height, strip, x, y) {
     const rows = y.scale.ticks(Math.max(2, Math.floor((height - BELOW) / ROW)));
     const left = 22 + LETTER * Math.max(2, ...rows.map((tick) => tick.name.length));
-    const frame = { left, top: 10, width: Math.max(60, width - left - 12), height: height - BELOW - 10, rows };
+    const frame = {
+        left,
+        top: 10,
+        width: Math.max(60, width - left - 12),
+        height: height - BELOW - 10,
+        rows,
+    };
     frame.columns = x.scale.ticks(Math.max(2, Math.floor(frame.width / 55)));
     frame.bottom = frame.top + frame.height;
     frame.right = frame.left + frame.width;
@@ -128,7 +134,10 @@ export function area(corners, kind) {
     const PARTS = 24;
     const points = corners.flatMap(([x, y], i) => {
         const [u, v] = corners[(i + 1) % corners.length];
-        return Array.from({ length: PARTS }, (_, k) => [x + ((u - x) * k) / PARTS, y + ((v - y) * k) / PARTS]);
+        return Array.from({ length: PARTS }, (_, k) => [
+            x + ((u - x) * k) / PARTS,
+            y + ((v - y) * k) / PARTS,
+        ]);
     });
     return (frame) =>
         points.length ? [svg("path", { class: `plot-area ${kind}`, d: `${path(frame, points)}Z` })] : [];
@@ -138,11 +147,15 @@ export function area(corners, kind) {
 export const band = (lo, hi, kind) => (frame) => {
     const from = frame.x(lo);
     const wide = Math.max(2, frame.x(hi) - from);
-    return [svg("rect", { class: `plot-band ${kind}`, x: from, y: frame.top, width: wide, height: frame.height })];
+    return [
+        svg("rect", { class: `plot-band ${kind}`, x: from, y: frame.top, width: wide, height: frame.height }),
+    ];
 };
 
 /** The line y = 0. */
-export const zero = (frame) => [svg("path", { class: "plot-zero", d: `M${frame.left} ${frame.y(0)}H${frame.right}` })];
+export const zero = (frame) => [
+    svg("path", { class: "plot-zero", d: `M${frame.left} ${frame.y(0)}H${frame.right}` }),
+];
 
 /** Marks at points [x, y]. */
 export const marks =
@@ -162,7 +175,13 @@ export const numbered = (points, kind) => (frame) => {
             const free = taken.every(([p, q]) => Math.abs(p - u) > 14 || Math.abs(q - v) > 11);
             if (!free || v < frame.top + 9 || v > frame.bottom - 2) continue;
             taken.push([u, v]);
-            return [svg("text", { class: `plot-number ${kind}`, x: u, y: v, "text-anchor": "middle" }, String(i + 1))];
+            return [
+                svg(
+                    "text",
+                    { class: `plot-number ${kind}`, x: u, y: v, "text-anchor": "middle" },
+                    String(i + 1),
+                ),
+            ];
         }
         return [];
     });

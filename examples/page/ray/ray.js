@@ -1,5 +1,5 @@
-// ray.js - one ray, looked into: where it meets the surface, its polynomial, how the first root was found, and
-// all complex roots.
+// ray.js - one ray, looked into: where it meets the surface, its polynomial, how the first root was found,
+// and all complex roots.
 import { element } from "../base/dom.js";
 import { between, lowered, short, whole } from "../base/number.js";
 import { Place } from "./place.js";
@@ -15,11 +15,13 @@ const MATTERS = ["equation", "parameters", "extent", "clip", "camera", "complex"
 const vector = (v) => `(${v.map((x) => short(x, 6)).join(", ")})`;
 
 /** Numbers as they are counted, without marks for thousands. */
-const plain = (place) => Object.fromEntries(Object.entries(place).map(([key, value]) => [key, String(value)]));
+const plain = (place) =>
+    Object.fromEntries(Object.entries(place).map(([key, value]) => [key, String(value)]));
 
 /** The rows "name, value" of what is known of a hit. */
 function factsOf(pick, place, complex, text) {
     const facts = [["ray.pixel", text("ray.pixel.of", plain(place))]];
+    const width = short(pick.tHi - pick.tLo, 2);
     if (pick.state === "hit")
         facts.push(
             ["ray.position", vector(pick.position)],
@@ -28,7 +30,7 @@ function factsOf(pick, place, complex, text) {
             [complex ? "ray.t.complex" : "ray.t", whole(pick.t)],
             [
                 "ray.enclosure",
-                `${between(pick.tLo, pick.tHi)}, ${text("ray.wide", { width: short(pick.tHi - pick.tLo, 2) })}`,
+                `${between(pick.tLo, pick.tHi)}, ${text("ray.wide", { width })}`,
             ],
         );
     return facts;
@@ -36,7 +38,9 @@ function factsOf(pick, place, complex, text) {
 
 function coefficientsOf(pick, imaginary) {
     return pick.polynomial.map((value, k) => {
-        const i = imaginary[k] ? ` ${imaginary[k] < 0 ? "−" : "+"} ${short(Math.abs(imaginary[k]), 6)} i` : "";
+        const i = imaginary[k]
+            ? ` ${imaginary[k] < 0 ? "−" : "+"} ${short(Math.abs(imaginary[k]), 6)} i`
+            : "";
         return element("li", {}, `p${lowered(k)} = ${whole(value)}${i}`);
     });
 }
@@ -57,7 +61,9 @@ class Panel {
         this.section.addEventListener("toggle", () => this.#changed());
         store.subscribe((state, { changed, moving }) => {
             const resized =
-                changed.has("picture") && state.picture.stage !== "moving" && this.place.resize(state.picture);
+                changed.has("picture") &&
+                state.picture.stage !== "moving" &&
+                this.place.resize(state.picture);
             if (resized) this.#changed();
             const rests = changed.size === 0 && !moving;
             if (!rests && !MATTERS.some((key) => changed.has(key))) return;
@@ -69,7 +75,13 @@ class Panel {
     #build(room) {
         const { text } = this;
         const field = (axis) =>
-            element("input", { type: "number", min: 0, step: 1, change: () => this.#typed(), "data-axis": axis });
+            element("input", {
+                type: "number",
+                min: 0,
+                step: 1,
+                change: () => this.#typed(),
+                "data-axis": axis,
+            });
         this.x = field("x");
         this.y = field("y");
         this.hint = element("p", {}, text("ray.hint"));
@@ -79,10 +91,20 @@ class Panel {
         this.realPart = element("p", { class: "ray-said" }, text("ray.realpart"));
         const part = (key, ...nodes) =>
             element("section", { class: "ray-part" }, element("h3", {}, text(key)), ...nodes);
-        const list = element("details", {}, element("summary", {}, text("ray.coefficients")), this.coefficients);
+        const list = element(
+            "details",
+            {},
+            element("summary", {}, text("ray.coefficients")),
+            this.coefficients,
+        );
         this.stepsPart = part("ray.methods", this.steps.node);
         this.planePart = part("ray.plane", this.plane.node);
-        this.parts = element("div", {}, part("ray.polynomial", this.realPart, this.search.node, list), this.stepsPart);
+        this.parts = element(
+            "div",
+            {},
+            part("ray.polynomial", this.realPart, this.search.node, list),
+            this.stepsPart,
+        );
         room.append(
             this.hint,
             element(
@@ -106,7 +128,8 @@ class Panel {
     }
 
     #typed() {
-        if (this.x.value !== "" && this.y.value !== "") this.place.move(Number(this.x.value), Number(this.y.value));
+        if (this.x.value !== "" && this.y.value !== "")
+            this.place.move(Number(this.x.value), Number(this.y.value));
     }
 
     #changed(moving = false) {
@@ -138,7 +161,8 @@ class Panel {
 
     async #fill(state, place, moving) {
         const pick = await this.painter.ask("pick", state, place);
-        for (const axis of ["x", "y"]) if (document.activeElement !== this[axis]) this[axis].value = place[axis];
+        for (const axis of ["x", "y"])
+            if (document.activeElement !== this[axis]) this[axis].value = place[axis];
         if (!pick) return this.#hide(this.text("ray.outside"));
         this.#tell(pick, place, state);
         const roots = await this.painter.ask("complexRoots", state, place);

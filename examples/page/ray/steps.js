@@ -52,7 +52,15 @@ export class Steps {
             element("thead", {}, element("tr", {}, ...heads)),
             this.rows,
         );
-        this.node = element("figure", {}, table, this.plot.node, this.steps.node, this.said, this.course.node);
+        this.node = element(
+            "figure",
+            {},
+            table,
+            this.plot.node,
+            this.steps.node,
+            this.said,
+            this.course.node,
+        );
     }
 
     /** runs: by method, what the engine's refine() returns; isolated: what isolate() returned; root: t. */
@@ -71,7 +79,12 @@ export class Steps {
             const pick = element("input", { type: "radio", name: group, value: method });
             pick.checked = method === this.#method;
             pick.addEventListener("change", () => this.#choose(method));
-            const name = element("label", { class: `method-${method}` }, pick, ` ${this.text(`ray.method.${method}`)}`);
+            const name = element(
+                "label",
+                { class: `method-${method}` },
+                pick,
+                ` ${this.text(`ray.method.${method}`)}`,
+            );
             const count = element("td", { class: "ray-number" }, String(evaluations));
             return element(
                 "tr",

@@ -1,5 +1,5 @@
-// wedge.js - the sector of complex space over the plane of roots: sigma .. sigma + delta and its mirror image,
-// with a handle on each edge that can be dragged, or moved by the arrow keys.
+// wedge.js - the sector of complex space over the plane of roots: sigma .. sigma + delta and its mirror
+// image, with a handle on each edge that can be dragged, or moved by the arrow keys.
 
 import { short } from "../base/number.js";
 import { rayIn, wedgeIn } from "./planeview.js";
@@ -40,7 +40,8 @@ export class WedgeHandles {
     #sector = null;
     #dragged = null;
 
-    /** onChange(sector): somebody moves an edge; toPoint(event): where the pointer is, in pixels of the view. */
+    /** onChange(sector): somebody moves an edge; toPoint(event): where the pointer is, in pixels of the
+     * view. */
     constructor({ text, onChange, toPoint }) {
         this.onChange = onChange;
         this.toPoint = toPoint;
@@ -66,7 +67,8 @@ export class WedgeHandles {
             handle.focus();
         });
         handle.addEventListener("pointermove", (event) => this.#dragged === edge && this.#drag(edge, event));
-        for (const end of ["pointerup", "pointercancel"]) handle.addEventListener(end, () => (this.#dragged = null));
+        for (const end of ["pointerup", "pointercancel"])
+            handle.addEventListener(end, () => (this.#dragged = null));
         handle.addEventListener("keydown", (event) => this.#press(edge, event));
         return handle;
     }

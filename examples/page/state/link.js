@@ -16,7 +16,9 @@ function number(text) {
 
 /** Percent escapes for what address bars, mail and chat programs do not leave alone. */
 function escaped(text) {
-    const plain = encodeURIComponent(text).replace(/%(5E|2B|3D|2F|2C|3A|40|3B)/g, (code) => decodeURIComponent(code));
+    const plain = encodeURIComponent(text).replace(/%(5E|2B|3D|2F|2C|3A|40|3B)/g, (code) =>
+        decodeURIComponent(code),
+    );
     return plain.replace(/['!~]/g, (c) => `%${c.charCodeAt(0).toString(16)}`);
 }
 
@@ -34,7 +36,8 @@ export function linkOf(state, home = null) {
     const add = (key, value) => fields.push(`${escaped(key)}=${escaped(value)}`);
     if (state.name) add("name", state.name);
     add("equation", state.equation);
-    for (const [name, p] of Object.entries(state.parameters)) add(`let:${name}`, `${p.value}:${p.from}:${p.to}`);
+    for (const [name, p] of Object.entries(state.parameters))
+        add(`let:${name}`, `${p.value}:${p.from}:${p.to}`);
     const { kind, size, centre } = state.extent;
     add("extent", `${kind}:${list(size)}${centre.some((x) => x !== 0) ? `@${list(centre)}` : ""}`);
     for (const plane of state.clip) add("clip", list(plane));
@@ -79,13 +82,17 @@ const READERS = {
     colour: (value, raw) => (raw.colours = { background: "none", ...raw.colours, outside: `#${value}` }),
     inside: (value, raw) => (raw.colours = { background: "none", ...raw.colours, inside: `#${value}` }),
     background: (value, raw) =>
-        (raw.colours = { ...raw.colours, background: value === "none" ? value : value === "white" ? null : `#${value}` }),
+        (raw.colours = {
+            ...raw.colours,
+            background: value === "none" ? value : value === "white" ? null : `#${value}`,
+        }),
     light(value, raw) {
         const [azimuth, elevation] = value.split(":").map(number);
         raw.light = { azimuth, elevation };
     },
     thin: (value, raw) => (raw.thin = value === "yes" ? true : value === "no" ? false : value),
-    sigma: (value, raw) => (raw.complex = { delta: 1e-10, imaginary: {}, ...raw.complex, sigma: number(value) }),
+    sigma: (value, raw) =>
+        (raw.complex = { delta: 1e-10, imaginary: {}, ...raw.complex, sigma: number(value) }),
     delta: (value, raw) => (raw.complex = { sigma: 0, imaginary: {}, ...raw.complex, delta: number(value) }),
     imag(value, raw) {
         const [k, v] = value.split(":");

@@ -90,7 +90,8 @@ export class Shown {
 
     // ---- opened ----
 
-    /** Shows a state: of the catalogue, of a link, of a file; `camera`: it is as it was, else it suits the window. */
+    /** Shows a state: of the catalogue, of a link, of a file; `camera`: it is as it was, else it suits the
+     * window. */
     open(state, { camera = null } = {}) {
         const checked = checkedState(state).state;
         const base = this.#setHome(surfaceOf(checked.name)?.camera ?? checked.camera);
@@ -105,7 +106,8 @@ export class Shown {
             const { parameters } = await compiledWith(this.#painter, state.equation, state.parameters);
             const whole = { ...state, name: isOfCatalogue(state) ? state.name : "", parameters };
             this.open(whole, { camera: hasCamera ? state.camera : null });
-            if (!hasCamera && whole.name === "") await this.fit(state.extent.kind === "fitted" ? "view" : "camera");
+            if (!hasCamera && whole.name === "")
+                await this.fit(state.extent.kind === "fitted" ? "view" : "camera");
         } catch (error) {
             this.open(SURFACES[0]);
             const why = (text) => error.message || text(`mistake.${error.code}`);
@@ -155,7 +157,8 @@ export class Shown {
         }
     }
 
-    /** At rest, once letters have other values: a fitted extent is fitted to them; a camera that was moved stays. */
+    /** At rest, once letters have other values: a fitted extent is fitted to them; a camera that was moved
+     * stays. */
     async #fitAgain() {
         const before = this.#store.get(), surface = surfaceIn(before);
         if (before.extent.kind !== "fitted" || surface === this.#fittedSurface) return;

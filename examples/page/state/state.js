@@ -36,7 +36,8 @@ function inRange(x, from = -LIMITS.number, to = LIMITS.number) {
 }
 
 function numbers(list, count, from, to) {
-    const is = Array.isArray(list) && list.length === count && list.every((x) => inRange(x, from, to) !== undefined);
+    const is =
+        Array.isArray(list) && list.length === count && list.every((x) => inRange(x, from, to) !== undefined);
     return is ? [...list] : undefined;
 }
 
@@ -74,7 +75,8 @@ function parametersOf(value) {
 function extentOf(value) {
     if (!isObject(value) || !["fitted", "sphere", "box"].includes(value.kind)) return undefined;
     const edges = value.kind === "box" ? 3 : 1;
-    const size = numbers(value.size, edges, 1e-9, 1e9) ?? numbers(value.size?.slice?.(0, edges), edges, 1e-9, 1e9);
+    const size =
+        numbers(value.size, edges, 1e-9, 1e9) ?? numbers(value.size?.slice?.(0, edges), edges, 1e-9, 1e9);
     const centre = numbers(value.centre, 3);
     return size && centre ? { kind: value.kind, size, centre } : undefined;
 }
@@ -164,8 +166,8 @@ export function areUsual({ outside, inside }) {
     return outside === BLUE.outside && inside === BLUE.inside;
 }
 
-/** Is the picture in the library's own colours, of which BLUE is what eight bits hold?  Then nothing is told of them.
- * render has no word for thin features that are asked for in that colour. */
+/** Is the picture in the library's own colours, of which BLUE is what eight bits hold?  Then nothing is told
+ * of them. render has no word for thin features that are asked for in that colour. */
 export function isInOwnColours({ colours, thin }) {
     return areUsual(colours ?? {}) && thin !== true;
 }

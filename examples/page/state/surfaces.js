@@ -16,9 +16,11 @@ const PALETTES = {
     red: ["#ed5050", "#99b5d3"],
 };
 
-function surface(name, palette, equation, { radius, centre = [0, 0, 0], eye, at = [0, 0, 0], up = [0, 0, 1], fov = 25, letters = {} }) {
+function surface(name, palette, equation, view) {
+    const { radius, centre = [0, 0, 0], eye, at = [0, 0, 0], up = [0, 0, 1], fov = 25, letters = {} } = view;
     const [outside, inside] = PALETTES[palette];
-    const entries = Object.entries(letters).map(([letter, [value, from, to]]) => [letter, { value, from, to }]);
+    const range = ([value, from, to]) => ({ value, from, to });
+    const entries = Object.entries(letters).map(([letter, numbers]) => [letter, range(numbers)]);
     return Object.freeze({
         name,
         equation,
@@ -42,7 +44,8 @@ export const SURFACES = [
     surface("cayley", "leaf", "4(x^2 + y^2 + z^2) + 16x y z = 1",
         { radius: 1.1, eye: [2.04, -3.465, 1.66], at: [-0.11, -0.16, -0.16], up: [-1, -1, -1] }),
     surface("kummer", "slate", "(x^2+y^2+z^2 - m^2)^2 = (3m^2-1)/(3-m^2) ((1-z)^2 - 2x^2)((1+z)^2 - 2y^2)",
-        { radius: 2.2, eye: [8.03, -2.36, 6.52], at: [-0.03, 0.06, 0.07], letters: { m: [1.14, 1.02, 1.7] } }),
+        { radius: 2.2, eye: [8.03, -2.36, 6.52], at: [-0.03, 0.06, 0.07],
+            letters: { m: [1.14, 1.02, 1.7] } }),
     surface("togliatti", "violet",
         "64(x-1)(x^4 - 4x^3 - 10x^2 y^2 - 4x^2 + 16x - 20x y^2 + 5y^4 + 16 - 20y^2) - " +
             "5sqrt(5-sqrt(5))(2z - sqrt(5-sqrt(5)))(4(x^2+y^2-z^2) + (1+3sqrt(5)))^2",
@@ -56,7 +59,8 @@ export const SURFACES = [
         "64(x^2-1)(y^2-1)((x+y)^2-2)((x-y)^2-2) = (4(1+sqrt(2))(x^2+y^2)^2 - (8(2+sqrt(2))z^2 + " +
             "2(2+7sqrt(2)))(x^2+y^2) + 16z^4 - 8(1-2sqrt(2))z^2 + 1 + 12sqrt(2))^2",
         { radius: 4.3, eye: [4.61, -1.92, 20.18], at: [-0.23, 0.09, 0.06], up: [-0.7071, 0.2947, 0.6428] }),
-    surface("chmutov", "slate", "(2(2(2x^2-1)^2-1)^2-1) + (2(2(2y^2-1)^2-1)^2-1) + (2(2(2z^2-1)^2-1)^2-1) + 1",
+    surface("chmutov", "slate",
+        "(2(2(2x^2-1)^2-1)^2-1) + (2(2(2y^2-1)^2-1)^2-1) + (2(2(2z^2-1)^2-1)^2-1) + 1",
         { radius: 1.75, eye: [3.773, -5.558, 3.186], at: [0.004, -0.074, -0.127] }),
     surface("decic", "blue",
         "8(x^2 - (7+3sqrt(5))/2*y^2)(y^2 - (7+3sqrt(5))/2*z^2)(z^2 - (7+3sqrt(5))/2*x^2)(x^4+y^4+z^4 " +
@@ -78,19 +82,23 @@ export const SURFACES = [
         "64(1-z)^3 z^3 - 48(1-z)^2 z^2 (3x^2+3y^2+2z^2) + 12(1-z)z(27(x^2+y^2)^2 - 24z^2 (x^2+y^2) + " +
             "36sqrt(2) y z (y^2-3x^2) + 4z^4) + (9x^2+9y^2-2z^2)(-81(x^2+y^2)^2 - 72z^2 (x^2+y^2) + " +
             "108sqrt(2) x z (x^2-3y^2) + 4z^4)",
-        { radius: 1.9, centre: [0, 0, 1], eye: [-0.395, 0.884, -4.559], at: [0.16, 0.051, 0.992], up: [0, 1, 0] }),
+        { radius: 1.9, centre: [0, 0, 1], eye: [-0.395, 0.884, -4.559], at: [0.16, 0.051, 0.992],
+            up: [0, 1, 0] }),
     surface("steiner", "copper", "x^2 y^2 + x^2 z^2 + y^2 z^2 + x y z = 0",
         { radius: 0.8, eye: [1.03, -1.79, 1.17], at: [-0.01, 0.02, 0.05] }),
     surface("crosscap", "plum", "4x^2 (x^2+y^2+z^2+z) + y^2 (y^2+z^2-1) = 0",
         { radius: 1.3, eye: [2.677, -3.611, 2.144], at: [-0.054, -0.036, 0.009] }),
-    surface("klein", "copper", "(x^2+y^2+z^2+2y-1)((x^2+y^2+z^2-2y-1)^2 - 8z^2) + 16x z(x^2+y^2+z^2-2y-1) = 0",
-        { radius: 6.3, centre: [0, 0.26, 0], eye: [-5.08, -11.43, 9.63], at: [-0.07, 0.58, 0.38], up: [0.0668, 0.1603, 0.9848] }),
+    surface("klein", "copper",
+        "(x^2+y^2+z^2+2y-1)((x^2+y^2+z^2-2y-1)^2 - 8z^2) + 16x z(x^2+y^2+z^2-2y-1) = 0",
+        { radius: 6.3, centre: [0, 0.26, 0], eye: [-5.08, -11.43, 9.63], at: [-0.07, 0.58, 0.38],
+            up: [0.0668, 0.1603, 0.9848] }),
     surface("whitney", "blue", "x^2 z + y^2 = 0",
         { radius: 2, eye: [5.263, -2.382, 1.736], at: [0.382, 0.059, -0.705] }),
     surface("cartan", "violet", "z(x^2+y^2) = x^3",
         { radius: 3.5, eye: [6.57, -8.71, 5.31], at: [-0.09, 0, 0.11] }),
     surface("plucker", "slate", "z(x^2+y^2) = x^2 - y^2",
-        { radius: 1.6, eye: [4.907, 0.549, 3.768], at: [-0.111, -0.1, 0.174], up: [-0.1722, -0.0223, 0.9848] }),
+        { radius: 1.6, eye: [4.907, 0.549, 3.768], at: [-0.111, -0.1, 0.174],
+            up: [-0.1722, -0.0223, 0.9848] }),
     surface("cusp", "violet", "z^3 + x z + y = 0",
         { radius: 2, eye: [-7.033, 2.384, 3.92], at: [-0.171, 0.031, -0.296] }),
     surface("swallowtail", "leaf", "256z^3 - 128x^2 z^2 + 16x^4 z + 144x y^2 z - 4x^3 y^2 - 27y^4 = 0",
@@ -106,11 +114,14 @@ export const SURFACES = [
     surface("sphere", "blue", "x^2 + y^2 + z^2 = 1",
         { radius: 1.2, eye: [2.93, -3.6, 2.14] }),
     surface("torus", "copper", "(x^2+y^2+z^2 + R^2 - r^2)^2 = 4R^2 (x^2+y^2)",
-        { radius: 3.6, eye: [5.43, -9.05, 6.76], at: [0.12, -0.19, -0.33], letters: { R: [2.5, 1, 2.5], r: [0.9, 0.1, 1] } }),
+        { radius: 3.6, eye: [5.43, -9.05, 6.76], at: [0.12, -0.19, -0.33],
+            letters: { R: [2.5, 1, 2.5], r: [0.9, 0.1, 1] } }),
     surface("cyclide", "teal", "(x^2+y^2+z^2 + 8 - d^2)^2 = 4((3x-d)^2 + 8y^2)",
-        { radius: 7.1, centre: [-0.88, 0, 0], eye: [12.38, 1.75, 13.5], at: [-0.85, 0.03, -0.03], up: [-0.3392, -0.0439, 0.9397], letters: { d: [1.5, 0.2, 4] } }),
+        { radius: 7.1, centre: [-0.88, 0, 0], eye: [12.38, 1.75, 13.5], at: [-0.85, 0.03, -0.03],
+            up: [-0.3392, -0.0439, 0.9397], letters: { d: [1.5, 0.2, 4] } }),
     surface("cassini", "leaf", "((x+a)^2+y^2)((x-a)^2+y^2) + z^2 = b",
-        { radius: 2, eye: [3.502, -4.416, 2.631], at: [0.092, 0.049, -0.035], letters: { a: [1, 0, 1.5], b: [1.1, 0.2, 2] } }),
+        { radius: 2, eye: [3.502, -4.416, 2.631], at: [0.092, 0.049, -0.035],
+            letters: { a: [1, 0, 1.5], b: [1.1, 0.2, 2] } }),
     surface("lemniscate", "violet", "(x^2+y^2+z^2)^2 = 2*2.7^2*(x^2 - y^2 - z^2)",
         { radius: 4, eye: [3.39, -12.35, 4.25], at: [0.16, 0.02, -0.06] }),
     surface("tangle", "teal", "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + a = 0",
@@ -122,11 +133,16 @@ export const SURFACES = [
     surface("cube", "slate", "x^4 + y^4 + z^4 = 1",
         { radius: 1.5, eye: [3.028, -4.582, 2.745], at: [0, -0.041, -0.067] }),
     surface("genus2", "blue", "2y(y^2-3x^2)(1-z^2) + (x^2+y^2)^2 - (9z^2-1)(1-z^2) = 0",
-        { radius: 2.2, eye: [3.501, -4.218, 4.581], at: [0.2, 0.104, -0.046], up: [-0.1571, 0.2057, 0.9659] }),
-    surface("rings", "copper", "((x^2+y^2-1)^2+z^2)((y^2+z^2-1)^2+x^2)((z^2+x^2-1)^2+y^2) = a^2 (1 + 3(x^2+y^2+z^2))",
-        { radius: 1.4, eye: [3.529, -2.73, 2.683], at: [-0.028, 0.011, 0.05], up: [-0.069, 0.0532, 0.9962], letters: { a: [0.03, 0.01, 0.15] } }),
-    surface("decocube", "leaf", "((x^2+y^2-0.64)^2+(z^2-1)^2)((y^2+z^2-0.64)^2+(x^2-1)^2)((z^2+x^2-0.64)^2+(y^2-1)^2) = a",
-        { radius: 1.7, eye: [3.617, -4.773, 2.764], at: [0, -0.038, -0.064], letters: { a: [0.02, 0.005, 0.1] } }),
+        { radius: 2.2, eye: [3.501, -4.218, 4.581], at: [0.2, 0.104, -0.046],
+            up: [-0.1571, 0.2057, 0.9659] }),
+    surface("rings", "copper",
+        "((x^2+y^2-1)^2+z^2)((y^2+z^2-1)^2+x^2)((z^2+x^2-1)^2+y^2) = a^2 (1 + 3(x^2+y^2+z^2))",
+        { radius: 1.4, eye: [3.529, -2.73, 2.683], at: [-0.028, 0.011, 0.05],
+            up: [-0.069, 0.0532, 0.9962], letters: { a: [0.03, 0.01, 0.15] } }),
+    surface("decocube", "leaf",
+        "((x^2+y^2-0.64)^2+(z^2-1)^2)((y^2+z^2-0.64)^2+(x^2-1)^2)((z^2+x^2-0.64)^2+(y^2-1)^2) = a",
+        { radius: 1.7, eye: [3.617, -4.773, 2.764], at: [0, -0.038, -0.064],
+            letters: { a: [0.02, 0.005, 0.1] } }),
     surface("hunt", "teal", "4(x^2+y^2+z^2-13)^3 + 27(3x^2+y^2-4z^2-12)^2 = 0",
         { radius: 7.2, eye: [7.22, -9.69, -0.8], at: [-0.11, -0.1, 0.18], up: [0.3035, -0.3973, 0.866] }),
     surface("dome", "violet", "(x^2+y^2-z^2)^2 = 4y^2 (1-z^2)",
@@ -152,7 +168,8 @@ export const SURFACES = [
     surface("daisy", "gold", "(x^2 - y^3)^2 = (z^2 - y^2)^3",
         { radius: 2.4, eye: [6.6, -8.41, 4.96], at: [0.14, 0.05, -0.1] }),
     surface("distel", "leaf", "x^2 + y^2 + z^2 + c (x^2+y^2)(x^2+z^2)(y^2+z^2) = 1",
-        { radius: 0.99, eye: [2.489, -3.123, 1.992], at: [0.042, 0.079, 0.079], letters: { c: [1000, 0, 2000] } }),
+        { radius: 0.99, eye: [2.489, -3.123, 1.992], at: [0.042, 0.079, 0.079],
+            letters: { c: [1000, 0, 2000] } }),
     surface("dullo", "copper", "(x^2+y^2+z^2)^2 = x^2+y^2",
         { radius: 1.6, eye: [2.046, -2.679, 1.499], at: [0.024, -0.031, -0.082] }),
     surface("durchblick", "blue", "x^3 y + x z^3 + y^3 z + z^3 + 5z = 0",
