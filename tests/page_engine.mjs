@@ -7,7 +7,7 @@ import { spawnSync } from "node:child_process";
 import { pathToFileURL } from "node:url";
 
 const [folder, programs] = process.argv.slice(2);
-const { Engine } = await import(pathToFileURL(`${folder}/engine.js`));
+const { Engine } = await import(pathToFileURL(`${folder}/picture/engine.js`));
 const engine = await Engine.load();
 let checks = 0, failures = 0;
 

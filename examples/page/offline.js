@@ -1,7 +1,8 @@
 // offline.js - the page's service worker: after the first load it needs no network.
 //
-// All files of one version are fetched together and belong together: pages opened from this version get it to their
-// end, a newer one takes its place when none of them is open any more.  The build writes version and files.
+// All files of one version are fetched together and belong together: pages opened from this version get it to
+// their end, a newer one takes its place when none of them is open any more.  The build writes version and
+// files.
 const VERSION = "development";
 const FILES = [];
 
@@ -14,7 +15,8 @@ async function fill() {
 }
 
 async function removeOlder() {
-    for (const other of await caches.keys()) if (other.startsWith(family) && other !== name) await caches.delete(other);
+    for (const other of await caches.keys())
+        if (other.startsWith(family) && other !== name) await caches.delete(other);
 }
 
 async function answer(request) {

@@ -10,15 +10,14 @@ import { PAGE } from "./settings.mjs";
 const folder = mkdtempSync(join(tmpdir(), "page-"));
 after(() => rmSync(folder, { recursive: true }));
 writeFileSync(join(folder, "package.json"), '{"type": "module"}');
-for (const name of ["axis", "bernstein", "number", "planeview", "sector"])
-    cpSync(join(PAGE, `${name}.js`), join(folder, `${name}.js`));
+cpSync(PAGE, folder, { recursive: true });
 const part = (name) => import(join(folder, `${name}.js`));
 
-const { convexHull, restrict, samples } = await part("bernstein");
-const { anchorOf, linear, log, ofValues, symlog } = await part("axis");
-const { short, whole } = await part("number");
-const { withDelta, withFirstEdge, withLastEdge, withSigma } = await part("sector");
-const { planeView, rayIn, wedgeIn } = await part("planeview");
+const { convexHull, restrict, samples } = await part("ray/bernstein");
+const { anchorOf, linear, log, ofValues, symlog } = await part("ray/axis");
+const { short, whole } = await part("base/number");
+const { withDelta, withFirstEdge, withLastEdge, withSigma } = await part("complex/sector");
+const { planeView, rayIn, wedgeIn } = await part("ray/planeview");
 
 const close = (a, b, within = 1e-12) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 

@@ -9,7 +9,7 @@ import { SOURCE } from "./settings.mjs";
 const TEXTS = join(SOURCE, "examples", "page", "texts");
 
 const names = (visit) => visit.page.evaluate(async () =>
-    (await import(new URL("surfaces.js", location.href))).SURFACES.map(({ name }) => name));
+    (await import(new URL("state/surfaces.js", location.href))).SURFACES.map(({ name }) => name));
 
 visitTest("at least 40 surfaces, with a name and two sentences in each language", {}, async (visit) => {
     const all = await names(visit);
@@ -39,7 +39,7 @@ visitTest("texts have the same keys and the same places for values in each langu
 
 visitTest("each surface of the catalogue is drawn, and fills its picture", {}, async (visit) => {
     const drawn = await visit.page.evaluate(async () => {
-        const { SURFACES } = await import(new URL("surfaces.js", location.href));
+        const { SURFACES } = await import(new URL("state/surfaces.js", location.href));
         const { painter, store } = window.algsurfPage, { picture, ...rest } = store.get();
         return Promise.all(SURFACES.map(async (surface) => {
             const state = { ...rest, ...surface, clip: [], light: null, thin: null, complex: null };

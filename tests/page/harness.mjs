@@ -104,10 +104,10 @@ export class Visit {
         return this.page.evaluate(() => JSON.parse(JSON.stringify(window.algsurfPage.store.get())));
     }
 
-    /** Until a function of the state (and of a value) says so; gives what it says.  Asked from here, since the
+    /** Until the page has all its parts and a function of the state (and of a value) says so; gives what it says.  Asked from here, since the
      * page's policy forbids it to make functions of texts. */
     async until(holds, value = null, patience = PATIENCE) {
-        const call = `(${holds})(window.algsurfPage?.store.get() ?? {}, ${JSON.stringify(value)})`;
+        const call = `(${holds})(window.algsurfPage?.isWhole ? window.algsurfPage.store.get() : {}, ${JSON.stringify(value)})`;
         for (const begin = Date.now(); Date.now() - begin < patience; await sleep(20)) {
             const said = await this.page.evaluate(call);
             if (said) return said;

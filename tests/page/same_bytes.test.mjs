@@ -28,7 +28,7 @@ const LINKS = {
 /** Words of the command for the present state, from the page's own module. */
 function wordsOf(visit, options) {
     return visit.page.evaluate(async (options) => {
-        const { commandWords } = await import(new URL("command.js", location.href));
+        const { commandWords } = await import(new URL("files/command.js", location.href));
         return commandWords(window.algsurfPage.store.get(), options);
     }, options);
 }

@@ -1,0 +1,114 @@
+// equation.js - the box that equations are typed into: compiled while typing; the last good picture stays.
+//
+// What is wrong is marked in place, by a layer of the same text behind the transparent box.
+import { compiledWith } from "../picture/asking.js";
+import { element, fill } from "../base/dom.js";
+
+const WAIT = 30; // milliseconds after a key
+
+export class EquationBox {
+    #box;
+    #mirror;
+    #mistake;
+    #services;
+    #timer = 0;
+    #latest = 0;
+
+    /** services: { store, painter, text, onSurface(partial state, compiled) } */
+    constructor({ box, mirror, mistake }, services) {
+        this.#box = box;
+        this.#mirror = mirror;
+        this.#mistake = mistake;
+        this.#services = services;
+        box.addEventListener("input", () => this.#later());
+        box.addEventListener("scroll", () => (mirror.scrollTop = box.scrollTop));
+        box.addEventListener("keydown", (event) => this.#key(event));
+        new ResizeObserver(() => this.#fit()).observe(box.parentElement);
+        if (!this.isSettled) this.#later(); // typed before there was this
+    }
+
+    /** Is what stands in the box what is shown? */
+    get isSettled() {
+        return this.#box.value === this.#services.store.get().equation;
+    }
+
+    focus() {
+        this.#box.focus();
+        this.#box.select();
+    }
+
+    /** Shows an equation that is known to be good. */
+    show(equation) {
+        clearTimeout(this.#timer);
+        this.#latest++;
+        this.#box.value = equation;
+        this.#fit();
+        this.#mark(null);
+    }
+
+    #key(event) {
+        if (event.key === "Enter" && !event.shiftKey) {
+            event.preventDefault();
+            void this.#compile();
+        }
+        if (event.key === "Escape") {
+            event.stopPropagation();
+            this.show(this.#services.store.get().equation);
+            this.#box.blur();
+        }
+    }
+
+    #later() {
+        this.#fit();
+        this.#mark(null);
+        clearTimeout(this.#timer);
+        this.#timer = setTimeout(() => this.#compile(), WAIT);
+    }
+
+    /** As high as the text is. */
+    #fit() {
+        this.#box.style.height = "auto";
+        this.#box.style.height = `${this.#box.scrollHeight + 2}px`;
+    }
+
+    /** Compiles what stands in the box, and hands it on if it is good. */
+    async #compile() {
+        clearTimeout(this.#timer);
+        const turn = ++this.#latest, equation = this.#box.value;
+        const { store, painter, onSurface } = this.#services;
+        if (equation.trim() === "" || equation === store.get().equation) return this.#mark(null);
+        try {
+            const { parameters, compiled } = await compiledWith(painter, equation, store.get().parameters);
+            if (turn !== this.#latest) return;
+            this.#mark(null);
+            await onSurface({ name: "", equation, parameters }, compiled);
+        } catch (error) {
+            if (turn === this.#latest && error.code !== "E_CANCELLED") this.#mark(error);
+        }
+    }
+
+    #mark(error) {
+        const { value } = this.#box;
+        this.#box.setAttribute("aria-invalid", String(error !== null));
+        if (!error) {
+            fill(this.#mirror);
+            this.#mistake.textContent = "";
+            return;
+        }
+        const offset = Math.min(error.offset ?? 0, value.length),
+            end = offset + Math.max(error.length ?? 1, 1);
+        const piece = value.slice(offset, end) || " ";
+        const parts = [value.slice(0, offset), element("mark", {}, piece), value.slice(end)];
+        fill(this.#mirror, ...(typeof error.offset === "number" ? parts : []));
+        this.#mirror.scrollTop = this.#box.scrollTop;
+        this.#mistake.textContent = this.#saying(error, offset);
+    }
+
+    #saying(error, offset) {
+        const { text } = this.#services;
+        const key = `mistake.${error.code}`;
+        const what = text.has(key) ? text(key) : error.message;
+        if (error.offset === undefined || error.offset === null) return what;
+        return text("mistake.at", { column: offset + 1, what });
+    }
+}

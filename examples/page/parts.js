@@ -1,0 +1,136 @@
+// parts.js - all of the page but the picture and the equation: makes the parts and wires them together.
+import { choice } from "./base/controls.js";
+import { debounced, element, memory } from "./base/dom.js";
+import { LANGUAGES } from "./base/text.js";
+import { switchTheme } from "./base/theme.js";
+import { mount as mountComplex } from "./complex/complex.js";
+import { openDrops } from "./files/files.js";
+import { Take } from "./files/take.js";
+import { mount as mountCertain } from "./panels/certain.js";
+import { showAbout, sentenceOf, titleOf } from "./panels/describe.js";
+import { Gallery } from "./panels/gallery.js";
+import { fillHelp } from "./panels/help.js";
+import { keepKeys } from "./panels/keys.js";
+import { mount as mountLook } from "./panels/look.js";
+import { Sliders } from "./panels/sliders.js";
+import { mount as mountView } from "./panels/view.js";
+import { Motion } from "./picture/motion.js";
+import { mount as mountRay } from "./ray/ray.js";
+import { stateOfLink } from "./state/link.js";
+import { checkedState } from "./state/state.js";
+import { SURFACES } from "./state/surfaces.js";
+
+const at = (id) => document.getElementById(id);
+
+function openPanel(text, isOpen = true) {
+    document.body.classList.toggle("open", isOpen);
+    at("handle").setAttribute("aria-expanded", String(isOpen));
+    at("handle").firstElementChild.textContent = text(isOpen ? "panel.close" : "panel.open");
+}
+
+function showSection(text, name) {
+    document.body.classList.remove("wide");
+    const section = at(`section-${name}`), isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    section.open = true;
+    openPanel(text);
+    section.scrollIntoView({ block: "start", behavior: isStill ? "auto" : "smooth" });
+    return section;
+}
+
+/** Another language: the page is loaded anew, with the same state. */
+function languagesOf(text, shown) {
+    const languages = choice(Object.entries(LANGUAGES), (language) => {
+        memory.set("language", language);
+        history.replaceState(null, "", shown.link);
+        location.reload();
+    });
+    languages.value = text.language;
+    languages.setAttribute("aria-label", text("foot.language"));
+    return languages;
+}
+
+/** Sections of the panel, the gallery, and what moves the picture. */
+function mountSections({ store, painter, text, canvas, shown, box, notice }) {
+    const services = { store, painter, text, canvas, notify: (words) => notice.show(words) };
+    const open = (state) => shown.open(state), link = () => shown.link;
+    const gallery = new Gallery(at("gallery"), { ...services, open });
+    const remember = debounced(4000, () => box.isSettled && gallery.remember(store.get()));
+    shown.onTyped = remember;
+    const sliders = new Sliders(at("sliders"), services);
+    const motion = new Motion(canvas, { ...services, home: () => shown.home });
+    const openFile = (state) => shown.openLink({ state, hasCamera: true });
+    const files = openDrops(document.body, { ...services, drop: at("drop"), open: openFile });
+    const take = new Take(at("take"), { ...services, link, openFile: files.choose });
+    const reset = () => store.set({ camera: shown.home });
+    mountView(at("view"), { ...services, motion, fit: (what) => shown.fit(what), reset });
+    mountLook(at("look"), services);
+    mountCertain(at("certain"), services);
+    mountRay(at("ray"), services);
+    mountComplex(at("complex"), { ...services, open });
+    fillHelp(at("help"), text);
+    at("foot").append(languagesOf(text, shown), element("span", {}, text("foot.about")));
+    return { gallery, sliders, motion, take };
+}
+
+/** Buttons and keys. */
+function listen({ text, canvas, box }, { gallery, sliders, motion, take }) {
+    at("handle").addEventListener("click", () => openPanel(text, !document.body.classList.contains("open")));
+    at("copy-link").addEventListener("click", () => take.copyLink());
+    at("open-save").addEventListener("click", () =>
+        showSection(text, "take").querySelector("button").focus(),
+    );
+    at("theme").addEventListener("click", switchTheme);
+    at("open-help").addEventListener("click", () => at("help").showModal());
+    canvas.addEventListener("place", () => showSection(text, "ray"));
+    keepKeys({
+        motion,
+        gallery,
+        sliders,
+        ray: () => canvas.dispatchEvent(new CustomEvent("place", { detail: { x: 0.5, y: 0.5 } })),
+        complex: () => showSection(text, "complex").querySelector("input")?.focus(),
+        equation: () => box.focus(),
+        link: () => take.copyLink(),
+        save: () => at("open-save").click(),
+        theme: switchTheme,
+        wide: () => document.body.classList.toggle("wide"),
+        help: () => at("help").showModal(),
+        escape: () => {
+            openPanel(text, false);
+            canvas.focus();
+        },
+    });
+}
+
+/** Titles, sentences and the address follow the state. */
+function follow({ store, text, canvas, shown }) {
+    const tellLater = debounced(1200, () => (at("seen").textContent = sentenceOf(store.get(), text)));
+    const keepAddress = debounced(600, () => history.replaceState(null, "", shown.link));
+    let told = ""; // what the part about the surface says
+    function show(state, changed, moving) {
+        if (changed.has("name") || changed.has("equation")) {
+            at("title").textContent = titleOf(state, text);
+            document.title = `${titleOf(state, text)} – algsurf`;
+        }
+        const about = `${state.name} ${state.picture?.degree}`;
+        if (about !== told) showAbout(at("about"), state, text);
+        told = about;
+        if (!changed.has("picture")) return keepAddress();
+        if (moving) return;
+        canvas.setAttribute("aria-label", sentenceOf(state, text));
+        tellLater();
+    }
+    show(store.get(), new Set(["equation"]));
+    show(store.get(), new Set(["picture"]));
+    store.subscribe((state, { changed, moving }) => show(state, changed, moving));
+    // The event's address: that of the page may by now be the one that keepAddress wrote.
+    window.addEventListener("hashchange", ({ newURL }) => {
+        const read = stateOfLink(new URL(newURL).hash, checkedState(SURFACES[0]).state);
+        if (read) void shown.openLink(read);
+    });
+}
+
+/** services: { store, painter, text, canvas, shown, box, notice } */
+export function makeParts(services) {
+    listen(services, mountSections(services));
+    follow(services);
+}
