@@ -1,5 +1,29 @@
 /* points_template.h - from the depths of hits to points of the surface: Newton steps along the ray on P
- * itself, seldom more than one, position, normal; and, where colours are asked for, what these depend on. */
+ * itself, seldom more than one, position, normal; and, where colours are asked for, what these depend on.
+ *
+ * Steps.  The constants below do not decide what is hit.  Rows have proved their roots, and tell_sheets
+ * proves, whatever the steps were, that a sheet's root is within 2^-16 of where the last step began.  They
+ * decide how accurate t is: it may be off by what rounding of the ray, of t and of P can cause, and 2^-36 of
+ * the radius (algsurf_picture.t).  A step s leaves c s^2 to second order, where c = |P''| / (2 |P'|) along
+ * the ray.  Lengths are in the view's unit.
+ * - LAST_STEP is a bound: longer steps are never the last one, unless rounds run out.  Let M be the sum of
+ *   the sizes of P's terms for |x|, |y|, |z| <= 1 (surface/view.c).  For slopes up to 1, |P''| <= n (n-1) M,
+ *   and a step of 2^-26 leaves n (n-1) 2^-53 M / |P'| at most.  P's rounding is bounded by 16 (n+1) 2^-53 M
+ *   and can move the root by that over |P'|: by more, up to degree 17, and by 0.7 times as much in degree 24.
+ * - FARTHEST_STEP is a choice.  Let R be the row's radius, which bounds its rounding and noise.  The depth
+ *   that a row gives is off by ENOUGH + R / |P'| at most, to first order, or by what tolerance the caller has
+ *   set.  So where a step is longer than 2^-16, R / |P'| is about as long: the row's depth is kept, as no
+ *   step tells more.
+ * - FARTHEST_ON_SHEET is a choice that costs time only: where a step is longer, the pixel is left to its row.
+ * - LEFT_OVER and STEP_BEFORE are choices.  If a step s follows r, then c is about s / r^2, and s leaves s
+ *   (s/r)^2.  On a sheet that is to be below 2^-52, since depths begin far off there and t is to be the same
+ *   from any of them, but for its last bits.  No step comes before the first one; 2^-20 in its place makes
+ *   the first one the last if it is below 2^-30.7, which presumes c < 2^9.  A wrong choice costs time, or
+ *   accuracy down to what LAST_STEP ensures.
+ * - MOST_ROUNDS is measured, in 30 views of each named surface (test_render_tiles 30 7).  Of 7.6 million
+ *   points of rows none took a second step; the first was below 2^-28.  Of 53 million of sheets 73 % took a
+ *   second one, 3 % a third, 0.07 % a fourth; 258 points were left to their rows.  In a row the fourth step
+ *   is the last, whatever it leaves. */
 #ifndef ALGSURF_POINTS_TEMPLATE_H
 #define ALGSURF_POINTS_TEMPLATE_H
 #include <string.h>
@@ -8,14 +32,13 @@
 #include "../surface/jets_template.h"
 #include "kernel.h"
 
-/* Of Newton steps, in the view's unit. */
-#define FARTHEST_STEP 0x1p-16    /* a longer one is not to the same root, */
-#define FARTHEST_ON_SHEET 0x1p-3 /* but on a sheet, which has one only */
-#define LAST_STEP 0x1p-26        /* longer ones leave too much: another follows */
-/* What may be left on a sheet after a step s that followed r, s (s/r)^2, and r for the first one. */
-#define LEFT_OVER 0x1p-52
-#define STEP_BEFORE 0x1p-20
-#define MOST_ROUNDS 4 /* of steps; one is usual, on a sheet two */
+/* Of Newton steps, in the view's unit: see Steps. */
+#define FARTHEST_STEP 0x1p-16    /* a longer one is not taken, */
+#define FARTHEST_ON_SHEET 0x1p-3 /* on a sheet */
+#define LAST_STEP 0x1p-26        /* after a longer one another follows; */
+#define LEFT_OVER 0x1p-52        /* also after one that leaves more, if */
+#define STEP_BEFORE 0x1p-20      /* this came before the first one on a sheet */
+#define MOST_ROUNDS 4
 
 /* The rays of a row, in natural units: X = foot + size u across + z (straight + slope across), where
  * slope = alpha u + beta. */

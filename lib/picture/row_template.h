@@ -5,10 +5,40 @@
  * are made once a segment, as polynomials in u: they have fewer variations of sign than those over all
  * depths, so that most rays that miss show it at once.
  *
- * Two errors belong to a chord's ends.  Rounding, and the distance of the pixel's ray from the line
- * computed with: together e = 2^-44 + 4 noise in the view's unit for a line across the extent's surface or a
- * plane; where it meets that at a slant, e is divided by the sine.  It goes to packet.blur; lines that all
- * but touch the extent, or go along a plane close to it, are doubtful. */
+ * Ends of chords.  An end is computed for a line of sight: for u, v and the slopes a, b as they are rounded.
+ * It stands for the end on the pixel's ray.  So it has two errors: rounding, and the view's noise N, by which
+ * points of the ray and of the line differ at most in each of x, y, z.  Both are less than the chord's blur,
+ * which is made of
+ *     e = 2^-44 + 4 N,  divided by the sine where the line meets the extent or a plane at a slant.
+ * What is shown has |X| <= 1; |u| + |a| < 4 and |v| + |b| < 4 (packets.c, tiles.c); N < 2^-22 (view.c).
+ * Hence |(u,v)| < 5.7, s = 1 + a^2 + b^2 < 33, and the root of s is below 5.75.  Roundings are counted in
+ * 2^-53, to first order: 2^-44 has 512 of them.  Beside the end of a ray's chord, sqrt(3) N away, there is a
+ * point of the line; N of that is in depth.
+ * - Sphere, r <= 1.  The ends are z = (-along -+ half) / s with half^2 = inside = r^2 s - q, where q is the
+ *   square of the cross product of (u,v,0) and (a,b,1), and at most about s where there is a chord.
+ *   Roundings: r^2 s has 7, of which two are r's and three are those of s; q has 5, and 2 |across| (|ub| +
+ *   |va|) <= 2 s^(3/2) more; the difference has one.  These 15 s^(3/2) move z by 15 s^(3/2) / (2 half s); all
+ *   others of z, where |z| <= 1, come to 12.  Axes are orthonormal to 2^-48, which moves |X|^2 by 96
+ *   roundings and z by 48 / half.  As half <= sqrt(s), the sum is below 68 s / half.  Noise moves |X|^2 by
+ *   3.5 N and inside by 3.5 N s, and half^2 > 16 N s (see Edge): so z moves by 1.9 N / half, and by N in
+ *   depth: by less than 2.9 N s / half.  Blur is e s / half.
+ * - Edge.  Noise and rounding move inside by less than e s.  Therefore a ray has no point in the ball if
+ *   inside < -4 e s, and surely has a chord if inside > 4 e s.  Between these bounds, and ON_EDGE s more, it
+ *   is undecided; the chord computed then may be too long, but is too short by less than blur.
+ * - Box.  A coordinate about the centre is at + z d.  Roundings: at has 2 of 5.7, d has 3 of 5.75, h and the
+ *   difference have 8 together, the quotient has 6: below 44 / |d| where |z| <= 1.  Noise: sqrt(3) N / |d| +
+ *   N.  Blur is the larger of e and e / |d|.  A quotient with |z| > 1 is no end of a chord.  It is off by
+ *   2^-27 |z| at most, so that it stays beyond the ends, but for blur.
+ * - Along a face, where |d| <= PARALLEL, the coordinate is within PARALLEL + e of `at`.  As e / 2 < PARALLEL,
+ *   that is less than 3 PARALLEL.
+ * - Plane.  Only those with |offset| < 11.5 can cut where |z| <= 1.  Roundings: above and rise have 3 of
+ *   their terms, the quotient has one: below 76 / |rise|.  Noise is as for a box, and the plane's own error
+ *   is added to e.  A plane that counts as one that cuts nothing off, cuts off less than e.  Along the plane,
+ *   where |rise| <= PARALLEL, `above` moves by PARALLEL + e at most.
+ * - The depth of the eye is off by N.
+ * In tiles r is up to 7; what that adds is taken in by 4 blur and a slack of 2^-22 (tiles_template.h).  Ends
+ * are compared with rationals by tests/test_chords.c: their error is at most 0.11 blur in pictures, and 0.01
+ * blur for lines without noise. */
 #ifndef ALGSURF_ROW_TEMPLATE_H
 #define ALGSURF_ROW_TEMPLATE_H
 #include "kernel.h"
@@ -16,9 +46,10 @@
 #include "../roots/packet_template.h"
 #include "../simd/lanes.h"
 
-#define ON_EDGE 0x1p-26  /* of the squared sine, or of the distance to a face: narrower is doubtful */
-#define PARALLEL 0x1p-20 /* a direction along a face */
-#define ENOUGH 0x1p-30   /* error of a root before the last Newton step, on P itself */
+/* Choices: larger ones leave more rays to be solved alone. */
+#define ON_EDGE 0x1p-26  /* of inside / s, so that blur <= 2^13 e s^(1/2); in a box, of a chord's length */
+#define PARALLEL 0x1p-20 /* of the part of a direction across a face or plane; e / 2 at least: see Along */
+#define ENOUGH 0x1p-30   /* of a root's error, before Newton steps on P itself (points_template.h) */
 
 /* Lines of sight: across u, v at depth 0, with slopes a, b. */
 typedef struct sight {
@@ -43,7 +74,7 @@ INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, doubl
     c.far = (half - along) * over_size;
     c.blur = all_lanes(e) * (size * size) * inverse;
     c.doubtful = at_most(absolute(inside), edge);
-    c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: e moves it by 3 e size at most */
+    c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: see Edge */
     return c;
 }
 
@@ -56,7 +87,7 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
         lanes d = s->a * all_lanes(axis[0][k]) + (s->b * all_lanes(axis[1][k]) + all_lanes(axis[2][k]));
         mask along = at_most(absolute(d), all_lanes(PARALLEL));
         lanes safe = choose(along, all_lanes(1), d), one = (-h - at) / safe, two = (h - at) / safe;
-        lanes room = h - absolute(at); /* a line along the faces moves by PARALLEL + e, e < 2 PARALLEL */
+        lanes room = h - absolute(at); /* the line's coordinate moves by less than 3 PARALLEL */
         c.near = choose(along, c.near, larger(c.near, smaller(one, two)));
         c.far = choose(along, c.far, smaller(c.far, larger(one, two)));
         c.far = choose(along & less(room, all_lanes(-4 * PARALLEL)), c.near - 1, c.far);
@@ -95,7 +126,8 @@ INLINE chord chord_of(const algsurf_i_row_job *job, const sight *s) {
     return c;
 }
 
-/* The same from depth `near` on, and the lanes where there is one. */
+/* The same from depth `near` on, and the lanes where there is one.  With each end off by blur, one is surely
+ * there, or none, where 2 blur are exceeded; 8 are taken, and 2^-38, as ends become multiples of 2^-40. */
 INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask *open) {
     chord c = chord_of(job, s);
     c.near = larger(c.near, near);
