@@ -35,13 +35,12 @@ algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options 
         isinf(options->absolute_tolerance))
         return ALGSURF_E_ARGUMENT;
     if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_planes_are_good(options->planes, options->plane_count)) return ALGSURF_E_ARGUMENT;
     if (options->kernel) {
         const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
         if (!kernel) return ALGSURF_E_ARGUMENT;
         options->kernel = kernel->name; /* the caller's string need not live on */
     }
-    return ALGSURF_OK;
+    return algsurf_i_planes_check(options->planes, options->plane_count);
 }
 
 algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options) {

@@ -20,13 +20,13 @@
 #define ROUNDED 0x1p-50
 #define LOST 0x1p-1000
 
-int algsurf_i_planes_are_good(const algsurf_plane *planes, size_t count) {
-    if (count > ALGSURF_MAX_CLIP_PLANES || (count > 0 && !planes)) return 0;
+algsurf_status algsurf_i_planes_check(const algsurf_plane *planes, size_t count) {
+    if (count > ALGSURF_MAX_CLIP_PLANES || (count > 0 && !planes)) return ALGSURF_E_ARGUMENT;
     for (size_t i = 0; i < count; i++) {
-        if (!algsurf_is_finite3(planes[i].normal) || !isfinite(planes[i].offset)) return 0;
-        if (!(algsurf_max_abs(planes[i].normal) > 0)) return 0;
+        if (!algsurf_is_finite3(planes[i].normal) || !isfinite(planes[i].offset)) return ALGSURF_E_NOT_FINITE;
+        if (!(algsurf_max_abs(planes[i].normal) > 0)) return ALGSURF_E_ARGUMENT;
     }
-    return 1;
+    return ALGSURF_OK;
 }
 
 static int exponent_of(double x) {
