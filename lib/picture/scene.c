@@ -6,7 +6,7 @@
 
 #include "camera_impl.h"
 #include "../base/fpenv.h"
-#include "../rays/intersect_impl.h"
+#include "../rays/query.h"
 #include "../base/options.h"
 #include "../rays/planes.h"
 #include "../rays/ray_impl.h"

@@ -14,38 +14,10 @@
 #include "exact.h"
 #include "intersect_impl.h"
 #include "kernel.h"
-#include "../simd/kernel.h"
-#include "../base/options.h"
-#include "own_ball.h"
-#include "planes.h"
+#include "query.h"
 #include "ranges.h"
 #include "ray_impl.h"
-#include "../roots/watch.h"
 #include "../base/vec.h"
-
-algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
-                                                algsurf_intersect_options *options) {
-    static const algsurf_intersect_options defaults = {.size = sizeof defaults};
-    if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
-        return ALGSURF_E_ARGUMENT;
-    if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
-        return ALGSURF_E_ARGUMENT;
-    if (options->max_iterations < 0 || !(options->absolute_tolerance >= 0) ||
-        isinf(options->absolute_tolerance))
-        return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
-    if (options->kernel) {
-        const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
-        if (!kernel) return ALGSURF_E_ARGUMENT;
-        options->kernel = kernel->name; /* the caller's string need not live on */
-    }
-    return algsurf_i_planes_check(options->planes, options->plane_count);
-}
-
-algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options) {
-    return (algsurf_i_region){extent, options->planes, options->plane_count};
-}
 
 static void set_miss(algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
@@ -160,74 +132,47 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
             fmin(fmax(algsurf_multiply_add(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
 }
 
-static size_t memory_limit(const algsurf_intersect_options *options) {
-    return options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
-}
-
-/* Has the caller chosen how brackets are refined? */
-static int chooses_method(const algsurf_intersect_options *options) {
-    return options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
-}
-
-/* One lane's answer to a checked query: the first hits, at most `most`, or -1 where they are undecided. */
-static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *given, const algsurf_ray *ray,
-                        const algsurf_intersect_options *o, int most, algsurf_hit *hits) {
+/* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
+static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int most, algsurf_hit *hits) {
     const double *x = ray->origin, *d = ray->direction;
-    algsurf_extent wider;
-    const algsurf_extent *extent = algsurf_i_without_own_ball(surface, given, &wider);
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o->kernel);
-    const algsurf_i_region region = algsurf_i_region_of(extent, o);
-    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
-    if (!algsurf_i_rays_fit(surface, &region)) return -1;
-    for (size_t i = 0; i < o->plane_count; i++)
-        planes[i] = algsurf_i_plane_in_unit(o->planes + i, surface->unit);
-    const algsurf_i_rays_job job = {.surface = surface,
-                                    .extent = extent,
-                                    .planes = planes,
-                                    .plane_count = (int)o->plane_count,
-                                    .origin = {x, x + 1, x + 2},
-                                    .direction = {d, d + 1, d + 2},
-                                    .t_min = &ray->t_min,
-                                    .t_max = &ray->t_max,
-                                    .observer = o->observer,
-                                    .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
+    const algsurf_intersect_options *o = &q->options;
+    if (!q->fits_lanes) return -1;
+    algsurf_i_rays_job job = algsurf_i_query_job(q);
+    for (int i = 0; i < 3; i++) job.origin[i] = x + i, job.direction[i] = d + i;
+    job.t_min = &ray->t_min;
+    job.t_max = &ray->t_max;
+    job.of_one = algsurf_i_rays_kernel_for(q->kernel)->of_one;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
-    return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
+    return algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
 }
 
 /* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
  * FIRST. */
 
 /* Exact coefficients: all is decided. */
-static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface,
-                                                  const algsurf_extent *extent, const algsurf_ray *ray,
-                                                  const algsurf_i_exact_eye *eye,
-                                                  const algsurf_intersect_options *options,
-                                                  algsurf_i_want want, algsurf_hit *hits, int *count) {
+static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
+                                                  const algsurf_i_exact_eye *eye, algsurf_i_want want,
+                                                  algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    algsurf_status status = algsurf_i_exact_roots(surface, &region, ray, eye, want, memory_limit(options),
-                                                  options->observer, roots, most, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
+    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, eye, want, q->memory_limit,
+                                                  q->options.observer, roots, most, count);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q->surface, ray, roots + i, hits + i);
     return status;
 }
 
 /* Coefficients with an error: what that hides is undecided.  FIRST is among all. */
-static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *surface,
-                                                      const algsurf_extent *extent, const algsurf_ray *ray,
-                                                      const algsurf_intersect_options *options,
+static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, const algsurf_ray *ray,
                                                       algsurf_hit *hits, int *count) {
     algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    algsurf_status status =
-        algsurf_i_exact_ranges(surface, &region, ray, memory_limit(options), options->observer, range, count);
+    algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
+                                                   q->options.observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
         double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
         if (range[i].side)
-            make_hit(surface, ray, &root, hits + i);
+            make_hit(q->surface, ray, &root, hits + i);
         else
             set_undecided(ray, lo, hi, range[i].reason, hits + i);
     }
@@ -257,34 +202,29 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
 }
 
 /* The hits of a ray that lanes left undecided. */
-static algsurf_status decide(const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                             const algsurf_intersect_options *options, algsurf_i_want want, algsurf_hit *hits,
-                             int *count) {
+static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                             algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_status status = ALGSURF_OK;
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    if (options->tier == ALGSURF_TIER_BOUNDED)
-        hit_undecided(&region, ray, hits, count);
-    else if (surface->error > 0)
-        status = hits_in_ranges(surface, extent, ray, options, hits, count);
+    if (q->options.tier == ALGSURF_TIER_BOUNDED)
+        hit_undecided(&q->region, ray, hits, count);
+    else if (q->surface->error > 0)
+        status = hits_in_ranges(q, ray, hits, count);
     else
-        status = hits_exact(surface, extent, ray, eye, options, want, hits, count);
+        status = hits_exact(q, ray, eye, want, hits, count);
     if (status != ALGSURF_OK) return status;
-    settle_undecided(options->undecided_as, hits, count);
+    settle_undecided(q->options.undecided_as, hits, count);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                         const algsurf_intersect_options *options, algsurf_hit *hit,
-                                         uint64_t *exact) {
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
+                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
-    int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, found) : -1;
+    int count = q->has_method ? hits_in_lane(q, ray, 1, found) : -1;
     if (count < 0) {
-        *exact += options->tier != ALGSURF_TIER_BOUNDED;
-        status = decide(surface, extent, ray, eye, options, ALGSURF_WANT_FIRST, found, &count);
+        *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
+        status = decide(q, ray, eye, ALGSURF_WANT_FIRST, found, &count);
     }
     if (status != ALGSURF_OK) return status;
     if (count)
@@ -295,25 +235,22 @@ algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const a
 }
 
 /* Room in `found` for one hit for each degree, but at least one. */
-static algsurf_status find_all(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_ray *ray, const algsurf_intersect_options *options,
-                               algsurf_hit *found, int *count) {
-    *count = hits_in_lane(surface, extent, ray, options, surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK
-                       : decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ALL, found, count);
+static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
+                               int *count) {
+    *count = hits_in_lane(q, ray, q->surface->degree, found);
+    return *count >= 0 ? ALGSURF_OK : decide(q, ray, NULL, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *given,
+                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
                                            algsurf_hit *hits, int capacity, int *count) {
-    algsurf_intersect_options options;
+    algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int n = 0;
     if (!surface) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &options);
-    if (status == ALGSURF_OK) status = find_all(surface, extent, ray, &options, found, &n);
+    if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
+    if (status == ALGSURF_OK) status = find_all(&q, ray, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(hits, found, (size_t)n * sizeof *hits);
@@ -332,12 +269,10 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
     return status;
 }
 
-algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                                  const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                  int *state) {
+algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    algsurf_status status = decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ANY, found, &count);
+    algsurf_status status = decide(q, ray, NULL, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
     for (int i = 0; i < count; i++)
