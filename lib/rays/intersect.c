@@ -19,65 +19,64 @@
 #include "ray_impl.h"
 #include "../base/vec.h"
 
-static void set_miss(algsurf_hit *hit) {
+void algsurf_i_set_miss(algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
-/* A root, and the frame about its point. */
-typedef struct query {
+/* A coordinate of a ray's point at t, clamped to the range of double. */
+static double coordinate_at(const algsurf_ray *ray, int axis, double t) {
+    return fmin(fmax(algsurf_multiply_add(t, ray->direction[axis], ray->origin[axis]), -DBL_MAX), DBL_MAX);
+}
+
+/* The point of a hit. */
+typedef struct hit_point {
     const algsurf_surface *surface;
     const algsurf_ray *ray;
-    algsurf_i_frame frame;
-} query;
+    algsurf_i_frame frame; /* about it */
+} hit_point;
 
 /* A step of Newton's method on P at the root's point, where the root is simple: it takes out the rounding of
  * t, which is more than that of coordinates when the origin is far.  Only within the interval of the root. */
-static void polish(const query *q, const algsurf_i_ray_root *root, double x[3]) {
-    const algsurf_i_frame *f = &q->frame;
-    double gradient[3], value = algsurf_i_surface_value(q->surface, x, gradient);
+static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[3]) {
+    const algsurf_i_frame *f = &p->frame;
+    double gradient[3], value = algsurf_i_surface_value(p->surface, x, gradient);
     double step = -value / algsurf_dot(gradient, f->V);
     double width = ldexp(root->t_hi - root->t_lo, f->exponent);
     if (!(fabs(step) <= width)) return;
     for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
-/* A coordinate of the point at t; what is beyond the largest double is drawn in. */
-static double coordinate_at(const query *q, int axis, double t) {
-    return fmin(fmax(algsurf_multiply_add(t, q->ray->direction[axis], q->ray->origin[axis]), -DBL_MAX),
-                DBL_MAX);
-}
-
 /* The point at t where the frame has, or may have, overflowed. */
-static void point_within_range(const query *q, double t, double x[3], double position[3]) {
+static void point_within_range(const hit_point *p, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
-        position[i] = coordinate_at(q, i, t);
-        x[i] = ldexp(algsurf_multiply_add(t, q->ray->direction[i], q->ray->origin[i]), -q->surface->unit);
+        position[i] = coordinate_at(p->ray, i, t);
+        x[i] = ldexp(algsurf_multiply_add(t, p->ray->direction[i], p->ray->origin[i]), -p->surface->unit);
     }
 }
 
 /* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
-static void set_position(const query *q, const double x[3], double t, double position[3]) {
+static void set_position(const hit_point *p, const double x[3], double t, double position[3]) {
     for (int i = 0; i < 3; i++) {
-        double unpolished = coordinate_at(q, i, t);
-        int lost = q->ray->direction[i] != 0 && fabs(q->frame.V[i]) < 0x1p-900;
-        lost |= unpolished != 0 && fabs(ldexp(unpolished, -q->surface->unit)) < 0x1p-900;
-        position[i] = lost ? unpolished : ldexp(x[i], q->surface->unit);
+        double unpolished = coordinate_at(p->ray, i, t);
+        int lost = p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900;
+        lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
+        position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
     }
 }
 
 /* The gradient at a point before x on the ray, `back` away in natural units or, far out, in those of |x|; 0
  * when it is mostly rounding. */
-static int gradient_before(const query *q, const double x[3], double back, double gradient[3]) {
+static int gradient_before(const hit_point *p, const double x[3], double back, double gradient[3]) {
     double before[3], length = back * fmax(1, algsurf_max_abs(x));
-    for (int i = 0; i < 3; i++) before[i] = x[i] - length * q->frame.V[i];
-    return algsurf_i_surface_clear_gradient(q->surface, before, gradient);
+    for (int i = 0; i < 3; i++) before[i] = x[i] - length * p->frame.V[i];
+    return algsurf_i_surface_clear_gradient(p->surface, before, gradient);
 }
 
 /* The gradient at x; 0 when it is mostly rounding, or another than a few roundings of x away. */
-static int gradient_at(const query *q, const double x[3], double gradient[3]) {
+static int gradient_at(const hit_point *p, const double x[3], double gradient[3]) {
     double near[3], size = 0, change = 0;
-    if (!gradient_before(q, x, 0, gradient)) return 0;
-    (void)gradient_before(q, x, 0x1p-44, near);
+    if (!gradient_before(p, x, 0, gradient)) return 0;
+    (void)gradient_before(p, x, 0x1p-44, near);
     for (int i = 0; i < 3; i++) {
         size = fmax(size, fabs(gradient[i]));
         change = fmax(change, fabs(near[i] - gradient[i]));
@@ -88,11 +87,11 @@ static int gradient_at(const query *q, const double x[3], double gradient[3]) {
 /* The unit normal at x.  At a singular point, where there is no gradient, it is that of the nearest of some
  * points before it on the ray: where two sheets meet, or one is there twice, the normal seen beside.  0: no
  * point has any. */
-static void set_normal(const query *q, const double x[3], double normal[3]) {
+static void set_normal(const hit_point *p, const double x[3], double normal[3]) {
     double gradient[3];
-    int found = gradient_at(q, x, gradient);
+    int found = gradient_at(p, x, gradient);
     for (double back = 0x1p-36; !found && back <= 0x1p-8; back *= 16)
-        found = gradient_before(q, x, back, gradient);
+        found = gradient_before(p, x, back, gradient);
     if (!found || !algsurf_is_finite3(gradient) || !algsurf_unit(gradient, normal))
         normal[0] = normal[1] = normal[2] = 0;
 }
@@ -101,11 +100,11 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
                      algsurf_hit *hit) {
     algsurf_ray point = *ray;
     double x[3];
-    query q = {surface, ray, {0}};
+    hit_point p = {surface, ray, {0}};
     point.t_min = point.t_max = root->t;
-    algsurf_i_frame_of(surface, &point, 0, &q.frame);
-    for (int i = 0; i < 3; i++) x[i] = q.frame.X[i].hi;
-    if (root->multiplicity == 1) polish(&q, root, x);
+    algsurf_i_frame_of(surface, &point, 0, &p.frame);
+    for (int i = 0; i < 3; i++) x[i] = p.frame.X[i].hi;
+    if (root->multiplicity == 1) polish(&p, root, x);
     *hit = (algsurf_hit){.state = ALGSURF_HIT,
                          .reason = ALGSURF_OK,
                          .multiplicity = root->multiplicity,
@@ -113,10 +112,10 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(&q, x, root->t, hit->position);
-    int beyond = q.frame.lost || !q.frame.one_piece; /* t overflows in natural units: not even one point */
-    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&q, root->t, x, hit->position);
-    set_normal(&q, x, hit->normal);
+    set_position(&p, x, root->t, hit->position);
+    int beyond = p.frame.lost || !p.frame.one_piece; /* t overflows in natural units: not even one point */
+    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&p, root->t, x, hit->position);
+    set_normal(&p, x, hit->normal);
 }
 
 /* A place where a hit may be. */
@@ -127,9 +126,7 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                              : isfinite(hi)   ? hi
                                                               : 0;
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
-    for (int i = 0; i < 3; i++)
-        hit->position[i] =
-            fmin(fmax(algsurf_multiply_add(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
+    for (int i = 0; i < 3; i++) hit->position[i] = coordinate_at(ray, i, t);
 }
 
 /* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
@@ -230,7 +227,7 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
     if (count)
         *hit = found[0];
     else
-        set_miss(hit);
+        algsurf_i_set_miss(hit);
     return ALGSURF_OK;
 }
 

@@ -16,6 +16,9 @@ typedef struct algsurf_i_ray_root {
 
 typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT_ANY } algsurf_i_want;
 
+/* No point of the surface on the ray. */
+void algsurf_i_set_miss(algsurf_hit *hit);
+
 /* algsurf_intersect_packet, in the standard floating-point environment; exact: the rays that integers decided
  * are added to it. */
 algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const algsurf_extent *extent,

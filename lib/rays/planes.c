@@ -15,6 +15,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "ray_impl.h"
 #include "../base/vec.h"
 
 #define ROUNDED 0x1p-50
@@ -106,7 +107,7 @@ int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsur
             cut->inner_hi = -HUGE_VAL;
         }
     }
-    return cut->outer_lo <= cut->outer_hi && cut->outer_lo < HUGE_VAL && cut->outer_hi > -HUGE_VAL;
+    return algsurf_i_has_points(cut->outer_lo, cut->outer_hi);
 }
 
 int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray *ray) {
@@ -120,5 +121,5 @@ int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray
         else
             ray->t_min = fmax(ray->t_min, t);
     }
-    return ray->t_min <= ray->t_max && ray->t_min < HUGE_VAL && ray->t_max > -HUGE_VAL;
+    return algsurf_i_has_points(ray->t_min, ray->t_max);
 }

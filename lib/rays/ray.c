@@ -133,8 +133,7 @@ int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, 
     if (!clip_line(extent, ray, ends)) return 0;
     double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
     double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
-    /* An infinite end on the wrong side: no point of the chord has a parameter that is a double. */
-    if (!(t_min <= t_max) || t_min == INFINITY || t_max == -INFINITY) return 0;
+    if (!algsurf_i_has_points(t_min, t_max)) return 0;
     *chord = *ray;
     chord->t_min = t_min;
     chord->t_max = t_max;
@@ -170,7 +169,7 @@ static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, 
     *chord = *ray;
     chord->t_min = fmax(ray->t_min, fmin(ends[0], DBL_MAX));
     chord->t_max = fmin(ray->t_max, fmax(ends[1], -DBL_MAX));
-    if (!(chord->t_min <= chord->t_max) || chord->t_min == INFINITY || chord->t_max == -INFINITY) return 0;
+    if (!algsurf_i_has_points(chord->t_min, chord->t_max)) return 0;
     edges->cut = 1;
     edges->inner_lo = HUGE_VAL;
     edges->inner_hi = -HUGE_VAL;

@@ -1,9 +1,15 @@
 /* ray_impl.h - checks of rays and extents, and the clip itself, for the rooms below ray. */
 #ifndef ALGSURF_RAY_IMPL_H
 #define ALGSURF_RAY_IMPL_H
+#include <math.h>
 #include <stddef.h>
 
 #include "algsurf/ray.h"
+
+/* Is any t of [t_min, t_max] a double?  None is if an infinite end is on the wrong side. */
+static inline int algsurf_i_has_points(double t_min, double t_max) {
+    return t_min <= t_max && t_min < HUGE_VAL && t_max > -HUGE_VAL;
+}
 
 /* OK, E_ARGUMENT (null, NaN t, zero direction) or E_NOT_FINITE. */
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray);
