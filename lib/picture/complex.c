@@ -16,6 +16,7 @@
 #include "camera_impl.h"
 #include "impl.h"
 #include "../rays/intersect_impl.h"
+#include "../rays/region.h"
 
 void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets) {
     const algsurf_surface *s = scene->surface;

@@ -21,6 +21,7 @@
 #include "planes.h"
 #include "../poly/interval_impl.h"
 #include "ray_impl.h"
+#include "region.h"
 #include "../base/vec.h"
 
 typedef struct complex_query {

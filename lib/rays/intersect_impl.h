@@ -5,7 +5,7 @@
 #include "../surface/exact_eye.h"
 #include "expand_impl.h"
 #include "query.h"
-#include "ray_impl.h"
+#include "region.h"
 
 /* A root along a ray. */
 typedef struct algsurf_i_ray_root {

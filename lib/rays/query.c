@@ -9,6 +9,7 @@
 #include "../surface/impl.h"
 #include "own_ball.h"
 #include "planes.h"
+#include "ray_impl.h"
 
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options) {

@@ -5,7 +5,7 @@
 #include "../simd/kernel.h"
 #include "algsurf/intersect.h"
 #include "kernel.h"
-#include "ray_impl.h"
+#include "region.h"
 
 /* It holds pointers into itself: it is not to be copied. */
 typedef struct algsurf_i_query {
