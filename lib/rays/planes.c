@@ -8,7 +8,13 @@
  * times its error e_b, the exact b is at least 3/4 of it, and t is off by at most
  *     (e_a + |t| e_b) / |b| * 4/3, and two roundings of t:  2 (e_a + |t| e_b) / |b| + 2^-50 |t|  is more.
  * A ray along the plane has a sure sign where |a| exceeds e_a and what t b can be at its ends; else the plane
- * may be anywhere on it, and integers are asked. */
+ * may be anywhere on it, and integers are asked.  Where each n_i d_i is 0, b is, too, whatever t.
+ *
+ * How far beyond the plane a cut ray may reach: let s = |c| + sum |n_i| (|o_i| + |t d_i|) for the largest |t|
+ * before the cut.  An end that is moved is beyond the plane by at most twice the error of t above, so that
+ *     n.X - c <= 5/4 |b| 2 (2 (e_a + |t| e_b) / |b| + 2^-50 |t|) <= 5 2^-50 s + 5/2 2^-50 |a| < 2^-47 s.
+ * If the ray is along the plane and not cut, a is at most 2 (e_a + |t| (|b| + e_b)) and |b| at most 4 e_b;
+ * with the errors of both, n.X - c < 3 e_a + 15 |t| e_b < 2^-46 s. */
 #include "../base/arithmetic.h"
 #include "planes.h"
 
@@ -58,16 +64,18 @@ static crossing crossing_of(const algsurf_plane *plane, const algsurf_ray *ray) 
     const algsurf_plane p = algsurf_i_plane_in_unit(plane, unit);
     double above[3], rise[3];
     crossing c = {.above_error = fabs(p.offset), .exponent = unit - od};
+    int level = 1; /* all of the slope's terms are 0 */
     for (int i = 0; i < 3; i++) {
         above[i] = p.normal[i] * ldexp(ray->origin[i], -unit);
         rise[i] = p.normal[i] * ldexp(ray->direction[i], -od);
         c.above_error += fabs(above[i]);
         c.rise_error += fabs(rise[i]);
+        level &= plane->normal[i] == 0 || ray->direction[i] == 0;
     }
     c.above = (above[0] + above[1] + above[2]) - p.offset;
     c.rise = rise[0] + rise[1] + rise[2];
     c.above_error = ROUNDED * c.above_error + LOST;
-    c.rise_error = ROUNDED * c.rise_error + LOST;
+    c.rise_error = level ? 0 : ROUNDED * c.rise_error + LOST;
     return c;
 }
 
@@ -76,7 +84,7 @@ static int is_steep(const crossing *c) { return fabs(c->rise) > 4 * c->rise_erro
 /* A ray along the plane: 1, it is kept between the cut's ends; -1: it is not; 0: not known. */
 static int side_along(const crossing *c, const algsurf_i_cut *cut) {
     double far = ldexp(fmax(fabs(cut->outer_lo), fabs(cut->outer_hi)), -c->exponent);
-    double slack = 2 * (c->above_error + far * (fabs(c->rise) + c->rise_error));
+    double tilt = fabs(c->rise) + c->rise_error, slack = 2 * (c->above_error + (tilt > 0 ? far * tilt : 0));
     return c->above < -slack ? 1 : c->above > slack ? -1 : 0;
 }
 
