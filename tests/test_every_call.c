@@ -320,6 +320,22 @@ static void call_algsurf_extent_clip(void) {
     }
 }
 
+static void call_algsurf_region_clip(void) {
+    for (int kind = ALGSURF_EXTENT_ALL; kind <= ALGSURF_EXTENT_BOX; kind++) {
+        algsurf_extent extent = extent_made((int)kind);
+        algsurf_ray ray = ray_made(), chord = ray;
+        algsurf_plane planes[2] = {{{1, 0.5, 0}, 0.5}, {{-0.25, 0, 1}, 1}};
+        int meets = 0;
+        algsurf_status s;
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 3; i++) planes[k].normal[i] = number(planes[k].normal[i]);
+            planes[k].offset = number(planes[k].offset);
+        }
+        STATUS_IN_HOST(algsurf_region_clip(&extent, planes, 2, &ray, &chord, &meets));
+        WRITTEN(chord), WRITTEN(meets);
+    }
+}
+
 static void call_algsurf_expand_power(void) {
     algsurf_surface *surface = made();
     algsurf_ray ray = ray_made();
@@ -1278,6 +1294,7 @@ static const struct {
     CALL(algsurf_real_roots_integers),
     CALL(algsurf_refine_function),
     CALL(algsurf_refine_poly),
+    CALL(algsurf_region_clip),
     CALL(algsurf_render),
     CALL(algsurf_complex_solver_create),
     CALL(algsurf_complex_solver_free),

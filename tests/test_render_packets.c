@@ -5,7 +5,7 @@
  * P as far as P can be evaluated there; and all kernels must give the same bits.
  *
  * Breaks tried, each caught by the test named:
- *   a sign used within the error radius (radius 0 in standard tier)              hits_as_by_rays
+ *   a sign used within the error radius (radius 0 in the certified tier)         hits_as_by_rays
  *   the segment's range of depth too short by a hundredth                        hits_as_by_rays
  *   the eye's plane ignored                                                      hits_as_by_rays
  *   a guess taken without the count of variations, or without looking at start   hits_as_by_rays

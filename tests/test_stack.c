@@ -560,6 +560,13 @@ static void run_algsurf_extent_clip(void) {
         (void)algsurf_extent_clip(extents + i / RAYS, rays + i % RAYS, &chord, &found);
     }
 }
+static void run_algsurf_region_clip(void) {
+    static const algsurf_plane planes[2] = {{{1, 0.5, 0}, 0.5}, {{-0.25, 0, 1}, 1}};
+    for (int i = 0; i < 3 * RAYS; i++) {
+        algsurf_ray chord;
+        (void)algsurf_region_clip(extents + i / RAYS, planes, 2, rays + i % RAYS, &chord, &found);
+    }
+}
 
 static const double eye[3] = {4, 3, 2.5}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
 static const double tilted[3] = {0.6, 0, 0.8}, down[3] = {0, 0, -1};
@@ -834,6 +841,7 @@ static const struct {
     STACK_OF(algsurf_real_roots_integers, 62, OTHERS),
     STACK_OF(algsurf_refine_function, USUAL, RENDERER),
     STACK_OF(algsurf_refine_poly, 42, RENDERER),
+    STACK_OF(algsurf_region_clip, USUAL, RENDERER),
     STACK_OF(algsurf_render, 58, RENDERER),
     STACK_OF(algsurf_scene_create, USUAL, OTHERS),
     STACK_OF(algsurf_scene_free, USUAL, OTHERS),

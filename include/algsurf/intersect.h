@@ -100,8 +100,8 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  * Regula falsi, and any method that stops at the limit of iterations, promise less: t is in [t_lo, t_hi].  A
  * ray alone has the same bits as in a packet (algsurf_intersect_packet), with every kernel.
  * Returns OK also for a miss and for undecided: the state is in hit.
- * Errors: E_ARGUMENT (null, zero direction, NaN, bad extent or options, a plane that is not finite or has no
- * direction), E_NOT_FINITE (origin, direction), E_NO_MEMORY.
+ * Errors: E_ARGUMENT (null, zero direction, NaN t, bad extent or options, a plane with normal 0),
+ * E_NOT_FINITE (origin, direction, extent, planes), E_NO_MEMORY.
  * Cost: 0.2 to 1 microseconds for degrees 2 to 10.  A ray that integers decide: 5 to 100 microseconds for
  * degrees 2 to 10, and more where numbers are of very different sizes; integers allocate
  * only beyond degree 10 or so.  42 KiB of stack.  Since 1.0. */

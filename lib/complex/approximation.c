@@ -1,6 +1,6 @@
 /* approximation.c - Newton's method for a root together with its deflated polynomial.
  *
- * The system and its solution are in allroots_seed.h.  The defect is summed in doubled precision, which makes
+ * The system and its solution are in seed.h.  The defect is summed in doubled precision, which makes
  * a step an iterative refinement: at a simple root z and q end within an ulp or two of the exact ones,
  * however ill-conditioned the root, as long as the iteration converges at all.  The unit follows z, so that
  * no power of z overflows.

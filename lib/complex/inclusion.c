@@ -1,14 +1,15 @@
 /* inclusion.c - the interval iteration: proof that a root and its quotient are near their
  * approximation.
  *
- * With the system of allroots_seed.h, (q + D, z + t) is a solution iff (D,t) is a fixed point of
+ * With the system of seed.h, (q + D, z + t) is a solution iff (D,t) is a fixed point of
  *     G(D,t) = J^-1 (-d + t (D;0)),
  * d and J taken at the approximation.  Y encloses G(X) for a box X of corrections:
- *     Y = Y0 + v_{i+1} - r w_{i+1},   Y_t = Y0_t - r,   r = v_0 / w_0,   v_i = X_t X_i + z v_{i+1},  v_{n-1}
- * = 0, where Y0 = J^-1 (-d).  If Y lies inside X, then G maps Y into itself, and Brouwer's theorem gives a
- * fixed point in Y.  J is regular because 0 is not in the enclosure of w_0.  X is any box at all; a good one
- * is the last Y, inflated (Rump's epsilon inflation); the schedule grows because the quadratic term may ask
- * for more room.
+ *     Y = Y0 + v_{i+1} - r w_{i+1},   Y_t = Y0_t - r,   r = v_0 / w_0,
+ *     v_i = X_t X_i + z v_{i+1},   v_{n-1} = 0,
+ * where Y0 = J^-1 (-d).  If Y lies inside X, then G maps Y into itself, and Brouwer's theorem gives a fixed
+ * point in Y.  J is regular because 0 is not in the enclosure of w_0.  X is any box at all; a good one is the
+ * last Y, inflated (Rump's epsilon inflation); the schedule grows because the quadratic term may ask for more
+ * room.
  *
  * Radii, and what scaling by powers of two loses among subnormals, widen d and the leading coefficient: every
  * polynomial of the set has its own d and J in the intervals, and the proof goes through for each.

@@ -16,6 +16,7 @@
 #include "camera_impl.h"
 #include "impl.h"
 #include "../rays/intersect_impl.h"
+#include "../rays/region.h"
 
 void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets) {
     const algsurf_surface *s = scene->surface;
@@ -81,7 +82,7 @@ static algsurf_status solve_alone(const algsurf_i_picture *picture, int x, doubl
     algsurf_hit hit;
     int iterations;
     algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, y, &ray);
-    const algsurf_i_region region = algsurf_i_region_of(&scene->extent, &scene->intersect);
+    const algsurf_i_region region = {&scene->extent, scene->intersect.planes, scene->intersect.plane_count};
     algsurf_status status = algsurf_i_intersect_complex(scene->surface, &region, &ray, &scene->space, NULL,
                                                         NULL, &hit, NULL, &iterations);
     if (status < 0) return status;

@@ -6,7 +6,7 @@
 
 #include "camera_impl.h"
 #include "../base/fpenv.h"
-#include "../rays/intersect_impl.h"
+#include "../rays/query.h"
 #include "../base/options.h"
 #include "../rays/planes.h"
 #include "../rays/ray_impl.h"
@@ -174,9 +174,9 @@ algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane 
     if (!scene) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    int good = algsurf_i_planes_are_good(planes, count);
+    algsurf_status status = algsurf_i_planes_check(planes, count);
     algsurf_fpenv_leave(&saved);
-    if (!good) return ALGSURF_E_ARGUMENT;
+    if (status != ALGSURF_OK) return status;
     for (size_t i = 0; i < count; i++) scene->planes[i] = planes[i];
     scene->intersect.planes = scene->planes;
     scene->intersect.plane_count = count;

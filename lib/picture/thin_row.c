@@ -7,6 +7,7 @@
 #include "impl.h"
 #include "thin.h"
 #include "../rays/intersect_impl.h"
+#include "../rays/query.h"
 #include "../base/vec.h"
 
 #define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
@@ -76,7 +77,9 @@ static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
     const sample *s = looker;
     const algsurf_i_picture *picture = s->picture;
     const algsurf_scene *scene = picture->scene;
+    algsurf_i_query query;
     uint64_t exact = 0;
+    algsurf_i_query_prepare(&query, scene->surface, &scene->extent, &scene->intersect);
     for (int k = 0; k < ALGSURF_I_NEIGHBOURS; k++) {
         algsurf_ray ray;
         algsurf_hit hit;
@@ -84,8 +87,7 @@ static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
         if (k == ALGSURF_I_NEIGHBOURS / 2) continue;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, s->x + (k % 3 - 1) * s->side,
                              s->y + (k / 3 - 1) * s->side, &ray);
-        algsurf_status status = algsurf_i_intersect_first(scene->surface, &scene->extent, &ray, NULL,
-                                                          &scene->intersect, &hit, &exact);
+        algsurf_status status = algsurf_i_intersect_first(&query, &ray, NULL, &hit, &exact);
         s->tally->without_memory += status < 0;
         if (status < 0 || hit.state != ALGSURF_HIT) continue;
         depth[k] = picture->packets->near + hit.t * depth_per_t(picture, &ray);

@@ -21,6 +21,7 @@
 #include "planes.h"
 #include "../poly/interval_impl.h"
 #include "ray_impl.h"
+#include "region.h"
 #include "../base/vec.h"
 
 typedef struct complex_query {
@@ -148,7 +149,7 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
 }
 
 static void set_miss(algsurf_hit *hit, algsurf_complex *root) {
-    *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = HUGE_VAL, .t_lo = HUGE_VAL, .t_hi = HUGE_VAL};
+    algsurf_i_set_miss(hit);
     if (root) *root = (algsurf_complex){NAN, NAN};
 }
 
@@ -173,7 +174,7 @@ static void give_roots(const complex_query *q, const algsurf_complex_root *s, in
 
 /* A ray whose roots could not be found at all: overflow, or a polynomial that may vanish. */
 static void set_undecided(const complex_query *q, algsurf_status reason, algsurf_hit *hit) {
-    set_miss(hit, NULL);
+    algsurf_i_set_miss(hit);
     hit->state = ALGSURF_UNDECIDED;
     hit->multiplicity = hit->side = 0;
     hit->reason = reason;

@@ -3,6 +3,7 @@
 #define ALGSURF_RAYS_EXACT_H
 #include "../surface/exact_eye.h"
 #include "intersect_impl.h"
+#include "region.h"
 
 /* Roots of P along a checked ray in [t_min, t_max] and in the region, both as they are given, in increasing
  * order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is known.  At most

@@ -1,8 +1,9 @@
-/* rays/faces.h - when a point of a ray is in an extent, as signs of polynomials with integer coefficients. */
+/* rays/faces.h - when a point of a ray is in a region (an extent, of which planes keep a part), as signs of
+ * polynomials with integer coefficients. */
 #ifndef ALGSURF_FACES_H
 #define ALGSURF_FACES_H
 #include "../poly/integral.h"
-#include "ray_impl.h"
+#include "region.h"
 
 enum { ALGSURF_MOST_FACES = 6 + ALGSURF_MAX_CLIP_PLANES };
 

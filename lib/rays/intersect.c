@@ -14,99 +14,69 @@
 #include "exact.h"
 #include "intersect_impl.h"
 #include "kernel.h"
-#include "../simd/kernel.h"
-#include "../base/options.h"
-#include "own_ball.h"
-#include "planes.h"
+#include "query.h"
 #include "ranges.h"
 #include "ray_impl.h"
-#include "../roots/watch.h"
 #include "../base/vec.h"
 
-algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
-                                                algsurf_intersect_options *options) {
-    static const algsurf_intersect_options defaults = {.size = sizeof defaults};
-    if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
-    if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
-        return ALGSURF_E_ARGUMENT;
-    if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
-        return ALGSURF_E_ARGUMENT;
-    if (options->max_iterations < 0 || !(options->absolute_tolerance >= 0) ||
-        isinf(options->absolute_tolerance))
-        return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
-    if (!algsurf_i_planes_are_good(options->planes, options->plane_count)) return ALGSURF_E_ARGUMENT;
-    if (options->kernel) {
-        const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
-        if (!kernel) return ALGSURF_E_ARGUMENT;
-        options->kernel = kernel->name; /* the caller's string need not live on */
-    }
-    return ALGSURF_OK;
-}
-
-algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options) {
-    return (algsurf_i_region){extent, options->planes, options->plane_count};
-}
-
-static void set_miss(algsurf_hit *hit) {
+void algsurf_i_set_miss(algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
 }
 
-/* A root, and the frame about its point. */
-typedef struct query {
+/* A coordinate of a ray's point at t, clamped to the range of double. */
+static double coordinate_at(const algsurf_ray *ray, int axis, double t) {
+    return fmin(fmax(algsurf_multiply_add(t, ray->direction[axis], ray->origin[axis]), -DBL_MAX), DBL_MAX);
+}
+
+/* The point of a hit. */
+typedef struct hit_point {
     const algsurf_surface *surface;
     const algsurf_ray *ray;
-    algsurf_i_frame frame;
-} query;
+    algsurf_i_frame frame; /* about it */
+} hit_point;
 
 /* A step of Newton's method on P at the root's point, where the root is simple: it takes out the rounding of
  * t, which is more than that of coordinates when the origin is far.  Only within the interval of the root. */
-static void polish(const query *q, const algsurf_i_ray_root *root, double x[3]) {
-    const algsurf_i_frame *f = &q->frame;
-    double gradient[3], value = algsurf_i_surface_value(q->surface, x, gradient);
+static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[3]) {
+    const algsurf_i_frame *f = &p->frame;
+    double gradient[3], value = algsurf_i_surface_value(p->surface, x, gradient);
     double step = -value / algsurf_dot(gradient, f->V);
     double width = ldexp(root->t_hi - root->t_lo, f->exponent);
     if (!(fabs(step) <= width)) return;
     for (int i = 0; i < 3; i++) x[i] = algsurf_dd_add(f->X[i], algsurf_two_prod(step, f->V[i])).hi;
 }
 
-/* A coordinate of the point at t; what is beyond the largest double is drawn in. */
-static double coordinate_at(const query *q, int axis, double t) {
-    return fmin(fmax(algsurf_multiply_add(t, q->ray->direction[axis], q->ray->origin[axis]), -DBL_MAX),
-                DBL_MAX);
-}
-
 /* The point at t where the frame has, or may have, overflowed. */
-static void point_within_range(const query *q, double t, double x[3], double position[3]) {
+static void point_within_range(const hit_point *p, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
-        position[i] = coordinate_at(q, i, t);
-        x[i] = ldexp(algsurf_multiply_add(t, q->ray->direction[i], q->ray->origin[i]), -q->surface->unit);
+        position[i] = coordinate_at(p->ray, i, t);
+        x[i] = ldexp(algsurf_multiply_add(t, p->ray->direction[i], p->ray->origin[i]), -p->surface->unit);
     }
 }
 
 /* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
-static void set_position(const query *q, const double x[3], double t, double position[3]) {
+static void set_position(const hit_point *p, const double x[3], double t, double position[3]) {
     for (int i = 0; i < 3; i++) {
-        double unpolished = coordinate_at(q, i, t);
-        int lost = q->ray->direction[i] != 0 && fabs(q->frame.V[i]) < 0x1p-900;
-        lost |= unpolished != 0 && fabs(ldexp(unpolished, -q->surface->unit)) < 0x1p-900;
-        position[i] = lost ? unpolished : ldexp(x[i], q->surface->unit);
+        double unpolished = coordinate_at(p->ray, i, t);
+        int lost = p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900;
+        lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
+        position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
     }
 }
 
 /* The gradient at a point before x on the ray, `back` away in natural units or, far out, in those of |x|; 0
  * when it is mostly rounding. */
-static int gradient_before(const query *q, const double x[3], double back, double gradient[3]) {
+static int gradient_before(const hit_point *p, const double x[3], double back, double gradient[3]) {
     double before[3], length = back * fmax(1, algsurf_max_abs(x));
-    for (int i = 0; i < 3; i++) before[i] = x[i] - length * q->frame.V[i];
-    return algsurf_i_surface_clear_gradient(q->surface, before, gradient);
+    for (int i = 0; i < 3; i++) before[i] = x[i] - length * p->frame.V[i];
+    return algsurf_i_surface_clear_gradient(p->surface, before, gradient);
 }
 
 /* The gradient at x; 0 when it is mostly rounding, or another than a few roundings of x away. */
-static int gradient_at(const query *q, const double x[3], double gradient[3]) {
+static int gradient_at(const hit_point *p, const double x[3], double gradient[3]) {
     double near[3], size = 0, change = 0;
-    if (!gradient_before(q, x, 0, gradient)) return 0;
-    (void)gradient_before(q, x, 0x1p-44, near);
+    if (!gradient_before(p, x, 0, gradient)) return 0;
+    (void)gradient_before(p, x, 0x1p-44, near);
     for (int i = 0; i < 3; i++) {
         size = fmax(size, fabs(gradient[i]));
         change = fmax(change, fabs(near[i] - gradient[i]));
@@ -117,11 +87,11 @@ static int gradient_at(const query *q, const double x[3], double gradient[3]) {
 /* The unit normal at x.  At a singular point, where there is no gradient, it is that of the nearest of some
  * points before it on the ray: where two sheets meet, or one is there twice, the normal seen beside.  0: no
  * point has any. */
-static void set_normal(const query *q, const double x[3], double normal[3]) {
+static void set_normal(const hit_point *p, const double x[3], double normal[3]) {
     double gradient[3];
-    int found = gradient_at(q, x, gradient);
+    int found = gradient_at(p, x, gradient);
     for (double back = 0x1p-36; !found && back <= 0x1p-8; back *= 16)
-        found = gradient_before(q, x, back, gradient);
+        found = gradient_before(p, x, back, gradient);
     if (!found || !algsurf_is_finite3(gradient) || !algsurf_unit(gradient, normal))
         normal[0] = normal[1] = normal[2] = 0;
 }
@@ -130,11 +100,11 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
                      algsurf_hit *hit) {
     algsurf_ray point = *ray;
     double x[3];
-    query q = {surface, ray, {0}};
+    hit_point p = {surface, ray, {0}};
     point.t_min = point.t_max = root->t;
-    algsurf_i_frame_of(surface, &point, 0, &q.frame);
-    for (int i = 0; i < 3; i++) x[i] = q.frame.X[i].hi;
-    if (root->multiplicity == 1) polish(&q, root, x);
+    algsurf_i_frame_of(surface, &point, 0, &p.frame);
+    for (int i = 0; i < 3; i++) x[i] = p.frame.X[i].hi;
+    if (root->multiplicity == 1) polish(&p, root, x);
     *hit = (algsurf_hit){.state = ALGSURF_HIT,
                          .reason = ALGSURF_OK,
                          .multiplicity = root->multiplicity,
@@ -142,10 +112,10 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
                          .t = root->t,
                          .t_lo = root->t_lo,
                          .t_hi = root->t_hi};
-    set_position(&q, x, root->t, hit->position);
-    int beyond = q.frame.lost || !q.frame.one_piece; /* t overflows in natural units: not even one point */
-    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&q, root->t, x, hit->position);
-    set_normal(&q, x, hit->normal);
+    set_position(&p, x, root->t, hit->position);
+    int beyond = p.frame.lost || !p.frame.one_piece; /* t overflows in natural units: not even one point */
+    if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&p, root->t, x, hit->position);
+    set_normal(&p, x, hit->normal);
 }
 
 /* A place where a hit may be. */
@@ -156,79 +126,50 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                              : isfinite(hi)   ? hi
                                                               : 0;
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
-    for (int i = 0; i < 3; i++)
-        hit->position[i] =
-            fmin(fmax(algsurf_multiply_add(t, ray->direction[i], ray->origin[i]), -DBL_MAX), DBL_MAX);
+    for (int i = 0; i < 3; i++) hit->position[i] = coordinate_at(ray, i, t);
 }
 
-static size_t memory_limit(const algsurf_intersect_options *options) {
-    return options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
-}
-
-/* Has the caller chosen how brackets are refined? */
-static int chooses_method(const algsurf_intersect_options *options) {
-    return options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
-}
-
-/* One lane's answer to a checked query: the first hits, at most `most`, or -1 where they are undecided. */
-static int hits_in_lane(const algsurf_surface *surface, const algsurf_extent *given, const algsurf_ray *ray,
-                        const algsurf_intersect_options *o, int most, algsurf_hit *hits) {
+/* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */
+static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int most, algsurf_hit *hits) {
     const double *x = ray->origin, *d = ray->direction;
-    algsurf_extent wider;
-    const algsurf_extent *extent = algsurf_i_without_own_ball(surface, given, &wider);
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o->kernel);
-    const algsurf_i_region region = algsurf_i_region_of(extent, o);
-    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
-    if (!algsurf_i_rays_fit(surface, &region)) return -1;
-    for (size_t i = 0; i < o->plane_count; i++)
-        planes[i] = algsurf_i_plane_in_unit(o->planes + i, surface->unit);
-    const algsurf_i_rays_job job = {.surface = surface,
-                                    .extent = extent,
-                                    .planes = planes,
-                                    .plane_count = (int)o->plane_count,
-                                    .origin = {x, x + 1, x + 2},
-                                    .direction = {d, d + 1, d + 2},
-                                    .t_min = &ray->t_min,
-                                    .t_max = &ray->t_max,
-                                    .observer = o->observer,
-                                    .of_one = algsurf_i_rays_kernel_for(kernel)->of_one};
+    const algsurf_intersect_options *o = &q->options;
+    if (!q->fits_lanes) return -1;
+    algsurf_i_rays_job job = algsurf_i_query_job(q);
+    for (int i = 0; i < 3; i++) job.origin[i] = x + i, job.direction[i] = d + i;
+    job.t_min = &ray->t_min;
+    job.t_max = &ray->t_max;
+    job.of_one = algsurf_i_rays_kernel_for(q->kernel)->of_one;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
-    return algsurf_i_ray_kernel_for(kernel)->all(&job, chooses_method(o) ? &how : NULL, most, hits);
+    return algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
 }
 
 /* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
  * FIRST. */
 
 /* Exact coefficients: all is decided. */
-static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_surface *surface,
-                                                  const algsurf_extent *extent, const algsurf_ray *ray,
-                                                  const algsurf_i_exact_eye *eye,
-                                                  const algsurf_intersect_options *options,
-                                                  algsurf_i_want want, algsurf_hit *hits, int *count) {
+static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
+                                                  const algsurf_i_exact_eye *eye, algsurf_i_want want,
+                                                  algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    algsurf_status status = algsurf_i_exact_roots(surface, &region, ray, eye, want, memory_limit(options),
-                                                  options->observer, roots, most, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(surface, ray, roots + i, hits + i);
+    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, eye, want, q->memory_limit,
+                                                  q->options.observer, roots, most, count);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q->surface, ray, roots + i, hits + i);
     return status;
 }
 
 /* Coefficients with an error: what that hides is undecided.  FIRST is among all. */
-static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_surface *surface,
-                                                      const algsurf_extent *extent, const algsurf_ray *ray,
-                                                      const algsurf_intersect_options *options,
+static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, const algsurf_ray *ray,
                                                       algsurf_hit *hits, int *count) {
     algsurf_i_ray_range range[ALGSURF_MAX_DEGREE];
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    algsurf_status status =
-        algsurf_i_exact_ranges(surface, &region, ray, memory_limit(options), options->observer, range, count);
+    algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
+                                                   q->options.observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
         double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
         if (range[i].side)
-            make_hit(surface, ray, &root, hits + i);
+            make_hit(q->surface, ray, &root, hits + i);
         else
             set_undecided(ray, lo, hi, range[i].reason, hits + i);
     }
@@ -258,63 +199,55 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
 }
 
 /* The hits of a ray that lanes left undecided. */
-static algsurf_status decide(const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                             const algsurf_intersect_options *options, algsurf_i_want want, algsurf_hit *hits,
-                             int *count) {
+static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
+                             algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_status status = ALGSURF_OK;
-    const algsurf_i_region region = algsurf_i_region_of(extent, options);
-    if (options->tier == ALGSURF_TIER_BOUNDED)
-        hit_undecided(&region, ray, hits, count);
-    else if (surface->error > 0)
-        status = hits_in_ranges(surface, extent, ray, options, hits, count);
+    if (q->options.tier == ALGSURF_TIER_BOUNDED)
+        hit_undecided(&q->region, ray, hits, count);
+    else if (q->surface->error > 0)
+        status = hits_in_ranges(q, ray, hits, count);
     else
-        status = hits_exact(surface, extent, ray, eye, options, want, hits, count);
+        status = hits_exact(q, ray, eye, want, hits, count);
     if (status != ALGSURF_OK) return status;
-    settle_undecided(options->undecided_as, hits, count);
+    settle_undecided(q->options.undecided_as, hits, count);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                         const algsurf_intersect_options *options, algsurf_hit *hit,
-                                         uint64_t *exact) {
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
+                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
-    int count = chooses_method(options) ? hits_in_lane(surface, extent, ray, options, 1, found) : -1;
+    int count = q->has_method ? hits_in_lane(q, ray, 1, found) : -1;
     if (count < 0) {
-        *exact += options->tier != ALGSURF_TIER_BOUNDED;
-        status = decide(surface, extent, ray, eye, options, ALGSURF_WANT_FIRST, found, &count);
+        *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
+        status = decide(q, ray, eye, ALGSURF_WANT_FIRST, found, &count);
     }
     if (status != ALGSURF_OK) return status;
     if (count)
         *hit = found[0];
     else
-        set_miss(hit);
+        algsurf_i_set_miss(hit);
     return ALGSURF_OK;
 }
 
 /* Room in `found` for one hit for each degree, but at least one. */
-static algsurf_status find_all(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_ray *ray, const algsurf_intersect_options *options,
-                               algsurf_hit *found, int *count) {
-    *count = hits_in_lane(surface, extent, ray, options, surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK
-                       : decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ALL, found, count);
+static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
+                               int *count) {
+    *count = hits_in_lane(q, ray, q->surface->degree, found);
+    return *count >= 0 ? ALGSURF_OK : decide(q, ray, NULL, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
-                                           const algsurf_ray *ray, const algsurf_intersect_options *given,
+                                           const algsurf_ray *ray, const algsurf_intersect_options *options,
                                            algsurf_hit *hits, int capacity, int *count) {
-    algsurf_intersect_options options;
+    algsurf_i_query q;
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int n = 0;
     if (!surface) return ALGSURF_E_ARGUMENT;
     algsurf_status status = algsurf_i_ray_check(ray);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &options);
-    if (status == ALGSURF_OK) status = find_all(surface, extent, ray, &options, found, &n);
+    if (status == ALGSURF_OK) status = algsurf_i_query_read(&q, surface, extent, options);
+    if (status == ALGSURF_OK) status = find_all(&q, ray, found, &n);
     if (status != ALGSURF_OK) return status;
     if (n > capacity) return ALGSURF_E_ARGUMENT;
     memcpy(hits, found, (size_t)n * sizeof *hits);
@@ -333,12 +266,10 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
     return status;
 }
 
-algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                                  const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                  int *state) {
+algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    algsurf_status status = decide(surface, extent, ray, NULL, options, ALGSURF_WANT_ANY, found, &count);
+    algsurf_status status = decide(q, ray, NULL, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
     for (int i = 0; i < count; i++)

@@ -4,7 +4,8 @@
 #include "algsurf/intersect.h"
 #include "../surface/exact_eye.h"
 #include "expand_impl.h"
-#include "ray_impl.h"
+#include "query.h"
+#include "region.h"
 
 /* A root along a ray. */
 typedef struct algsurf_i_ray_root {
@@ -15,16 +16,8 @@ typedef struct algsurf_i_ray_root {
 
 typedef enum algsurf_i_want { ALGSURF_WANT_FIRST, ALGSURF_WANT_ALL, ALGSURF_WANT_ANY } algsurf_i_want;
 
-/* Reads and checks a caller's options (null: the defaults); a kernel's name becomes the library's own string.
- */
-algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
-                                                algsurf_intersect_options *options);
-
-/* The part of an extent that the planes of some options keep. */
-algsurf_i_region algsurf_i_region_of(const algsurf_extent *extent, const algsurf_intersect_options *options);
-
-/* Can the lanes square what is shown, in the surface's unit? */
-int algsurf_i_rays_fit(const algsurf_surface *surface, const algsurf_i_region *region);
+/* No point of the surface on the ray. */
+void algsurf_i_set_miss(algsurf_hit *hit);
 
 /* algsurf_intersect_packet, in the standard floating-point environment; exact: the rays that integers decided
  * are added to it. */
@@ -36,13 +29,9 @@ algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const 
 /* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
  * floating-point environment: OK or E_NO_MEMORY.  eye: null, or P about the origin (exact.h).  exact: 1 is
  * added where integers decide. */
-algsurf_status algsurf_i_intersect_first(const algsurf_surface *surface, const algsurf_extent *extent,
-                                         const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                         const algsurf_intersect_options *options, algsurf_hit *hit,
-                                         uint64_t *exact);
-algsurf_status algsurf_i_occluded(const algsurf_surface *surface, const algsurf_extent *extent,
-                                  const algsurf_ray *ray, const algsurf_intersect_options *options,
-                                  int *state);
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
+                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact);
+algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state);
 
 /* algsurf_intersect_complex in a region, whose planes are good, and how many corrections of roots it took. */
 algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const algsurf_i_region *region,

@@ -12,19 +12,8 @@
 #include "intersect_impl.h"
 #include "kernel.h"
 #include "../base/options.h"
-#include "own_ball.h"
-#include "planes.h"
+#include "query.h"
 #include "ray_impl.h"
-
-typedef struct query {
-    const algsurf_surface *surface;
-    const algsurf_extent *extent; /* the caller's, or a wider one in which there is no more to be seen */
-    algsurf_extent wider;
-    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES]; /* in the surface's unit */
-    algsurf_ray_packet rays;
-    algsurf_intersect_options options;
-    const algsurf_i_kernel *kernel; /* null: every ray by itself */
-} query;
 
 const char *algsurf_kernel_name(int index) {
     const algsurf_i_kernel *kernel = algsurf_i_kernel_at(index);
@@ -72,75 +61,45 @@ static algsurf_status check_rays(const algsurf_ray_packet *rays) {
     return ALGSURF_OK;
 }
 
-int algsurf_i_rays_fit(const algsurf_surface *s, const algsurf_i_region *region) {
-    const algsurf_extent *extent = region->extent;
-    if (!s->tables || s->unit < -800 || s->unit > 800) return 0;
-    for (size_t i = 0; i < region->plane_count; i++)
-        if (!(fabs(algsurf_i_plane_in_unit(region->planes + i, s->unit).offset) < 0x1p100)) return 0;
-    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
-    for (int i = 0; i < 3; i++) {
-        double size = ldexp(extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0], -s->unit);
-        if (!(size > 0x1p-100 && size < 0x1p100 && fabs(ldexp(extent->centre[i], -s->unit)) < 0x1p100))
-            return 0;
-    }
-    return 1;
+/* Reads and checks a caller's arguments. */
+static algsurf_status prepare(algsurf_i_query *q, algsurf_ray_packet *rays, const algsurf_surface *surface,
+                              const algsurf_extent *extent, const algsurf_ray_packet *given,
+                              const algsurf_intersect_options *options) {
+    if (!surface || !given || !algsurf_options_read(rays, sizeof *rays, given)) return ALGSURF_E_ARGUMENT;
+    algsurf_status status = check_rays(rays);
+    return status == ALGSURF_OK ? algsurf_i_query_read(q, surface, extent, options) : status;
 }
 
-static algsurf_status prepare(query *q, const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray_packet *rays, const algsurf_intersect_options *options) {
-    if (!surface || !rays || !algsurf_options_read(&q->rays, sizeof q->rays, rays)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = check_rays(&q->rays);
-    if (status == ALGSURF_OK) status = algsurf_i_extent_check(extent);
-    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(options, &q->options);
-    if (status != ALGSURF_OK) return status;
-    q->surface = surface;
-    q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
-    const algsurf_i_region region = algsurf_i_region_of(q->extent, &q->options);
-    int fits = q->options.method == ALGSURF_METHOD_DEFAULT && q->options.max_iterations == 0 &&
-               algsurf_i_rays_fit(surface, &region);
-    for (size_t i = 0; fits && i < q->options.plane_count; i++)
-        q->planes[i] = algsurf_i_plane_in_unit(q->options.planes + i, surface->unit);
-    q->kernel = fits ? algsurf_i_kernel_find(q->options.kernel) : NULL;
-    return ALGSURF_OK;
-}
-
-static const algsurf_i_rays_kernel *packet_code(const query *q) {
+static const algsurf_i_rays_kernel *packet_code(const algsurf_i_query *q) {
     int narrow = q->kernel->index == ALGSURF_AVX512 && q->surface->degree > ALGSURF_MAX_WIDE_DEGREE;
     return algsurf_i_rays_kernel_for(narrow ? algsurf_i_kernel_at(1) : q->kernel);
 }
 
 /* The states of active rays; of certain hits everything.  A ray that is alone is solved by the baseline's
  * code: the bits are the same, and idle lanes cost less. */
-static void solve_together(const query *q, int any, int alone, const algsurf_i_rays_hits *hits) {
-    const algsurf_ray_packet *rays = &q->rays;
-    if (!q->kernel) {
+static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *rays, int any, int alone,
+                           const algsurf_i_rays_hits *hits) {
+    if (!q->fits_lanes || q->has_method) {
         for (size_t i = 0; i < rays->count; i++)
             if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_DOUBTFUL;
         return;
     }
     const algsurf_i_rays_kernel *code = packet_code(q);
-    const algsurf_i_rays_job job = {
-        .surface = q->surface,
-        .extent = q->extent,
-        .planes = q->planes,
-        .plane_count = (int)q->options.plane_count,
-        .origin = {rays->origin[0], rays->origin[1], rays->origin[2]},
-        .direction = {rays->direction[0], rays->direction[1], rays->direction[2]},
-        .t_min = rays->t_min,
-        .t_max = rays->t_max,
-        .active = rays->active,
-        .any = any,
-        .observer = q->options.observer,
-        .of_one = alone ? code->of_one : NULL,
-    };
+    algsurf_i_rays_job job = algsurf_i_query_job(q);
+    for (int k = 0; k < 3; k++) job.origin[k] = rays->origin[k], job.direction[k] = rays->direction[k];
+    job.t_min = rays->t_min;
+    job.t_max = rays->t_max;
+    job.active = rays->active;
+    job.any = any;
+    job.of_one = alone ? code->of_one : NULL;
     if (alone)
         algsurf_i_ray_kernel_for(q->kernel)->first(&job, 1, hits);
     else
         code->solve(&job, rays->count, hits);
 }
 
-static int left_alone(const query *q, const unsigned char *state, size_t i) {
-    return (!q->rays.active || q->rays.active[i]) && state[i] == ALGSURF_LANE_DOUBTFUL;
+static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
+    return (!rays->active || rays->active[i]) && state[i] == ALGSURF_LANE_DOUBTFUL;
 }
 
 static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_hit *hit) {
@@ -156,8 +115,8 @@ static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_h
 }
 
 /* What the packet code does not write: it knows simple roots only. */
-static void set_simple(const query *q, const algsurf_hit_packet *hits, size_t i) {
-    if (q->rays.active && !q->rays.active[i]) return;
+static void set_simple(const algsurf_ray_packet *rays, const algsurf_hit_packet *hits, size_t i) {
+    if (rays->active && !rays->active[i]) return;
     int hit = hits->state[i] == ALGSURF_HIT;
     if (hits->multiplicity) hits->multiplicity[i] = hit;
     if (hits->side && !hit) hits->side[i] = 0;
@@ -173,32 +132,33 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
 enum { SHARED_BY = 8, EYE_WORDS = 1024 }; /* rays that pay for an eye; its memory before any is allocated */
 
 /* Do SHARED_BY or more rays that are left alone begin at the same point? */
-static int share_origin(const query *q, const unsigned char *state) {
+static int share_origin(const algsurf_ray_packet *rays, const unsigned char *state) {
     size_t count = 0, first = 0;
-    for (size_t i = 0; i < q->rays.count; i++) {
-        if (!left_alone(q, state, i)) continue;
+    for (size_t i = 0; i < rays->count; i++) {
+        if (!left_alone(rays, state, i)) continue;
         if (count++ == 0) first = i;
         for (int k = 0; k < 3; k++)
-            if (q->rays.origin[k][i] != q->rays.origin[k][first]) return 0;
+            if (rays->origin[k][i] != rays->origin[k][first]) return 0;
     }
     return count >= SHARED_BY;
 }
 
 /* P about the rays' common origin, if that makes forms cheaper: it fills a sparse surface. */
-static const algsurf_i_exact_eye *make_eye(const query *q, const unsigned char *state, algsurf_memory *m,
+static const algsurf_i_exact_eye *make_eye(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                                           const unsigned char *state, algsurf_memory *m,
                                            algsurf_i_exact_eye *eye) {
     size_t first = 0;
-    if (q->options.tier == ALGSURF_TIER_BOUNDED || q->surface->error > 0 || !share_origin(q, state))
+    if (q->options.tier == ALGSURF_TIER_BOUNDED || q->surface->error > 0 || !share_origin(rays, state))
         return NULL;
-    while (!left_alone(q, state, first)) first++;
-    const double origin[3] = {q->rays.origin[0][first], q->rays.origin[1][first], q->rays.origin[2][first]};
+    while (!left_alone(rays, state, first)) first++;
+    const double origin[3] = {rays->origin[0][first], rays->origin[1][first], rays->origin[2][first]};
     if (!algsurf_i_exact_eye_make(m, q->surface, origin, eye)) return NULL;
     return eye->count <= 3 * q->surface->term_count ? eye : NULL;
 }
 
 /* The rays that packets leave undecided, one by one; and what packets do not write. */
-static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surface *surface,
-                                              const algsurf_extent *extent, const algsurf_i_rays_hits *hits,
+static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                                              const algsurf_i_rays_hits *hits,
                                               const algsurf_hit_packet *known, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
     algsurf_limb block[EYE_WORDS];
@@ -206,16 +166,15 @@ static ALGSURF_NOINLINE algsurf_status finish(const query *q, const algsurf_surf
     algsurf_i_exact_eye eye;
     algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    const algsurf_i_exact_eye *shared = make_eye(q, hits->state, &memory, &eye);
-    for (size_t i = 0; i < q->rays.count; i++) {
-        if (!left_alone(q, hits->state, i)) {
-            set_simple(q, known, i);
+    const algsurf_i_exact_eye *shared = make_eye(q, rays, hits->state, &memory, &eye);
+    for (size_t i = 0; i < rays->count; i++) {
+        if (!left_alone(rays, hits->state, i)) {
+            set_simple(rays, known, i);
             continue;
         }
-        algsurf_ray ray = ray_of(&q->rays, i);
+        algsurf_ray ray = ray_of(rays, i);
         algsurf_hit hit;
-        algsurf_status one =
-            algsurf_i_intersect_first(surface, extent, &ray, shared, &q->options, &hit, exact);
+        algsurf_status one = algsurf_i_intersect_first(q, &ray, shared, &hit, exact);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -232,13 +191,14 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
                                                            const algsurf_ray_packet *rays,
                                                            const algsurf_intersect_options *options,
                                                            const algsurf_hit_packet *to, uint64_t *exact) {
-    query q;
+    algsurf_i_query q;
+    algsurf_ray_packet read;
     algsurf_hit_packet known;
     if (!to || !algsurf_options_read(&known, sizeof known, to)) return ALGSURF_E_ARGUMENT;
-    algsurf_status status = prepare(&q, surface, extent, rays, options);
+    algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
     if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
-    if (!known.state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    if (!known.state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
     const algsurf_i_rays_hits hits = {
         .state = known.state,
         .side = known.side,
@@ -248,8 +208,8 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
         .position = {known.position[0], known.position[1], known.position[2]},
         .normal = {known.normal[0], known.normal[1], known.normal[2]},
     };
-    solve_together(&q, 0, 0, &hits);
-    return finish(&q, surface, extent, &hits, &known, exact);
+    solve_together(&q, &read, 0, 0, &hits);
+    return finish(&q, &read, &hits, &known, exact);
 }
 
 static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
@@ -266,13 +226,14 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
                                                     const algsurf_extent *extent, const algsurf_ray *ray,
                                                     const algsurf_intersect_options *options,
                                                     algsurf_hit *hit) {
-    query q;
+    algsurf_i_query q;
     algsurf_hit found;
     unsigned char state;
     int8_t side = 0;
     uint64_t exact = 0;
-    const algsurf_ray_packet rays = packet_of(ray);
-    algsurf_status status = prepare(&q, surface, extent, &rays, options);
+    const algsurf_ray_packet given = packet_of(ray);
+    algsurf_ray_packet rays;
+    algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
     const algsurf_i_rays_hits hits = {
         .state = &state,
@@ -283,9 +244,8 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
         .position = {found.position, found.position + 1, found.position + 2},
         .normal = {found.normal, found.normal + 1, found.normal + 2},
     };
-    solve_together(&q, 0, 1, &hits);
-    if (state == ALGSURF_LANE_DOUBTFUL)
-        return algsurf_i_intersect_first(surface, extent, ray, NULL, &q.options, hit, &exact);
+    solve_together(&q, &rays, 0, 1, &hits);
+    if (state == ALGSURF_LANE_DOUBTFUL) return algsurf_i_intersect_first(&q, ray, NULL, hit, &exact);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;
@@ -320,17 +280,18 @@ algsurf_status algsurf_intersect_packet(const algsurf_surface *surface, const al
 static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const algsurf_extent *extent,
                                            const algsurf_ray_packet *rays,
                                            const algsurf_intersect_options *options, unsigned char *state) {
-    query q;
-    algsurf_status status = prepare(&q, surface, extent, rays, options);
+    algsurf_i_query q;
+    algsurf_ray_packet read;
+    algsurf_status status = prepare(&q, &read, surface, extent, rays, options);
     if (status == ALGSURF_OK && q.options.observer) status = ALGSURF_E_ARGUMENT;
     if (status != ALGSURF_OK) return status;
-    if (!state) return q.rays.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
-    solve_together(&q, 1, 0, &(algsurf_i_rays_hits){.state = state});
-    for (size_t i = 0; i < q.rays.count; i++) {
-        if (!left_alone(&q, state, i)) continue;
-        algsurf_ray ray = ray_of(&q.rays, i);
+    if (!state) return read.count ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
+    solve_together(&q, &read, 1, 0, &(algsurf_i_rays_hits){.state = state});
+    for (size_t i = 0; i < read.count; i++) {
+        if (!left_alone(&read, state, i)) continue;
+        algsurf_ray ray = ray_of(&read, i);
         int one = ALGSURF_UNDECIDED;
-        algsurf_status decided = algsurf_i_occluded(surface, extent, &ray, &q.options, &one);
+        algsurf_status decided = algsurf_i_occluded(&q, &ray, &one);
         if (decided != ALGSURF_OK) status = decided;
         state[i] = (unsigned char)one;
     }
@@ -350,13 +311,14 @@ algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const alg
 static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface,
                                                   const algsurf_extent *extent, const algsurf_ray *ray,
                                                   const algsurf_intersect_options *options, int *state) {
-    query q;
+    algsurf_i_query q;
     unsigned char found;
-    const algsurf_ray_packet rays = packet_of(ray);
-    algsurf_status status = prepare(&q, surface, extent, &rays, options);
+    const algsurf_ray_packet given = packet_of(ray);
+    algsurf_ray_packet rays;
+    algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
-    solve_together(&q, 1, 1, &(algsurf_i_rays_hits){.state = &found});
-    if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(surface, extent, ray, &q.options, state);
+    solve_together(&q, &rays, 1, 1, &(algsurf_i_rays_hits){.state = &found});
+    if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(&q, ray, state);
     *state = (int)found;
     return ALGSURF_OK;
 }

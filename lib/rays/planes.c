@@ -8,25 +8,32 @@
  * times its error e_b, the exact b is at least 3/4 of it, and t is off by at most
  *     (e_a + |t| e_b) / |b| * 4/3, and two roundings of t:  2 (e_a + |t| e_b) / |b| + 2^-50 |t|  is more.
  * A ray along the plane has a sure sign where |a| exceeds e_a and what t b can be at its ends; else the plane
- * may be anywhere on it, and integers are asked. */
+ * may be anywhere on it, and integers are asked.  Where each n_i d_i is 0, b is, too, whatever t.
+ *
+ * How far beyond the plane a cut ray may reach: let s = |c| + sum |n_i| (|o_i| + |t d_i|) for the largest |t|
+ * before the cut.  An end that is moved is beyond the plane by at most twice the error of t above, so that
+ *     n.X - c <= 5/4 |b| 2 (2 (e_a + |t| e_b) / |b| + 2^-50 |t|) <= 5 2^-50 s + 5/2 2^-50 |a| < 2^-47 s.
+ * If the ray is along the plane and not cut, a is at most 2 (e_a + |t| (|b| + e_b)) and |b| at most 4 e_b;
+ * with the errors of both, n.X - c < 3 e_a + 15 |t| e_b < 2^-46 s. */
 #include "../base/arithmetic.h"
 #include "planes.h"
 
 #include <float.h>
 #include <math.h>
 
+#include "ray_impl.h"
 #include "../base/vec.h"
 
 #define ROUNDED 0x1p-50
 #define LOST 0x1p-1000
 
-int algsurf_i_planes_are_good(const algsurf_plane *planes, size_t count) {
-    if (count > ALGSURF_MAX_CLIP_PLANES || (count > 0 && !planes)) return 0;
+algsurf_status algsurf_i_planes_check(const algsurf_plane *planes, size_t count) {
+    if (count > ALGSURF_MAX_CLIP_PLANES || (count > 0 && !planes)) return ALGSURF_E_ARGUMENT;
     for (size_t i = 0; i < count; i++) {
-        if (!algsurf_is_finite3(planes[i].normal) || !isfinite(planes[i].offset)) return 0;
-        if (!(algsurf_max_abs(planes[i].normal) > 0)) return 0;
+        if (!algsurf_is_finite3(planes[i].normal) || !isfinite(planes[i].offset)) return ALGSURF_E_NOT_FINITE;
+        if (!(algsurf_max_abs(planes[i].normal) > 0)) return ALGSURF_E_ARGUMENT;
     }
-    return 1;
+    return ALGSURF_OK;
 }
 
 static int exponent_of(double x) {
@@ -57,16 +64,18 @@ static crossing crossing_of(const algsurf_plane *plane, const algsurf_ray *ray) 
     const algsurf_plane p = algsurf_i_plane_in_unit(plane, unit);
     double above[3], rise[3];
     crossing c = {.above_error = fabs(p.offset), .exponent = unit - od};
+    int level = 1; /* all of the slope's terms are 0 */
     for (int i = 0; i < 3; i++) {
         above[i] = p.normal[i] * ldexp(ray->origin[i], -unit);
         rise[i] = p.normal[i] * ldexp(ray->direction[i], -od);
         c.above_error += fabs(above[i]);
         c.rise_error += fabs(rise[i]);
+        level &= plane->normal[i] == 0 || ray->direction[i] == 0;
     }
     c.above = (above[0] + above[1] + above[2]) - p.offset;
     c.rise = rise[0] + rise[1] + rise[2];
     c.above_error = ROUNDED * c.above_error + LOST;
-    c.rise_error = ROUNDED * c.rise_error + LOST;
+    c.rise_error = level ? 0 : ROUNDED * c.rise_error + LOST;
     return c;
 }
 
@@ -75,7 +84,7 @@ static int is_steep(const crossing *c) { return fabs(c->rise) > 4 * c->rise_erro
 /* A ray along the plane: 1, it is kept between the cut's ends; -1: it is not; 0: not known. */
 static int side_along(const crossing *c, const algsurf_i_cut *cut) {
     double far = ldexp(fmax(fabs(cut->outer_lo), fabs(cut->outer_hi)), -c->exponent);
-    double slack = 2 * (c->above_error + far * (fabs(c->rise) + c->rise_error));
+    double tilt = fabs(c->rise) + c->rise_error, slack = 2 * (c->above_error + (tilt > 0 ? far * tilt : 0));
     return c->above < -slack ? 1 : c->above > slack ? -1 : 0;
 }
 
@@ -106,7 +115,7 @@ int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsur
             cut->inner_hi = -HUGE_VAL;
         }
     }
-    return cut->outer_lo <= cut->outer_hi && cut->outer_lo < HUGE_VAL && cut->outer_hi > -HUGE_VAL;
+    return algsurf_i_has_points(cut->outer_lo, cut->outer_hi);
 }
 
 int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray *ray) {
@@ -120,5 +129,5 @@ int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray
         else
             ray->t_min = fmax(ray->t_min, t);
     }
-    return ray->t_min <= ray->t_max && ray->t_min < HUGE_VAL && ray->t_max > -HUGE_VAL;
+    return algsurf_i_has_points(ray->t_min, ray->t_max);
 }

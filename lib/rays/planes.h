@@ -5,8 +5,8 @@
 
 #include "algsurf/ray.h"
 
-/* Are the planes good ones: at most ALGSURF_MAX_CLIP_PLANES, finite, with normals that are not 0? */
-int algsurf_i_planes_are_good(const algsurf_plane *planes, size_t count);
+/* OK, E_ARGUMENT (more than ALGSURF_MAX_CLIP_PLANES, null, a normal that is 0) or E_NOT_FINITE. */
+algsurf_status algsurf_i_planes_check(const algsurf_plane *planes, size_t count);
 
 /* A part of a ray that planes cut, as far as doubles can tell: it reaches from some t in lo to some in hi. */
 typedef struct algsurf_i_cut {

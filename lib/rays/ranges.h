@@ -2,6 +2,7 @@
 #ifndef ALGSURF_RANGES_H
 #define ALGSURF_RANGES_H
 #include "intersect_impl.h"
+#include "region.h"
 
 /* Where hits are, or may be: in [lo,hi]. */
 typedef struct algsurf_i_ray_range {

@@ -1,4 +1,4 @@
-/* ray.c - the chord that a ray and an extent have in common.
+/* ray.c - the chord that a ray and an extent have in common (planes cut it in planes.c).
  *
  * Sphere.  Let q = origin - centre and t_c = -(q.d)/(d.d), a double near the parameter of the ray's
  * point nearest to the centre.  With X = q + t_c d the ray is X + s d, t = t_c + s, and
@@ -18,12 +18,10 @@
 #include "../base/arithmetic.h"
 #include "ray_impl.h"
 
-#include <float.h>
-#include <stddef.h>
+#include <math.h>
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
-#include "planes.h"
 #include "../base/vec.h"
 
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray) {
@@ -120,8 +118,7 @@ static int clip_box(const algsurf_extent *extent, const algsurf_ray *ray, double
     return 1;
 }
 
-/* Where the line enters and leaves the extent; infinite also where that is beyond the largest double. */
-static int clip_line(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
+int algsurf_i_line_clip(const algsurf_extent *extent, const algsurf_ray *ray, double ends[2]) {
     ends[0] = -INFINITY;
     ends[1] = INFINITY;
     if (extent && extent->kind == ALGSURF_EXTENT_SPHERE) return clip_sphere(extent, ray, ends);
@@ -130,66 +127,13 @@ static int clip_line(const algsurf_extent *extent, const algsurf_ray *ray, doubl
 
 int algsurf_i_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord) {
     double ends[2];
-    if (!clip_line(extent, ray, ends)) return 0;
+    if (!algsurf_i_line_clip(extent, ray, ends)) return 0;
     double t_min = ends[0] > ray->t_min ? ends[0] : ray->t_min;
     double t_max = ends[1] < ray->t_max ? ends[1] : ray->t_max;
-    /* An infinite end on the wrong side: no point of the chord has a parameter that is a double. */
-    if (!(t_min <= t_max) || t_min == INFINITY || t_max == -INFINITY) return 0;
+    if (!algsurf_i_has_points(t_min, t_max)) return 0;
     *chord = *ray;
     chord->t_min = t_min;
     chord->t_max = t_max;
-    return 1;
-}
-
-/* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
- * entered earlier by d / |direction| or more, the sphere's radius and the box's half sizes alike; the clip is
- * off by less than 2^-47 of the distance from the origin to its far side, for a box along each axis by
- * itself, and t by 2^-1074 where it underflows.  d is 2^-43 of that, and more than what underflows. */
-static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int axis) {
-    double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? axis : 0];
-    double far = 0.25 * fabs(ray->origin[axis]) + 0.25 * fabs(extent->centre[axis]) + 0.25 * size;
-    return fmin(0x1p-41 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]), 0.25 * DBL_MAX);
-}
-
-static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
-                          algsurf_i_edges *edges) {
-    *edges = (algsurf_i_edges){0, -HUGE_VAL, HUGE_VAL};
-    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
-    algsurf_extent outer = *extent, inner = *extent;
-    int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
-    double d[3], ends[2];
-    for (int i = 0; i < 3; i++) d[i] = margin(extent, ray, i);
-    if (!box) d[0] = fmax(d[0], fmax(d[1], d[2]));
-    for (int i = 0; i < (box ? 3 : 1); i++) {
-        outer.size[i] = fmin(extent->size[i] + d[i], DBL_MAX);
-        inner.size[i] = extent->size[i] - d[i];
-        solid &= inner.size[i] > 0;
-    }
-    /* What overflowed is between the largest double and infinity. */
-    if (!clip_line(&outer, ray, ends)) return 0;
-    *chord = *ray;
-    chord->t_min = fmax(ray->t_min, fmin(ends[0], DBL_MAX));
-    chord->t_max = fmin(ray->t_max, fmax(ends[1], -DBL_MAX));
-    if (!(chord->t_min <= chord->t_max) || chord->t_min == INFINITY || chord->t_max == -INFINITY) return 0;
-    edges->cut = 1;
-    edges->inner_lo = HUGE_VAL;
-    edges->inner_hi = -HUGE_VAL;
-    if (solid && clip_line(&inner, ray, ends)) {
-        edges->inner_lo = fmax(ends[0], -DBL_MAX);
-        edges->inner_hi = fmin(ends[1], DBL_MAX);
-    }
-    return 1;
-}
-
-int algsurf_i_region_bracket(const algsurf_i_region *region, const algsurf_ray *ray, algsurf_ray *chord,
-                             algsurf_i_edges *edges) {
-    if (!extent_bracket(region->extent, ray, chord, edges)) return 0;
-    if (region->plane_count == 0) return 1;
-    algsurf_i_cut cut = {chord->t_min, chord->t_max, edges->inner_lo, edges->inner_hi};
-    if (!algsurf_i_planes_cut(region->planes, region->plane_count, ray, &cut)) return 0;
-    chord->t_min = cut.outer_lo;
-    chord->t_max = cut.outer_hi;
-    *edges = (algsurf_i_edges){1, cut.inner_lo, cut.inner_hi};
     return 1;
 }
 

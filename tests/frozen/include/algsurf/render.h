@@ -131,8 +131,10 @@ ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
  * there are none.
  *   planes  copied; null with count 0: no planes
  *   count   at most ALGSURF_MAX_CLIP_PLANES
- * Guarantee: every ray is decided as algsurf_intersect_first decides it, with these planes in its options.
- * Errors: E_ARGUMENT (a null scene, null planes, too many, one that is not finite or has normal 0).
+ * Guarantee: in real space every ray is decided as algsurf_intersect_first decides it, with these planes in
+ * its options.  In complex space the parameters t at which a ray meets the extent and the planes are rounded:
+ * a root whose |t| is within rounding of one of them may count, or not.
+ * Errors: E_ARGUMENT (a null scene, null planes, too many, a normal that is 0), E_NOT_FINITE.
  * Cost: a picture cut by a plane costs about what the whole picture costs; none costs nothing.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes,
                                                   size_t count);

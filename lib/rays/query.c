@@ -1,0 +1,79 @@
+/* query.c - a query is read, checked and prepared. */
+#include "../base/arithmetic.h"
+#include "query.h"
+
+#include <math.h>
+
+#include "../base/options.h"
+#include "../roots/watch.h"
+#include "../surface/impl.h"
+#include "own_ball.h"
+#include "planes.h"
+#include "ray_impl.h"
+
+algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
+                                                algsurf_intersect_options *options) {
+    static const algsurf_intersect_options defaults = {.size = sizeof defaults};
+    if (!algsurf_options_read(options, sizeof *options, given ? given : &defaults)) return ALGSURF_E_ARGUMENT;
+    if ((unsigned)options->tier > ALGSURF_TIER_BOUNDED || (unsigned)options->undecided_as > ALGSURF_AS_MISS)
+        return ALGSURF_E_ARGUMENT;
+    if (options->method < ALGSURF_METHOD_DEFAULT || options->method > ALGSURF_METHOD_REGULA_FALSI)
+        return ALGSURF_E_ARGUMENT;
+    if (options->max_iterations < 0 || !(options->absolute_tolerance >= 0) ||
+        isinf(options->absolute_tolerance))
+        return ALGSURF_E_ARGUMENT;
+    if (!algsurf_i_observer_is_good(options->observer)) return ALGSURF_E_ARGUMENT;
+    if (options->kernel) {
+        const algsurf_i_kernel *kernel = algsurf_i_kernel_find(options->kernel);
+        if (!kernel) return ALGSURF_E_ARGUMENT;
+        options->kernel = kernel->name; /* the caller's string need not live on */
+    }
+    return algsurf_i_planes_check(options->planes, options->plane_count);
+}
+
+/* Can lanes square the extent's sizes, in the surface's unit? */
+static int extent_fits(const algsurf_extent *extent, int unit) {
+    double scale = ldexp(1, -unit); /* what under- or overflows stays below or above the bounds */
+    if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return 1;
+    for (int i = 0; i < 3; i++) {
+        double size = scale * extent->size[extent->kind == ALGSURF_EXTENT_BOX ? i : 0];
+        if (!(size > 0x1p-100 && size < 0x1p100 && fabs(scale * extent->centre[i]) < 0x1p100)) return 0;
+    }
+    return 1;
+}
+
+/* The planes in the surface's unit; 0: one is too far away for lanes. */
+static int scale_planes(algsurf_i_query *q) {
+    for (size_t i = 0; i < q->region.plane_count; i++) {
+        q->planes[i] = algsurf_i_plane_in_unit(q->region.planes + i, q->surface->unit);
+        if (!(fabs(q->planes[i].offset) < 0x1p100)) return 0;
+    }
+    return 1;
+}
+
+/* All of it but the options, which are there. */
+static void prepare(algsurf_i_query *q, const algsurf_surface *surface, const algsurf_extent *extent) {
+    const algsurf_intersect_options *options = &q->options;
+    q->surface = surface;
+    q->memory_limit = options->max_memory ? options->max_memory : ALGSURF_DEFAULT_MEMORY;
+    q->has_method = options->method != ALGSURF_METHOD_DEFAULT || options->max_iterations > 0;
+    q->region = (algsurf_i_region){extent, options->planes, options->plane_count};
+    q->extent = algsurf_i_without_own_ball(surface, extent, &q->wider);
+    q->fits_lanes = surface->tables && surface->unit >= -800 && surface->unit <= 800 &&
+                    extent_fits(q->extent, surface->unit) && scale_planes(q);
+    if (q->fits_lanes) q->kernel = algsurf_i_kernel_find(options->kernel);
+}
+
+void algsurf_i_query_prepare(algsurf_i_query *q, const algsurf_surface *surface, const algsurf_extent *extent,
+                             const algsurf_intersect_options *options) {
+    q->options = *options;
+    prepare(q, surface, extent);
+}
+
+algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
+                                    const algsurf_extent *extent, const algsurf_intersect_options *given) {
+    algsurf_status status = algsurf_i_extent_check(extent);
+    if (status == ALGSURF_OK) status = algsurf_i_intersect_read_options(given, &q->options);
+    if (status == ALGSURF_OK) prepare(q, surface, extent);
+    return status;
+}

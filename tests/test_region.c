@@ -1,0 +1,348 @@
+/* test_region.c - algsurf_region_clip against rational arithmetic: no point of the ray in the extent, on the
+ * kept side of all planes, is off the chord, and the chord is hardly longer than it has to be.
+ *
+ * The exact part is an interval, bounded by planes and faces at rational t; where the line enters and leaves
+ * a ball is told by the signs of |X - c|^2 - r^2 and of its slope.
+ *
+ * Breaks tried, each caught by the test named:
+ *   no margin about the extent; planes at their rounded t                          nothing_is_lost
+ *   2.5 times the margin; a hundred times the error of a plane: chords too long    nothing_is_lost
+ *   a ray along a plane, and without an end, kept wherever it is                   along_a_plane
+ *   the chord written although nothing is left                                     arguments
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <string.h>
+
+#include "ray_case.h"
+
+enum { ROUNDS = 20000 };
+
+typedef struct region_case {
+    algsurf_extent extent;
+    algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
+    size_t count;
+    algsurf_ray ray;
+} region_case;
+
+/* ---- the exact part ---- */
+
+/* The part of a line between t[0] and t[1], each bounded or not. */
+typedef struct part {
+    mpq_t t[2];
+    int bounded[2], empty;
+} part;
+
+/* Keeps t with rise t <= room. */
+static void keep_exactly(part *p, const mpq_t rise, const mpq_t room) {
+    int end = mpq_sgn(rise) > 0;
+    mpq_t t;
+    if (mpq_sgn(rise) == 0) {
+        p->empty |= mpq_sgn(room) < 0;
+        return;
+    }
+    mpq_init(t);
+    mpq_div(t, room, rise);
+    if (!p->bounded[end] || (end ? mpq_cmp(t, p->t[1]) < 0 : mpq_cmp(t, p->t[0]) > 0)) mpq_set(p->t[end], t);
+    p->bounded[end] = 1;
+    mpq_clear(t);
+}
+
+/* rise = n.d, room = offset - n.o */
+static void along_plane(mpq_t rise, mpq_t room, const algsurf_plane *plane, const algsurf_ray *ray) {
+    mpq_t n, x;
+    mpq_inits(n, x, NULL);
+    mpq_set_ui(rise, 0, 1);
+    exact_set(room, plane->offset);
+    for (int i = 0; i < 3; i++) {
+        exact_set(n, plane->normal[i]);
+        exact_set(x, ray->direction[i]), mpq_mul(x, x, n), mpq_add(rise, rise, x);
+        exact_set(x, ray->origin[i]), mpq_mul(x, x, n), mpq_sub(room, room, x);
+    }
+    mpq_clears(n, x, NULL);
+}
+
+/* The part of the ray that planes keep, in the extent if that is a box. */
+static void part_of(part *p, const region_case *c) {
+    const double ends[2] = {c->ray.t_min, c->ray.t_max};
+    mpq_t rise, room, x;
+    mpq_inits(p->t[0], p->t[1], rise, room, x, NULL);
+    p->empty = 0;
+    for (int k = 0; k < 2; k++) {
+        p->bounded[k] = isfinite(ends[k]);
+        if (p->bounded[k]) exact_set(p->t[k], ends[k]);
+    }
+    for (size_t i = 0; i < c->count; i++) {
+        along_plane(rise, room, c->planes + i, &c->ray);
+        keep_exactly(p, rise, room);
+    }
+    for (int i = 0; i < 6 && c->extent.kind == ALGSURF_EXTENT_BOX; i++) {
+        algsurf_plane face = {{0}, 0};
+        face.normal[i / 2] = i % 2 ? 1 : -1;
+        along_plane(rise, room, &face, &c->ray);
+        exact_set(x, c->extent.size[i / 2]), mpq_add(room, room, x);
+        exact_set(x, face.normal[i / 2] * c->extent.centre[i / 2]), mpq_add(room, room, x);
+        keep_exactly(p, rise, room);
+    }
+    p->empty |= p->bounded[0] && p->bounded[1] && mpq_cmp(p->t[0], p->t[1]) > 0;
+    mpq_clears(rise, room, x, NULL);
+}
+
+/* The ball along the ray: q(t) = |X - c|^2 - r^2 = q[0] + q[1] t + q[2] t^2. */
+static void ball_of(mpq_t q[3], const region_case *c) {
+    mpq_t o, d, x;
+    mpq_inits(o, d, x, NULL);
+    exact_set(x, c->extent.size[0]), mpq_mul(x, x, x), mpq_neg(q[0], x);
+    mpq_set_ui(q[1], 0, 1), mpq_set_ui(q[2], 0, 1);
+    for (int i = 0; i < 3; i++) {
+        exact_set(o, c->ray.origin[i]), exact_set(x, c->extent.centre[i]), mpq_sub(o, o, x);
+        exact_set(d, c->ray.direction[i]);
+        mpq_mul(x, o, o), mpq_add(q[0], q[0], x);
+        mpq_mul(x, o, d), mpq_add(q[1], q[1], x), mpq_add(q[1], q[1], x);
+        mpq_mul(x, d, d), mpq_add(q[2], q[2], x);
+    }
+    mpq_clears(o, d, x, NULL);
+}
+
+/* -1, 1: the whole ball is at smaller, at larger t; 0: neither, or the line misses it. */
+static int ball_side(mpq_t q[3], const mpq_t t) {
+    mpq_t value, slope;
+    mpq_inits(value, slope, NULL);
+    mpq_mul(slope, q[2], t), mpq_add(value, slope, q[1]), mpq_add(slope, slope, value);
+    mpq_mul(value, value, t), mpq_add(value, value, q[0]);
+    int side = mpq_sgn(value) > 0 ? mpq_sgn(slope) : 0;
+    mpq_clears(value, slope, NULL);
+    return -side;
+}
+
+static int line_misses_ball(mpq_t q[3]) {
+    mpq_t x, y;
+    mpq_inits(x, y, NULL);
+    mpq_mul(x, q[1], q[1]), mpq_mul(y, q[0], q[2]), mpq_mul_2exp(y, y, 2);
+    int misses = mpq_cmp(x, y) < 0;
+    mpq_clears(x, y, NULL);
+    return misses;
+}
+
+/* Is the exact part empty? */
+static int nothing_is_there(const part *p, mpq_t *q) {
+    if (p->empty) return 1;
+    if (!q) return 0;
+    return line_misses_ball(q) || (p->bounded[0] && ball_side(q, p->t[0]) < 0) ||
+           (p->bounded[1] && ball_side(q, p->t[1]) > 0);
+}
+
+/* Is no point of the exact part, which is not empty, before t (end 0) or behind it (end 1)?  Never is t where
+ * the line meets a sphere. */
+static int holds_end(const part *p, mpq_t *q, double t, int end) {
+    mpq_t x;
+    if (isinf(t)) return end ? t > 0 : t < 0;
+    mpq_init(x);
+    exact_set(x, t);
+    int order = p->bounded[end] ? mpq_cmp(x, p->t[end]) : end ? -1 : 1;
+    int side = q ? ball_side(q, x) : 0, holds = end ? order >= 0 || side < 0 : order <= 0 || side > 0;
+    mpq_clear(x);
+    return holds;
+}
+
+/* ---- how much longer the chord is ---- */
+
+/* Is the point at t on the ray in the extent but for 2^-42 of the sizes? */
+static int is_near_extent(const region_case *c, double t) {
+    const algsurf_extent *e = &c->extent;
+    mpq_t x, y, far, sum, room;
+    int near = 1, box = e->kind == ALGSURF_EXTENT_BOX;
+    mpq_inits(x, y, far, sum, room, NULL);
+    for (int i = 0; i < 3; i++) { /* far: |o_i| + |c_i| + size; of a ball the largest */
+        exact_set(x, fabs(c->ray.origin[i])), exact_set(y, fabs(e->centre[i])), mpq_add(x, x, y);
+        exact_set(y, e->size[box ? i : 0]), mpq_add(x, x, y);
+        if (box || mpq_cmp(x, far) > 0) mpq_set(far, x);
+        mpq_div_2exp(room, far, 42), mpq_add(room, room, y);
+        exact_set(x, t), exact_set(y, c->ray.direction[i]), mpq_mul(x, x, y);
+        exact_set(y, c->ray.origin[i]), mpq_add(x, x, y);
+        exact_set(y, e->centre[i]), mpq_sub(x, x, y);
+        mpq_abs(x, x);
+        if (box) near &= mpq_cmp(x, room) <= 0;
+        mpq_mul(x, x, x), mpq_add(sum, sum, x);
+    }
+    mpq_mul(room, room, room);
+    if (!box) near = mpq_cmp(sum, room) <= 0;
+    mpq_clears(x, y, far, sum, room, NULL);
+    return near;
+}
+
+/* Is the point at t kept by the plane but for 2^-46 of the sizes, those at `far` along the ray? */
+static int is_near_plane(const algsurf_plane *plane, const algsurf_ray *ray, double t, double far) {
+    mpq_t rise, room, x, y, size;
+    mpq_inits(rise, room, x, y, size, NULL);
+    along_plane(rise, room, plane, ray);
+    exact_set(size, fabs(plane->offset));
+    for (int i = 0; i < 3; i++) {
+        exact_set(x, fabs(ray->direction[i])), exact_set(y, far), mpq_mul(x, x, y);
+        exact_set(y, fabs(ray->origin[i])), mpq_add(x, x, y);
+        exact_set(y, fabs(plane->normal[i])), mpq_mul(x, x, y), mpq_add(size, size, x);
+    }
+    mpq_div_2exp(size, size, 46);
+    exact_set(x, t), mpq_mul(x, x, rise), mpq_sub(x, x, room);
+    int near = mpq_cmp(x, size) <= 0;
+    mpq_clears(rise, room, x, y, size, NULL);
+    return near;
+}
+
+/* ---- cases ---- */
+
+static double short_number(uint64_t *seed, int most) {
+    return 0.5 * (exact_random_int(seed, 4 * most + 1) - 2 * most);
+}
+
+static void set_direction(double v[3], uint64_t *seed) {
+    do {
+        for (int i = 0; i < 3; i++) v[i] = exact_random_int(seed, 3) ? short_number(seed, 2) : 0;
+    } while (v[0] == 0 && v[1] == 0 && v[2] == 0);
+    if (exact_random_int(seed, 2))
+        for (int i = 0; i < 3; i++) v[i] += exact_random_unit(seed);
+}
+
+/* Numbers that are short, so that rays touch, go along planes and through edges; or not, near or far. */
+static void set_case(region_case *c, uint64_t *seed) {
+    double far = exact_random_int(seed, 3) ? 1 : pow(10, exact_random_int(seed, 12));
+    c->extent = (algsurf_extent){.kind = exact_random_int(seed, 3)};
+    for (int i = 0; i < 3; i++) {
+        c->extent.centre[i] = short_number(seed, 1);
+        c->extent.size[i] = 0.5 + fabs(short_number(seed, 2)) + (far > 1 ? fabs(exact_random_unit(seed)) : 0);
+        c->ray.origin[i] = short_number(seed, 3);
+    }
+    set_direction(c->ray.direction, seed);
+    for (int i = 0; i < 3 && far > 1; i++) c->ray.origin[i] -= far * c->ray.direction[i];
+    c->ray.t_min = exact_random_int(seed, 3) ? 0 : -INFINITY;
+    c->ray.t_max = exact_random_int(seed, 3) ? INFINITY : far + short_number(seed, 3);
+    c->count = (size_t)exact_random_int(seed, exact_random_int(seed, 4) ? 3 : ALGSURF_MAX_CLIP_PLANES + 1);
+    for (size_t k = 0; k < c->count; k++) {
+        int scale = exact_random_int(seed, 8) ? 0 : exact_random_int(seed, 600) - 300;
+        set_direction(c->planes[k].normal, seed);
+        for (int i = 0; i < 3; i++) c->planes[k].normal[i] = ldexp(c->planes[k].normal[i], scale);
+        c->planes[k].offset = ldexp(short_number(seed, 3), scale);
+    }
+}
+
+static void fail_case(const region_case *c, int round, const algsurf_ray *chord, const char *why) {
+    const double ends[2] = {chord->t_min, chord->t_max}, given[2] = {c->ray.t_min, c->ray.t_max};
+    print_case(&c->extent, &c->ray, ends);
+    exact_print_doubles("of", given, 2);
+    for (size_t k = 0; k < c->count; k++) {
+        exact_print_doubles("normal", c->planes[k].normal, 3);
+        exact_print_doubles("offset", &c->planes[k].offset, 1);
+    }
+    fail_msg("round %d: %s", round, why);
+}
+
+static int region_clip(const region_case *c, size_t count, algsurf_ray *chord) {
+    int meets = -1;
+    assert_int_equal(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets), ALGSURF_OK);
+    return meets;
+}
+
+/* Why a chord is wrong, or null. */
+static const char *verdict(const region_case *c, const part *p, mpq_t *q, int meets,
+                           const algsurf_ray *chord) {
+    const double ends[2] = {chord->t_min, chord->t_max};
+    algsurf_ray whole = *chord;
+    int empty = nothing_is_there(p, q);
+    if (!meets) return empty ? NULL : "there is something";
+    for (int end = 0; end < 2; end++) {
+        if (!empty && !holds_end(p, q, ends[end], end)) return end ? "behind the chord" : "before the chord";
+        if (isinf(ends[end])) continue;
+        if (c->extent.kind != ALGSURF_EXTENT_ALL && !is_near_extent(c, ends[end])) return "far outside";
+    }
+    (void)region_clip(c, 0, &whole);
+    double far = fmax(fabs(whole.t_min), fabs(whole.t_max));
+    for (size_t k = 0; k < c->count && isfinite(far); k++)
+        for (int end = 0; end < 2; end++)
+            if (!is_near_plane(c->planes + k, &c->ray, ends[end], far)) return "far beyond a plane";
+    return NULL;
+}
+
+static void nothing_is_lost(void **state) {
+    uint64_t seed = 20261124;
+    int met = 0, missed = 0, tight = 0;
+    mpq_t q[3];
+    (void)state;
+    mpq_inits(q[0], q[1], q[2], NULL);
+    for (int round = 0; round < ROUNDS; round++) {
+        region_case c;
+        algsurf_ray chord;
+        part p;
+        set_case(&c, &seed);
+        int ball = c.extent.kind == ALGSURF_EXTENT_SPHERE;
+        if (ball) ball_of(q, &c);
+        part_of(&p, &c);
+        chord = c.ray;
+        int meets = region_clip(&c, c.count, &chord);
+        const char *wrong = verdict(&c, &p, ball ? q : NULL, meets, &chord);
+        if (wrong) fail_case(&c, round, &chord, wrong);
+        met += meets, missed += !meets;
+        tight += meets && c.count > 0 && (chord.t_min > c.ray.t_min || chord.t_max < c.ray.t_max);
+        mpq_clears(p.t[0], p.t[1], NULL);
+    }
+    mpq_clears(q[0], q[1], q[2], NULL);
+    printf("%d met, %d of them cut by planes or extent, %d missed\n", met, tight, missed);
+    assert_true(met > ROUNDS / 4 && missed > ROUNDS / 4 && tight > ROUNDS / 8);
+}
+
+/* A ray without an end along a plane is on one side of it. */
+static void along_a_plane(void **state) {
+    const algsurf_ray ray = {{1, 2, 3}, {0, 0.1, 0}, -INFINITY, INFINITY};
+    const algsurf_plane kept = {{3, 0, -1}, 0.5}, lost = {{3, 0, -1}, -0.5}, in = {{3, 0, -1}, 0};
+    algsurf_ray chord;
+    int meets;
+    (void)state;
+    assert_int_equal(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_int_equal(meets, 1);
+    assert_true(chord.t_min == -INFINITY && chord.t_max == INFINITY);
+    assert_int_equal(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_int_equal(meets, 0);
+    assert_int_equal(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_int_equal(meets, 1);
+}
+
+static void arguments(void **state) {
+    const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}},
+                         bad = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 0, 1}};
+    const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, 9}, no_ray = {{0, 0, 0}, {0, 0, 0}, 0, 1};
+    const algsurf_plane plane = {{1, 0, 0}, 0.5}, far = {{1, 0, 0}, -2}, none = {{0, 0, 0}, 1},
+                        infinite = {{1, 0, 0}, INFINITY};
+    algsurf_ray same = ray, before = ray;
+    int meets = -1;
+    (void)state;
+    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, &same, NULL), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, NULL, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, NULL, &same, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &no_ray, &same, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&bad, &plane, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, NULL, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, &none, 1, &ray, &same, &meets), ALGSURF_E_ARGUMENT);
+    assert_int_equal(algsurf_region_clip(&ball, &infinite, 1, &ray, &same, &meets), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_region_clip(&ball, &plane, ALGSURF_MAX_CLIP_PLANES + 1, &ray, &same, &meets),
+                     ALGSURF_E_ARGUMENT);
+    assert_int_equal(meets, -1);
+    assert_int_equal(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_int_equal(meets, 0);
+    assert_memory_equal(&same, &before, sizeof same);
+    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_int_equal(meets, 1);
+    assert_true(same.t_min <= 1 && same.t_min > 1 - 1e-11 && same.t_max >= 2.5 && same.t_max < 2.5 + 1e-13);
+    assert_memory_equal(same.origin, before.origin, sizeof same.origin + sizeof same.direction);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_lost),
+        cmocka_unit_test(along_a_plane),
+        cmocka_unit_test(arguments),
+    };
+    return cmocka_run_group_tests_name("region", tests, NULL, NULL);
+}
