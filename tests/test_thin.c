@@ -12,6 +12,8 @@
  *       pixel's; a sign of the ray that is never known
  *   thin_parts_are_drawn: boxes as wide as pixels
  *   samples_are_finer_pixels: samples with the cells of whole pixels
+ *   edges_have_no_halo: neighbours' rays that are asked of integers alone
+ *   undecided_places_hide_nothing: boxes that end before an undecided place, in either way of drawing it
  *
  *     test_thin [views [seed]]
  */
@@ -241,6 +243,36 @@ static void thin_parts_are_drawn(void **state) {
     }
 }
 
+/* Behind a place where it is undecided what a ray hits: the rays of the middle column touch the line x = y =
+ * 0, which doubles do not decide, and what stands for it is the middle of the chord, before the line. */
+static void undecided_places_hide_nothing(void **state) {
+    enum { SIZE = 65 };
+    static const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {1.5, 0, 0}, {2, 0, 0}};
+    (void)state;
+    algsurf_surface *surface = surface_of("x^2 + y^2");
+    algsurf_camera camera;
+    assert_int_equal(
+        algsurf_camera_pinhole((double[]){9, 0, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera),
+        ALGSURF_OK);
+    for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
+        const algsurf_intersect_options how = {
+            .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};
+        algsurf_scene *scene = scene_of(surface, &extent, &camera);
+        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        draw(scene, SIZE, &first);
+        assert_true(first.stats.undecided + first.stats.hits > 40 || as == ALGSURF_AS_MISS);
+        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        draw(scene, SIZE, &second);
+        assert_true(second.stats.thin > 40);
+        for (size_t i = 0; i < SIZE * SIZE; i++) {
+            assert_true(first.states[i] == ALGSURF_MISS || second.states[i] == ALGSURF_THIN);
+            assert_true(second.states[i] == ALGSURF_MISS || fabs(second.t[i] - 9) < 0.3);
+        }
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
 /* ---- what is not ---- */
 
 static void smooth_surfaces_are_as_before(void **state) {
@@ -273,26 +305,38 @@ static void smooth_surfaces_are_as_before(void **state) {
     }
 }
 
-/* Double sheets and cusps end where the pixels do that see them, but for corners. */
+/* Double sheets and cusps end where the pixels do that see them, but for corners; also where a plane cuts
+ * them, and where doubles alone decide what neighbours see.  (Of double sheets they decide nothing.) */
 static void edges_have_no_halo(void **state) {
     static const char *const equations[] = {"(x^2 + y^2 + z^2 - 1)^2", "(z^3 - 2)^2 + (x^2 + y^2 - 3)^3",
                                             "x^2 y^2 + (z^2 - 1)^3"};
     static const double centre[3] = {0, 0, 0};
+    static const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED},
+                                           as_hits = {.size = sizeof as_hits,
+                                                      .tier = ALGSURF_TIER_BOUNDED,
+                                                      .undecided_as = ALGSURF_AS_HIT};
+    static const algsurf_intersect_options *const ways[] = {NULL, NULL, &bounded, &as_hits};
+    static const algsurf_plane cut = {{0.3, 0.5, 0.8}, 0.4};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2.5, 0, 0}};
     (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < sizeof equations / sizeof *equations; n++) {
         algsurf_surface *surface = surface_of(equations[n]);
-        for (int view = 0; view < views; view += 3) {
+        for (int view = 0; view < views * 4; view += 3) {
+            int way = view / 3 % 4;
             algsurf_camera camera;
-            random_camera(&seed, 7, centre, 30, view % 2, &camera);
+            random_camera(&seed, 7, centre, 30, view / 12 % 2, &camera);
+            if (n == 0 && way > 0) continue;
             algsurf_scene *scene = scene_of(surface, &extent, &camera);
             assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            if (ways[way]) assert_int_equal(algsurf_scene_set_intersect(scene, ways[way]), ALGSURF_OK);
+            if (way == 1) assert_int_equal(algsurf_scene_set_clip(scene, &cut, 1), ALGSURF_OK);
             draw(scene, 80, &first);
             assert_true(first.stats.hits > 500);
-            uint64_t most = n == 0 ? 0 : 12; /* a halo takes a hundred */
+            if (n == 0) assert_true(first.stats.exact_rays > first.stats.hits); /* neighbours' rays, too */
+            uint64_t most = n == 0 ? 0 : 12;                                    /* a halo takes a hundred */
             if (first.stats.thin > most)
-                fail_msg("%s, view %d: %d", equations[n], view, (int)first.stats.thin);
+                fail_msg("%s, way %d, view %d: %d", equations[n], way, view, (int)first.stats.thin);
             algsurf_scene_free(scene);
         }
         algsurf_surface_free(surface);
@@ -431,9 +475,9 @@ int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_parts_are_drawn), cmocka_unit_test(smooth_surfaces_are_as_before),
-        cmocka_unit_test(edges_have_no_halo), cmocka_unit_test(empty_surfaces_stay_empty),
-        cmocka_unit_test(out_of_reach_is_as_before), cmocka_unit_test(nothing_changes_a_byte),
-        cmocka_unit_test(samples_are_finer_pixels)};
+        cmocka_unit_test(thin_parts_are_drawn),          cmocka_unit_test(undecided_places_hide_nothing),
+        cmocka_unit_test(smooth_surfaces_are_as_before), cmocka_unit_test(edges_have_no_halo),
+        cmocka_unit_test(empty_surfaces_stay_empty),     cmocka_unit_test(out_of_reach_is_as_before),
+        cmocka_unit_test(nothing_changes_a_byte),        cmocka_unit_test(samples_are_finer_pixels)};
     return cmocka_run_group_tests_name("thin", tests, NULL, NULL);
 }

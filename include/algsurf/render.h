@@ -69,7 +69,7 @@ ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, co
  * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
  * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
  * A cell shows the colour unless one of the following is known of the part of space behind it, up to what its
- * ray hits:
+ * ray hits, but for 4 cells' widths before it (an undecided place is no hit here, whatever it is drawn as):
  * - it is proved to hold no point of the surface;
  * - it holds a sheet: within half a cell of it, P grows along the view, or in two directions across the view
  *   that are 45 degrees apart;
@@ -200,7 +200,8 @@ typedef struct algsurf_render_stats {
     uint64_t leaf_tiles;  /* of them */
     uint64_t empty_rays;  /* of all rays: those in empty tiles */
     uint64_t sheet_rays;  /* of all rays: those whose hit is their tile's sheet */
-    uint64_t exact_rays;  /* of the single rays: those that integers decided */
+    uint64_t exact_rays;  /* of the single rays, and of those asked beside what may be thin: those that
+                             integers decided */
     uint64_t thin;        /* samples that show something thin (algsurf_scene_set_thin), be there a hit behind
                              it or not */
 } algsurf_render_stats;

@@ -73,12 +73,14 @@ static int is_sheet(unsigned growth) {
 /* The next part of a column; what is like the last one becomes part of it. */
 static void add_cell(search *s, int column, double from, double to, int is_inside, unsigned growth) {
     int room = s->count < s->begin[column] + MOST_CELLS;
-    cell *last = s->cells + s->count - 1;
-    if (s->count > s->begin[column] && (!room || (last->to == from && (last->group < 0) == is_inside))) {
-        if (!is_inside || !room) last->group = s->count - 1;
-        last->growth &= growth;
-        last->to = to;
-        return;
+    if (s->count > s->begin[column]) {
+        cell *last = s->cells + s->count - 1;
+        if (!room || (last->to == from && (last->group < 0) == is_inside)) {
+            if (!is_inside || !room) last->group = s->count - 1;
+            last->growth &= growth;
+            last->to = to;
+            return;
+        }
     }
     s->cells[s->count] = (cell){column, is_inside ? -1 : s->count, from, to, growth};
     s->count++;

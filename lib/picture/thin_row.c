@@ -7,7 +7,6 @@
 #include "impl.h"
 #include "thin.h"
 #include "../rays/intersect_impl.h"
-#include "../rays/query.h"
 #include "../base/vec.h"
 
 #define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
@@ -65,33 +64,80 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
-/* A sample, as its neighbours are asked for. */
+/* A sample, about which rays are asked what they hit. */
 typedef struct sample {
     const algsurf_i_picture *picture;
     double x, y, side; /* in the picture; of its cell */
     algsurf_i_tally *tally;
 } sample;
 
-/* Without memory nothing is met there. */
-static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
-    const sample *s = looker;
+/* Those rays as a packet. */
+typedef struct asked_rays {
+    size_t count;
+    double origin[3][ALGSURF_I_NEIGHBOURS], direction[3][ALGSURF_I_NEIGHBOURS];
+    double t_min[ALGSURF_I_NEIGHBOURS], t_max[ALGSURF_I_NEIGHBOURS];
+    double per_t[ALGSURF_I_NEIGHBOURS], depth[ALGSURF_I_NEIGHBOURS]; /* depth: HUGE_VAL without a hit */
+} asked_rays;
+
+/* The ray that many cells' sides to the right, and below. */
+static void ask(const sample *s, int right, int below, asked_rays *a) {
     const algsurf_i_picture *picture = s->picture;
-    const algsurf_scene *scene = picture->scene;
-    algsurf_i_query query;
-    uint64_t exact = 0;
-    algsurf_i_query_prepare(&query, scene->surface, &scene->extent, &scene->intersect);
-    for (int k = 0; k < ALGSURF_I_NEIGHBOURS; k++) {
-        algsurf_ray ray;
-        algsurf_hit hit;
-        depth[k] = HUGE_VAL;
-        if (k == ALGSURF_I_NEIGHBOURS / 2) continue;
-        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, s->x + (k % 3 - 1) * s->side,
-                             s->y + (k / 3 - 1) * s->side, &ray);
-        algsurf_status status = algsurf_i_intersect_first(&query, &ray, NULL, &hit, &exact);
-        s->tally->without_memory += status < 0;
-        if (status < 0 || hit.state != ALGSURF_HIT) continue;
-        depth[k] = picture->packets->near + hit.t * depth_per_t(picture, &ray);
+    algsurf_ray ray;
+    size_t i = a->count++;
+    algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, s->x + right * s->side,
+                         s->y + below * s->side, &ray);
+    a->t_min[i] = ray.t_min;
+    a->t_max[i] = ray.t_max;
+    a->per_t[i] = depth_per_t(picture, &ray);
+    for (int k = 0; k < 3; k++) {
+        a->origin[k][i] = ray.origin[k];
+        a->direction[k][i] = ray.direction[k];
     }
+}
+
+/* Where they first hit the surface.  What is undecided is no hit here, whatever it is drawn as, nor is what
+ * memory does not suffice for. */
+static void answer(const sample *s, asked_rays *a) {
+    const algsurf_scene *scene = s->picture->scene;
+    algsurf_intersect_options options = scene->intersect;
+    unsigned char state[ALGSURF_I_NEIGHBOURS] = {ALGSURF_MISS};
+    const algsurf_ray_packet rays = {
+        .size = sizeof rays,
+        .count = a->count,
+        .origin = {a->origin[0], a->origin[1], a->origin[2]},
+        .direction = {a->direction[0], a->direction[1], a->direction[2]},
+        .t_min = a->t_min,
+        .t_max = a->t_max,
+    };
+    const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = a->depth};
+    options.undecided_as = ALGSURF_AS_UNDECIDED;
+    algsurf_status status = algsurf_i_intersect_packet(scene->surface, &scene->extent, &rays, &options, &hits,
+                                                       &s->tally->exact_rays);
+    s->tally->without_memory += status < 0;
+    for (size_t i = 0; i < a->count; i++)
+        a->depth[i] =
+            state[i] == ALGSURF_HIT ? s->picture->packets->near + a->depth[i] * a->per_t[i] : HUGE_VAL;
+}
+
+static void look_beside(void *looker, double depth[ALGSURF_I_NEIGHBOURS]) {
+    enum { MIDDLE = ALGSURF_I_NEIGHBOURS / 2 };
+    const sample *s = looker;
+    asked_rays a = {.count = 0};
+    for (int k = 0; k < ALGSURF_I_NEIGHBOURS; k++)
+        if (k != MIDDLE) ask(s, k % 3 - 1, k / 3 - 1, &a);
+    answer(s, &a);
+    for (int k = 0, i = 0; k < ALGSURF_I_NEIGHBOURS; k++) depth[k] = k != MIDDLE ? a.depth[i++] : HUGE_VAL;
+}
+
+/* Is that shown point surely one that the sample's ray hits?  An undecided one is not, and may be drawn as a
+ * hit. */
+static int is_hit(const sample *s, int state) {
+    asked_rays a = {.count = 0};
+    if (state != ALGSURF_HIT || s->picture->scene->intersect.undecided_as != ALGSURF_AS_HIT)
+        return state == ALGSURF_HIT;
+    ask(s, 0, 0, &a);
+    answer(s, &a);
+    return a.depth[0] < HUGE_VAL;
 }
 
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -123,7 +169,7 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
                                   .within = t->leaf_low[i],
                                   .look_beside = look_beside,
                                   .looker = &at};
-        if (point >= 0) {
+        if (point >= 0 && is_hit(&at, line->state[x])) {
             double limit = p->near + line->points.t[point] * per_t - BEFORE * fabs(h);
             if (limit < box.to) box.to = limit, box.ends_at_hit = 1;
         }
