@@ -260,7 +260,8 @@ typedef struct algsurf_picture {
  * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
  * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
  * pixel is in the whole picture.
- * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done).
+ * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  Not
+ * E_NO_MEMORY then, if single rays were short of memory, too: stats counts these as undecided).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
  * these count as undecided, everything else is drawn, and stats is written), E_THREAD (a lock could not be
