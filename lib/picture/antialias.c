@@ -6,9 +6,9 @@
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
  * middles alone would have, with alpha, which states tell where it is no byte: what is chosen does not hang
- * on which planes are asked for.  A pixel through which no edge goes, by proof, is not chosen; where there
- * are tiles only pixels of leaves are compared.  Nor is one that shows something thin, which many samples
- * would make pale.
+ * on which planes are asked for.  A pixel between whose samples no edge goes, by proof, is not chosen;
+ * where there are tiles only pixels of leaves are compared.  Nor is one that shows something thin, which many
+ * samples would make pale.
  *
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
@@ -73,26 +73,36 @@ static int list_apart(const algsurf_i_picture *picture, int row, int x, int end,
     return count;
 }
 
-/* The same of all pixels through which, by their tiles, an edge may go: those of leaves. */
+/* The runs of pixels in leaves, through which by their tiles an edge may go: the same for all rows of
+ * leaves. */
+static void find_runs(const algsurf_i_picture *picture, const int *cell, const algsurf_i_tile *tiles,
+                      algsurf_i_tiling *t) {
+    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    t->runs = 0;
+    for (int i = 0; i < places; i++) {
+        if (cell[i] <= 0 || tiles[cell[i] - 1].enough > 0) continue;
+        t->run[2 * t->runs] = i * ALGSURF_I_LEAF;
+        while (i + 1 < places && cell[i + 1] > 0 && !(tiles[cell[i + 1] - 1].enough > 0)) i++;
+        int end = (i + 1) * ALGSURF_I_LEAF;
+        t->run[2 * t->runs++ + 1] = end < picture->width ? end : picture->width;
+    }
+}
+
+/* The same of the pixels in leaves alone. */
 static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                           algsurf_i_worker *worker) {
     const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     const int *cell = band->cell + row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
     algsurf_i_tiling *t = &worker->tiling;
     int count = 0;
-    for (int i = 0, end; i < places; i = end) {
-        for (end = i; end < places && cell[end] > 0 && !(band->tiles[cell[end] - 1].enough > 0);) end++;
-        if (end == i) {
-            end++;
-            continue;
-        }
-        int x_end = end * ALGSURF_I_LEAF < picture->width ? end * ALGSURF_I_LEAF : picture->width;
-        int more = list_apart(picture, row, i * ALGSURF_I_LEAF, x_end, &worker->middles, t->at + count);
-        for (; more > 0; more--, count++) {
-            const algsurf_i_tile *leaf = band->tiles + cell[t->at[count] / ALGSURF_I_LEAF] - 1;
-            t->from[count] = leaf->low;
-            t->leaf_depth[count] = leaf->high;
-        }
+    if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
+    t->runs_row = row / ALGSURF_I_LEAF;
+    for (int i = 0; i < t->runs; i++)
+        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, t->at + count);
+    for (int i = 0; i < count; i++) {
+        const algsurf_i_tile *leaf = band->tiles + cell[t->at[i] / ALGSURF_I_LEAF] - 1;
+        t->from[i] = leaf->low;
+        t->leaf_depth[i] = leaf->high;
     }
     return count;
 }
@@ -113,7 +123,8 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
         t->leaf_depth[i] = 1;
     }
     if (count == 0) return 0;
-    const algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
+    algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
+    pixels.share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
     count = algsurf_i_search_cells(&pixels, 1, count, 0, t);
     for (int i = 0; i < count; i++) {
         line->list[i] = t->at[i];

@@ -12,7 +12,8 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
                          .x = (int)(sx * across),
                          .y = row * across + (int)(sy * across),
                          .pixel = p->pixel / across,
-                         .offset = -0.5 * picture->width * across};
+                         .offset = -0.5 * picture->width * across,
+                         .share = 1};
     f.rays = (algsurf_i_row_job){.view = &p->frame.view,
                                  .pixel = f.pixel,
                                  .u0 = p->origin[0],
@@ -28,7 +29,7 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
 int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, int thin, algsurf_i_tiling *t) {
     const algsurf_i_picture *picture = f->picture;
     const algsurf_i_packets *p = picture->packets;
-    double h = -p->per_slope * (0.5 * size * f->pixel);
+    double h = -p->per_slope * (0.5 * f->share * size * f->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height * f->across - (f->y + 0.5)) * f->pixel);
     algsurf_i_row_job rays = f->rays;
     rays.offset = f->offset + 0.5 - 0.5 * size;

@@ -8,6 +8,7 @@ typedef struct algsurf_i_cells {
     const algsurf_i_picture *picture;
     int across, x, y; /* its pixels for one of this; of each, those of the pass begin at x; the row */
     double pixel, offset;
+    double share; /* of a tile's width and height that rays to be searched fill, about its middle; 1: all */
     algsurf_i_row_job rays;
 } algsurf_i_cells;
 

@@ -104,6 +104,7 @@ typedef struct algsurf_i_tiling {
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     uint8_t *sure;
+    int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
     /* of those that get all their samples, between which depths each ray's first root is; */
     double *pixel_low, *pixel_high;
     /* and the pixels of leaves */

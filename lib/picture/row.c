@@ -102,11 +102,13 @@ static void raise_ways(const algsurf_i_line *line) {
 
 /* Adds the points to what the pixels show.  all_hit: 1, they are; 0, states tell. */
 static void add_points(const algsurf_i_line *line, int all_hit) {
+    const float *colour = line->colours ? line->colour : NULL;
+    double *sum = line->shown.sum;
     for (int i = 0; i < line->count; i++) {
         int x = line->pixel[i] / line->dense;
         keep_nearest(line, i, x, all_hit ? ALGSURF_HIT : line->state[line->pixel[i]]);
         algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
-        for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
+        for (int k = 0; colour && k < 3; k++) sum[3 * x + k] += colour[3 * i + k];
     }
 }
 
@@ -316,12 +318,13 @@ static algsurf_status render_dense(const algsurf_i_picture *picture, int row, al
     const int most = picture->width > n ? picture->width / n : 1; /* pixels at once, as a line has room for */
     line->dense = n;
     line->count = 0;
-    memset(line->state, ALGSURF_LANE_MISS, (size_t)n * (size_t)picture->width);
-    if (line->way) memset(line->way, ALGSURF_WAY_EMPTY, (size_t)n * (size_t)picture->width);
     for (line->listed = 0; line->listed < all && status == ALGSURF_OK; line->listed += most) {
         line->wanted_count = all - line->listed < most ? all - line->listed : most;
         line->begin = line->list[line->listed];
         line->end = line->list[line->listed + line->wanted_count - 1] + 1;
+        const size_t first = (size_t)(n * line->begin), count = (size_t)(n * line->end) - first;
+        memset(line->state + first, ALGSURF_LANE_MISS, count);
+        if (line->way) memset(line->way + first, ALGSURF_WAY_EMPTY, count);
         for (int j = 0; j < n && status == ALGSURF_OK; j++)
             status = render_samples_row(picture, row, j, worker, tally);
         if (status == ALGSURF_OK) status = add_coloured(picture, row, 1, line, tally);
@@ -342,8 +345,8 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->colours = picture->planes.pixels ? &picture->colours : NULL;
     line->across = picture->scene->antialias;
     line->as_bytes = 0;
-    algsurf_i_begin_shown(&line->shown, picture->width);
     if (status == ALGSURF_OK && line->wanted_count > 0) {
+        algsurf_i_begin_shown(&line->shown, picture->width);
         int dense = picture->selective && algsurf_i_has_cells(picture, row + 0.5);
         status =
             dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);

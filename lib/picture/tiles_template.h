@@ -26,6 +26,10 @@
  * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
  * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
  *
+ *     Where nothing is kept but the answer (no cells, no `within`), a cell with one variation after cells
+ * without one is enough if all chords hold it: each ray has one root there, a simple one, and none before, so
+ * the first roots are one continuous sheet.
+ *
  * Last place.  No ray has a root before p, nor before the place `from` that is known.  Where P surely has one
  * sign before the first roots and the other at q, each ray has a root between.  If all chords begin before p
  * or `from`, the first such root is the first on the ray's chord, unless the chord ends before it: nothing
