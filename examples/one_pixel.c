@@ -181,7 +181,7 @@ static void show_colour(const algsurf_surface *surface, const algsurf_camera *ca
     printf("algsurf_render     %d %d %d, t = %.10f\n", pixel[0], pixel[1], pixel[2], t[PIXEL_X]);
 }
 
-/* ---- doubt ---- */
+/* ---- undecided signs ---- */
 
 static const char *state_name(int state) {
     return state == ALGSURF_HIT ? "hit" : state == ALGSURF_MISS ? "miss" : "undecided";
@@ -198,11 +198,11 @@ static void print_multiplicities(const algsurf_surface *surface, const algsurf_r
 }
 
 /* Along these rays the polynomial is (x^2 - 2)^2 - z^2: two roots about z / sqrt(2) apart. */
-static void show_doubt(const algsurf_surface *tangle) {
+static void show_undecided(const algsurf_surface *tangle) {
     static const int tiers[] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     static const int powers[] = {10, 40, 80, 0};
     algsurf_surface *sheets = surface_of("(x^2 + y^2 - 2)^2 - z^2");
-    printf("\n[doubt]\nz       bounded    certified  roots: multiplicities\n");
+    printf("\n[undecided]\nz       bounded    certified  roots: multiplicities\n");
     for (int i = 0; i < 4; i++) {
         algsurf_ray ray = {{-3, 0, powers[i] ? ldexp(1, -powers[i]) : 0}, {1, 0, 0}, 0, 3};
         printf(powers[i] ? "2^-%-4d" : "%-7d", powers[i]);
@@ -322,7 +322,7 @@ int main(int argc, char **argv) {
     algsurf_hit hit = show_walk(surface, &ray, &chord);
     show_hit(&hit);
     show_colour(surface, &camera, &ray, &hit);
-    show_doubt(surface);
+    show_undecided(surface);
     show_row(surface, &camera);
     show_packet(surface, &camera);
     show_complex_space(surface, &ray, &p);

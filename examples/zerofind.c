@@ -26,8 +26,8 @@ typedef struct zerofind_options {
     view_options view;
     zerofind_pixel pixel;
     zerofind_ray ray;
-    int method;
-    double tolerance;
+    cli_planes clip;
+    algsurf_intersect_options how;
     int trace, json;
     const char *output;
 } zerofind_options;
@@ -90,15 +90,17 @@ static const cli_option options_table[] = {
      "the ray o + t d, TMIN <= t <= TMAX, default 0 and inf; not with the options of the\n"
      "camera: --size, --eye, --look-at, --up, --fov, --orthographic, --zoom, --turn",
      set_ray, FIELD(ray)},
+    {"--clip", "A,B,C,D", "only hits with A x + B y + C z <= D; may be given up to 8 times", cli_set_clip,
+     FIELD(clip)},
     CLI_HEADING("The view, as for render"),
     VIEW_OPTIONS(zerofind_options),
     CLI_HEADING("The search and what is written"),
     {"--method", "default|brent|bisection|regula-falsi",
      "how the root is computed when an interval is found that holds it alone; default:\n"
      "Newton's method, kept inside that interval",
-     cli_set_method, FIELD(method)},
+     cli_set_method, FIELD(how.method)},
     {"--tolerance", "EPS", "how much t may be wrong, default 0: as little as doubles can", cli_set_tolerance,
-     FIELD(tolerance)},
+     FIELD(how.absolute_tolerance)},
     {"--output", "FILE", "the plot, an SVG file; also -o; - is standard output", cli_set_text, FIELD(output)},
     {"--trace", NULL,
      "prints the search as a table on standard output; --output may then be left out.\n"
@@ -116,9 +118,9 @@ static const cli_program program = {
     .synopsis = "[options] (--pixel X,Y | --ray OX,OY,OZ,DX,DY,DZ[,TMIN,TMAX]) --output FILE.svg\n"
                 "                (NAME | EQUATION | --terms FILE)",
     .about = "Shows how the first hit of one ray o + t d with a surface P = 0 is found.  It plots the\n"
-             "polynomial P*(t) = P(o + t d) along the ray, as far as the ray is inside the extent, with\n"
-             "its roots, the interval that holds the first one alone, and each step towards it.  NAME is\n"
-             "a surface that render --list shows.",
+             "polynomial P*(t) = P(o + t d) along the ray, as far as the ray is inside the extent and kept\n"
+             "by --clip, with its roots, the interval that holds the first one alone, and each step\n"
+             "towards it.  NAME is a surface that render --list shows.",
     .options = options_table,
     .positional = offsetof(zerofind_options, surface.name),
     .examples = "zerofind barth --pixel 500,300 --output p.svg\n"
@@ -139,7 +141,7 @@ static void refuse_camera(const view_options *asked) {
 }
 
 static zerofind_options parse(int argc, char **argv) {
-    zerofind_options options = {.output = NULL};
+    zerofind_options options = {.how = {.size = sizeof options.how}};
     cli_parse(&program, argc, argv, &options);
     cli_settle_surface(&options.surface);
     if (options.pixel.given + options.ray.given != 1)
@@ -171,6 +173,20 @@ static algsurf_ray choose_ray(const zerofind_options *options, const view *shown
     algsurf_ray ray;
     demand(algsurf_camera_ray(&camera, options->view.width, options->view.height, options->pixel.x + 0.5,
                               options->pixel.y + 0.5, &ray));
+    return ray;
+}
+
+/* The part of the ray that the planes keep, but for rounding: what is drawn.  Which roots count is decided
+ * without, by algsurf_intersect_all. */
+static algsurf_ray cut_ray(algsurf_ray ray, const cli_planes *clip) {
+    for (size_t i = 0; i < clip->count; i++) {
+        const double *n = clip->plane[i].normal, *o = ray.origin, *d = ray.direction;
+        double slope = n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+        double beyond = n[0] * o[0] + n[1] * o[1] + n[2] * o[2] - clip->plane[i].offset;
+        if (slope > 0) ray.t_max = fmin(ray.t_max, -beyond / slope);
+        if (slope < 0) ray.t_min = fmax(ray.t_min, -beyond / slope);
+        if (slope == 0 && beyond > 0) ray.t_max = -INFINITY; /* all of the ray is cut off */
+    }
     return ray;
 }
 
@@ -253,14 +269,20 @@ int main(int argc, char **argv) {
     algsurf_ray ray = choose_ray(&options, &shown);
     chord on;
     int meets;
-    demand(chord_make(surface, &shown.extent, &ray, &on, &meets));
+    const algsurf_ray kept = cut_ray(ray, &options.clip);
+    demand(chord_make(surface, &shown.extent, &kept, &on, &meets));
     if (!meets)
-        cli_fail(CLI_BAD_INPUT, "the ray misses the extent: there is nothing to plot (--extent, --centre)");
-    demand(zerofind_solve(surface, &shown.extent, &ray, &on, options.method, options.tolerance, &z));
+        cli_fail(CLI_BAD_INPUT,
+                 "the ray misses the extent%s: there is nothing to plot (--extent, --centre%s)",
+                 options.clip.count > 0 ? ", or what --clip leaves of it" : "",
+                 options.clip.count > 0 ? ", --clip" : "");
+    options.how.planes = options.clip.plane;
+    options.how.plane_count = options.clip.count;
+    demand(zerofind_solve(surface, &shown.extent, &ray, &on, &options.how, &z));
     if (options.output) {
         char about[160];
         describe_ray(&options, &ray, about, sizeof about);
-        zerofind_words words = {name.text, about, options.method,
+        zerofind_words words = {name.text, about, options.how.method,
                                 options.pixel.given ? "t, the distance from the camera"
                                                     : "t, in lengths of the ray's direction"};
         write_plot(options.output, &z, &words);

@@ -51,18 +51,18 @@ static void follow_points(zerofind *z) {
 }
 
 algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray *ray, const chord *on, int method, double tolerance,
+                              const algsurf_ray *ray, const chord *on, const algsurf_intersect_options *how,
                               zerofind *result) {
     algsurf_observer observer = {
         .size = sizeof observer, .data = result, .on_cell = take_cell, .on_point = take_point};
-    const algsurf_intersect_options options = {.size = sizeof options,
-                                               .method = (int)method,
-                                               .absolute_tolerance = tolerance,
-                                               .observer = &observer};
+    const algsurf_intersect_options all = {
+        .size = sizeof all, .planes = how->planes, .plane_count = how->plane_count};
+    algsurf_intersect_options options = *how;
+    options.observer = &observer;
     algsurf_hit first;
     memset(result, 0, sizeof *result);
     result->chord = *on;
-    algsurf_status status = algsurf_intersect_all(surface, extent, ray, NULL, result->hits,
+    algsurf_status status = algsurf_intersect_all(surface, extent, ray, &all, result->hits,
                                                   ALGSURF_MAX_DEGREE + 1, &result->count);
     if (status == ALGSURF_OK) status = algsurf_intersect_first(surface, extent, ray, &options, &first);
     if (status != ALGSURF_OK || result->count == 0 || result->hits[0].state != ALGSURF_HIT) return status;

@@ -33,10 +33,10 @@ typedef struct zerofind {
     const zerofind_cell *bracket; /* the cell that isolates the first hit; null: there is none */
 } zerofind;
 
-/* chord and the rest of `result` are filled.  method, tolerance: as in algsurf_intersect_options.  Returns
- * OK, or what algsurf_intersect_all says. */
+/* chord and the rest of `result` are filled.  how: it has no observer.  Returns OK, or what
+ * algsurf_intersect_all says. */
 algsurf_status zerofind_solve(const algsurf_surface *surface, const algsurf_extent *extent,
-                              const algsurf_ray *ray, const chord *on, int method, double tolerance,
+                              const algsurf_ray *ray, const chord *on, const algsurf_intersect_options *how,
                               zerofind *result);
 
 #endif

@@ -338,6 +338,8 @@ static void test_doubtful_rays(void **state) {
 }
 
 /* A picture with rays that integers decide: it is drawn, or E_NO_MEMORY. */
+enum { HALF = HEIGHT / 6 };
+
 typedef struct small_picture {
     double hits[(HEIGHT / 3) * (WIDTH / 3)];
     uint8_t pixels[HEIGHT / 3][WIDTH / 3 * 3];
@@ -346,14 +348,26 @@ typedef struct small_picture {
 
 static small_picture small_reference;
 
-static algsurf_status draw_small(small_picture *p) {
-    const algsurf_render_options options = {
-        .size = sizeof options, .width = WIDTH / 3, .height = HEIGHT / 3, .threads = 1};
+static int stop_at(int done, int total, void *row) {
+    (void)total;
+    return done == *(int *)row;
+}
+
+/* With one thread; cancelled after that many rows. */
+static algsurf_status draw_rows(small_picture *p, int rows) {
+    const algsurf_render_options options = {.size = sizeof options,
+                                            .width = WIDTH / 3,
+                                            .height = HEIGHT / 3,
+                                            .threads = 1,
+                                            .progress = stop_at,
+                                            .progress_data = &rows};
     memset(p, 0xa5, sizeof *p);
     p->stats.size = sizeof p->stats;
     const algsurf_picture planes = {.size = sizeof planes, .pixels = &p->pixels[0][0], .t = p->hits};
     return algsurf_render(stage, &options, &planes, &p->stats);
 }
+
+static algsurf_status draw_small(small_picture *p) { return draw_rows(p, -1); }
 
 static algsurf_status render_small(void) {
     static small_picture p;
@@ -384,6 +398,14 @@ static void test_certified_picture(void **state) {
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
     assert_true(p.stats.rays == small_reference.stats.rays && p.stats.undecided > 0 &&
                 p.pixels[0][0] != 0xa5);
+    /* cancelled meanwhile: that is told, and the rows before are those of the whole picture */
+    static small_picture half;
+    uint8_t blank[HEIGHT / 3 - HALF][WIDTH / 3 * 3];
+    memset(blank, 0xa5, sizeof blank);
+    assert_int_equal(draw_rows(&half, HALF), ALGSURF_CANCELLED);
+    assert_true(half.stats.undecided > 0 && half.stats.undecided < p.stats.undecided);
+    assert_memory_equal(half.pixels, p.pixels, HALF * sizeof *p.pixels);
+    assert_memory_equal(half.pixels[HALF], blank, sizeof blank);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
 }

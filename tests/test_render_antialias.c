@@ -12,6 +12,8 @@
  *   a row of middles left from before a gap in a worker's rows                       same_bytes
  *   the pixel beyond the row's end read                                              thin_pictures
  *   abandoned rows written                                                           cancel
+ *   alpha left out where it is not asked for                                         same_choice
+ *   a proof for less of a pixel than its samples, a sheet told without its chords    proofs
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -116,6 +118,8 @@ static void check(const struct way *way, const picture *one, const picture *all,
         chosen += out && !is_one;
         proved += out && is_one;
     }
+    for (int i = 0; i < W * H && p->stats.tiles == 0; i++)
+        assert_true(p->ways[i] < 4 && (p->stats.single_rays > 0 || p->ways[i] != ALGSURF_WAY_SINGLE));
     assert_in_range(chosen + proved, W * H / 50, W * H * 3 / 4);
     assert_true(way->complex || way->method ? proved < W * H / 20 : chosen > 0);
     uint64_t more = p->stats.rays - W * H, each = (uint64_t)(n * n);
@@ -284,6 +288,123 @@ static void counts_as_by_rays(void **state) {
     algsurf_surface_free(surface);
 }
 
+/* Alpha counts where it is not asked for; and nothing else here. */
+static void same_choice(void **state) {
+    static uint8_t pixels[4 * W * H];
+    algsurf_surface *surface = torus();
+    algsurf_scene *scene = scene_in(&ways[1], surface);
+    algsurf_render_options o = options_for(1);
+    uint64_t rays[3];
+    (void)state;
+    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+    set(scene, 2, 0.99);
+    for (int k = 0; k < 3; k++) {
+        algsurf_render_stats stats = {.size = sizeof stats};
+        const algsurf_picture planes = {.size = sizeof planes,
+                                        .pixels = k < 2 ? pixels : NULL,
+                                        .format = k == 1 ? ALGSURF_RGBA8 : ALGSURF_RGB8};
+        assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+        rays[k] = stats.rays;
+    }
+    assert_true(rays[0] > W * H && rays[1] == rays[0] && rays[2] == rays[0]);
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+}
+
+/* ---- proofs ---- */
+
+enum { WIDE = 160, HIGH = 120, ACROSS = 4 };
+
+/* A scene whose proofs are attacked. */
+typedef struct attack {
+    const char *equation;
+    double radius, eye, threshold;
+    int planes;
+} attack;
+
+static const algsurf_plane cut = {{1, 0.5, -0.25}, 0.3};
+
+static double t_at(const algsurf_surface *surface, const algsurf_extent *extent, const attack *a,
+                   const algsurf_camera *camera, const double place[2]) {
+    const algsurf_intersect_options how = {
+        .size = sizeof how, .planes = &cut, .plane_count = (size_t)a->planes};
+    algsurf_ray ray;
+    algsurf_hit hit;
+    assert_int_equal(algsurf_camera_ray(camera, WIDE, HIGH, place[0], place[1], &ray), ALGSURF_OK);
+    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    return hit.state == ALGSURF_HIT ? hit.t : INFINITY;
+}
+
+/* What is left of the step in t between two samples after 40 halvings of the way, towards the larger step: on
+ * one sheet, nothing. */
+static double jump_between(const algsurf_surface *surface, const algsurf_extent *extent, const attack *a,
+                           const algsurf_camera *camera, double from[2], double to[2]) {
+    double t0 = t_at(surface, extent, a, camera, from), t1 = t_at(surface, extent, a, camera, to);
+    for (int i = 0; i < 40 && t0 != t1; i++) {
+        const double middle[2] = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
+        const double t = t_at(surface, extent, a, camera, middle);
+        int later = fabs(t1 - t) > fabs(t - t0);
+        memcpy(later ? from : to, middle, sizeof middle);
+        *(later ? &t0 : &t1) = t;
+    }
+    return t0 == t1 ? 0 : fabs(t1 - t0);
+}
+
+/* All samples of pixel x,y miss, or see one sheet. */
+static void check_proof(const algsurf_surface *surface, const algsurf_extent *extent, const attack *a,
+                        const algsurf_camera *camera, int x, int y) {
+    for (int k = 0; k < ACROSS * ACROSS; k++)
+        for (int down = 0; down < 2; down++) {
+            int i = k % ACROSS, j = k / ACROSS;
+            if ((down ? j : i) + 1 == ACROSS) continue;
+            double from[2] = {x + (i + 0.5) / ACROSS, y + (j + 0.5) / ACROSS}, to[2] = {from[0], from[1]};
+            to[down] += 1.0 / ACROSS;
+            if (!(jump_between(surface, extent, a, camera, from, to) < 1e-4 * a->radius))
+                fail_msg("%s: pixel %d,%d has an edge between samples", a->equation, x, y);
+        }
+}
+
+static int attack_scene(const attack *a) {
+    static uint8_t bytes[3][3 * WIDE * HIGH];
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {a->radius, 0, 0}};
+    const algsurf_camera camera = camera_at(0.7 * a->eye, 0.5 * a->eye, 0.4 * a->eye, 40);
+    const algsurf_render_options o = {.size = sizeof o, .width = WIDE, .height = HIGH, .threads = 1};
+    algsurf_surface *surface = surface_of(a->equation);
+    algsurf_scene *scene = scene_in(&ways[1], surface);
+    int proved = 0;
+    assert_int_equal(algsurf_scene_set_extent(scene, &extent), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_int_equal(algsurf_scene_set_clip(scene, &cut, (size_t)a->planes), ALGSURF_OK);
+    for (int k = 0; k < 3; k++) {
+        const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes[k]};
+        set(scene, k > 0 ? ACROSS : 1, k > 1 ? a->threshold : 0);
+        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    }
+    for (int i = 0; i < WIDE * HIGH; i++) {
+        int x = i % WIDE, y = i / WIDE;
+        int is_all = memcmp(bytes[2] + 3 * i, bytes[1] + 3 * i, 3) == 0;
+        if (is_all || !stands_out(bytes[0], 3 * WIDE, WIDE, HIGH, x, y, a->threshold)) continue;
+        assert_memory_equal(bytes[2] + 3 * i, bytes[0] + 3 * i, 3);
+        check_proof(surface, &extent, a, &camera, x, y);
+        proved++;
+    }
+    algsurf_scene_free(scene), algsurf_surface_free(surface);
+    return proved;
+}
+
+/* Pixels that are left with one sample although they stand out, by proof: single rays, which are certain,
+ * look for an edge between their samples. */
+static void proofs(void **state) {
+    static const attack attacks[] = {
+        {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", 3.2, 10, 0.04, 0},
+        {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 3.7, 14, 0.1, 0},
+        {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 2.2, 9, 0.05, 1},
+        {"4(2.618x^2-y^2)(2.618y^2-z^2)(2.618z^2-x^2) - 4.236(x^2+y^2+z^2-1)^2", 2, 7, 0.1, 1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof attacks / sizeof *attacks; i++)
+        if (attack_scene(attacks + i) < 10) fail_msg("%s: hardly a proof", attacks[i].equation);
+}
+
 static int stop_at(int done, int total, void *data) {
     (void)total;
     return done >= *(const int *)data;
@@ -336,9 +457,9 @@ static void bad_thresholds(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_of_two),        cmocka_unit_test(same_bytes),    cmocka_unit_test(ends),
-        cmocka_unit_test(counts_as_by_rays), cmocka_unit_test(thin_pictures), cmocka_unit_test(cancel),
-        cmocka_unit_test(bad_thresholds),
+        cmocka_unit_test(one_of_two),        cmocka_unit_test(same_bytes),  cmocka_unit_test(ends),
+        cmocka_unit_test(counts_as_by_rays), cmocka_unit_test(same_choice), cmocka_unit_test(proofs),
+        cmocka_unit_test(thin_pictures),     cmocka_unit_test(cancel),      cmocka_unit_test(bad_thresholds),
     };
     return cmocka_run_group_tests_name("render: antialias", tests, NULL, NULL);
 }

@@ -5,9 +5,10 @@
  * Whether a pixel is wanted depends on four neighbours, so a worker keeps the middles of three rows and draws
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
- * middles alone would have, with alpha: what is chosen does not hang on which planes are asked for.  Where
- * there are tiles, a pixel through which no edge goes, by proof, is not chosen.  Nor is one that shows
- * something thin, which many samples would make pale.
+ * middles alone would have, with alpha, which states tell where it is no byte: what is chosen does not hang
+ * on which planes are asked for.  A pixel between whose samples no edge goes, by proof, is not chosen;
+ * where there are tiles only pixels of leaves are compared.  Nor is one that shows something thin, which many
+ * samples would make pale.
  *
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
@@ -26,46 +27,111 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     return algsurf_i_render_middles(picture, row, &middles->shown[row % 3], worker, counts);
 }
 
-/* The pixels with a channel, one of four bytes, that is far from that of a neighbour. */
-static void compare(const algsurf_i_picture *picture, int row, algsurf_i_middles *middles) {
-    const int count = 4 * picture->width, limit = (int)(255 * picture->scene->antialias_threshold);
-    const uint8_t *own = middles->shown[row % 3].pixels;
-    uint8_t *marks = middles->apart;
+/* Marks the bytes of pixels x .. end-1 that are far from those of a neighbour. */
+static void compare(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles) {
+    const int channels = middles->shown[0].channels, first = channels * x, count = channels * (end - x);
+    const int limit = (int)(255 * picture->scene->antialias_threshold);
+    const uint8_t *own = middles->shown[row % 3].pixels + first;
+    uint8_t *marks = middles->apart + first;
     void (*const mark)(const uint8_t *, const uint8_t *, int, int, uint8_t *) = picture->shader->mark_bytes;
     memset(marks, 0, (size_t)count);
-    if (row > 0) mark(own, middles->shown[(row + 2) % 3].pixels, count, limit, marks);
-    if (row + 1 < picture->height) mark(own, middles->shown[(row + 1) % 3].pixels, count, limit, marks);
-    mark(own, own + 4, count - 4, limit, marks);
-    mark(own + 4, own, count - 4, limit, marks + 4);
+    if (row > 0) mark(own, middles->shown[(row + 2) % 3].pixels + first, count, limit, marks);
+    if (row + 1 < picture->height)
+        mark(own, middles->shown[(row + 1) % 3].pixels + first, count, limit, marks);
+    const int left = x > 0 ? 0 : channels, right = end < picture->width ? 0 : channels;
+    mark(own + left, own + left - channels, count - left, limit, marks + left);
+    mark(own, own + channels, count - right, limit, marks);
 }
 
-/* Lists the pixels that are marked and have an edge in them, as far as a proof does not tell otherwise:
- * pixels of empty tiles and of sheets do not, nor do those that are such tiles themselves. */
+/* Has pixel x of the row another alpha, 0 or 255, than a neighbour? */
+static int is_alpha_apart(const algsurf_i_picture *picture, int row, int x,
+                          const algsurf_i_middles *middles) {
+    const uint8_t *own = middles->shown[row % 3].state + x;
+    const int is_empty = *own == ALGSURF_MISS;
+    return (row > 0 && (middles->shown[(row + 2) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
+           (row + 1 < picture->height &&
+            (middles->shown[(row + 1) % 3].state[x] == ALGSURF_MISS) != is_empty) ||
+           (x > 0 && (own[-1] == ALGSURF_MISS) != is_empty) ||
+           (x + 1 < picture->width && (own[1] == ALGSURF_MISS) != is_empty);
+}
+
+/* Lists which of the pixels x .. end-1 show another colour than a neighbour, and nothing thin. */
+static int list_apart(const algsurf_i_picture *picture, int row, int x, int end, algsurf_i_middles *middles,
+                      int *list) {
+    const int channels = middles->shown[0].channels;
+    const int alpha = channels == 3 && picture->scene->transparent && picture->scene->antialias_threshold < 1;
+    const uint8_t *state = middles->shown[row % 3].state;
+    int count = 0;
+    compare(picture, row, x, end, middles);
+    for (; x < end; x++) {
+        const uint8_t *mark = middles->apart + channels * x;
+        int apart = mark[0] | mark[1] | mark[2] | (channels == 4 ? mark[3] : 0);
+        if (alpha && !apart) apart = is_alpha_apart(picture, row, x, middles);
+        list[count] = x;
+        count += apart && state[x] != ALGSURF_THIN;
+    }
+    return count;
+}
+
+/* The runs of pixels in leaves, through which by their tiles an edge may go: the same for all rows of
+ * leaves. */
+static void find_runs(const algsurf_i_picture *picture, const int *cell, const algsurf_i_tile *tiles,
+                      algsurf_i_tiling *t) {
+    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    t->runs = 0;
+    for (int i = 0; i < places; i++) {
+        if (cell[i] <= 0 || tiles[cell[i] - 1].enough > 0) continue;
+        t->run[2 * t->runs] = i * ALGSURF_I_LEAF;
+        while (i + 1 < places && cell[i + 1] > 0 && !(tiles[cell[i + 1] - 1].enough > 0)) i++;
+        int end = (i + 1) * ALGSURF_I_LEAF;
+        t->run[2 * t->runs++ + 1] = end < picture->width ? end : picture->width;
+    }
+}
+
+/* The same of the pixels in leaves alone. */
+static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
+                          algsurf_i_worker *worker) {
+    const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int *cell = band->cell + row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    algsurf_i_tiling *t = &worker->tiling;
+    int count = 0;
+    if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
+    t->runs_row = row / ALGSURF_I_LEAF;
+    for (int i = 0; i < t->runs; i++)
+        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, t->at + count);
+    for (int i = 0; i < count; i++) {
+        const algsurf_i_tile *leaf = band->tiles + cell[t->at[i] / ALGSURF_I_LEAF] - 1;
+        t->from[i] = leaf->low;
+        t->leaf_depth[i] = leaf->high;
+    }
+    return count;
+}
+
+/* Lists the pixels that show another colour than a neighbour and have an edge in them, as far as a proof does
+ * not tell otherwise: pixels of empty tiles and of sheets have none, nor have those that are such tiles
+ * themselves.  Of the others it is known between which depths their rays have their first roots. */
 static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     algsurf_i_tiling *t = &worker->tiling;
+    algsurf_i_line *line = &worker->line;
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
-    const uint8_t *apart = worker->middles.apart, *state = worker->middles.shown[row % 3].state;
-    int *list = worker->line.list, count = 0, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places; /* of the row's in the band's */
-    for (int x = 0; x < picture->width; x++) {
-        uint32_t four;
-        memcpy(&four, apart + 4 * x, sizeof four);
-        list[count] = x;
-        count += four != 0 && state[x] != ALGSURF_THIN;
+    if (!algsurf_i_has_cells(picture, row + 0.5))
+        return list_apart(picture, row, 0, picture->width, &worker->middles, line->list);
+    int count = band ? list_in_leaves(picture, band, row, worker)
+                     : list_apart(picture, row, 0, picture->width, &worker->middles, t->at);
+    for (int i = 0; !band && i < count; i++) {
+        t->from[i] = -1;
+        t->leaf_depth[i] = 1;
     }
-    if (!algsurf_i_has_cells(picture, row + 0.5)) return count;
-    int open = 0;
+    if (count == 0) return 0;
+    algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
+    pixels.share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
+    count = algsurf_i_search_cells(&pixels, 1, count, 0, t);
     for (int i = 0; i < count; i++) {
-        int number = band ? band->cell[first + list[i] / ALGSURF_I_LEAF] : 0;
-        if (band && (number <= 0 || band->tiles[number - 1].enough > 0)) continue;
-        t->from[open] = band ? band->tiles[number - 1].low : -1;
-        t->at[open++] = list[i];
+        line->list[i] = t->at[i];
+        t->pixel_low[i] = t->from[i];
+        t->pixel_high[i] = t->leaf_depth[i];
     }
-    if (open == 0) return 0;
-    const algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
-    open = algsurf_i_search_cells(&pixels, 1, open, t);
-    for (int i = 0; i < open; i++) list[i] = t->at[i];
-    return open;
+    return count;
 }
 
 algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
@@ -78,7 +144,6 @@ algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row
         if (status != ALGSURF_OK) return status;
     }
     algsurf_i_tally_add(tally, &middles->counts[row % 3]);
-    compare(picture, row, middles);
     line->wanted_count = list_edges(picture, row, worker);
     memset(middles->wanted, 0, (size_t)picture->width);
     for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
@@ -91,11 +156,7 @@ void algsurf_i_copy_middles(const algsurf_i_middles *middles, int row, int width
                             const algsurf_i_row_planes *planes) {
     const algsurf_i_row_planes *own = &middles->shown[row % 3];
     size_t count = (size_t)width;
-    if (planes->pixels && planes->channels == 4) memcpy(planes->pixels, own->pixels, 4 * count);
-    for (size_t x = 0; planes->pixels && planes->channels == 3 && x + 1 < count; x++)
-        memcpy(planes->pixels + 3 * x, own->pixels + 4 * x, 4); /* the fourth byte is overwritten next */
-    if (planes->pixels && planes->channels == 3)
-        memcpy(planes->pixels + 3 * (count - 1), own->pixels + 4 * (count - 1), 3);
+    if (planes->pixels) memcpy(planes->pixels, own->pixels, (size_t)planes->channels * count);
     if (planes->t) memcpy(planes->t, own->t, count * sizeof *planes->t);
     if (planes->normals) memcpy(planes->normals, own->normals, 3 * count * sizeof *planes->normals);
     if (planes->state) memcpy(planes->state, own->state, count);

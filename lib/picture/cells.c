@@ -12,7 +12,8 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
                          .x = (int)(sx * across),
                          .y = row * across + (int)(sy * across),
                          .pixel = p->pixel / across,
-                         .offset = -0.5 * picture->width * across};
+                         .offset = -0.5 * picture->width * across,
+                         .share = 1};
     f.rays = (algsurf_i_row_job){.view = &p->frame.view,
                                  .pixel = f.pixel,
                                  .u0 = p->origin[0],
@@ -25,13 +26,12 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
     return f;
 }
 
-int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, algsurf_i_tiling *t) {
+int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, int thin, algsurf_i_tiling *t) {
     const algsurf_i_picture *picture = f->picture;
     const algsurf_i_packets *p = picture->packets;
-    double h = -p->per_slope * (0.5 * size * f->pixel);
+    double h = -p->per_slope * (0.5 * f->share * size * f->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height * f->across - (f->y + 0.5)) * f->pixel);
     algsurf_i_row_job rays = f->rays;
-    for (int i = 0; i < count; i++) t->leaf_depth[i] = 1;
     rays.offset = f->offset + 0.5 - 0.5 * size;
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
@@ -40,7 +40,7 @@ int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, algsur
                               .at = t->at,
                               .from = t->from,
                               .to = t->leaf_depth,
-                              .within = t->leaf_low,
+                              .within = thin ? t->leaf_low : NULL,
                               .noise = p->frame.value_error};
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
                               fabs(h) + ALGSURF_I_WIDER, t->square, &t->beam);

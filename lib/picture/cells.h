@@ -8,15 +8,16 @@ typedef struct algsurf_i_cells {
     const algsurf_i_picture *picture;
     int across, x, y; /* its pixels for one of this; of each, those of the pass begin at x; the row */
     double pixel, offset;
+    double share; /* of a tile's width and height that rays to be searched fill, about its middle; 1: all */
     algsurf_i_row_job rays;
 } algsurf_i_cells;
 
 algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across, int row, double sx,
                                    double sy);
 
-/* Tiles of `size` cells about those of t->at, in which there is nothing before t->from: those that are
- * neither empty nor sheets are left in the lists, and leaf_depth, leaf_low tell of them as
- * algsurf_i_tile_job.to, .within; returns how many. */
-int algsurf_i_search_cells(const algsurf_i_cells *cells, int size, int count, algsurf_i_tiling *t);
+/* Tiles of `size` cells about those of t->at, where each ray has its first root between t->from and
+ * t->leaf_depth, or none: those that are neither empty nor sheets are left in the lists, with what is known
+ * then.  thin: 1, leaf_low tells of them as algsurf_i_tile_job.within.  Returns how many. */
+int algsurf_i_search_cells(const algsurf_i_cells *cells, int size, int count, int thin, algsurf_i_tiling *t);
 
 #endif

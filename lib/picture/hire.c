@@ -94,11 +94,12 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
 
 static void lay_out_middles(arena *a, const sizes *s, algsurf_i_middles *middles) {
     const algsurf_picture *planes = s->planes;
-    /* what is thin is told by states */
+    const int channels = planes->pixels && planes->format == ALGSURF_RGBA8 ? 4 : 3;
+    /* what is thin, and what is empty, is told by states */
     for (int slot = 0; slot < 3; slot++)
         middles->shown[slot] =
             (algsurf_i_row_planes){.pixels = take_bytes(a, 4 * s->width),
-                                   .channels = 4,
+                                   .channels = channels,
                                    .t = planes->t ? take_doubles(a, s->width) : NULL,
                                    .normals = planes->normals ? take_floats(a, 3 * s->width) : NULL,
                                    .state = take_bytes(a, s->width),
@@ -123,6 +124,10 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
+    t->runs_row = -1;
+    t->run = take_ints(a, s->width);
+    t->pixel_low = take_doubles(a, s->width);
+    t->pixel_high = take_doubles(a, s->width);
     t->leaf_low = take_doubles(a, s->width);
     t->leaf_high = take_doubles(a, s->width);
     t->leaf_depth = take_doubles(a, s->width);

@@ -104,6 +104,9 @@ typedef struct algsurf_i_tiling {
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     uint8_t *sure;
+    int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
+    /* of those that get all their samples, between which depths each ray's first root is; */
+    double *pixel_low, *pixel_high;
     /* and the pixels of leaves */
     int leaves, *leaf;
     double *leaf_low, *leaf_high, *leaf_depth;
@@ -167,7 +170,7 @@ typedef struct algsurf_i_row_planes {
  * samples, there is none of it. */
 typedef struct algsurf_i_middles {
     int end;                       /* the rows before this one have been drawn */
-    algsurf_i_row_planes shown[3]; /* RGBA8, and what else is asked for */
+    algsurf_i_row_planes shown[3]; /* what is asked for, pixels and states in any case */
     algsurf_i_tally counts[3];     /* of the rays through them */
     uint8_t *apart;                /* of each byte of the row in the making: is it far from a neighbour's? */
     uint8_t *wanted;               /* of each pixel of that row */
@@ -294,9 +297,14 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
                            algsurf_i_tally *tally);
 
-/* As algsurf_i_render_packets, for a row of a band that has tiles; or, dense, of none (null). */
+/* As algsurf_i_render_packets, for a row of a band that has tiles. */
 algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+/* The samples of the line's listed pixels that are side by side, sy below the row's upper end: adds those
+ * found to the line's points; returns whether some are in doubt. */
+int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
+                            algsurf_i_tally *tally);
 
 /* Adds to the line, whose points have their colours, what is thin beside the pixels' rays. */
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,

@@ -220,7 +220,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     int begin, end, doubtful = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
-    if (band || line->dense > 1) {
+    if (band) {
         tally->solve_s += algsurf_i_render_clock() - begun;
         return algsurf_i_render_tiled(picture, band, row, sx, sy, worker, tally);
     }

@@ -171,7 +171,7 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
     if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
     if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);
     if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
-    if (status >= 0 && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
+    if (status == ALGSURF_OK && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
     if ((status >= 0 || total.without_memory > 0) && stats)
         write_stats(stats, &total, algsurf_i_render_clock() - begin, threads, picture.kernel->name);
     return status;

@@ -85,12 +85,12 @@ static algsurf_status shade_line(const algsurf_i_picture *picture, int row, algs
 }
 
 /* Before a point is added to pixel x: the normal and state of the nearest one. */
-static void keep_nearest(const algsurf_i_line *line, int i, int x) {
+static void keep_nearest(const algsurf_i_line *line, int i, int x, uint8_t kind) {
     const algsurf_i_points *points = &line->points;
     double *normal = line->shown.normal;
     uint8_t *state = line->shown.state;
     if ((!normal && !state) || !algsurf_i_is_nearest(&line->shown, x, points->t[i])) return;
-    if (state) state[x] = line->state[line->pixel[i]];
+    if (state) state[x] = kind;
     for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
 }
 
@@ -100,14 +100,15 @@ static void raise_ways(const algsurf_i_line *line) {
         if (way[x / line->dense] < line->way[x]) way[x / line->dense] = line->way[x];
 }
 
-/* Adds a pass's points to what the pixels show. */
-static void add_pass(const algsurf_i_line *line) {
-    raise_ways(line);
+/* Adds the points to what the pixels show.  all_hit: 1, they are; 0, states tell. */
+static void add_points(const algsurf_i_line *line, int all_hit) {
+    const float *colour = line->colours ? line->colour : NULL;
+    double *sum = line->shown.sum;
     for (int i = 0; i < line->count; i++) {
         int x = line->pixel[i] / line->dense;
-        keep_nearest(line, i, x);
+        keep_nearest(line, i, x, all_hit ? ALGSURF_HIT : line->state[line->pixel[i]]);
         algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
-        for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
+        for (int k = 0; colour && k < 3; k++) sum[3 * x + k] += colour[3 * i + k];
     }
 }
 
@@ -195,13 +196,14 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     return status;
 }
 
-/* Adds the row's points seen through offset (sx,sy) in each wanted pixel, or through all samples side by
- * side, to what the line shows. */
+/* Adds the row's points seen through offset (sx,sy) in each wanted pixel to what the line shows. */
 static algsurf_status render_pass(const algsurf_i_picture *picture, int row, double sx, double sy,
                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_status status = see(picture, row, sx, sy, worker, tally);
-    if (status == ALGSURF_OK) add_pass(&worker->line);
-    return status;
+    if (status != ALGSURF_OK) return status;
+    raise_ways(&worker->line);
+    add_points(&worker->line, 0);
+    return ALGSURF_OK;
 }
 
 static void store_word(uint32_t word, uint8_t *bytes) {
@@ -272,6 +274,41 @@ static algsurf_status render_passes(const algsurf_i_picture *picture, int row, a
     return status;
 }
 
+/* The line's points get their colours and are added to what the pixels show. */
+static algsurf_status add_coloured(const algsurf_i_picture *picture, int row, int all_hit,
+                                   algsurf_i_line *line, algsurf_i_tally *tally) {
+    algsurf_status status = ALGSURF_OK;
+    if (line->count == 0) return ALGSURF_OK;
+    if (line->colours) status = shade_line(picture, row, line, tally);
+    if (status == ALGSURF_OK) add_points(line, all_hit);
+    line->count = 0;
+    return status;
+}
+
+/* Row j of the listed pixels' samples.  Those not in doubt wait, as long as there is room, to be coloured
+ * with those of the rows that follow; in full quality colours depend on the row. */
+static algsurf_status render_samples_row(const algsurf_i_picture *picture, int row, int j,
+                                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    const int n = line->dense;
+    algsurf_status status = ALGSURF_OK;
+    if (stopped(picture)) return ALGSURF_CANCELLED;
+    if (picture->shadows || line->count + n * line->wanted_count > picture->width)
+        status = add_coloured(picture, row, 1, line, tally);
+    if (status != ALGSURF_OK) return status;
+    line->sample = j * n;
+    double y = row + (j + 0.5) / n;
+    int doubtful = algsurf_i_render_listed(picture, row, (j + 0.5) / n, worker, tally);
+    if (doubtful) {
+        status = add_coloured(picture, row, 1, line, tally);
+        if (status == ALGSURF_OK)
+            status = algsurf_i_solve_doubtful(picture, y, 0.5, n * line->begin, n * line->end, line, tally);
+        if (status == ALGSURF_OK) status = add_coloured(picture, row, 0, line, tally);
+    }
+    raise_ways(line);
+    return status;
+}
+
 /* The same where few are wanted and rays have forms: a pass takes the samples of a row of them together. */
 static algsurf_status render_dense(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
                                    algsurf_i_tally *tally) {
@@ -280,14 +317,17 @@ static algsurf_status render_dense(const algsurf_i_picture *picture, int row, al
     const int n = picture->scene->antialias, all = line->wanted_count;
     const int most = picture->width > n ? picture->width / n : 1; /* pixels at once, as a line has room for */
     line->dense = n;
-    for (int j = 0; j < n; j++) {
-        line->sample = j * n;
-        for (line->listed = 0; line->listed < all && status == ALGSURF_OK; line->listed += most) {
-            line->wanted_count = all - line->listed < most ? all - line->listed : most;
-            line->begin = line->list[line->listed];
-            line->end = line->list[line->listed + line->wanted_count - 1] + 1;
-            status = render_pass(picture, row, 0.5, (j + 0.5) / n, worker, tally);
-        }
+    line->count = 0;
+    for (line->listed = 0; line->listed < all && status == ALGSURF_OK; line->listed += most) {
+        line->wanted_count = all - line->listed < most ? all - line->listed : most;
+        line->begin = line->list[line->listed];
+        line->end = line->list[line->listed + line->wanted_count - 1] + 1;
+        const size_t first = (size_t)(n * line->begin), count = (size_t)(n * line->end) - first;
+        memset(line->state + first, ALGSURF_LANE_MISS, count);
+        if (line->way) memset(line->way + first, ALGSURF_WAY_EMPTY, count);
+        for (int j = 0; j < n && status == ALGSURF_OK; j++)
+            status = render_samples_row(picture, row, j, worker, tally);
+        if (status == ALGSURF_OK) status = add_coloured(picture, row, 1, line, tally);
     }
     line->begin = 0;
     line->end = picture->width;
@@ -305,8 +345,8 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->colours = picture->planes.pixels ? &picture->colours : NULL;
     line->across = picture->scene->antialias;
     line->as_bytes = 0;
-    algsurf_i_begin_shown(&line->shown, picture->width);
     if (status == ALGSURF_OK && line->wanted_count > 0) {
+        algsurf_i_begin_shown(&line->shown, picture->width);
         int dense = picture->selective && algsurf_i_has_cells(picture, row + 0.5);
         status =
             dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);

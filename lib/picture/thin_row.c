@@ -27,6 +27,7 @@ static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band,
         if (line->wanted && !line->wanted[x]) continue;
         for (int i = 0; i < line->dense; i++) {
             t->at[count] = x * f->across + f->x + i;
+            t->leaf_depth[count] = 1;
             t->from[count++] = tiled ? band->tiles[number - 1].low : -1;
         }
     }
@@ -148,9 +149,12 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     const algsurf_i_band *band = algsurf_i_band_of(picture, row, 0, t);
     const algsurf_i_cells f = algsurf_i_cells_of(picture, line->across, row, line->dense > 1 ? 0 : sx, sy);
     int count = collect(picture, band, row, &f, line, t);
-    if (count > 0) count = algsurf_i_search_cells(&f, 1, count, t);
-    for (int i = 0; i < count; i++) t->from[i] = -1; /* there may be something beside the pixel */
-    if (count > 0) count = algsurf_i_search_cells(&f, 2, count, t);
+    if (count > 0) count = algsurf_i_search_cells(&f, 1, count, 1, t);
+    for (int i = 0; i < count; i++) { /* there may be something beside the pixel */
+        t->from[i] = -1;
+        t->leaf_depth[i] = 1;
+    }
+    if (count > 0) count = algsurf_i_search_cells(&f, 2, count, 1, t);
     if (count == 0) return;
     number_points(line, t);
     double h = p->per_slope * f.pixel;

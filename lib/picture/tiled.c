@@ -9,19 +9,18 @@
 
 #include <string.h>
 
-/* Samples on their way to points of a sheet, seen at eta from its middle. */
+/* Pixels on their way to points of a sheet, seen at eta from its middle. */
 static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
                       algsurf_i_line *line, algsurf_i_tiling *t) {
     const double *c = tile->depth;
     double at_zero = c[0] + eta * (c[2] + eta * (c[5] + eta * c[9]));
     double slope = c[1] + eta * (c[4] + eta * c[8]), bend = c[3] + eta * c[7], third = c[6];
-    double middle = tile->x, inverse = tile->inverse, step = 1.0 / line->dense;
-    double offset = line->dense > 1 ? 0.5 : sx;
+    double middle = tile->x, inverse = tile->inverse;
     int *restrict pixel = line->pixel + line->count;
     double *restrict depth = line->depth + line->count, *restrict low = t->low + line->count;
     double *restrict high = t->high + line->count, *restrict enough = t->enough + line->count;
     for (int i = 0; i < end - first; i++) {
-        double xi = ((first + i + offset) * step - middle) * inverse;
+        double xi = (first + i + sx - middle) * inverse;
         pixel[i] = first + i;
         depth[i] = at_zero + xi * (slope + xi * (bend + xi * third));
         low[i] = tile->low;
@@ -43,42 +42,38 @@ static void set_ways(const algsurf_i_line *line, int first, int end, int side, a
         memset(line->way + line->dense * first, side + (int)way, (size_t)(line->dense * (end - first)));
 }
 
-/* The samples of pixels from first to end - 1 of one tile. */
+/* The pixels from first to end - 1 of one tile. */
 static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
                          algsurf_i_line *line, algsurf_i_tiling *t) {
     double eta = (y - tile->y) * tile->inverse;
-    int dense = line->dense;
-    set_ways(line, first, end, (int)(2 / tile->inverse),
-             tile->enough > 0 ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
-    if (tile->enough > 0 && !line->wanted) {
-        add_sheet(tile, dense * first, dense * end, eta, sx, line, t);
+    int is_sheet = tile->enough > 0;
+    set_ways(line, first, end, (int)(2 / tile->inverse), is_sheet ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
+    if (is_sheet && !line->wanted) {
+        add_sheet(tile, first, end, eta, sx, line, t);
         return;
     }
     for (int x = first; x < end; x++) {
         if (line->wanted && !line->wanted[x]) continue;
-        if (tile->enough > 0)
-            add_sheet(tile, dense * x, dense * (x + 1), eta, sx, line, t);
+        if (is_sheet)
+            add_sheet(tile, x, x + 1, eta, sx, line, t);
         else
-            for (int i = dense * x; i < dense * (x + 1); i++) add_leaf(t, i, tile->low, tile->high);
+            add_leaf(t, x, tile->low, tile->high);
     }
 }
 
-/* The samples of the listed pixels, by what their tiles are. */
-static void collect_listed(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
-                           algsurf_i_worker *worker) {
+/* The samples of the listed pixels: their depths are known to be between two. */
+static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     const algsurf_i_line *line = &worker->line;
-    static const algsurf_i_tile anywhere = {.inverse = 2, .low = -1, .high = 1};
-    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    int first = (int)y % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    worker->tiling.leaves = 0;
+    algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_band *band = picture->tiled && line->way ? algsurf_i_band_of(picture, row, 1, t) : NULL;
+    const int dense = line->dense, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    t->leaves = 0;
     for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
-        int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
-        if (number == 0)
-            collect_tile(&anywhere, x, x + 1, y, sx, &worker->line, &worker->tiling);
-        else if (number < 0)
-            set_ways(line, x, x + 1, -number, ALGSURF_WAY_EMPTY);
-        else
-            collect_tile(band->tiles + number - 1, x, x + 1, y, sx, &worker->line, &worker->tiling);
+        const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
+        set_ways(line, x, x + 1, number > 0 ? (int)(2 / band->tiles[number - 1].inverse) : 0,
+                 ALGSURF_WAY_ROW);
+        for (int k = dense * x; k < dense * (x + 1); k++) add_leaf(t, k, t->pixel_low[i], t->pixel_high[i]);
     }
 }
 
@@ -169,9 +164,7 @@ static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, do
     tally->hits += (uint64_t)(line->count - sheets);
     double pointed = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_OK;
-    if (doubtful)
-        status = algsurf_i_solve_doubtful(picture, y, sx, line->dense * line->begin, line->dense * line->end,
-                                          line, tally);
+    if (doubtful) status = algsurf_i_solve_doubtful(picture, y, sx, line->begin, line->end, line, tally);
     tally->point_s += pointed - solved;
     tally->solve_s += (solved - begun) + (algsurf_i_render_clock() - pointed);
     return status;
@@ -184,19 +177,11 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
     double begun = algsurf_i_render_clock();
-    const int dense = line->dense, samples = dense * line->wanted_count;
-    tally->rays += (uint64_t)samples;
-    memset(line->state + dense * line->begin, ALGSURF_LANE_MISS, (size_t)(dense * (line->end - line->begin)));
+    tally->rays += (uint64_t)line->wanted_count;
+    memset(line->state + line->begin, ALGSURF_LANE_MISS, (size_t)(line->end - line->begin));
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    if (dense > 1) {
-        job.offset = 0.5 - 0.5 * picture->width * dense;
-        job.pixel /= dense;
-    }
-    if (dense > 1)
-        collect_listed(picture, band, row + sy, sx, worker);
-    else
-        collect(picture, band, row + sy, sx, worker);
-    tally->empty_rays += (uint64_t)(samples - line->count - worker->tiling.leaves);
+    collect(picture, band, row + sy, sx, worker);
+    tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
     double collected = algsurf_i_render_clock();
     tally->solve_s += collected - begun;
     if (line->count > 0) {
@@ -207,4 +192,26 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     tally->hits += (uint64_t)line->count;
     return worker->tiling.leaves > 0 ? find_leaves(picture, row + sy, sx, &points, worker, tally)
                                      : ALGSURF_OK;
+}
+
+int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
+                            algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    const int before = line->count, dense = line->dense;
+    algsurf_i_row_job job;
+    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
+    double begun = algsurf_i_render_clock();
+    tally->rays += (uint64_t)(dense * line->wanted_count);
+    algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
+    job.offset = 0.5 - 0.5 * picture->width * dense;
+    job.pixel /= dense;
+    collect_listed(picture, row, worker);
+    int doubtful = solve_leaves(picture, &job, worker);
+    double solved = algsurf_i_render_clock();
+    const algsurf_i_points found = algsurf_i_points_to_find(picture, line, before);
+    picture->code->points(&points, line->pixel + before, line->depth + before, line->count - before, &found);
+    tally->hits += (uint64_t)(line->count - before);
+    tally->solve_s += solved - begun;
+    tally->point_s += algsurf_i_render_clock() - solved;
+    return doubtful;
 }

@@ -26,6 +26,10 @@
  * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
  * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
  *
+ *     Where nothing is kept but the answer (no cells, no `within`), a cell with one variation after cells
+ * without one is enough if all chords hold it: each ray has one root there, a simple one, and none before, so
+ * the first roots are one continuous sheet.
+ *
  * Last place.  No ray has a root before p, nor before the place `from` that is known.  Where P surely has one
  * sign before the first roots and the other at q, each ray has a root between.  If all chords begin before p
  * or `from`, the first such root is the first on the ray's chord, unless the chord ends before it: nothing
@@ -234,6 +238,12 @@ INLINE void series_n(const tile_packet *g, const beam *whole, lanes x, lanes z[A
     z[9] = (c[3] + fyy[1] * b + v * b * b + by_y * bb) * inverse;
 }
 
+/* Do all chords hold that part of the range? */
+INLINE mask in_chords(const tile_packet *g, lanes from, lanes to) {
+    lanes length = g->hi - g->lo;
+    return at_most(g->least, g->lo + from * length) & at_most(g->lo + to * length, g->most);
+}
+
 /* Is that a sheet?  Narrows [p,q] to its cell; steep: n m / (high - low). */
 INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const beam *whole, const lanes *z,
                        lanes *p, lanes *q, lanes *steep, int n) {
@@ -243,8 +253,7 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
     lanes reach = 1.25 * first + 2 * (absolute(z[3]) + absolute(z[4]) + absolute(z[5])) + LEAST_WIDTH;
     lanes from = larger(floor40(z[0] - reach), *p), to = smaller(floor40(z[0] + reach), *q);
     lanes length = g->hi - g->lo;
-    mask sound = less(from + 0x1p-20, to) & at_most(g->least, g->lo + from * length) &
-                 at_most(g->lo + to * length, g->most);
+    mask sound = less(from + 0x1p-20, to) & in_chords(g, from, to);
     *p = from = choose(sound, from, all_lanes(0));
     *q = to = choose(sound, to, all_lanes(1));
     cut_beam(whole, &part, n, from, to);
@@ -305,9 +314,11 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q
     range_of(g, &whole, n);
     verdict v;
     search(&whole, g->rounding, g->open, n, &v);
-    mask sheets = g->open & v.one;
+    mask sheets = g->open & v.one, plain = no_lane();
     *p = v.p;
     *q = last_place(job, g, &v);
+    if (!job->cell && !job->within) plain = sheets & in_chords(g, v.p, v.q);
+    sheets &= ~plain;
     if (any(sheets)) {
         lanes z[ALGSURF_I_SERIES], from = v.p, to = v.q, steep;
         series_n(g, &whole, middle_root(&whole, v.guess, from, to, v.side, n), z, n);
@@ -322,7 +333,7 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q
             record(job, &tile, (int)g->x[l]);
         }
     }
-    return g->open & ~v.empty & ~sheets;
+    return g->open & ~v.empty & ~(sheets | plain);
 }
 
 APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q, int n) {
