@@ -19,7 +19,10 @@
 #define SHORTEST_END 0x1p-60 /* of a ray that begins outside and stays there */
 #define SEGMENT_TURNS 6      /* cells of a ray, besides the first */
 
-#define FOR_RAY_DEGREE(n, statement) FOR_DEGREES(COMMON_DEGREES, n, statement, FOR_ONE_DEGREE(7, statement))
+#define FOR_RAY_DEGREE(n, statement)                                                                         \
+    FOR_DEGREES(COMMON_DEGREES, n, statement,                                                                \
+                FOR_ONE_DEGREE(7, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(9, statement)       \
+                    FOR_ONE_DEGREE(10, statement))
 
 /* ---- points ---- */
 
@@ -32,8 +35,10 @@ typedef struct solid_packet {
 
 /* sum c_k z^k about x. */
 INLINE void shift_row(lanes *c, int n, lanes x) {
-    for (int m = 0; m < n; m++)
+    for (int m = 0; m < n; m++) {
+        UNROLLED
         for (int k = n - 1; k >= m; k--) c[k] += x * c[k + 1];
+    }
 }
 
 /* a += x b, b of degree n - 1. */
@@ -87,23 +92,28 @@ typedef struct ray_packet {
 /* P along them: Bernstein coefficients. */
 INLINE void expand_rays_n(const solid_packet *s, const lanes d[3], lanes *c, int n) {
     const lanes *r = s->r + ALGSURF_I_SOLID(n);
-    lanes power[TAYLOR_DEGREE + 1];
-    power[1] = d[2];
-    for (int k = 2; k <= n; k++) power[k] = power[k - 1] * d[2];
-    for (int k = 0; k <= n; k++) c[k] = all_lanes(0);
+    lanes power[TAYLOR_DEGREE + 1], level[TAYLOR_DEGREE + 1];
+    level[0] = power[0] = all_lanes(1), power[1] = d[2];
+    UNROLLED
+    for (int k = 2; k <= TAYLOR_DEGREE; k++) power[k] = power[k - 1] * d[2];
+    UNROLLED
     for (int i = n; i >= 0; i--) {
-        lanes level[TAYLOR_DEGREE + 1];
-        for (int k = 0; k <= n; k++) level[k] = all_lanes(0);
+        UNROLLED
         for (int j = n - i; j >= 0; j--) {
             r -= n - i - j + 1;
+            UNROLLED
             for (int k = n - i - j; k > 0; k--) level[k] = r[k] * power[k] + d[1] * level[k - 1];
             level[0] = r[0];
         }
+        UNROLLED
         for (int k = n - i; k > 0; k--) c[k] = level[k] + d[0] * c[k - 1];
         c[0] = level[0];
     }
-    for (int m = 1; m <= n; m++)
+    UNROLLED
+    for (int m = 1; m <= n; m++) {
+        UNROLLED
         for (int k = n; k >= m; k--) c[k] += c[k - 1];
+    }
 }
 
 /* No coefficient behind the first may be negative. */

@@ -9,7 +9,7 @@
  *
  * Up to degree 7 the rays from a point to a light are first asked about all at once, as a fan: most points
  * see the whole light or nothing of it.  Other rays are found side by side from P's Taylor expansion about
- * the points, up to the same degree.  Only what is in doubt then is shot as a ray.  The answers are those of the
+ * the points, up to degree 10.  Only what is in doubt then is shot as a ray.  The answers are those of the
  * rays. */
 #include "../base/arithmetic.h"
 #include "shade_impl.h"
@@ -146,13 +146,7 @@ static algsurf_status see_rays(algsurf_i_shadow_rays *rays, const algsurf_i_shad
     return ALGSURF_OK;
 }
 
-/* Points of a line, some of which are to be asked about. */
-typedef struct group {
-    algsurf_i_starts starts;
-    int from[ALGSURF_I_STARTS]; /* of the line's points */
-} group;
-
-static void add_point(const group *all, int i, double *seen, group *to) {
+static void add_point(const algsurf_i_group *all, int i, double *seen, algsurf_i_group *to) {
     int end = to->starts.count++;
     for (int k = 0; k < 3; k++) {
         to->starts.at[k][end] = all->starts.at[k][i];
@@ -162,23 +156,23 @@ static void add_point(const group *all, int i, double *seen, group *to) {
     to->from[end] = all->from[i];
 }
 
-/* How many rays to a light, or around, arrive from each point of a group. */
-static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light,
-                              const group *all) {
+/* How many rays to a light, or around, arrive from each of the points in the making. */
+static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light) {
     const algsurf_i_picture *picture = rays->picture;
+    const algsurf_i_group *all = &rays->all;
+    algsurf_i_group *open = &rays->open;
     const algsurf_i_shadow_job job = job_of(picture, line, light);
     const int count = count_rays(picture, line, light);
     uint8_t how[ALGSURF_I_STARTS] = {0};
-    group open;
-    open.starts.count = 0;
+    open->starts.count = 0;
     if (job.light) algsurf_i_shadow_kernel_for(picture->kernel)->see_light(&job, &all->starts, how);
     for (int i = 0; i < all->starts.count; i++) {
         double *seen = line->visible + all->from[i] * (picture->light_count + 1) + light;
         *seen = how[i] == ALGSURF_I_LIT ? count : 0;
-        if (how[i] == ALGSURF_I_UNKNOWN) add_point(all, i, seen, &open);
+        if (how[i] == ALGSURF_I_UNKNOWN) add_point(all, i, seen, open);
     }
-    if (!job.place[0]) set_lattices(picture, line, row, light, open.from, &open.starts);
-    return see_rays(rays, &job, count, &open.starts);
+    if (!job.place[0]) set_lattices(picture, line, row, light, open->from, &open->starts);
+    return see_rays(rays, &job, count, &open->starts);
 }
 
 /* From counts to shares. */
@@ -198,12 +192,11 @@ algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int ro
     algsurf_i_begin_shadow_rays(rays, picture);
     for (int first = 0; first < line->count; first += ALGSURF_I_STARTS) {
         int left = line->count - first, count = left < ALGSURF_I_STARTS ? left : ALGSURF_I_STARTS;
-        group g;
-        code->lift(&line->points, first, count, height, &g.starts);
-        for (int i = 0; i < count; i++) g.from[i] = first + i;
+        code->lift(&line->points, first, count, height, &rays->all.starts);
+        for (int i = 0; i < count; i++) rays->all.from[i] = first + i;
         for (int l = 0; l <= picture->light_count; l++) {
             if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
-            algsurf_status status = see_one(rays, line, row, l, &g);
+            algsurf_status status = see_one(rays, line, row, l);
             if (status < 0) return status;
         }
     }

@@ -5,9 +5,16 @@
 
 enum { ALGSURF_I_SHADOW_RAYS = 96 }; /* enough to fill a call */
 
+/* Points of a line whose rays are found together. */
+typedef struct algsurf_i_group {
+    algsurf_i_starts starts;
+    int from[ALGSURF_I_STARTS]; /* of the line's points */
+} algsurf_i_group;
+
 typedef struct algsurf_i_shadow_rays {
     const algsurf_i_picture *picture;
-    algsurf_i_doubts doubts; /* rays yet to be collected */
+    algsurf_i_group all, open; /* the points in the making; those whose rays are asked about one by one */
+    algsurf_i_doubts doubts;   /* rays yet to be collected */
     double origin[3][ALGSURF_I_SHADOW_RAYS], direction[3][ALGSURF_I_SHADOW_RAYS],
         t_max[ALGSURF_I_SHADOW_RAYS];
     double *seen[ALGSURF_I_SHADOW_RAYS]; /* where each is added if it arrives */

@@ -9,7 +9,7 @@
 #define ALGSURF_SURFACE_TAYLOR_H
 #include "view.h"
 
-#define ALGSURF_MAX_TAYLOR_DEGREE 7 /* beyond it rays cost less by themselves */
+#define ALGSURF_MAX_TAYLOR_DEGREE 10 /* beyond it rays cost less by themselves */
 #define ALGSURF_I_TAYLOR_REACH 1.25 /* of points and of what is known of rays, in each coordinate */
 
 /* How many coefficients P has. */
