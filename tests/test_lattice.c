@@ -6,6 +6,7 @@
  *   a generator that leaves the square uneven                                           pixels
  *   one shift for all purposes or all rows of tiles, none across, none up               shifts
  *   pixels of a tile in the order of their rows                                         neighbours
+ *   points rounded to the nearest unit, not wrapped, a share of a unit aside              tiles, pixels
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "picture/lattice.h"
+#include "lattice_reference.h"
+#include "simd/baseline.h"
+
+#include "picture/lattice_template.h"
 
 enum { MOST_POINTS = 16 * 512 };
 
@@ -34,11 +38,24 @@ typedef struct tile_points {
     double p[MOST_POINTS], q[MOST_POINTS];
 } tile_points;
 
+/* As pictures find them, which is what integers say. */
+static void find_points(const algsurf_i_sample *sample, int purpose, int each, double *p, double *q) {
+    const algsurf_i_lattice lattice = algsurf_i_lattice_of(sample, purpose, each);
+    const lanes across = all_lanes(lattice.across), up = all_lanes(lattice.up);
+    lattice_points(sample, purpose, each, p, q);
+    for (int i = 0; i < each; i++) {
+        lanes x, y;
+        find_lattice_points(all_lanes(lattice.number + ALGSURF_I_LATTICE_STEP * i), across, up,
+                            ALGSURF_I_LATTICE_STEP * sample->count * each, &x, &y);
+        assert_true(x[0] + 0.5 == p[i] && y[0] + 0.5 == q[i]);
+    }
+}
+
 static void add_pixel(int x, int y, int setting, int purpose, tile_points *t) {
     int all = settings[setting].across * settings[setting].across, each = settings[setting].each;
     for (int s = 0; s < all; s++) {
         const algsurf_i_sample sample = {x, y, s, all};
-        algsurf_i_lattice(&sample, purpose, each, t->p + t->count, t->q + t->count);
+        find_points(&sample, purpose, each, t->p + t->count, t->q + t->count);
         t->count += each;
     }
 }

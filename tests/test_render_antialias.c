@@ -125,7 +125,7 @@ static void check(const struct way *way, const picture *one, const picture *all,
     uint64_t more = p->stats.rays - W * H, each = (uint64_t)(n * n);
     assert_true(more % each == 0 && more >= chosen * each && more <= (chosen + proved) * each);
     assert_true(p->stats.hits > one->stats.hits && p->stats.hits <= one->stats.hits + all->stats.hits);
-    assert_true(way->quality != ALGSURF_QUALITY_FULL || way->complex || p->stats.shadow_rays > 0);
+    assert_true(way->quality != ALGSURF_QUALITY_FULL || way->complex || p->stats.shadow_s > 0);
     for (int y = 0; y < H; y++)
         for (int i = 3 * W; i < STRIDE; i++) assert_int_equal(p->bytes[y * STRIDE + i], SENTINEL);
 }

@@ -20,7 +20,7 @@
 #include "base/rounding.h"
 #include "complex/kernel.h"
 #include "environments.h"
-#include "picture/kernel.h"
+#include "picture/shadow_kernel.h"
 #include "rays/kernel.h"
 #include "roots/kernel.h"
 #include "simd/operations.h"
@@ -113,8 +113,9 @@ enum part {
     SHEETS,
     POINTS,
     COLOURS,
+    STARTS,
     LIGHTS,
-    PLACES,
+    SHADOW_RAYS,
     COMPLEX_ROW,
     COMPLEX_POINTS,
     PARTS
@@ -245,20 +246,6 @@ static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
 }
 
-static void wrong_lights(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
-                         algsurf_i_fan_point *unknown) {
-    real_picture->see_light(job, start, count, how, unknown);
-    for (int i = 0; i < count; i++)
-        if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
-}
-
-static void wrong_places(const algsurf_i_fan_job *job, const algsurf_i_fan_point *point,
-                         const double *const aside[2], int count, uint8_t *state) {
-    real_picture->see_places(job, point, aside, count, state);
-    for (int i = 0; i < count; i++)
-        state[i] = state[i] == ALGSURF_LANE_HIT ? ALGSURF_LANE_MISS : ALGSURF_LANE_HIT;
-}
-
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {
     uint64_t corrections = real_picture->solve_complex(job, begin, end);
     for (int x = begin; x < end; x++)
@@ -279,8 +266,6 @@ static void break_picture(void) {
     if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
     if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
     if (broken == POINTS) wrong_picture.points = wrong_points;
-    if (broken == LIGHTS) wrong_picture.see_light = wrong_lights;
-    if (broken == PLACES) wrong_picture.see_places = wrong_places;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
     if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
 }
@@ -297,6 +282,33 @@ static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_looks
 
 static void break_colour(void) {
     if (broken == COLOURS) wrong_colour.colours = wrong_colours;
+}
+
+static void break_shadow(void);
+TABLE(shadow)
+
+static void wrong_starts(const algsurf_i_points *points, int first, int count, double height,
+                         algsurf_i_starts *starts) {
+    real_shadow->lift(points, first, count, height, starts);
+    for (int i = 0; i < count; i++) starts->facing[2][i] = -starts->facing[2][i];
+}
+
+static void wrong_lights(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how) {
+    real_shadow->see_light(job, starts, how);
+    for (int i = 0; i < starts->count; i++)
+        if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
+}
+
+static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first,
+                              int count, int from, int rays, algsurf_i_doubts *doubts) {
+    real_shadow->see_rays(job, starts, first, count, from, rays, doubts);
+    for (int i = 0; i < count; i++) *starts->seen[first + i] *= 0.5;
+}
+
+static void break_shadow(void) {
+    if (broken == STARTS) wrong_shadow.lift = wrong_starts;
+    if (broken == LIGHTS) wrong_shadow.see_light = wrong_lights;
+    if (broken == SHADOW_RAYS) wrong_shadow.see_rays = wrong_shadow_rays;
 }
 
 static void wrong_kernels_are_found(void **state) {

@@ -14,7 +14,7 @@
 #ifndef ALGSURF_FANS_TEMPLATE_H
 #define ALGSURF_FANS_TEMPLATE_H
 #include "../surface/fan.h"
-#include "kernel.h"
+#include "shadow_kernel.h"
 #include "search_template.h"
 
 #define FAN_DEGREE ALGSURF_MAX_FAN_DEGREE
@@ -22,8 +22,8 @@
 
 /* From LANES points to one light: in the fan's axes and unit. */
 typedef struct fan_packet {
-    lanes x[3], d[3], half[2], part;
-    lanes least; /* all segments reach t = least within the extent */
+    lanes x[3], d[3], half[2], part; /* the middle segment is x + t d, 0 <= t <= 1: that part of it */
+    lanes least;                     /* all segments reach t = least within the extent */
     mask open;
 } fan_packet;
 
@@ -71,8 +71,8 @@ INLINE fan_ends ends_in_box(const double half[3], const lanes x[3], const lanes 
 
 /* What planes leave of that, x and d in the caller's axes.  A segment that begins beyond a plane may come
  * back through it: nothing is known to be inside then. */
-INLINE fan_ends ends_at_planes(const algsurf_i_fan_job *job, const lanes x[3], const lanes d[3], double reach,
-                               fan_ends e) {
+INLINE fan_ends ends_at_planes(const algsurf_i_shadow_job *job, const lanes x[3], const lanes d[3],
+                               double reach, fan_ends e) {
     const lanes never = all_lanes(HUGE_VAL);
     for (int i = 0; i < job->plane_count; i++) {
         const algsurf_i_cut_plane *p = job->planes + i;
@@ -87,16 +87,20 @@ INLINE fan_ends ends_at_planes(const algsurf_i_fan_job *job, const lanes x[3], c
     return e;
 }
 
-/* The points from `first` on, in the fan's axes; d and half for the part of segments that is searched. */
-INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3], int first, int count,
-                       fan_packet *g) {
+/* |x| + |d| + h of fan.c. */
+INLINE lanes size_along(const fan_packet *g, int k) {
+    return absolute(g->x[k]) + absolute(g->d[k]) + (k < 2 ? g->half[k] : all_lanes(0));
+}
+
+/* The points in the fan's axes; d and half for the part of segments that is searched. */
+INLINE void begin_fans(const algsurf_i_shadow_job *job, const lanes at[3], mask open, fan_packet *g) {
     const algsurf_i_fan *fan = job->fan;
     const algsurf_i_view *view = &fan->frame.view;
     double reach = sqrt(fan->half[0] * fan->half[0] + fan->half[1] * fan->half[1]) * (1 + END_SLACK);
     lanes from[3], to[3];
     for (int i = 0; i < 3; i++) {
-        from[i] = (job->unit * load_some(start[i] + first, count) - view->centre[i]) * (1 / view->size);
-        to[i] = job->light[i] - from[i];
+        from[i] = (job->unit * at[i] - view->centre[i]) * (1 / view->size);
+        to[i] = job->to_light[i] - from[i];
     }
     for (int k = 0; k < 3; k++) {
         const lanes axis[3] = {all_lanes(view->axis[k][0]), all_lanes(view->axis[k][1]),
@@ -109,15 +113,13 @@ INLINE void begin_fans(const algsurf_i_fan_job *job, const double *const start[3
                      : ends_in_box(job->extent_size, from, to, reach);
     e = ends_at_planes(job, from, to, reach, e);
     lanes part = g->part = smaller(e.most * (1 + END_SLACK), all_lanes(1));
-    g->open = less(numbered(), all_lanes(count)) & less(all_lanes(0), part) &
+    g->open = open & less(all_lanes(0), part) &
               less(dot(g->d, g->d), ALGSURF_I_SLANT * ALGSURF_I_SLANT * (g->d[2] * g->d[2]));
     g->least = smaller(e.least / part, all_lanes(1)) * (1 - END_SLACK);
     for (int k = 0; k < 3; k++) {
         g->d[k] *= part;
         if (k < 2) g->half[k] = part * (fan->half[k] * (1 + END_SLACK));
-        lanes aside = k < 2 ? g->half[k] : all_lanes(0);
-        g->open &= less(absolute(g->x[k]), all_lanes(1.25)) &
-                   less(absolute(g->x[k] + g->d[k]) + aside, all_lanes(4));
+        g->open &= less(absolute(g->x[k]), all_lanes(1.25)) & less(size_along(g, k), all_lanes(4));
     }
 }
 
@@ -141,9 +143,9 @@ INLINE void add_line(lanes *a, const lanes *b, int n, lanes x, lanes d) {
     a[n] += carried;
 }
 
-/* Powers of t to Bernstein coefficients. */
-INLINE void to_bernstein(const algsurf_i_fan *fan, lanes *c, int n) {
-    for (int k = 1; k < n; k++) c[k] *= fan->inverse[k];
+/* Powers of t to Bernstein coefficients; inverse: of binomial ones. */
+INLINE void to_bernstein(const double *inverse, lanes *c, int n) {
+    for (int k = 1; k < n; k++) c[k] *= inverse[k];
     for (int m = 1; m <= n; m++)
         for (int k = n; k >= m; k--) c[k] += c[k - 1];
 }
@@ -168,19 +170,18 @@ INLINE void expand_solid(const algsurf_i_fan *fan, const fan_packet *g, lanes *r
                 add_line(line[i][j], line[i + 1][j], n - i - j, g->x[0], g->d[0]);
 }
 
-/* S of fan.c, at x + A. */
-INLINE lanes size_of_fan(const algsurf_i_fan *fan, const lanes x[3], int n) {
+/* S of fan.c. */
+INLINE lanes size_of(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
     lanes whole = all_lanes(0);
     for (int i = n; i >= 0; i--) {
         lanes level = all_lanes(0);
         for (int j = n - i; j >= 0; j--) {
             lanes row = all_lanes(0);
             for (int k = n - i - j; k >= 0; k--)
-                row =
-                    row * (x[2] + ALGSURF_I_FAN_APART) + fabs(fan->frame.q[(i * (n + 1) + j) * (n + 1) + k]);
-            level = level * (x[1] + ALGSURF_I_FAN_APART) + row;
+                row = row * x[2] + fabs(frame->q[(i * (n + 1) + j) * (n + 1) + k]);
+            level = level * x[1] + row;
         }
-        whole = whole * (x[0] + ALGSURF_I_FAN_APART) + level;
+        whole = whole * x[0] + level;
     }
     return whole;
 }
@@ -189,18 +190,18 @@ INLINE lanes size_of_fan(const algsurf_i_fan *fan, const lanes x[3], int n) {
 INLINE void set_errors(const algsurf_i_fan *fan, const fan_packet *g, lanes error[2], int n) {
     lanes at[3], along[3];
     for (int k = 0; k < 3; k++) {
-        at[k] = absolute(g->x[k]);
-        along[k] = larger(at[k], absolute(g->x[k] + g->d[k]) + (k < 2 ? g->half[k] : all_lanes(0)));
+        at[k] = absolute(g->x[k]) + ALGSURF_I_FAN_APART;
+        along[k] = size_along(g, k) + ALGSURF_I_FAN_APART;
     }
     lanes missed = g->part * (3 * fan->missed / ALGSURF_I_FAN_APART);
-    error[0] = fan->weight * size_of_fan(fan, at, n) + fan->least_error;
-    error[1] = (fan->weight + missed) * size_of_fan(fan, along, n) + fan->least_error;
+    error[0] = fan->weight * size_of(&fan->frame, at, n) + fan->least_error;
+    error[1] = (fan->weight + missed) * size_of(&fan->frame, along, n) + fan->least_error;
 }
 
 /* The terms up to the second order; the third as a radius; higher ones by their sizes for each power of t. */
-INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
-                          int n) {
-    lanes *line[FAN_DEGREE + 1][FAN_DEGREE + 1], across = all_lanes(1);
+INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, beam *b, int n) {
+    lanes r[ALGSURF_I_SOLID(FAN_DEGREE)], *line[FAN_DEGREE + 1][FAN_DEGREE + 1], error[2],
+        across = all_lanes(1);
     expand_solid(fan, g, r, line, n);
     for (int k = 0; k <= n; k++) {
         b->rest[k] = all_lanes(0);
@@ -217,52 +218,74 @@ INLINE void expand_fans_n(const algsurf_i_fan *fan, const fan_packet *g, lanes *
                     b->rest[i + j + k] += absolute(term);
             }
     }
-    to_bernstein(fan, b->rest, n);
-    for (int i = 0; i < LOW_TERMS; i++) to_bernstein(fan, b->t[i], n);
+    to_bernstein(fan->inverse, b->rest, n);
+    for (int i = 0; i < LOW_TERMS; i++) to_bernstein(fan->inverse, b->t[i], n);
     for (int i = 0; i <= 3 && n >= 3; i++) {
         lanes third[FAN_DEGREE + 1], factor = all_lanes(1);
         for (int m = 0; m < 3; m++) factor *= g->half[m < i ? 0 : 1];
         for (int k = 0; k <= n; k++) third[k] = k < 3 ? all_lanes(0) : factor * line[i][3 - i][k - 3];
-        to_bernstein(fan, third, n);
+        to_bernstein(fan->inverse, third, n);
         for (int k = 0; k <= n; k++) b->rest[k] += absolute(third[k]);
     }
     set_errors(fan, g, error, n);
     for (int k = 0; k <= n; k++) b->rest[k] += error[k > 0];
 }
 
-APART void expand_fans(const algsurf_i_fan *fan, const fan_packet *g, lanes *r, lanes error[2], beam *b,
-                       int n){FOR_LOW_DEGREE(n, expand_fans_n(fan, g, r, error, b, N))}
-
-INLINE void keep_point(const fan_packet *g, const lanes *r, const lanes error[2], int l, int count,
-                       algsurf_i_fan_point *point) {
-    for (int k = 0; k < 3; k++) {
-        point->x[k] = g->x[k][l];
-        point->d[k] = g->d[k][l];
-    }
-    point->part = g->part[l];
-    for (int k = 0; k < 2; k++) point->error[k] = error[k][l];
-    for (int i = 0; i < count; i++) point->r[i] = r[i][l];
+/* What is known of the fans: their expansion and the search. */
+INLINE void search_fans_n(const algsurf_i_fan *fan, const fan_packet *g, verdict *v, int n) {
+    beam b;
+    expand_fans_n(fan, g, &b, n);
+    *v = search_n(&b, all_lanes(0), g->open, n);
 }
 
-static void see_light(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
-                      algsurf_i_fan_point *unknown) {
-    int n = job->fan->frame.degree;
-    for (int first = 0; first < count; first += LANES) {
-        int left = count - first < LANES ? count - first : LANES;
-        fan_packet g;
-        beam b;
-        verdict v;
-        lanes r[ALGSURF_I_FAN_SOLID(FAN_DEGREE)], error[2];
-        begin_fans(job, start, first, left, &g);
-        expand_fans(job->fan, &g, r, error, &b, n);
-        search(&b, all_lanes(0), g.open, n, &v);
-        unsigned open = bits(g.open), lit = bits(v.empty), dark = bits(v.crossed & less(v.beyond, g.least));
-        for (int l = 0; l < left; l++) {
-            how[first + l] = (uint8_t)(ALGSURF_I_LIT * (lit >> l & 1) + ALGSURF_I_DARK * (dark >> l & 1) +
-                                       ALGSURF_I_ASIDE * (~open >> l & 1));
-            if (how[first + l] == ALGSURF_I_UNKNOWN)
-                keep_point(&g, r, error, l, ALGSURF_I_FAN_SOLID(n), unknown++);
+APART void search_fans(const algsurf_i_fan *fan, const fan_packet *g, verdict *v, int n) {
+    FOR_LOW_DEGREE(n, search_fans_n(fan, g, v, N))
+}
+
+/* How much of a light is above points' tangent planes: nothing that arrives, or all? */
+typedef struct height_of_light {
+    mask nothing, all;
+} height_of_light;
+
+#define DIMMEST -0.25 /* cosine at a light's middle: of what is below it, nothing arrives */
+
+INLINE height_of_light height_of(const algsurf_light *light, const lanes at[3], const lanes facing[3]) {
+    lanes height = all_lanes(0), square = height, along_u = height, along_v = height, size = height;
+    for (int k = 0; k < 3; k++) {
+        lanes way = light->position[k] - at[k];
+        height += way * facing[k];
+        square += way * way;
+        along_u += light->edge_u[k] * facing[k];
+        along_v += light->edge_v[k] * facing[k];
+        size = larger(size, absolute(at[k]) +
+                                (fabs(light->position[k]) + fabs(light->edge_u[k]) + fabs(light->edge_v[k])));
+    }
+    lanes half = 0.5 * (absolute(along_u) + absolute(along_v)), slack = 0x1p-44 * size;
+    return (height_of_light){less(height, DIMMEST * 1.001 * root(square)) | less(height, -half - slack),
+                             less(half + slack, height)};
+}
+
+static void see_light(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how) {
+    for (int first = 0; first < starts->count; first += LANES) {
+        int left = starts->count - first < LANES ? starts->count - first : LANES;
+        lanes at[3], facing[3];
+        for (int k = 0; k < 3; k++) {
+            at[k] = load_some(starts->at[k] + first, left);
+            facing[k] = load_some(starts->facing[k] + first, left);
         }
+        height_of_light above = height_of(job->light, at, facing);
+        unsigned lit = bits(above.nothing), dark = 0;
+        if (job->fan) {
+            fan_packet g;
+            verdict v;
+            begin_fans(job, at, less(numbered(), all_lanes(left)) & ~above.nothing, &g);
+            if (any(g.open)) {
+                search_fans(job->fan, &g, &v, job->fan->frame.degree);
+                lit |= bits(v.empty), dark = bits(v.crossed & above.all & less(v.beyond, g.least));
+            }
+        }
+        for (int l = 0; l < left; l++)
+            how[first + l] = (uint8_t)(ALGSURF_I_LIT * (lit >> l & 1) + ALGSURF_I_DARK * (dark >> l & 1));
     }
 }
 

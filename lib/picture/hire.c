@@ -33,7 +33,8 @@ typedef struct sizes {
     size_t width, side;    /* of a row; degree + 1 */
     size_t dense;          /* samples of a row: as many as are taken together */
     size_t lights, shares; /* where there are shadows; shares of light: one more */
-    size_t fans, places;   /* fans of lights; leaves of a band */
+    size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
+    size_t places;         /* leaves of a band */
     size_t thin;           /* of a search for what is thin */
     int cells;             /* 1: there are tiles, of a band or of single pixels */
     size_t roots;          /* in complex space */
@@ -51,6 +52,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
+                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
                    .thin = picture->thin ? algsurf_i_thin_memory() : 0,
                    .cells = tiles || (real && picture->selective),
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
@@ -88,7 +90,6 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
     line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
-    line->solids = s->fans > 0 ? take_doubles(a, ALGSURF_I_FANS * ALGSURF_I_FAN_SOLID(s->side - 1)) : NULL;
     lay_out_shown(a, s, &line->shown);
 }
 
@@ -154,8 +155,7 @@ static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame)
 static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
     algsurf_i_samples *samples = &picture->light_samples;
     size_t count = picture->shadows ? (size_t)samples->first[picture->light_count] : 0;
-    for (int k = 0; k < 3; k++) samples->place[k] = take_doubles(a, count);
-    for (int k = 0; k < 2; k++) samples->aside[k] = take_doubles(a, count);
+    for (int k = 0; k < 2; k++) samples->place[k] = take_doubles(a, count);
 }
 
 static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
@@ -164,10 +164,10 @@ static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets
                          ? take_doubles(a, s->side * s->side * s->side)
                          : NULL;
     packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;
-    for (size_t i = 0; i < s->fans; i++) {
-        algsurf_i_frame_form elsewhere; /* while there are no fans yet */
-        lay_out_frame(a, s, a->base ? &packets->fans[i].frame : &elsewhere);
-    }
+    packets->taylor = s->taylor > 0 ? take(a, 1, sizeof *packets->taylor) : NULL;
+    algsurf_i_frame_form elsewhere; /* while there are none yet */
+    for (size_t i = 0; i < s->fans; i++) lay_out_frame(a, s, a->base ? &packets->fans[i].frame : &elsewhere);
+    if (s->taylor > 0) lay_out_frame(a, s, a->base ? &packets->taylor->frame : &elsewhere);
 }
 
 static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {

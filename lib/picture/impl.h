@@ -17,7 +17,7 @@
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     shadow.c           which share of a light reaches a point
  *     lattice.c          the points of a light, and the directions, that are looked at
- *     shadow_rays.c      rays to lights, by packets
+ *     shadow_rays.c      single rays of shadows, by packets
  */
 #ifndef ALGSURF_RENDER_IMPL_H
 #define ALGSURF_RENDER_IMPL_H
@@ -28,6 +28,7 @@
 #include "kernel.h"
 #include "lattice.h"
 #include "scene_impl.h"
+#include "shadow_kernel.h"
 #include "srgb.h"
 
 #define ALGSURF_MAX_THREADS 256
@@ -63,7 +64,6 @@ typedef struct algsurf_i_line {
     int as_bytes;
     double *visible;                    /* light_count + 1 for each point, in full quality */
     struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
-    double *solids;                     /* with fans: room for the r of ALGSURF_I_FANS of them; else null */
     double *depth;                      /* of each entry: where packets found it */
     double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
     uint8_t *state; /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
@@ -72,8 +72,6 @@ typedef struct algsurf_i_line {
 } algsurf_i_line;
 
 #define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
-
-#define ALGSURF_I_FANS 16 /* points whose fans are kept at once */
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 
@@ -123,8 +121,9 @@ typedef struct algsurf_i_packets {
     /* the planes that cut something off, in the axes of the view and in those of the caller */
     algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
     int plane_count;
-    double *beams;       /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_fan *fans; /* where shadows are drawn: of each light; or null */
+    double *beams;            /* in a tiled picture: algsurf_i_beam_expand's g */
+    algsurf_i_fan *fans;      /* where shadows are drawn: of each light; or null */
+    algsurf_i_taylor *taylor; /* there: for single rays; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
@@ -134,7 +133,7 @@ typedef struct algsurf_i_packets {
 /* The samples of a picture's lights, where shadows are drawn: those of light l from first[l] to first[l+1]-1;
  * none of a light whose points differ from pixel to pixel. */
 typedef struct algsurf_i_samples {
-    double *place[3], *aside[2]; /* aside: from the middle of the light, in the axes of its fan */
+    double *place[2]; /* in the light's edges from its middle */
     int first[ALGSURF_MAX_LIGHTS + 1];
 } algsurf_i_samples;
 
@@ -347,8 +346,8 @@ algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, doub
 void algsurf_i_count_samples(algsurf_i_picture *picture);
 void algsurf_i_place_samples(algsurf_i_picture *picture);
 
-/* The fans of the picture's lights; memory as for algsurf_i_frame_expand. */
-void algsurf_i_make_fans(const algsurf_i_picture *picture, void *memory);
+/* What is known of shadow rays for all rows; memory as for algsurf_i_frame_expand. */
+void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory);
 
 /* line->visible of a row's points: the share of each light's points that nothing hides, 1 where that adds
  * nothing to the colour whatever the share, and that of free directions.  The rays shot are added to the

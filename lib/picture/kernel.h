@@ -6,7 +6,6 @@
 #include "../complex/edges.h"
 #include "../simd/kernel.h"
 #include "../surface/beam.h"
-#include "../surface/fan.h"
 #include "../surface/view.h"
 #include "algsurf/ray.h"
 #include "algsurf/shade.h"
@@ -133,29 +132,6 @@ typedef struct algsurf_i_complex_job {
     uint8_t *state;
 } algsurf_i_complex_job;
 
-/* One light as points see it. */
-typedef struct algsurf_i_fan_job {
-    const algsurf_i_fan *fan;
-    double unit;                       /* of the caller's coordinates, in natural ones */
-    double light[3];                   /* its middle about the fan's centre, in the fan's unit */
-    int extent_kind;                   /* sphere or box, about that centre */
-    double extent_size[3];             /* in that unit */
-    const algsurf_i_cut_plane *planes; /* in the caller's axes */
-    int plane_count;
-} algsurf_i_fan_job;
-
-/* How much of a light a point sees: all of it, nothing, or that is not known; or it is too far aside for a
- * fan. */
-enum { ALGSURF_I_UNKNOWN = 0, ALGSURF_I_LIT = 1, ALGSURF_I_DARK = 2, ALGSURF_I_ASIDE = 4 };
-
-/* P along the fan of one point: x + t d, 0 <= t <= 1, is what may be in the extent of the segment to the
- * middle of the light. */
-typedef struct algsurf_i_fan_point {
-    double x[3], d[3], part; /* d is this part of what leads to the light */
-    double error[2];         /* bounds: at t = 0, and of any coefficient */
-    double *r;               /* r_ij of fan.h in the order of i, then j, then powers of t */
-} algsurf_i_fan_point;
-
 typedef struct algsurf_i_picture_kernel {
     /* depth[i], state[i] of pixel i: the first root along its ray. */
     void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
@@ -174,14 +150,6 @@ typedef struct algsurf_i_picture_kernel {
     /* The same from where the root of a sheet may be; returns whether it is for all. */
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* how[i]: how much start[.][i] sees of the job's light.  Where that is not known the point's fan is put
-     * into `unknown`, one after the other, for which there is room, for each r too. */
-    void (*see_light)(const algsurf_i_fan_job *job, const double *const start[3], int count, uint8_t *how,
-                      algsurf_i_fan_point *unknown);
-    /* state[i]: is the surface between a fan's point and place i of the light?  An ALGSURF_LANE.  aside: the
-     * place from the light's middle, in the fan's axes and unit. */
-    void (*see_places)(const algsurf_i_fan_job *job, const algsurf_i_fan_point *point,
-                       const double *const aside[2], int count, uint8_t *state);
     /* solve_row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

@@ -1,4 +1,4 @@
-/* kernel_template.h - the packet code of pictures, except that of colours, as one kernel. */
+/* kernel_template.h - the packet code of pictures, except that of colours and shadows, as one kernel. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
@@ -9,15 +9,12 @@
 #include "row_template.h"
 #include "tiles_template.h"
 #include "complex_template.h"
-#include "places_template.h"
 
 const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
                                                             .solve_leaves = solve_leaves,
                                                             .search_tiles = search_tiles,
                                                             .points = find_points,
                                                             .sheet_points = find_sheet_points,
-                                                            .see_light = see_light,
-                                                            .see_places = see_places,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};
 

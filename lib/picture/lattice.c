@@ -12,14 +12,10 @@ static uint32_t hash(uint32_t x, uint32_t y, uint32_t purpose) {
     return h ^ h >> 16;
 }
 
-void algsurf_i_lattice(const algsurf_i_sample *sample, int purpose, int each, double *p, double *q) {
+algsurf_i_lattice algsurf_i_lattice_of(const algsurf_i_sample *sample, int purpose, int each) {
     uint32_t x = (uint32_t)sample->x, y = (uint32_t)sample->y,
              moved = hash(x >> 2, y >> 2, (uint32_t)purpose);
-    uint64_t all = 16 * (uint64_t)sample->count * (uint64_t)each;
-    for (int i = 0; i < each; i++) {
-        uint32_t number = bayer[y & 3][x & 3] + 16 * (uint32_t)(sample->number * each + i);
-        uint32_t across = (uint32_t)(((uint64_t)number << 32) / all) + (moved << 16);
-        p[i] = across * 0x1p-32;
-        q[i] = (uint32_t)(number * 0x69E3779Bu + (moved & 0xFFFF0000u)) * 0x1p-32;
-    }
+    return (algsurf_i_lattice){bayer[y & 3][x & 3] +
+                                   ALGSURF_I_LATTICE_STEP * (uint32_t)(sample->number * each),
+                               moved << 16, moved & 0xFFFF0000u};
 }

@@ -127,7 +127,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->packets = NULL;
         picture->tiled = picture->thin = 0;
     }
-    if (picture->packets && picture->packets->fans) algsurf_i_make_fans(picture, memory);
+    if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)
         algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);

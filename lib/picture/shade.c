@@ -47,11 +47,16 @@ algsurf_status algsurf_i_light_check(const algsurf_light *light) {
     return check_range(light->colour, 3, BRIGHTEST);
 }
 
+void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]) {
+    place[0] = light->samples_u > 1 ? (double)a / (light->samples_u - 1) - 0.5 : 0;
+    place[1] = light->samples_v > 1 ? (double)b / (light->samples_v - 1) - 0.5 : 0;
+}
+
 void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    double u = light->samples_u > 1 ? (double)a / (light->samples_u - 1) - 0.5 : 0;
-    double v = light->samples_v > 1 ? (double)b / (light->samples_v - 1) - 0.5 : 0;
+    double place[2];
+    algsurf_i_light_place(light, a, b, place);
     for (int i = 0; i < 3; i++)
-        position[i] = light->position[i] + u * light->edge_u[i] + v * light->edge_v[i];
+        position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
 }
 
 void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]) {

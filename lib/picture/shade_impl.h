@@ -15,7 +15,9 @@ algsurf_status algsurf_i_light_check(const algsurf_light *light);
  * a zero normal. */
 void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]);
 
-/* algsurf_light_sample for checked arguments, in the standard floating-point environment. */
+/* Where sample (a, b) of a light is, in its edges from its middle; and algsurf_light_sample for checked
+ * arguments, in the standard floating-point environment. */
+void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]);
 void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double position[3]);
 
 /* For a checked lighting, without its curve. */

@@ -1,11 +1,11 @@
-/* shadow_rays.c - rays to places of lights, by packets. */
+/* shadow_rays.c - single rays of shadows, by packets. */
 #include "../base/arithmetic.h"
 #include "shadow_rays.h"
 
 void algsurf_i_begin_shadow_rays(algsurf_i_shadow_rays *rays, const algsurf_i_picture *picture) {
     rays->picture = picture;
     rays->count = 0;
-    rays->groups = 0;
+    rays->doubts.count = 0;
     rays->rays = rays->without_memory = 0;
     for (int i = 0; i < ALGSURF_I_SHADOW_RAYS; i++) rays->t_max[i] = 1;
 }
@@ -22,43 +22,24 @@ algsurf_status algsurf_i_send_shadow_rays(algsurf_i_shadow_rays *b) {
         algsurf_occluded_packet(scene->surface, &scene->extent, &rays, &scene->intersect, state);
     if (status < 0 && status != ALGSURF_E_NO_MEMORY) return status;
     b->without_memory += status < 0;
-    size_t i = 0;
-    for (int g = 0; g < b->groups; g++) {
-        int seen = 0;
-        for (; i < b->end[g]; i++) seen += state[i] == ALGSURF_MISS;
-        *b->share[g] += seen;
-    }
+    for (size_t i = 0; i < b->count; i++) *b->seen[i] += state[i] == ALGSURF_MISS;
     b->rays += b->count;
     b->count = 0;
-    b->groups = 0;
     return ALGSURF_OK;
 }
 
-/* Returns how many of them there is no ray to. */
-static int add_rays(algsurf_i_shadow_rays *b, const algsurf_i_places *places, int first, int count,
-                    const algsurf_i_start *start) {
-    size_t before = b->count;
-    for (int i = first; i < first + count; i++) {
+algsurf_status algsurf_i_collect_doubts(algsurf_i_shadow_rays *b, const algsurf_i_starts *starts) {
+    for (int i = 0; i < b->doubts.count; i++) {
+        int from = b->doubts.start[i];
         for (int k = 0; k < 3; k++) {
-            b->origin[k][b->count] = start->at[k];
-            b->direction[k][b->count] = places->at[k][i] - start->at[k];
+            b->origin[k][b->count] = starts->at[k][from];
+            b->direction[k][b->count] = b->doubts.direction[k][i];
         }
-        b->count += algsurf_i_height(places, i, start) > 0;
-    }
-    return count - (int)(b->count - before);
-}
-
-algsurf_status algsurf_i_shoot(algsurf_i_shadow_rays *b, const algsurf_i_places *places,
-                               const algsurf_i_start *start, double *seen) {
-    for (int first = 0, count; first < places->count; first += count) {
-        int room = ALGSURF_I_SHADOW_RAYS - (int)b->count;
-        count = places->count - first < room ? places->count - first : room;
-        *seen += add_rays(b, places, first, count, start);
-        b->share[b->groups] = seen;
-        b->end[b->groups++] = b->count;
-        if (b->count < ALGSURF_I_SHADOW_RAYS && b->groups < ALGSURF_I_SHADOW_RAYS) continue;
+        b->seen[b->count++] = starts->seen[from];
+        if (b->count < ALGSURF_I_SHADOW_RAYS) continue;
         algsurf_status status = algsurf_i_send_shadow_rays(b);
         if (status < 0) return status;
     }
+    b->doubts.count = 0;
     return ALGSURF_OK;
 }

@@ -4,9 +4,10 @@
  * from a point, that is off by m + |d_1 / d_3| m in x, and likewise in y, but for terms of the order of m^2.
  * As |d| <= SLANT |d_3|, half sizes larger by (SLANT + 2) m take that in.
  *
- * Errors.  Let S(x,y,z) = sum |q_ijk| x^i y^j z^k, at the largest |x|, |y|, |z| of the segments.  What q_ijk
- * x^i y^j z^k contributes to a coefficient of one of them, however it is split up on its way, adds up to S at
- * most.  On that way it meets these roundings:
+ * Errors.  Let S(x,y,z) = sum |q_ijk| x^i y^j z^k.  Take absolute values everywhere: what all q_ijk
+ * contribute to a coefficient of one of the segments, however they are split up on their way, adds up to
+ * S(|x_1| + |d_1| + h_1, |x_2| + |d_2| + h_2, |x_3| + |d_3|) at most, and to S(|x_1|, |x_2|, |x_3|) for the
+ * first one, P at the point.  On that way q meets these roundings:
  * - 1 of q;
  * - 2n in the shift of z, a product and a sum each, and n + 1 for powers of d_3;
  * - 3n in that of y, a product and two sums each, 3n in that of x;
@@ -75,15 +76,6 @@ static int set_axes(const double edge_u[3], const double edge_v[3], const double
     return algsurf_unit(axis[2], axis[2]);
 }
 
-/* 1 / (n over k), from exact integers. */
-static void set_inverses(int n, double *inverse) {
-    double choose = 1;
-    for (int k = 0; k <= n; k++) {
-        inverse[k] = 1 / choose;
-        choose = choose * (n - k) / (k + 1);
-    }
-}
-
 void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], const double edge_u[3],
                           const double edge_v[3], double places, algsurf_i_fan *fan, void *memory) {
     algsurf_i_view *view = &fan->frame.view;
@@ -109,5 +101,5 @@ void algsurf_i_fan_expand(const algsurf_surface *s, const double position[3], co
     if (!fan->usable) return;
     fan->weight = 96 * (s->degree + 1) * ALGSURF_U + 3 * NOISE / ALGSURF_I_FAN_APART;
     fan->least_error = fan->frame.error + LOST_BY_UNDERFLOW;
-    set_inverses(s->degree, fan->inverse);
+    algsurf_i_inverse_binomials(s->degree, fan->inverse);
 }

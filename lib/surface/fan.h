@@ -10,13 +10,11 @@
 #ifndef ALGSURF_SURFACE_FAN_H
 #define ALGSURF_SURFACE_FAN_H
 #include "beam.h"
+#include "taylor.h"
 
 #define ALGSURF_MAX_FAN_DEGREE 7   /* beyond it fans cost more than they save */
 #define ALGSURF_I_SLANT 8          /* |d| / |d_3|: rectangles seen at a greater slant are not for fans */
 #define ALGSURF_I_FAN_APART 0x1p-4 /* A of fan.c */
-
-/* How many coefficients the r_ij have. */
-#define ALGSURF_I_FAN_SOLID(n) (((n) + 1) * ((n) + 2) * ((n) + 3) / 6)
 
 typedef struct algsurf_i_fan {
     int usable;                 /* 0: nothing else is known */

@@ -1,0 +1,65 @@
+/* shadow_kernel.h - rays from points of the surface to lights, and around, by every kernel. */
+#ifndef ALGSURF_SHADOW_KERNEL_H
+#define ALGSURF_SHADOW_KERNEL_H
+#include "../surface/fan.h"
+#include "../surface/taylor.h"
+#include "kernel.h"
+
+#define ALGSURF_I_STARTS 64      /* points whose shadow rays are found together */
+#define ALGSURF_I_AIMS 16        /* of these at once, */
+#define ALGSURF_I_RAYS_OF_ONE 32 /* and so many rays from each */
+
+/* Points, lifted off the surface, and the side of it that the viewer is on: structure of arrays. */
+typedef struct algsurf_i_starts {
+    int count;
+    double at[3][ALGSURF_I_STARTS], facing[3][ALGSURF_I_STARTS];
+    double number[ALGSURF_I_STARTS], across[ALGSURF_I_STARTS], up[ALGSURF_I_STARTS]; /* as in lattice.h */
+    double *seen[ALGSURF_I_STARTS]; /* where rays that arrive are added up */
+} algsurf_i_starts;
+
+/* Where rays from points go, and what is known of those they may meet. */
+typedef struct algsurf_i_shadow_job {
+    const algsurf_i_taylor *taylor; /* null: nothing is known of rays */
+    const algsurf_i_fan *fan;       /* of the light; null: nothing is known of it as a whole */
+    const algsurf_light *light; /* null: rays end on a ball of that radius that touches the point's plane: */
+    double ball;
+    const double *place[2]; /* of the light, in its edges from its middle: rays go there; or null: */
+    double lattice;         /* they go to points of lattices, which have so many */
+    double unit;            /* of the caller's coordinates, in natural ones */
+    double to_light[3];     /* its middle about the fan's centre, in the fan's unit */
+    int extent_kind;        /* sphere or box, about that centre */
+    double extent_size[3];  /* in that unit */
+    const algsurf_i_cut_plane *planes; /* in the caller's axes */
+    int plane_count;
+} algsurf_i_shadow_job;
+
+/* How much of a light a point sees: all of it, or what is hidden makes no difference; nothing; or that is not
+ * known. */
+enum { ALGSURF_I_UNKNOWN = 0, ALGSURF_I_LIT = 1, ALGSURF_I_DARK = 2 };
+
+/* Rays of which it is not known whether they arrive. */
+typedef struct algsurf_i_doubts {
+    int count, start[ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
+    double direction[3][ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
+} algsurf_i_doubts;
+
+typedef struct algsurf_i_shadow_kernel {
+    /* Points from `first` on, lifted by `height`, and by what a far hit may be off. */
+    void (*lift)(const algsurf_i_points *points, int first, int count, double height,
+                 algsurf_i_starts *starts);
+    /* how[i]: how much start i sees of the job's light. */
+    void (*see_light)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how);
+    /* Rays from `from` on, `rays` of them, of each of some starts: adds those that are not hidden to *seen;
+     * what is below the point's tangent plane counts as seen: shading knows how the point lies.  Those in
+     * doubt are appended. */
+    void (*see_rays)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first, int count,
+                     int from, int rays, algsurf_i_doubts *doubts);
+} algsurf_i_shadow_kernel;
+
+extern const algsurf_i_shadow_kernel algsurf_i_shadow_avx512, algsurf_i_shadow_avx2,
+    algsurf_i_shadow_baseline;
+
+/* The code for a kernel. */
+const algsurf_i_shadow_kernel *algsurf_i_shadow_kernel_for(const algsurf_i_kernel *kernel);
+
+#endif

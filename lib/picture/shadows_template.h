@@ -1,0 +1,39 @@
+/* shadows_template.h - the packet code of shadows as one kernel. */
+#ifndef ALGSURF_SHADOWS_TEMPLATE_H
+#define ALGSURF_SHADOWS_TEMPLATE_H
+#define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#define WATCHED 0
+#define MOST_DEGREE ALGSURF_MAX_BEAM_DEGREE
+#include "shadow_kernel.h"
+#include "segments_template.h"
+
+/* A millionth of what is shown is invisible, and well above the error of a hit's position, which the second
+ * term bounds for far eyes and far extents: position and t are rounded to 2^-53, and 2^-48 leaves room for
+ * the root's own error. */
+static void lift(const algsurf_i_points *points, int first, int count, double height,
+                 algsurf_i_starts *starts) {
+    for (int i = 0; i < count; i += LANES) {
+        lanes position[3], normal[3], direction[3];
+        for (int k = 0; k < 3; k++) {
+            position[k] = load_some(points->position[k] + first + i, count - i);
+            normal[k] = load_some(points->normal[k] + first + i, count - i);
+            direction[k] = load_some(points->direction[k] + first + i, count - i);
+        }
+        lanes far = larger(larger(absolute(position[0]), absolute(position[1])), absolute(position[2]));
+        lanes up = height + 0x1p-48 * (absolute(load_some(points->t + first + i, count - i)) + far);
+        mask singular = ~(less(all_lanes(0), absolute(normal[0])) | less(all_lanes(0), absolute(normal[1])) |
+                          less(all_lanes(0), absolute(normal[2])));
+        mask away = less(all_lanes(0), dot(normal, direction));
+        for (int k = 0; k < 3; k++) {
+            lanes facing = choose(singular, -direction[k], choose(away, -normal[k], normal[k]));
+            store(starts->facing[k] + i, facing);
+            store(starts->at[k] + i, position[k] + up * facing);
+        }
+    }
+    starts->count = count;
+}
+
+const algsurf_i_shadow_kernel KERNEL(algsurf_i_shadow) = {
+    .lift = lift, .see_light = see_light, .see_rays = see_rays};
+
+#endif
