@@ -30,8 +30,9 @@ const painter = new Painter({
         store.set({ picture: report }, { moving: report.stage === "moving" });
         hasPicture();
     },
-    onStatus({ kind }) {
-        if (kind === "slow") void words.then((text) => notice.show(text("slow"), "slow"));
+    onStatus({ kind, share = 0 }) {
+        const percent = share > 0 ? ` (${(100 * share).toFixed(1)} %)` : "";
+        if (kind === "slow") void words.then((text) => notice.show(text("slow") + percent, "slow"));
         if (kind === "replaced") void words.then((text) => notice.show(text("worker.replaced")));
     },
     onError: ({ message, code }) =>

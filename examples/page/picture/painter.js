@@ -161,6 +161,8 @@ export class Painter {
      * state. */
     #show(drawing, band) {
         const { request, stageNumber } = drawing;
+        if (stageNumber === 0 && !request.moving && this.#slow === surfaceIn(request.state))
+            this.#callbacks.onStatus({ kind: "slow", share: drawing.share });
         if (request.moving || (stageNumber === 0 && performance.now() - drawing.begin < PATIENCE)) return;
         if (!drawing.isVisible) {
             drawing.isVisible = true;

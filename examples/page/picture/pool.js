@@ -10,8 +10,7 @@ const AT_ONCE = 2; // bands a worker, so that it never waits for the next one
 const WATCH = 200; // milliseconds between two looks at the workers
 const UNWANTED = 400; // milliseconds a worker may go on with what was cancelled,
 const ASK_TIME = 20e3; // with an ask,
-const WAIT_TIME = 3e3; // with a band while an ask waits,
-const BAND_TIME = 120e3; // with a band
+const WAIT_TIME = 3e3; // with a band while an ask waits; a band that is wanted may take as long as it does
 const MOST_MEMORY = 512 * 2 ** 20; // bytes that an idle worker may hold
 const CANCELLED = { code: "E_CANCELLED", message: "given up for a newer one" };
 const UNBEGUN = { code: "E_UNBEGUN", message: "its worker was replaced" };
@@ -176,7 +175,7 @@ export class Pool {
             const waits = !current?.urgent && jobs.some((job) => job.urgent && !job.cancelled);
             if (unwanted && silent > UNWANTED) this.#replace(worker, null);
             else if (current && waits && silent > WAIT_TIME) this.#replace(worker, UNBEGUN);
-            else if (silent > (current && !current.urgent ? BAND_TIME : ASK_TIME))
+            else if ((!current || current.urgent) && silent > ASK_TIME)
                 this.#replace(worker, { code: "E_TIME", message: "it takes too long" });
         }
         if (this.#workers.every((worker) => worker.jobs.size === 0)) {
