@@ -6,7 +6,7 @@
  *   a generator that leaves the square uneven                                           pixels
  *   one shift for all purposes or all rows of tiles, none across, none up               shifts
  *   pixels of a tile in the order of their rows                                         neighbours
- *   points rounded to the nearest unit, not wrapped, a share of a unit aside              tiles, pixels
+ *   points rounded to the nearest unit, not brought back to the square, a quarter of a unit aside   tiles
  */
 #include <setjmp.h>
 #include <stdarg.h>

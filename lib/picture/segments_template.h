@@ -93,7 +93,7 @@ typedef struct ray_packet {
 INLINE void expand_rays_n(const solid_packet *s, const lanes d[3], lanes *c, int n) {
     const lanes *r = s->r + ALGSURF_I_SOLID(n);
     lanes power[TAYLOR_DEGREE + 1], level[TAYLOR_DEGREE + 1];
-    level[0] = power[0] = all_lanes(1), power[1] = d[2];
+    power[1] = d[2];
     UNROLLED
     for (int k = 2; k <= TAYLOR_DEGREE; k++) power[k] = power[k - 1] * d[2];
     UNROLLED
