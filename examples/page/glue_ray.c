@@ -1,46 +1,8 @@
 /* glue_ray.c - one ray of a picture: its chord in the extent, its polynomial, its hits and the search for
  * them. */
-#include <float.h>
-#include <math.h>
-
 #include "glue.h"
 
 /* ---- the chord ---- */
-
-/* The half space that a plane keeps leaves t with slope t <= room; both sums have a few roundings. */
-static void along(const algsurf_plane *plane, const algsurf_ray *ray, double *slope, double *slope_error,
-                  double *room, double *room_error) {
-    static const double ROUNDINGS = 8 * DBL_EPSILON;
-    *slope = *slope_error = 0;
-    *room = plane->offset;
-    *room_error = fabs(plane->offset);
-    for (int i = 0; i < 3; i++) {
-        *slope += plane->normal[i] * ray->direction[i];
-        *slope_error += fabs(plane->normal[i] * ray->direction[i]);
-        *room -= plane->normal[i] * ray->origin[i];
-        *room_error += fabs(plane->normal[i] * ray->origin[i]);
-    }
-    *slope_error *= ROUNDINGS;
-    *room_error *= ROUNDINGS;
-}
-
-/* What the planes leave of a chord, rounded outwards: with the planes themselves in the options of a call no
- * point is lost.  Returns 0: nothing. */
-static int cut(const algsurf_plane *planes, size_t count, algsurf_ray *chord) {
-    for (size_t i = 0; i < count; i++) {
-        double slope, slope_error, room, room_error;
-        along(&planes[i], chord, &slope, &slope_error, &room, &room_error);
-        if (fabs(slope) <= 2 * slope_error) {
-            if (room < -room_error && slope == 0 && slope_error == 0) return 0;
-            continue; /* as good as parallel */
-        }
-        const double t = room / slope;
-        const double error = (room_error + fabs(t) * slope_error) / (fabs(slope) - slope_error);
-        if (slope > 0) chord->t_max = fmin(chord->t_max, t + error);
-        if (slope < 0) chord->t_min = fmax(chord->t_min, t - error);
-    }
-    return chord->t_min <= chord->t_max;
-}
 
 /* The ray through a point of a picture, cut to the extent and by the planes: origin, direction, t_min, t_max
  * in eight doubles.  Returns 1; 0: nothing is left, t_min and t_max are those of the ray in the extent. */
@@ -52,12 +14,10 @@ int page_ray(const page_state *state, int width, int height, double x, double y,
     algsurf_status status = camera_of(state, &camera);
     keep(&status, status == ALGSURF_OK ? algsurf_camera_ray(&camera, width, height, x, y, chord) : status);
     keep(&status, status == ALGSURF_OK ? algsurf_extent_clip(&extent, chord, chord, &meets) : status);
-    if (status < 0) return status;
     algsurf_plane planes[ALGSURF_MAX_CLIP_PLANES];
-    algsurf_ray left = *chord;
-    if (!meets || !cut(planes, planes_of(state, planes), &left)) return 0;
-    *chord = left;
-    return 1;
+    if (status == ALGSURF_OK && meets)
+        keep(&status, algsurf_region_clip(&extent, planes, planes_of(state, planes), chord, chord, &meets));
+    return status < 0 ? status : meets;
 }
 
 /* ---- what the ray sees ---- */

@@ -62,12 +62,13 @@ ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, con
  *   chord, meets    as above
  * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes, of the exact
  * doubles, has its t in [chord->t_min, chord->t_max]; if there is one, meets is 1.  So the hits on the ray
- * are those on the chord, with the same extent and planes.  The chord is hardly longer: along axis i its
- * points are outside a box, or they are outside a ball, for the i with the largest sum, by at most
- *     2^-42 (|origin_i| + |centre_i| + size);
- * and beyond a plane, normal . X - offset, by at most
+ * are those on the chord, with the same extent and planes.  The chord is hardly longer.  Its points leave a
+ * box along axis i by at most
+ *     e_i = 2^-42 (|origin_i| + |centre_i| + size_i),
+ * a ball, of which each size_i is the radius, by at most the largest e_i, and a plane (normal . X - offset) by
+ * at most
  *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
- * (These two hold where no number is 2^900 times as large as another, nor near the limits of double.)
+ * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)
  * Errors: as above, for planes too: E_ARGUMENT (null, more than ALGSURF_MAX_CLIP_PLANES, normal 0),
  * E_NOT_FINITE.  Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_plane *planes,
