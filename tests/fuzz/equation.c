@@ -203,7 +203,7 @@ static void parenthesis(reader *r, value *a) {
     take(r);
     sum(r, a);
     fuzz_check(r->given_up || peek(r) == (open == '(' ? ')' : open == '[' ? ']' : '}'));
-    if (*r->at) r->at++;
+    take(r);
 }
 
 /* To some 400 bits, which is as good as exact here; near zero the error counts. */
