@@ -15,15 +15,16 @@
 
 /* ---- options ---- */
 
-int cli_is_constant_name(const char *name) {
-    static const char *const taken[] = {"x", "y", "z", "sqrt"};
-    if (!isalpha((unsigned char)name[0])) return 0;
-    for (const char *c = name; *c; c++)
-        if (!isalnum((unsigned char)*c) && *c != '_') return 0;
-    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
-        if (strcmp(name, taken[i]) == 0) return 0;
-    return 1;
+/* Does the library take constants of these names?  Not when one is no name, or both are the same. */
+static int are_constant_names(const char *a, const char *b) {
+    const algsurf_constant constants[] = {{a, 1}, {b, 1}};
+    algsurf_surface *surface = NULL;
+    algsurf_status status = algsurf_surface_from_equation("x", constants, b ? 2 : 1, &surface, NULL);
+    algsurf_surface_free(surface);
+    return status != ALGSURF_E_ARGUMENT;
 }
+
+int cli_is_constant_name(const char *name) { return are_constant_names(name, NULL); }
 
 static char *copy_of(const char *text, size_t length) {
     char *copy = malloc(length + 1);
@@ -33,9 +34,14 @@ static char *copy_of(const char *text, size_t length) {
     return copy;
 }
 
+/* Are these the same, with a Greek letter as itself in one, as a command of LaTeX in the other? */
+static int is_same_name(const char *a, const char *b) {
+    return cli_is_constant_name(a) && cli_is_constant_name(b) && !are_constant_names(a, b);
+}
+
 static int has_let(const cli_surface *surface, const char *name) {
     for (size_t i = 0; i < surface->let_count; i++)
-        if (strcmp(surface->lets[i].name, name) == 0) return 1;
+        if (is_same_name(surface->lets[i].name, name)) return 1;
     return 0;
 }
 
@@ -73,9 +79,23 @@ void cli_set_let(const cli_option *option, const char *value, void *field) {
     set_one_let(option, value, length, field);
 }
 
+/* Several words, of letters only and each longer than a letter: a name of a surface, with blanks. */
+static int are_words(const char *text) {
+    size_t words = 0;
+    for (const char *word = text + strspn(text, " "); *word; words++) {
+        size_t letters = 0;
+        while (isalpha((unsigned char)word[letters]) || word[letters] == '-') letters++;
+        if (letters < 2 || (word[letters] && word[letters] != ' ')) return 0;
+        word += letters;
+        word += strspn(word, " ");
+    }
+    return words > 1;
+}
+
 /* Signs that no name has, or a text that is an equation as it stands, "xyz", or with constants, "kxy". */
 static int is_equation(const char *text, int has_constants) {
-    if (strpbrk(text, "=^+*/()[]{}|<>!,; ") || isdigit((unsigned char)text[0])) return 1;
+    if (!are_words(text) && (strpbrk(text, "=^+*/()[]{}|<>!,;\\$ ") || isdigit((unsigned char)text[0])))
+        return 1;
     for (const char *c = text; *c; c++)
         if ((unsigned char)*c >= 0x80) return 1;
     algsurf_surface *surface = NULL;
@@ -178,8 +198,9 @@ static _Noreturn void ask_for_values(const values *known, const char *text, cons
         size_t length = strlen(list), used = strlen(fix);
         snprintf(names[n], sizeof names[n], "%.*s", (int)error.length, text + error.offset);
         snprintf(list + length, sizeof list - length, "%s%s", n ? ", " : "", names[n]);
-        snprintf(fix + used, sizeof fix - used, " --let %s=%s", names[n],
-                 is_euler(names[n], error.length) ? "2.718281828459045" : "...");
+        const char *quote = names[n][0] == '\\' ? "'" : ""; /* from the shell */
+        snprintf(fix + used, sizeof fix - used, " --let %s%s=%s%s", quote, names[n],
+                 is_euler(names[n], error.length) ? "2.718281828459045" : "...", quote);
         all[known->count + n] = (algsurf_constant){names[n], 1.5};
         status = algsurf_surface_from_equation(text, all, known->count + n + 1, &surface, &error);
     }
@@ -191,6 +212,16 @@ static _Noreturn void ask_for_values(const values *known, const char *text, cons
                     cli_column(shown, first->offset - skipped));
     cli_fail_in(shown, first->offset - skipped, first->length, "%s: give %s:%s", list,
                 n == 1 ? "it a value" : "them values", fix);
+}
+
+/* The word, a name or a command of LaTeX, at the start of text; "" for a letter, a number or a sign. */
+static cli_quoted word_at(const char *text, size_t length) {
+    cli_quoted word = {""};
+    if (length < 2 || !(isalpha((unsigned char)*text) || *text == '\\')) return word;
+    char *copy = copy_of(text, length);
+    word = cli_quote(copy);
+    free(copy);
+    return word;
 }
 
 /* Says why text, of which the first `skipped` bytes are not the user's, is no equation. */
@@ -206,8 +237,9 @@ static _Noreturn void refuse_equation(const values *known, const char *what, con
     algsurf_parse_error at = *error;
     if (status == ALGSURF_E_NAME && try_euler(known, text, &at) != ALGSURF_E_SYNTAX)
         ask_for_values(known, text, shown, skipped, error);
-    cli_fail_in(shown, at.offset - skipped, at.length, "%s: column %zu: %s", what,
-                cli_column(shown, at.offset - skipped), at.message);
+    cli_quoted name = word_at(text + at.offset, at.length);
+    cli_fail_in(shown, at.offset - skipped, at.length, "%s: column %zu: %s%s%s", what,
+                cli_column(shown, at.offset - skipped), name.text, *name.text ? ": " : "", at.message);
 }
 
 static algsurf_surface *parse(const values *known, const char *what, const char *text, size_t skipped) {
@@ -306,7 +338,7 @@ static values evaluate(const cli_surface *choice, const char *name, double value
     if (name) known.all[known.count++] = (algsurf_constant){name, value};
     for (size_t i = 0; i < choice->let_count; i++) {
         const cli_let *let = &choice->lets[i];
-        if (name && let->from_file && strcmp(let->name, name) == 0) continue;
+        if (name && let->from_file && is_same_name(let->name, name)) continue;
         double x = constant_of(&known, let);
         known.all[known.count++] = (algsurf_constant){let->name, x};
     }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equation_letter.h"
 #include "equation_parse.h"
 #include "../base/fpenv.h"
 #include "impl.h"
@@ -45,7 +46,7 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
 
 static int compare_names(const void *left, const void *right) {
     const algsurf_constant *const *a = left, *const *b = right;
-    return strcmp((*a)->name, (*b)->name);
+    return algsurf_i_name_order((*a)->name, strlen((*a)->name), (*b)->name, strlen((*b)->name));
 }
 
 static int reserved(const char *name) {
@@ -68,7 +69,7 @@ static algsurf_status sort_constants(const algsurf_constant *constants, size_t c
     for (size_t c = 0; c < count; c++) names[c] = &constants[c];
     qsort(names, count, sizeof *names, compare_names);
     for (size_t c = 1; c < count; c++) {
-        if (strcmp(names[c - 1]->name, names[c]->name) == 0) {
+        if (compare_names(&names[c - 1], &names[c]) == 0) {
             free(names);
             return ALGSURF_E_ARGUMENT;
         }
@@ -90,6 +91,10 @@ static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_c
     algsurf_status status = sort_constants(constants, count, &p->constants);
     if (status != ALGSURF_OK) return status;
     p->constant_count = count;
+    for (size_t c = 0; c < count; c++) {
+        size_t parts = algsurf_i_name_parts(constants[c].name, strlen(constants[c].name));
+        if (parts > p->longest) p->longest = parts;
+    }
     status = parse(p, surface);
     free(p->constants);
     return status;

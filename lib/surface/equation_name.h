@@ -3,10 +3,6 @@
 #define ALGSURF_EQUATION_NAME_H
 #include "equation_parse.h"
 
-/* The message for functions. */
-#define ALGSURF_I_NOT_POLYNOMIAL                                                                             \
-    "not a polynomial: of functions, only sqrt, sin and cos of constants are known"
-
 /* The caller's constant of this name, or null. */
 const algsurf_constant *algsurf_i_find_constant(const algsurf_i_parser *p, const char *name, size_t length);
 

@@ -1,11 +1,15 @@
 /* equation_parse.c - from an equation as text to a polynomial: recursive descent that computes.
  *
- *     equation = sum [ "=" sum ] [ ";" ]  |  "=" sum [ ";" ]
+ *     text     = [ open ] [ head ] equation [ close ] [ ";" ]      open and close: $ or another pair of LaTeX
+ *     head     = name "(" "x" "," "y" "," "z" ")" "="
+ *     equation = sum [ "=" sum ]  |  "=" sum                       without head, that one
  *     sum      = product { ("+" | "-") product }
  *     product  = signed { "*" signed | "/" signed | power }        the last: implicit multiplication
  *     signed   = { "+" | "-" } power
  *     power    = primary [ "^" signed | superscript { superscript } ]
  *     primary  = number | name | bracket | ("sqrt" | "sin" | "cos") bracket | root-sign primary
+ *              | "\sqrt" argument | "\frac" argument argument
+ *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
  * The signs are those of equation_token.h.  Every expression's value is a polynomial (equation_poly.h); what
@@ -19,9 +23,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equation_latex.h"
+#include "equation_letter.h"
 #include "equation_name.h"
 #include "equation_number.h"
 #include "equation_parse.h"
+#include "equation_refuse.h"
 #include "equation_sine.h"
 #include "equation_steps.h"
 #include "equation_token.h"
@@ -40,7 +47,6 @@ static int peek(parser *p) {
 /* Moves behind the token that peek has seen. */
 static void take(parser *p) { p->at += p->token.width; }
 
-static int is_letter(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
 static int number_follows(const parser *p) {
@@ -72,36 +78,10 @@ static int parse_number(parser *p, algsurf_i_tripoly *out) {
     return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 
-/* Refuses what stands here, with an explanation where it is something people try, or as `expected`. */
+/* Refuses what stands here. */
 static int refuse_token(parser *p, const char *expected) {
-    const char *why = expected;
-    switch (peek(p)) {
-    case '|':
-        why = "not a polynomial: an absolute value; an equation with |a| squared may do";
-        break;
-    case ALGSURF_I_TOKEN_INEQUALITY:
-        why = "expected '=': a surface is where both sides are equal";
-        break;
-    case ALGSURF_I_TOKEN_SUPERSCRIPT:
-        why = "an exponent with nothing before it to raise";
-        break;
-    case ',':
-        why = "a decimal point is written '.'";
-        break;
-    case '!':
-        why = "not a polynomial: a factorial";
-        break;
-    case ')':
-    case ']':
-    case '}':
-        if (p->depth == 0) why = "a closing bracket without an opening one";
-        break;
-    default:
-        if (number_follows(p))
-            why = "a number behind a factor: write x^2 for a power, 2x or x*2 for a product";
-        break;
-    }
-    return algsurf_i_parse_refuse(p, p->at, why);
+    (void)peek(p);
+    return algsurf_i_refuse_token(p, expected);
 }
 
 static const char *expected_closing(char closing) {
@@ -154,11 +134,54 @@ static int parse_root_sign(parser *p, algsurf_i_tripoly *out) {
     return 1;
 }
 
-/* sin (quarters 0) or cos (1) and what stands behind it. */
-static int parse_sine(parser *p, int quarters, algsurf_i_tripoly *out) {
+/* What a command of LaTeX applies to: a bracket, or a digit, since \frac12 is 1/2. */
+static int parse_argument(parser *p, algsurf_i_tripoly *out) {
+    int c = peek(p);
+    if (c == '{' || c == '(') return parse_bracket(p, out);
+    if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
+    take(p);
+    return algsurf_i_parse_value(p, algsurf_dd_from(c - '0'), 0.0, 0, 0, out);
+}
+
+static int parse_latex_sqrt(parser *p, algsurf_i_tripoly *out) {
+    take(p);
+    if (peek(p) == '[') return algsurf_i_parse_refuse(p, p->at, "of roots, only square roots are known");
+    size_t offset = p->at;
+    return parse_argument(p, out) && take_root(p, offset, out);
+}
+
+static int parse_fraction(parser *p, algsurf_i_tripoly *out) {
+    algsurf_i_tripoly below;
+    size_t offset = p->at;
+    if (!enter(p, offset)) return 0;
+    take(p);
+    if (!parse_argument(p, out)) return 0;
+    (void)peek(p);
+    size_t divisor = p->at;
+    if (!parse_argument(p, &below)) {
+        algsurf_i_tripoly_free(out);
+        return 0;
+    }
+    p->depth--;
+    return algsurf_i_parse_divide(p, offset, divisor, out, &below);
+}
+
+/* Does a name stand here that is neither pi nor a constant, as x in sin x?  p->token is seen. */
+static int unknown_name_follows(const parser *p) {
+    const algsurf_constant *constant;
+    const char *name = p->text + p->at;
+    if (p->token.kind != ALGSURF_I_TOKEN_LETTER) return 0;
+    size_t length = algsurf_i_name_length(name), factor = algsurf_i_first_factor(p, name, length, &constant);
+    return factor < length || algsurf_i_variable(name[0]);
+}
+
+/* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
+static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_tripoly *out) {
     algsurf_i_tripoly argument;
     size_t offset = p->at;
-    p->at += strlen("sin");
+    p->at += length;
+    (void)peek(p);
+    if (unknown_name_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (!parse_bracket(p, &argument)) return 0;
     int constant = algsurf_i_tripoly_is_constant(&argument);
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
@@ -189,8 +212,8 @@ static int parse_name(parser *p, algsurf_i_tripoly *out) {
         length = algsurf_i_name_length(name);
         constant = algsurf_i_find_constant(p, name, length);
         if (!constant && is_called(name, length, "sqrt")) return parse_sqrt(p, out);
-        if (!constant && is_called(name, length, "sin")) return parse_sine(p, 0, out);
-        if (!constant && is_called(name, length, "cos")) return parse_sine(p, 1, out);
+        if (!constant && is_called(name, length, "sin")) return parse_sine(p, length, 0, out);
+        if (!constant && is_called(name, length, "cos")) return parse_sine(p, length, 1, out);
         if (!constant && !algsurf_i_split_name(p, name, length)) return 0;
         if (!constant) length = algsurf_i_first_factor(p, name, length, &constant);
     }
@@ -205,14 +228,41 @@ static int parse_name(parser *p, algsurf_i_tripoly *out) {
 static int parse_primary(parser *p, algsurf_i_tripoly *out) {
     int c = peek(p);
     if (number_follows(p)) return parse_number(p, out);
-    if (is_letter(c)) return parse_name(p, out);
     if (algsurf_i_closing(c)) return parse_bracket(p, out);
-    if (c == ALGSURF_I_TOKEN_ROOT) return parse_root_sign(p, out);
-    if (c == ALGSURF_I_TOKEN_PI) {
+    switch (c) {
+    case ALGSURF_I_TOKEN_LETTER:
+        return parse_name(p, out);
+    case ALGSURF_I_TOKEN_ROOT:
+        return parse_root_sign(p, out);
+    case ALGSURF_I_TOKEN_SQRT:
+        return parse_latex_sqrt(p, out);
+    case ALGSURF_I_TOKEN_FRACTION:
+        return parse_fraction(p, out);
+    case ALGSURF_I_TOKEN_SINE:
+    case ALGSURF_I_TOKEN_COSINE:
+        return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE, out);
+    case ALGSURF_I_TOKEN_PI:
         take(p);
         return make_pi(p, out);
+    default:
+        return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
     }
-    return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
+}
+
+/* Does a factor begin with this token, other than a number? */
+static int begins_factor(int c) {
+    switch (c) {
+    case ALGSURF_I_TOKEN_LETTER:
+    case ALGSURF_I_TOKEN_ROOT:
+    case ALGSURF_I_TOKEN_SQRT:
+    case ALGSURF_I_TOKEN_FRACTION:
+    case ALGSURF_I_TOKEN_SINE:
+    case ALGSURF_I_TOKEN_COSINE:
+    case ALGSURF_I_TOKEN_PI:
+        return 1;
+    default:
+        return algsurf_i_closing(c) != '\0';
+    }
 }
 
 /* Why base^exponent is refused when the exponent is no whole number. */
@@ -289,7 +339,7 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
         return c == '*' ? algsurf_i_parse_multiply(p, offset, left, &right)
                         : algsurf_i_parse_divide(p, offset, operand, left, &right);
     }
-    if (is_letter(c) || algsurf_i_closing(c) || c == ALGSURF_I_TOKEN_ROOT || c == ALGSURF_I_TOKEN_PI) {
+    if (begins_factor(c)) {
         if (parse_power(p, &right)) return algsurf_i_parse_multiply(p, offset, left, &right);
         algsurf_i_tripoly_free(left);
         return 0;
@@ -324,21 +374,27 @@ static int parse_sum(parser *p, algsurf_i_tripoly *out) {
     return 0;
 }
 
+/* Takes the signs that close the equation, where some opened it. */
+static void take_closing(parser *p) {
+    (void)peek(p);
+    if (!p->closing || strncmp(p->text + p->at, p->closing, strlen(p->closing)) != 0) return;
+    p->at += strlen(p->closing);
+    p->closing = NULL;
+}
+
 /* The end of the text, after a whole equation. */
 static int parse_end(parser *p, int equals_seen) {
-    if (peek(p) == ';') {
+    take_closing(p);
+    if (!p->closing && peek(p) == ';') {
         take(p);
         if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "nothing may follow ';'");
     }
-    switch (peek(p)) {
-    case '\0':
-        return 1;
-    case '=':
-        return algsurf_i_parse_refuse(p, p->at, "a second '='");
-    default:
-        return refuse_token(p, equals_seen ? "expected an operator or the end"
-                                           : "expected an operator, '=' or the end");
-    }
+    int c = peek(p);
+    if (c == '=') return algsurf_i_parse_refuse(p, p->at, "a second '='");
+    if (p->closing) return refuse_token(p, "expected an operator or the sign that closes the equation");
+    if (c == '\0') return 1;
+    return refuse_token(p, equals_seen ? "expected an operator or the end"
+                                       : "expected an operator, '=' or the end");
 }
 
 /* *left minus the sum behind '='; *left is freed on failure. */
@@ -357,9 +413,40 @@ static int parse_right(parser *p, algsurf_i_tripoly *left) {
     return ok;
 }
 
+/* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
+static int take_signs(parser *p, const char *signs) {
+    parser ahead = *p;
+    for (const char *sign = signs; *sign; sign++) {
+        int c = peek(&ahead);
+        if (c == ALGSURF_I_TOKEN_LETTER) c = algsurf_i_variable(ahead.text[ahead.at]);
+        if (c != *sign) return 0;
+        take(&ahead);
+    }
+    p->at = ahead.at;
+    return 1;
+}
+
+/* The start of the text: signs about the whole, and P(x,y,z) = as a name of what is zero.  *named becomes
+ * whether that is there. */
+static int parse_head(parser *p, int *named) {
+    (void)peek(p);
+    const algsurf_i_quotes *quotes = algsurf_i_latex_quotes(p->text + p->at);
+    if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
+    (void)peek(p);
+    size_t start = p->at;
+    p->at += algsurf_i_name_length(p->text + start);
+    *named = p->at > start && take_signs(p, "(x,y,z)=");
+    if (*named) return 1;
+    int of_two = p->at > start && take_signs(p, "(x,y)=");
+    p->at = start;
+    return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
+}
+
 int algsurf_i_parse_equation(parser *p, algsurf_i_tripoly *out) {
     algsurf_i_tripoly value;
-    int equals = peek(p) == '=';
+    int named;
+    if (!parse_head(p, &named)) return 0;
+    int equals = !named && peek(p) == '=';
     if (equals) take(p);
     if (!parse_sum(p, &value)) return 0;
     if (!equals && peek(p) == '=') {

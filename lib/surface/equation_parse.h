@@ -10,9 +10,11 @@ typedef struct algsurf_i_parser {
     const char *text;
     const algsurf_constant **constants; /* sorted by name */
     size_t constant_count;
+    size_t longest;        /* how many letters, digits, underscores the longest of their names has */
     size_t at;             /* how far the text is read */
     size_t letters_end;    /* up to here, names are products of variables, constants and pi */
     algsurf_i_token token; /* at that place */
+    const char *closing;   /* what is to close the signs about the whole, $ for one; null: there are none */
     size_t unknown;        /* the length of the name without a value, after ALGSURF_E_NAME */
     int depth;
     algsurf_status status; /* the failure, if any */

@@ -1,14 +1,16 @@
 /* equation_token.c - see equation_token.h.
  *
  * Text is UTF-8.  Characters beyond ASCII are few, hence looked up in a table; a byte that begins none of
- * them is a token by itself, up to the next byte that begins a character, so that offsets of errors never
- * point into one.
+ * them, and no letter, is a token by itself, up to the next byte that begins a character, so that offsets of
+ * errors never point into one.
  */
 #include "../base/arithmetic.h"
 #include "equation_token.h"
 
 #include <string.h>
 
+#include "equation_latex.h"
+#include "equation_letter.h"
 #include "equation_number.h"
 
 enum { BLANK = ' ' };
@@ -57,10 +59,6 @@ static const struct {
     {"\xe2\x81\xb9", ALGSURF_I_TOKEN_SUPERSCRIPT, 9},
 };
 
-static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-static int is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
 static algsurf_i_token beyond_ascii(const char *text) {
     for (size_t s = 0; s < sizeof signs / sizeof *signs; s++) {
         size_t width = strlen(signs[s].text);
@@ -74,12 +72,15 @@ static algsurf_i_token beyond_ascii(const char *text) {
 
 algsurf_i_token algsurf_i_token_at(const char *text) {
     char c = text[0];
+    algsurf_i_letter letter = algsurf_i_letter_at(text);
+    if (letter.width > 0) return (algsurf_i_token){ALGSURF_I_TOKEN_LETTER, 0, letter.width};
     if ((unsigned char)c >= 0x80) return beyond_ascii(text);
+    if (c == '\\') return algsurf_i_latex_token(text);
     if (c == '\0') return (algsurf_i_token){'\0', 0, 0};
     if (c == '*' && text[1] == '*') return (algsurf_i_token){'^', 0, 2};
     if (c == '=' && text[1] == '=') return (algsurf_i_token){'=', 0, 2};
     if (c == '<' || c == '>') return (algsurf_i_token){ALGSURF_I_TOKEN_INEQUALITY, 0, 1};
-    if (c >= '\t' && c <= '\r') c = BLANK;
+    if ((c >= '\t' && c <= '\r') || c == '~') c = BLANK;
     return (algsurf_i_token){c, 0, 1};
 }
 
@@ -94,19 +95,6 @@ size_t algsurf_i_blanks(const char *text) {
 
 char algsurf_i_closing(int token) {
     return token == '(' ? ')' : token == '[' ? ']' : token == '{' ? '}' : '\0';
-}
-
-size_t algsurf_i_name_length(const char *text) {
-    size_t n = 0;
-    if (is_letter(text[0])) {
-        while (is_name_part(text[n])) n++;
-    }
-    return n;
-}
-
-char algsurf_i_variable(char c) {
-    if (c >= 'X' && c <= 'Z') c = (char)(c - 'X' + 'x');
-    return c >= 'x' && c <= 'z' ? c : '\0';
 }
 
 int algsurf_i_is_function(const char *name, size_t length) {

@@ -3,12 +3,18 @@
 #define ALGSURF_EQUATION_TOKEN_H
 #include <stddef.h>
 
-/* What stands at a place of the text: an ASCII character, or one of these. */
+/* What stands at a place of the text: an ASCII character that is no letter, or one of these. */
 enum {
     ALGSURF_I_TOKEN_SUPERSCRIPT = 256, /* one digit of an exponent */
     ALGSURF_I_TOKEN_ROOT,              /* a root sign */
     ALGSURF_I_TOKEN_PI,                /* the letter */
+    ALGSURF_I_TOKEN_LETTER,            /* of a name: equation_letter.h */
     ALGSURF_I_TOKEN_INEQUALITY,
+    ALGSURF_I_TOKEN_FRACTION, /* from here on: commands of LaTeX */
+    ALGSURF_I_TOKEN_SQRT,
+    ALGSURF_I_TOKEN_SINE,
+    ALGSURF_I_TOKEN_COSINE,
+    ALGSURF_I_TOKEN_COMMAND, /* any other */
     ALGSURF_I_TOKEN_UNKNOWN
 };
 
@@ -22,17 +28,11 @@ typedef struct algsurf_i_token {
 size_t algsurf_i_blanks(const char *text);
 
 /* The token the text starts with.  Signs that mean the same are the same: '^' for two asterisks, '=' for two
- * equality signs, '*' for a raised dot or a cross, '-' for a minus sign. */
+ * equality signs, '*' for a raised dot, a cross or \cdot, '-' for a minus sign. */
 algsurf_i_token algsurf_i_token_at(const char *text);
 
 /* The bracket that closes what the token opens: ) ] }; 0 for all other tokens. */
 char algsurf_i_closing(int token);
-
-/* The length of the name at the start of text: a letter, then letters, digits, underscores. */
-size_t algsurf_i_name_length(const char *text);
-
-/* 'x', 'y' or 'z' for these letters and their capitals, 0 for all other characters. */
-char algsurf_i_variable(char c);
 
 /* Is the name that of a function people know which is no polynomial, such as sin? */
 int algsurf_i_is_function(const char *name, size_t length);

@@ -41,19 +41,42 @@ static void limit(reader *r, value *a) {
     if (r->given_up || bits_of(a->v) > MOST_BITS || bits_of(a->size) > MOST_BITS) give_up(r, a);
 }
 
-enum { OTHER, ROOT, PI, SUPERSCRIPT }; /* what a sign beyond ASCII may be; ASCII is itself */
+/* What a sign beyond ASCII may be, or a command of LaTeX; ASCII but for letters is itself. */
+enum { OTHER, ROOT, PI, SUPERSCRIPT, LETTER, SQRT, FRACTION, SINE, COSINE };
 
 /* Signs that mean the same are read as the same, written from the documentation in surface.h. */
 static const struct {
     const char *text;
     char as;
-} signs[] = {{"**", '^'},     {"==", '='},     {"\u00b7", '*'},  {"\u00d7", '*'}, {"\u22c5", '*'},
-             {"\u2217", '*'}, {"\u2062", '*'}, {"\u2212", '-'},  {"\u2013", '-'}, {"\u00f7", '/'},
-             {"\u2215", '/'}, {"\u2044", '/'}, {"\u221a", ROOT}, {"\u03c0", PI}};
+} signs[] = {{"**", '^'},           {"==", '='},      {"\u00b7", '*'},      {"\u00d7", '*'},
+             {"\u22c5", '*'},       {"\u2217", '*'},  {"\u2062", '*'},      {"\u2212", '-'},
+             {"\u2013", '-'},       {"\u00f7", '/'},  {"\u2215", '/'},      {"\u2044", '/'},
+             {"\u221a", ROOT},      {"\u03c0", PI},   {"\\cdot", '*'},      {"\\times", '*'},
+             {"\\ast", '*'},        {"\\div", '/'},   {"\\{", '{'},         {"\\}", '}'},
+             {"\\pi", PI},          {"\\sqrt", SQRT}, {"\\frac", FRACTION}, {"\\dfrac", FRACTION},
+             {"\\tfrac", FRACTION}, {"\\sin", SINE},  {"\\cos", COSINE}};
 static const char *const superscripts[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-static const char *const blanks[] = {"\u00a0", "\u2002", "\u2003", "\u2004", "\u2005", "\u2006", "\u2007",
-                                     "\u2008", "\u2009", "\u200a", "\u200b", "\u202f", "\u205f", "\ufeff"};
+static const char *const blanks[] = {
+    "\u00a0", "\u2002",  "\u2003", "\u2004",  "\u2005", "\u2006", "\u2007", "\u2008", "\u2009", "\u200a",
+    "\u200b", "\u202f",  "\u205f", "\ufeff",  "~",      "\\,",    "\\;",    "\\:",    "\\!",    "\\ ",
+    "\\quad", "\\qquad", "\\left", "\\right", "\\bigl", "\\bigr", "\\Bigl", "\\Bigr", "\\big",  "\\Big"};
+/* Greek letters that names have: two or three spellings of the same. */
+static const char *const greek[][3] = {
+    {"\u03b1", "\\alpha"},    {"\u03b2", "\\beta"},   {"\u03b3", "\\gamma"},   {"\u03b4", "\\delta"},
+    {"\u03b5", "\\epsilon"},  {"\u03b6", "\\zeta"},   {"\u03b7", "\\eta"},     {"\u03b8", "\\theta"},
+    {"\u03b9", "\\iota"},     {"\u03ba", "\\kappa"},  {"\u03bb", "\\lambda"},  {"\u03bc", "\\mu", "\u00b5"},
+    {"\u03bd", "\\nu"},       {"\u03be", "\\xi"},     {"\u03bf", "\\omicron"}, {"\u03c1", "\\rho"},
+    {"\u03c2", "\\varsigma"}, {"\u03c3", "\\sigma"},  {"\u03c4", "\\tau"},     {"\u03c5", "\\upsilon"},
+    {"\u03c6", "\\phi"},      {"\u03c7", "\\chi"},    {"\u03c8", "\\psi"},     {"\u03c9", "\\omega"},
+    {"\u0391", "\\Alpha"},    {"\u0392", "\\Beta"},   {"\u0393", "\\Gamma"},   {"\u0394", "\\Delta"},
+    {"\u0395", "\\Epsilon"},  {"\u0396", "\\Zeta"},   {"\u0397", "\\Eta"},     {"\u0398", "\\Theta"},
+    {"\u0399", "\\Iota"},     {"\u039a", "\\Kappa"},  {"\u039b", "\\Lambda"},  {"\u039c", "\\Mu"},
+    {"\u039d", "\\Nu"},       {"\u039e", "\\Xi"},     {"\u039f", "\\Omicron"}, {"\u03a0", "\\Pi"},
+    {"\u03a1", "\\Rho"},      {"\u03a3", "\\Sigma"},  {"\u03a4", "\\Tau"},     {"\u03a5", "\\Upsilon"},
+    {"\u03a6", "\\Phi"},      {"\u03a7", "\\Chi"},    {"\u03a8", "\\Psi"},     {"\u03a9", "\\Omega"},
+    {"\u03d1", "\\vartheta"}, {"\u03d5", "\\varphi"}, {"\u03f1", "\\varrho"},  {"\u03f5", "\\varepsilon"},
+};
 
 static size_t starts(const char *text, const char *with) {
     size_t length = strlen(with);
@@ -66,11 +89,39 @@ static int digit_above(const char *text) {
     return -1;
 }
 
+static int is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+static int is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/* Which letter the text starts with: the character, or 256 and the row of a Greek one; 0 for none. */
+static int letter_at(const char *text, size_t *width) {
+    *width = 1;
+    if (is_latin(*text)) return *text;
+    for (int row = 0; row < (int)(sizeof greek / sizeof *greek); row++)
+        for (int spelling = 0; spelling < 3 && greek[row][spelling]; spelling++)
+            if ((*width = starts(text, greek[row][spelling])) && (*text != '\\' || !is_latin(text[*width])))
+                return 256 + row;
+    return *width = 0;
+}
+
+/* A letter, a digit, an underscore. */
+static int part_at(const char *text, size_t *width) {
+    *width = 1;
+    return is_digit(*text) || *text == '_' ? *text : letter_at(text, width);
+}
+
+static size_t name_length(const char *text) {
+    size_t n = 0, width;
+    if (!letter_at(text, &width)) return 0;
+    while (part_at(text + n, &width)) n += width;
+    return n;
+}
+
 /* The sign at r->at, behind blanks; *width is its length in bytes. */
 static char sign_at(reader *r, size_t *width) {
     for (size_t i = 0, n; i < sizeof blanks / sizeof *blanks; i++)
         if ((n = starts(r->at, blanks[i])) || *r->at == ' ' || (*r->at >= '\t' && *r->at <= '\r'))
             r->at += n ? n : 1, i = (size_t)-1;
+    if (letter_at(r->at, width)) return LETTER;
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
         if ((*width = starts(r->at, signs[i].text))) return signs[i].as;
     *width = *r->at != '\0';
@@ -89,9 +140,6 @@ static void take(reader *r) {
     (void)sign_at(r, &width);
     r->at += width;
 }
-
-static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
 static int digit_of(char c, int hexadecimal) {
     if (is_digit(c)) return c - '0';
@@ -155,7 +203,7 @@ static void parenthesis(reader *r, value *a) {
     take(r);
     sum(r, a);
     fuzz_check(r->given_up || peek(r) == (open == '(' ? ')' : open == '[' ? ']' : '}'));
-    if (*r->at) r->at++;
+    take(r);
 }
 
 /* To some 400 bits, which is as good as exact here; near zero the error counts. */
@@ -195,10 +243,18 @@ static void sine(value *a, int is_cosine) {
     mpf_clears(x, term, sum, NULL);
 }
 
+static int is_same_name(const char *a, const char *b, size_t length) {
+    for (const char *end = b + length; b < end;) {
+        size_t of_a, of_b;
+        if (part_at(a, &of_a) != part_at(b, &of_b)) return 0;
+        a += of_a, b += of_b;
+    }
+    return !*a;
+}
+
 static int constant_named(reader *r, const char *name, size_t length, value *a) {
     for (size_t i = 0; i < r->count; i++) {
-        if (strlen(r->constants[i].name) != length || strncmp(r->constants[i].name, name, length) != 0)
-            continue;
+        if (!is_same_name(r->constants[i].name, name, length)) continue;
         exact_set(a->v, r->constants[i].value), mpq_abs(a->size, a->v);
         return 1;
     }
@@ -217,25 +273,35 @@ static void pi(value *a) {
 static void factor(reader *r, value *a) {
     const char *start = r->at;
     char variable = *start >= 'a' ? *start : (char)(*start + 32);
-    if (variable >= 'x') {
+    if (variable >= 'x' && is_latin(*start)) {
         r->at++;
         mpq_set(a->v, r->point[variable - 'x']), mpq_abs(a->size, a->v);
         return;
     }
-    for (size_t n = (size_t)(r->letters_end - start); n > 0; n--) {
-        r->at = start + n;
-        if (constant_named(r, start, n, a)) return;
+    size_t longest = 0, width;
+    for (size_t n = 0; start + n < r->letters_end;) {
+        (void)part_at(start + n, &width), n += width;
+        if (constant_named(r, start, n, a)) longest = n;
     }
+    r->at = start + longest;
+    if (longest && constant_named(r, start, longest, a)) return;
     fuzz_check((start[0] | 32) == 'p' && (start[1] | 32) == 'i');
     r->at = start + 2;
     pi(a);
 }
 
+/* The sine or cosine of the bracket that follows. */
+static void sine_of(reader *r, int is_cosine, value *a) {
+    (void)peek(r);
+    parenthesis(r, a);
+    if (!r->given_up) sine(a, is_cosine);
+    limit(r, a);
+}
+
 static void name(reader *r, value *a) {
     const char *start = r->at;
     if (start >= r->letters_end) {
-        size_t length = 0;
-        while (is_letter(start[length]) || is_digit(start[length]) || start[length] == '_') length++;
+        size_t length = name_length(start);
         r->at += length;
         if (constant_named(r, start, length, a)) return;
         if (length == 4 && strncmp(start, "sqrt", 4) == 0) {
@@ -246,10 +312,7 @@ static void name(reader *r, value *a) {
         }
         int is_sine = length == 3 && strncmp(start, "sin", 3) == 0;
         if (is_sine || (length == 3 && strncmp(start, "cos", 3) == 0)) {
-            (void)peek(r);
-            parenthesis(r, a);
-            if (!r->given_up) sine(a, !is_sine);
-            limit(r, a);
+            sine_of(r, !is_sine, a);
             return;
         }
         r->letters_end = start + length;
@@ -258,12 +321,45 @@ static void name(reader *r, value *a) {
     factor(r, a);
 }
 
+static void over(reader *r, value *a, value *b);
+
+/* Of a command: a bracket, or one digit. */
+static void argument(reader *r, value *a) {
+    char c = peek(r);
+    if (!is_digit(c)) {
+        fuzz_check(c == '{' || c == '(');
+        parenthesis(r, a);
+        return;
+    }
+    take(r);
+    mpq_set_ui(a->v, (unsigned long)(c - '0'), 1), mpq_set(a->size, a->v);
+}
+
+static void command(reader *r, char kind, value *a) {
+    take(r);
+    if (kind == SINE || kind == COSINE) {
+        sine_of(r, kind == COSINE, a);
+        return;
+    }
+    argument(r, a);
+    if (kind == SQRT && !r->given_up) square_root(r, a);
+    if (kind == FRACTION && !r->given_up) {
+        value b;
+        value_init(&b);
+        argument(r, &b);
+        if (!r->given_up) over(r, a, &b);
+        value_clear(&b);
+    }
+}
+
 static void primary(reader *r, value *a) {
     char c = peek(r);
     if (is_digit(c) || c == '.') {
         number(r, a);
-    } else if (is_letter(c)) {
+    } else if (c == LETTER) {
         name(r, a);
+    } else if (c == SQRT || c == FRACTION || c == SINE || c == COSINE) {
+        command(r, c, a);
     } else if (c == ROOT) {
         take(r);
         primary(r, a);
@@ -335,7 +431,7 @@ static void with_sign(reader *r, value *a) {
 }
 
 static int begins_factor(char c) {
-    return c == '(' || c == '[' || c == '{' || c == ROOT || c == PI || is_letter(c);
+    return c == '(' || c == '[' || c == '{' || c == ROOT || c == PI || (c >= LETTER && c <= COSINE);
 }
 
 static void product(reader *r, value *a) {
@@ -368,15 +464,36 @@ static void sum(reader *r, value *a) {
     value_clear(&b);
 }
 
+/* P(x,y,z) = before an equation, where it is there. */
+static int head(reader *r) {
+    const char *start = (peek(r), r->at);
+    r->at += name_length(start);
+    for (const char *sign = "(x,y,z)="; *sign && r->at > start; sign++) {
+        char c = peek(r);
+        if (c == LETTER && is_latin(*r->at)) c = *r->at >= 'a' ? *r->at : (char)(*r->at + 32);
+        if (c != *sign) r->at = start;
+        if (c == *sign) take(r);
+    }
+    return r->at > start;
+}
+
 static void equation(reader *r, value *a) {
+    static const char *const pairs[][2] = {{"$$", "$$"}, {"$", "$"}, {"\\(", "\\)"}, {"\\[", "\\]"}};
+    const char *close = NULL;
     value b;
     value_init(&b);
-    if (peek(r) == '=') take(r);
+    (void)peek(r);
+    for (int pair = 0; pair < 4 && !close; pair++)
+        if (starts(r->at, pairs[pair][0])) r->at += strlen(pairs[pair][0]), close = pairs[pair][1];
+    if (!head(r) && peek(r) == '=') take(r);
     sum(r, a);
     if (!r->given_up && peek(r) == '=') {
         take(r), sum(r, &b);
         mpq_sub(a->v, a->v, b.v), mpq_add(a->size, a->size, b.size);
     }
+    (void)peek(r);
+    fuzz_check(r->given_up || !close || starts(r->at, close));
+    if (close && !r->given_up) r->at += strlen(close);
     if (!r->given_up && peek(r) == ';') take(r);
     fuzz_check(r->given_up || peek(r) == '\0');
     value_clear(&b);
@@ -451,13 +568,16 @@ static void check_refusal(algsurf_status status, const char *text, const algsurf
                status == ALGSURF_E_RANGE;
     fuzz_check(told == (error->message != NULL));
     if (told) fuzz_check(error->offset + error->length <= strlen(text) && error->message[0]);
-    if (status == ALGSURF_E_NAME) fuzz_check(is_letter(text[error->offset]) && error->length > 0);
+    size_t width;
+    if (status == ALGSURF_E_NAME)
+        fuzz_check(letter_at(text + error->offset, &width) && error->length >= width);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char *text = fuzz_string(data, size), *rest = strchr(text, ';');
     algsurf_constant constants[MOST_CONSTANTS];
     size_t count = 0;
+    while (rest && rest > text && rest[-1] == '\\') rest = strchr(rest + 1, ';'); /* a blank of LaTeX */
     if (rest && rest[1] == ';') rest++;
     while (rest && count < MOST_CONSTANTS) {
         *rest++ = '\0';

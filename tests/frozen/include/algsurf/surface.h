@@ -25,7 +25,7 @@ typedef struct algsurf_term {
 
 /* A named constant for algsurf_surface_from_equation. */
 typedef struct algsurf_constant {
-    const char *name; /* a letter, then letters, digits, underscores; not x, y, z, sqrt */
+    const char *name; /* a letter, Latin or Greek, then letters, digits, underscores; not x, y, z, sqrt */
     double value;     /* finite; for a number that is not a double, such as sqrt(5), the nearest double */
 } algsurf_constant;
 
@@ -59,7 +59,12 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * minus sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of
  * what follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
  * variables, unless they are constants; no-break and other typographic spaces are blanks; the text may begin
- * with '=' and end with ';'.
+ * with '=', or with NAME(x,y,z) =, which is skipped, and end with ';'.
+ *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without backslash,
+ * a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and \right
+ * (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ are blanks; a pair $ $, $$ $$, \( \) or \[ \] may
+ * stand about the whole.  A Greek letter in a name is the same as its command: \phi, \Gamma; \varphi is
+ * another letter, U+03D5; the Greek pi is none.
  *     Every coefficient is computed in double-double and rounded once; a number alone becomes the nearest
  * double.  pi, roots, sines and cosines are computed to the full accuracy of double-double, so that a
  * coefficient made of them is the double nearest to what is written, or the one next to it.  The surface is
