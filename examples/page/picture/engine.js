@@ -564,7 +564,7 @@ function mentions(equation, name) {
     return equation.replace(/sqrt|sin|cos|pi/g, " ").includes(name);
 }
 
-/** Cells from the numbers that glue.c's on_cell records. */
+/** Cells from the numbers that glue_ray.c's on_cell records. */
 function cellsFrom(numbers) {
     const cells = [];
     for (let at = 0; at + 5 <= numbers.length; ) {
