@@ -226,7 +226,7 @@ static const char *breach_of(const answer *a, const truth *known) {
     double error = isinf(known->error) ? 0 : known->error;
     if (a->state == ALGSURF_UNDECIDED)
         return known->state == ALGSURF_HIT && a->has_interval && known->hi < a->lo
-                   ? "doubt that begins behind the root"
+                   ? "an undecided interval that begins behind the root"
                    : NULL;
     if (a->state == ALGSURF_MISS) return known->state == ALGSURF_HIT ? "a miss where there is a hit" : NULL;
     if (known->state == ALGSURF_MISS) return "a hit where there is none";

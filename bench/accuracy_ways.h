@@ -40,9 +40,9 @@ typedef struct verdict {
 
 /* Of the answers of the last run.  Stated for t: the tolerance, rounding of t and with a tolerance of
  * the chord, for pictures 2^-36 of the extent's radius, and what a few rounding errors of P at the hit can
- * move the root.  A breach is a wrong state, an interval without the root or without t, doubt that begins
- * behind the root; and t off by more than is stated, for all methods but regula falsi, which promises
- * nothing. */
+ * move the root.  A breach is a wrong state, an interval without the root or without t, an undecided interval
+ * that begins behind the root; and t off by more than is stated, for all methods but regula falsi, which
+ * promises nothing. */
 verdict ways_judge(ways *w, const setting *s);
 
 /* The largest of the tolerances, falling numbers, from which on the bytes of the setting's picture, standard

@@ -221,7 +221,8 @@ verdict judge(const truth *known, const answers *a, size_t i) {
     if (known->state == ALGSURF_UNDECIDED) return v;
     if (is_hit && known->state == ALGSURF_MISS) v.wrong = "a hit where there is no root";
     if (a->state[i] == ALGSURF_MISS && known->state == ALGSURF_HIT) v.wrong = "a miss where there is a root";
-    if (precise && v.undecided && is_before(known, a->t_lo[i])) v.wrong = "a root before the doubt begins";
+    if (precise && v.undecided && is_before(known, a->t_lo[i]))
+        v.wrong = "a root before the undecided interval";
     if (!precise || !is_hit) return v;
     v.error = fabs((a->t[i] - known->root) - known->rest) / known->unit;
     if (is_before(known, a->t_lo[i]) || is_after(known, a->t_hi[i])) v.wrong = "not the first root";

@@ -37,7 +37,7 @@ typedef struct verdict {
 } verdict;
 
 /* Judges answer i.  Wrong is a hit or miss that is none, a root outside of the interval that is said to
- * enclose it, a doubt that begins behind the first root. */
+ * enclose it, an undecided interval that begins behind the first root. */
 verdict judge(const truth *known, const answers *a, size_t i);
 
 #endif

@@ -104,7 +104,7 @@ static const contest_chapter chapters[] = {
          "sector of\n"
          "0.1 about the real axis.  The same picture by each kernel, and with every pixel by itself "
          "instead of\n"
-         "starting from the row above.  single: pixels that rows leave in doubt; open: still so; sweeps: "
+         "starting from the row above.  single: pixels that rows leave undecided; open: still so; sweeps: "
          "corrections\n"
          "of each root, mean.",
      .unit = "ms",

@@ -13,7 +13,7 @@ enum { SEED_DEGREE = 10 };
 typedef struct seed_ray {
     double c[SEED_DEGREE + 1];
     int pixel;
-    int bracketed;       /* 0: no root, a root met exactly, or one in doubt; what follows is then not set */
+    int bracketed;       /* 0: no root, a root met exactly, or one undecided; what follows is then not set */
     double lo, hi;       /* isolates the first root: verified */
     double root, radius; /* the first root lies within radius of root: verified */
 } seed_ray;

@@ -43,7 +43,7 @@ static double median(const seed_times *t) { return measure_quantile(t->seconds, 
 
 static void print_costs(const seed_result *r, size_t pixels) {
     printf("\n%s: degree %d, %zu rays, %zu brackets", r->name, r->degree, r->rays, r->brackets);
-    if (r->undecided) printf(", %zu in doubt", r->undecided);
+    if (r->undecided) printf(", %zu undecided", r->undecided);
     printf("; a call with nothing to refine: %.0f ns, a rival's %.0f ns\n", 1e9 * median(&r->idle[0]),
            1e9 * median(&r->idle[1]));
     printf("%-14s %6s %6s %6s %7s %14s %14s %14s %8s\n", "method", "a ray", "eval", "most", "wrong%",

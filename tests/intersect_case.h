@@ -145,7 +145,7 @@ static inline const char *intersect_agree(const intersect_answer *a) {
         return "first is elsewhere";
     if (a->first.state == ALGSURF_UNDECIDED &&
         (a->first.t_lo != a->all[0].t_lo || a->first.t_hi != a->all[0].t_hi))
-        return "first is in doubt elsewhere than all";
+        return "first is undecided elsewhere than all";
     int wanted = a->count == 0 ? ALGSURF_MISS : any ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     /* an odd number of hits that cannot be told apart is a hit for occluded alone */
     return a->occluded == wanted || (wanted == ALGSURF_UNDECIDED && a->occluded == ALGSURF_HIT)

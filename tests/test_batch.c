@@ -2,8 +2,8 @@
  * chain over integers, bits of one kernel against those of the others.
  *
  * Breaks caught, each tried: the error radius left out, of whole polynomials or of cells, what lies behind an
- * empty cell forgotten, a doubtful lane told as one without a root, a scaled lane's radius not scaled, an
- * answer written before all polynomials were checked, a kernel that doubts everything, a root refined in the
+ * empty cell forgotten, an undecided lane told as one without a root, a scaled lane's radius not scaled, an
+ * answer written before all polynomials were checked, a kernel that decides nothing, a root refined in the
  * unit of its bracket, where values underflow.  Not caught: a cut's
  * error left out, Halley's step taken where it is no better than none.
  */
@@ -513,7 +513,7 @@ static void test_kernels_decide(void **unused) {
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 1; n <= 10; n++) {
         answers a;
-        int doubtful = 0;
+        int undecided = 0;
         put_random(n, &random);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {.c = p.coefficients,
@@ -524,8 +524,8 @@ static void test_kernels_decide(void **unused) {
                                          .state = a.state,
                                          .root = a.root};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
-        assert_true(doubtful <= MOST / 16);
+        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
+        assert_true(undecided <= MOST / 16);
     }
 }
 
@@ -536,7 +536,7 @@ static void test_kernels_enclose(void **unused) {
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) {
         answers a;
-        int doubtful = 0;
+        int undecided = 0;
         for (int i = 0; i < MOST; i++) {
             double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
             put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
@@ -550,8 +550,8 @@ static void test_kernels_enclose(void **unused) {
                                          .state = a.state,
                                          .root = a.root};
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) doubtful += a.state[i] == ALGSURF_LANE_DOUBTFUL;
-        assert_true(doubtful <= MOST / 16);
+        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
+        assert_true(undecided <= MOST / 16);
     }
 }
 
@@ -560,7 +560,7 @@ static void test_kernels_find_all(void **unused) {
     uint64_t random = SEED + 13;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
-        int doubtful = 0;
+        int undecided = 0;
         put_random(n, &random);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         const algsurf_i_polys_job job = {.c = p.coefficients,
@@ -571,8 +571,8 @@ static void test_kernels_find_all(void **unused) {
                                          .roots = all_roots,
                                          .found = counts};
         algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
-        for (int i = 0; i < MOST; i++) doubtful += counts[i] < 0;
-        assert_true(doubtful <= MOST / 16);
+        for (int i = 0; i < MOST; i++) undecided += counts[i] < 0;
+        assert_true(undecided <= MOST / 16);
     }
 }
 

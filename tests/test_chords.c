@@ -188,7 +188,7 @@ static double error_of(double depth, const mpq_t exact, double blur) {
 
 /* Lane 0; lo, hi of the exact chord are depths.  Returns what it is. */
 static int judge(const chord *c, mask open, const exact_line *exact, int box, int planes, double *error) {
-    int is_open = bits(open) & 1, doubtful = bits(c->doubtful) & 1, kind;
+    int is_open = bits(open) & 1, undecided = bits(c->undecided) & 1, kind;
     *error = 0;
     if (is_open && exact->empty) {
         kind = GHOST;
@@ -198,7 +198,7 @@ static int judge(const chord *c, mask open, const exact_line *exact, int box, in
         seen.worst[box] = fmax(seen.worst[box], *error);
         if (planes) seen.cut = fmax(seen.cut, *error);
         kind = *error <= 1 ? OPEN : OFF;
-    } else if (doubtful) {
+    } else if (undecided) {
         kind = UNDECIDED;
     } else {
         kind = exact->empty ? EMPTY : LOST;

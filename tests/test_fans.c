@@ -212,15 +212,15 @@ typedef struct answers {
 
 static void ask_rays(test_scene *s, const algsurf_i_shadow_kernel *code, const algsurf_i_shadow_job *job,
                      int ray, uint8_t *state) {
-    static algsurf_i_doubts doubts;
+    static algsurf_i_undecided undecided;
     double seen[POINTS] = {0};
-    doubts.count = 0;
+    undecided.count = 0;
     for (int p = 0; p < POINTS; p++) s->starts.seen[p] = seen + p;
-    code->see_rays(job, &s->starts, 0, POINTS, ray, 1, &doubts);
+    code->see_rays(job, &s->starts, 0, POINTS, ray, 1, &undecided);
     for (int p = 0; p < POINTS; p++) state[p] = seen[p] > 0 ? ALGSURF_LANE_MISS : ALGSURF_LANE_HIT;
-    for (int i = 0; i < doubts.count; i++) {
-        assert_int_equal(state[doubts.start[i]], ALGSURF_LANE_HIT);
-        state[doubts.start[i]] = ALGSURF_LANE_DOUBTFUL;
+    for (int i = 0; i < undecided.count; i++) {
+        assert_int_equal(state[undecided.start[i]], ALGSURF_LANE_HIT);
+        state[undecided.start[i]] = ALGSURF_LANE_UNDECIDED;
     }
 }
 
@@ -284,8 +284,8 @@ static void check_places(const test_scene *s, const answers *a, int p, long turn
         if (!above) continue;
         if (a->how[p] == ALGSURF_I_LIT && faces) check_ray(s, &ray, ALGSURF_MISS, turn), told.lit++;
         if (a->how[p] == ALGSURF_I_DARK) check_ray(s, &ray, ALGSURF_HIT, turn), told.dark++;
-        told.open += state == ALGSURF_LANE_DOUBTFUL;
-        if (state == ALGSURF_LANE_DOUBTFUL) continue;
+        told.open += state == ALGSURF_LANE_UNDECIDED;
+        if (state == ALGSURF_LANE_UNDECIDED) continue;
         check_ray(s, &ray, state == ALGSURF_LANE_MISS ? ALGSURF_MISS : ALGSURF_HIT, turn);
         *(state == ALGSURF_LANE_MISS ? &told.free : &told.hidden) += 1;
     }
@@ -295,8 +295,8 @@ static void check_around(const test_scene *s, const answers *a, int p, long turn
     for (int j = (int)turn % 4; j < AROUND; j += 4) {
         const algsurf_ray ray = ray_of(s, &s->around, p, j);
         int state = a->around[j][p];
-        told.open += state == ALGSURF_LANE_DOUBTFUL;
-        if (state == ALGSURF_LANE_DOUBTFUL) continue;
+        told.open += state == ALGSURF_LANE_UNDECIDED;
+        if (state == ALGSURF_LANE_UNDECIDED) continue;
         check_ray(s, &ray, state == ALGSURF_LANE_MISS ? ALGSURF_MISS : ALGSURF_HIT, turn);
         *(state == ALGSURF_LANE_MISS ? &told.around_free : &told.around_hidden) += 1;
     }
@@ -320,7 +320,7 @@ static void rays_are_what_is_said(void **state) {
         algsurf_surface_free(s.surface);
     }
     printf("rays: %ld lit, %ld dark with their light; %ld free, %ld hidden one by one; %ld free, %ld hidden "
-           "around; %ld in doubt; 0 wrong\n",
+           "around; %ld undecided; 0 wrong\n",
            told.lit, told.dark, told.free, told.hidden, told.around_free, told.around_hidden, told.open);
     assert_true(told.lit > scene_count && told.dark > scene_count && told.free > scene_count &&
                 told.hidden > scene_count && told.around_free > scene_count &&
@@ -522,10 +522,10 @@ static void see_light_unknown(const algsurf_i_shadow_job *job, const algsurf_i_s
 }
 
 static void see_rays_unknown(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first,
-                             int count, int from, int rays, algsurf_i_doubts *doubts) {
+                             int count, int from, int rays, algsurf_i_undecided *undecided) {
     algsurf_i_shadow_job unknown = *job;
     unknown.taylor = NULL;
-    algsurf_i_shadow_baseline.see_rays(&unknown, starts, first, count, from, rays, doubts);
+    algsurf_i_shadow_baseline.see_rays(&unknown, starts, first, count, from, rays, undecided);
 }
 
 const algsurf_i_shadow_kernel *__wrap_algsurf_i_shadow_kernel_for(const algsurf_i_kernel *kernel) {

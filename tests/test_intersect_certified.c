@@ -43,19 +43,19 @@ static void hairs_apart(void **state) {
                                             "(x^5 + y^5 - x + 1/8)^2 - z^2"};
     enum { EQUATIONS = sizeof equations / sizeof *equations, ROUNDS = 40 };
     uint64_t seed = SEED;
-    int doubtful = 0, rays = 0;
+    int undecided = 0, rays = 0;
     (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < ROUNDS; i++, rays++) {
             ray_in_plane(&seed, i % 2 ? 20 : 52);
             intersect_judge(&c, &bounded, &answer);
-            doubtful += answer.first.state == ALGSURF_UNDECIDED;
+            undecided += answer.first.state == ALGSURF_UNDECIDED;
             intersect_judge(&c, NULL, &answer);
         }
         algsurf_surface_free(c.surface);
     }
-    if (doubtful * 5 < rays) fail_msg("seed %u: %d rays, %d doubtful", SEED, rays, doubtful);
+    if (undecided * 5 < rays) fail_msg("seed %u: %d rays, %d undecided", SEED, rays, undecided);
 }
 
 /* What is exactly so: a touch at a number that is no double, at one that is, at an end, along the ray. */

@@ -2,9 +2,9 @@
  * arithmetic.
  *
  * Breaks caught, each tried: the rounding of the values or of the chord's ends left out of the bounds, the
- * bound of the ends without that of the extent, an end that is not looked at, a doubtful lane told as a miss,
- * the middle of a far chord without double-double, no step on P itself, a lane that depends on its
- * neighbours, a mask or a count not looked at, rays not checked, a kernel that doubts everything, an
+ * bound of the ends without that of the extent, an end that is not looked at, an undecided lane told as a
+ * miss, the middle of a far chord without double-double, no step on P itself, a lane that depends on its
+ * neighbours, a mask or a count not looked at, rays not checked, a kernel that undecided everything, an
  * environment left as the caller's, a single call with other bits than a packet.
  */
 #include <float.h>
@@ -517,15 +517,15 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
     return s;
 }
 
-/* Doubtful ones among some rays, by the kernel itself. */
-static int doubts(const algsurf_extent *extent, int any) {
+/* Undecided ones among some rays, by the kernel itself. */
+static int undecided(const algsurf_extent *extent, int any) {
     algsurf_i_rays_job job = {.surface = surface, .extent = extent, .any = any};
     algsurf_i_rays_hits hits = {.state = q.state, .t = q.t};
     int count = 0;
     for (int k = 0; k < 3; k++) job.origin[k] = p.origin[k], job.direction[k] = p.direction[k];
     job.t_min = p.t_min, job.t_max = p.t_max;
     algsurf_i_rays_kernel_for(algsurf_i_kernel_find(NULL))->solve(&job, MOST, &hits);
-    for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_DOUBTFUL;
+    for (int i = 0; i < MOST; i++) count += q.state[i] == ALGSURF_LANE_UNDECIDED;
     return count;
 }
 
@@ -545,10 +545,10 @@ static void test_degrees(void **state) {
                 put_ray(&p, i, &ray);
             }
             if (round < 2) judge_all(n > 20 ? 5 : MOST, &ball);
-            if (n <= 20) left += doubts(&ball, 0) + doubts(&ball, 1), rays += 2 * MOST;
+            if (n <= 20) left += undecided(&ball, 0) + undecided(&ball, 1), rays += 2 * MOST;
         }
         /* the bounds grow with the degree; 8 % for 20 were measured */
-        if (left * 100 > rays * (n < 15 ? 1 : 20)) fail_msg("degree %d: %d of %d in doubt", n, left, rays);
+        if (left * 100 > rays * (n < 15 ? 1 : 20)) fail_msg("degree %d: %d of %d undecided", n, left, rays);
         algsurf_surface_free(s);
     }
 }
@@ -566,9 +566,9 @@ static void test_catalogue_is_decided(void **state) {
                 algsurf_ray ray = ray_from(&seed, &entry->extent, round % 2 ? 4 : 1e5);
                 put_ray(&p, i, &ray);
             }
-            left += doubts(&entry->extent, 0), rays += MOST;
+            left += undecided(&entry->extent, 0), rays += MOST;
         }
-        if (left * 100 > rays) fail_msg("%s: %d of %d in doubt", entry->name, left, rays);
+        if (left * 100 > rays) fail_msg("%s: %d of %d undecided", entry->name, left, rays);
         algsurf_surface_free(s);
     }
 }

@@ -2,7 +2,7 @@
  *
  * Breaks caught, each tried: a sign used inside its bound, an undecided cell taken for a hit, an interval
  * moved off its root, the final Newton step left out, the middle of the chord without its rounding error, a
- * first hit in doubt that swallows the hit behind it, an ever-undecided tier; the isolating interval for
+ * first hit undecided that swallows the hit behind it, an ever-undecided tier; the isolating interval for
  * [t_lo,t_hi].
  */
 #include "intersect_case.h"

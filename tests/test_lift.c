@@ -1,7 +1,8 @@
 /* test_lift.c - fractions with one denominator from their images modulo primes, against GMP.
  *
- * Breaks caught, each tried: a digit of the mixed radix not reduced, a sign lost, a leap of Euclid's
- * algorithm beyond its goal, a denominator not carried along, a prime of the modulus in the denominator. */
+ * Breaks caught, each tried: a digit of the mixed radix not reduced, a sign lost, a step of Lehmer's in
+ * Euclid's algorithm beyond its goal, a denominator not carried along, a prime of the modulus in the
+ * denominator. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

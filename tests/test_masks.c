@@ -7,7 +7,7 @@
  * certified tier no pixel is undecided; in the bounded one they are counted, and a wrong one is one of those.
  *
  * Breaks tried, each caught: two variations of sign counted as none, the right half of a cell first, a check
- * of the cuts that show no root left out, rays a twentieth of a pixel aside, doubtful rays dropped.  Not
+ * of the cuts that show no root left out, rays a twentieth of a pixel aside, undecided rays dropped.  Not
  * caught: signs used within their error; test_render_exact aims at those.
  *
  *     test_masks [pixels [views [seed]]]     pixels a picture, views a surface; default: 300 and 3, and

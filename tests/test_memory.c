@@ -220,21 +220,21 @@ static int refuse_each(algsurf_status (*attempt)(void)) {
 /* ---- rays that integers decide ---- */
 
 /* What such a ray meets is known. */
-typedef struct doubtful_ray {
+typedef struct undecided_ray {
     const char *equation;
     algsurf_ray ray;
     algsurf_extent extent;
     int allocates; /* or the stack is enough */
     int count;     /* of roots */
     double root[3];
-} doubtful_ray;
+} undecided_ray;
 
 #define BALL ALGSURF_EXTENT_SPHERE
 #define BOX ALGSURF_EXTENT_BOX
 #define ABOVE_1 0x1.0000000000001p0
 #define BELOW_1 0x1.fffffffffffffp-1
 
-static const doubtful_ray doubtful_rays[] = {
+static const undecided_ray undecided_rays[] = {
     /* grazing: just in, just out */
     {"x + x^3", {{-4, 0, 1}, {1, 0, 0}, 0, 9}, {BALL, {0, 0, 0}, {ABOVE_1}}, 0, 1, {4}},
     {"x + x^3", {{-4, 0, 1}, {1, 0, 0}, 0, 9}, {BALL, {0, 0, 0}, {BELOW_1}}, 0, 0, {0}},
@@ -259,7 +259,7 @@ static const doubtful_ray doubtful_rays[] = {
      {1.1}},
 };
 
-static const doubtful_ray *asked;
+static const undecided_ray *asked;
 static algsurf_surface *asked_surface;
 
 /* OK, or E_NO_MEMORY after a refusal: then nothing has been written. */
@@ -298,7 +298,7 @@ static void ask_packets(void) {
     for (int i = 0; i < 3; i += 2) assert_true(state[i] == ALGSURF_MISS && occluded[i] == ALGSURF_MISS);
 }
 
-static algsurf_status doubtful_intersect(void) {
+static algsurf_status undecided_intersect(void) {
     algsurf_hit all[32], before[32];
     int occluded = 77;
     int count = 77, untouched_count = 77;
@@ -327,11 +327,11 @@ static algsurf_status doubtful_intersect(void) {
 
 static void test_doubtful_rays(void **state) {
     (void)state;
-    for (size_t i = 0; i < sizeof doubtful_rays / sizeof *doubtful_rays; i++) {
-        asked = doubtful_rays + i;
+    for (size_t i = 0; i < sizeof undecided_rays / sizeof *undecided_rays; i++) {
+        asked = undecided_rays + i;
         assert_int_equal(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL),
                          ALGSURF_OK);
-        int refused = refuse_each(doubtful_intersect);
+        int refused = refuse_each(undecided_intersect);
         if ((refused > 0) != asked->allocates) fail_msg("%s: %d allocations", asked->equation, refused);
         algsurf_surface_free(asked_surface);
     }

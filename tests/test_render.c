@@ -1,5 +1,5 @@
 /* test_render.c - pictures, each pixel against what the single steps or exact geometry give, and the
- * scene's setters; threads, slices and options are in test_render_crew.c.
+ * scene's setters; threads, slices and options are in test_render_threads.c.
  *
  * Breaks tried, each caught by the test named:
  *   sample grid off, the background counted otherwise                       pixel_by_pixel
@@ -200,17 +200,17 @@ typedef struct seeing {
     clearance *clears;
     const double *at;
     double facing[3];
-    int seen, count, doubtful; /* of places so far */
+    int seen, count, undecided; /* of places so far */
 } seeing;
 
-static void begin_places(seeing *s) { s->seen = s->count = s->doubtful = 0; }
+static void begin_places(seeing *s) { s->seen = s->count = s->undecided = 0; }
 
 static void look_at(seeing *s, const double place[3]) {
     double way[3], clear = s->clears(s->at, place);
     for (int i = 0; i < 3; i++) way[i] = place[i] - s->at[i];
     double height = reference_dot(way, s->facing);
     s->seen += height <= 0 || clear > 0;
-    s->doubtful |= fabs(clear) < 1e-3 || (fabs(height) < 1e-4 && clear < 0);
+    s->undecided |= fabs(clear) < 1e-3 || (fabs(height) < 1e-4 && clear < 0);
     s->count++;
 }
 
@@ -270,12 +270,12 @@ static int add_full_colour(const algsurf_lighting *lighting, clearance *clears, 
     for (int l = 0; l < lights; l++) {
         look_at_light(&s, &lighting->lights[l], l, sample);
         visible[l] = share_of(&s);
-        sure &= !s.doubtful;
+        sure &= !s.undecided;
         found->most_rays += (uint64_t)s.count;
     }
     look_around(&s, lighting->radius, sample);
     visible[lights] = share_of(&s);
-    sure &= !s.doubtful;
+    sure &= !s.undecided;
     found->most_rays += (uint64_t)s.count;
     if (sure) found->around[(int)(16 * visible[lights])]++;
     if (lights > 0) found->light[sample->y * W + sample->x] = visible[0];

@@ -5,7 +5,7 @@
  *   space not handed on, |t| not in the hits, shadows                            pixel_by_pixel
  *   never warm, a slice's first row begun anew                                   iterations_saved
  *   a row lost in a batch, rows beyond the last one drawn                        same_bytes
- *   a doubtful pixel not drawn                                                   border_is_undecided
+ *   an undecided pixel not drawn                                                   border_is_undecided
  *   imaginary parts of the wrong scale, start values from elsewhere              states_of_single_rays
  *   sector of real space too narrow or too wide                                  real_space
  *   rows of roots too short, a null row read                                     odd_surfaces

@@ -365,7 +365,7 @@ static void complain(const view *v, double x, double y, double t, const algsurf_
 /* Compares pixel (x, row) with the exact answers for its samples. */
 static void check_pixel(const view *v, const drawing *d, int x, int row, int edge) {
     double t = d->hits[(row - v->row_begin) * v->width + x], nearest = INFINITY;
-    int n = v->antialias, met = 0, unsure = 0;
+    int n = v->antialias, met = 0, undecided = 0;
     algsurf_ray ray;
     exact_answer answer;
     for (int k = 0; k < n * n; k++) {
@@ -375,7 +375,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
         assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
-        unsure |= hit.state == ALGSURF_UNDECIDED;
+        undecided |= hit.state == ALGSURF_UNDECIDED;
         for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
             double part = fabs(t - answer.t[i]) / room;
@@ -392,7 +392,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
     seen.checked++, seen.edges += edge;
     seen.hits += !isinf(t), seen.misses += isinf(t);
     if (isinf(t) || (met && t <= nearest)) return;
-    if (unsure) {
+    if (undecided) {
         seen.excused++;
         return;
     }

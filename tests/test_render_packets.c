@@ -12,7 +12,7 @@
  *   cuts of the pixel before taken for an answer without a look at what they cut hits_as_by_rays
  *   brackets across the beginning of the chord taken                             hits_as_by_rays
  *   guesses from the packet before instead of the block before                   kernels_give_the_same_bits
- *   everything doubtful                                                          few_single_rays
+ *   everything undecided                                                          few_single_rays
  * Not caught: no error for cuts (the pictures' signs are far above it).
  */
 #include <setjmp.h>
@@ -156,7 +156,7 @@ static void count_single_rays(const algsurf_surface *surface, const view *v, voi
     free(p);
 }
 
-/* Pixels whose rays packets leave in doubt are rare, but where a whole picture is symmetric. */
+/* Pixels whose rays packets leave undecided are rare, but where a whole picture is symmetric. */
 static void few_single_rays(void **state) {
     shares s = {0, 0};
     (void)state;

@@ -143,9 +143,9 @@ static void break_roots(void);
 TABLE(roots)
 
 static int wrong_first(const algsurf_i_polys_job *job, size_t count) {
-    int doubts = real_roots->solve(job, count);
+    int undecided = real_roots->solve(job, count);
     for (size_t i = 0; i < count; i++) job->root[i] = other(job->root[i]);
-    return doubts;
+    return undecided;
 }
 
 static void wrong_all(const algsurf_i_polys_job *job, size_t count) {
@@ -300,8 +300,8 @@ static void wrong_lights(const algsurf_i_shadow_job *job, const algsurf_i_starts
 }
 
 static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first,
-                              int count, int from, int rays, algsurf_i_doubts *doubts) {
-    real_shadow->see_rays(job, starts, first, count, from, rays, doubts);
+                              int count, int from, int rays, algsurf_i_undecided *undecided) {
+    real_shadow->see_rays(job, starts, first, count, from, rays, undecided);
     for (int i = 0; i < count; i++) *starts->seen[first + i] *= 0.5;
 }
 

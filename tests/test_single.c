@@ -34,7 +34,7 @@ static int first_of_packet(const algsurf_i_rays_job *job, algsurf_hit *hit) {
     hit->state = state;
     hit->multiplicity = state == ALGSURF_LANE_HIT;
     hit->side = side;
-    return state != ALGSURF_LANE_DOUBTFUL;
+    return state != ALGSURF_LANE_UNDECIDED;
 }
 
 /* By the code for single rays of every kernel: the same bits. */

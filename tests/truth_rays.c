@@ -124,7 +124,7 @@ static void judge_first_hit(int query, const truth *r, const algsurf_hit *hit) {
         if (query != FIRST_BOUNDED) wrong(query, r, "undecided, but decidable", hit);
         if (hit->reason <= ALGSURF_OK) wrong(query, r, "undecided for no reason", hit);
         if (r->n && !at_least(r->root[0].t, hit->t_lo))
-            wrong(query, r, "a root before the doubtful place", hit);
+            wrong(query, r, "a root before the undecided place", hit);
     }
 }
 

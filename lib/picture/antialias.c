@@ -23,7 +23,7 @@ static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, al
     algsurf_i_middles *middles = &worker->middles;
     algsurf_i_tally *counts = &middles->counts[row % 3];
     *counts = (algsurf_i_tally){0};
-    worker->trail.row = -1;
+    worker->predictor.row = -1;
     return algsurf_i_render_middles(picture, row, &middles->shown[row % 3], worker, counts);
 }
 
@@ -148,7 +148,7 @@ algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row
     memset(middles->wanted, 0, (size_t)picture->width);
     for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
     line->wanted = middles->wanted;
-    worker->trail.row = -1;
+    worker->predictor.row = -1;
     return ALGSURF_OK;
 }
 

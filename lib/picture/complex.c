@@ -27,8 +27,8 @@ void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *pa
     packets->frame.view.noise *= 4; /* complex_template.h */
 }
 
-static void forget(algsurf_i_trail *trail, int begin, int end) {
-    for (int x = begin; x < end; x++) trail->x[x] = NAN;
+static void forget(algsurf_i_predictor *predictor, int begin, int end) {
+    for (int x = begin; x < end; x++) predictor->x[x] = NAN;
 }
 
 algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture, const algsurf_i_row_job *row,
@@ -38,8 +38,8 @@ algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture,
                                    .imaginary = picture->packets->imaginary,
                                    .top = picture->packets->top,
                                    .colours = worker->line.colours,
-                                   .x = worker->trail.x,
-                                   .y = worker->trail.y,
+                                   .x = worker->predictor.x,
+                                   .y = worker->predictor.y,
                                    .stride = picture->width,
                                    .re = worker->line.depth,
                                    .im = worker->line.imaginary,
@@ -59,20 +59,20 @@ static void follow(const algsurf_i_picture *picture, int row, algsurf_i_worker *
 }
 
 void algsurf_i_complex_begin_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
-    algsurf_i_trail *trail = &worker->trail;
+    algsurf_i_predictor *predictor = &worker->predictor;
     int coherent = picture->scene->coherence == ALGSURF_COHERENCE_NEIGHBOURS;
     int before = coherent && picture->scene->antialias == 1 ? row % ALGSURF_I_BAND : 0;
-    if (coherent && trail->row == row) return;
-    if (before == 0 || trail->row != row - 1) forget(trail, 0, picture->width);
-    if (before == 0 || trail->row == row - 1) return;
+    if (coherent && predictor->row == row) return;
+    if (before == 0 || predictor->row != row - 1) forget(predictor, 0, picture->width);
+    if (before == 0 || predictor->row == row - 1) return;
     for (int above = row - before; above < row; above++) follow(picture, above, worker);
 }
 
 void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int begin, int end,
                                algsurf_i_worker *worker) {
-    forget(&worker->trail, 0, begin);
-    forget(&worker->trail, end, picture->width);
-    worker->trail.row = row;
+    forget(&worker->predictor, 0, begin);
+    forget(&worker->predictor, end, picture->width);
+    worker->predictor.row = row;
 }
 
 static algsurf_status solve_alone(const algsurf_i_picture *picture, int x, double sx, double y,
@@ -96,7 +96,7 @@ algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, doub
                                           int end, algsurf_i_line *line, algsurf_i_tally *tally) {
     algsurf_status status = ALGSURF_OK;
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
-        if (line->state[x] != ALGSURF_LANE_DOUBTFUL) continue;
+        if (line->state[x] != ALGSURF_LANE_UNDECIDED) continue;
         if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
         status = solve_alone(picture, x, sx, y, line, tally);
     }

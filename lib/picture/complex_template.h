@@ -13,8 +13,8 @@
  * view's noise, and as much again with the rounding of L; so for complex z it is at most 4 noise max(1,|z|):
  * in complex space the view's noise is four times as large.
  *
- * Doubt.  Lanes that the first discs leave undecided go on for as long as that helps.  What is undecided then
- * is left to the single ray.
+ * Undecided.  Lanes that the first discs leave undecided go on for as long as that helps.  What is undecided
+ * then is left to the single ray.
  *
  * The point is found by one more step on P itself, at the complex point of the ray: as accurate as the step
  * from the root of a rounded polynomial can be.  The normal is that of rays/complex.c. */
@@ -130,7 +130,7 @@ INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int cou
     sight s = sight_of(job->row, x, end);
     mask open, given = less(numbered(), all_lanes(count));
     chord c = clip(job->row, &s, all_lanes(job->row->near), &open);
-    complex_depths d = {no_lane(), c.doubtful, all_lanes(0), all_lanes(0)};
+    complex_depths d = {no_lane(), c.undecided, all_lanes(0), all_lanes(0)};
     int corrections = 0;
     if (any(open & given))
         corrections = solve_open(job, &s, &c, open & given, x, count, n, &d);
@@ -139,7 +139,7 @@ INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int cou
     unsigned hits = bits(d.hit), undecided = bits(d.undecided);
     for (int l = 0; l < count; l++)
         job->state[x + l] =
-            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (undecided >> l & 1));
+            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
     store_some(job->re + x, d.re, count);
     store_some(job->im + x, d.im, count);
     return corrections;

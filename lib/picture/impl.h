@@ -1,7 +1,7 @@
-/* impl.h - the pieces of render: a picture, its rows, the crew of threads that draws them.
+/* impl.h - the pieces of render: a picture, its rows, the pool of threads that draws them.
  *
  *     render.c           checks the arguments, reports
- *     hire.c             the memory of a picture and its threads
+ *     allocate.c             the memory of a picture and its threads
  *     threads.c          hands rows to threads, calls progress, cancels
  *     processors.c       how many threads the system can run at once
  *     row.c              one row: samples -> hits -> colours -> planes
@@ -138,10 +138,10 @@ typedef struct algsurf_i_samples {
 } algsurf_i_samples;
 
 /* The roots of the pixels solved last, in complex space (algsurf_i_complex_job). */
-typedef struct algsurf_i_trail {
+typedef struct algsurf_i_predictor {
     double *x, *y;
     int row; /* whose they are; -1: of no use */
-} algsurf_i_trail;
+} algsurf_i_predictor;
 
 #define ALGSURF_I_BAND                                                                                       \
     16 /* rows: one in so many begins without roots from above; they are drawn together                      \
@@ -180,7 +180,7 @@ typedef struct algsurf_i_worker {
     algsurf_i_line line;
     algsurf_i_row_form form; /* of the row in the making */
     algsurf_i_tiling tiling;
-    algsurf_i_trail trail;
+    algsurf_i_predictor predictor;
     algsurf_i_middles middles;
     int row, row_end; /* what is left of the rows it has taken */
     algsurf_i_tally tally;
@@ -301,7 +301,7 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
                                       double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
 
 /* The samples of the line's listed pixels that are side by side, sy below the row's upper end: adds those
- * found to the line's points; returns whether some are in doubt. */
+ * found to the line's points; returns whether some are undecided. */
 int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
                             algsurf_i_tally *tally);
 
@@ -309,9 +309,9 @@ int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally);
 
-/* The rays of doubtful samples, begin <= x < end, as packets: their points go to the line. */
-algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
-                                        int end, algsurf_i_line *line, algsurf_i_tally *tally);
+/* The rays of undecided samples, begin <= x < end, as packets: their points go to the line. */
+algsurf_status algsurf_i_solve_undecided(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                         int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
 /* The points of a row seen through offset (sx,sy) in each pixel. */
 algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -332,13 +332,13 @@ void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *pa
 algsurf_i_complex_job algsurf_i_complex_job_of(const algsurf_i_picture *picture, const algsurf_i_row_job *row,
                                                algsurf_i_worker *worker);
 
-/* Before a pass over a row: the trail holds what it is to start from.  After it: the pixels from begin to
+/* Before a pass over a row: the predictor holds what it is to start from.  After it: the pixels from begin to
  * end have been solved. */
 void algsurf_i_complex_begin_row(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker);
 void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int begin, int end,
                                algsurf_i_worker *worker);
 
-/* The doubtful pixels of a row in complex space, ray by ray: their points go to the line. */
+/* The undecided pixels of a row in complex space, ray by ray: their points go to the line. */
 algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
                                           int end, algsurf_i_line *line, algsurf_i_tally *tally);
 
@@ -356,7 +356,7 @@ algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int ro
                                         algsurf_i_tally *tally);
 
 /* Memory for a picture and its workers, all 0, to be freed; null: there is none. */
-void *algsurf_i_hire(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers);
+void *algsurf_i_allocate(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers);
 
 /* How many processors there are; less than 1 if the system fails to tell. */
 long algsurf_i_processors(void);

@@ -72,7 +72,7 @@ INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes l
     chord c = clip(job, &s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + LEAF_ROUNDING;
     k->watch = NULL;
-    k->doubtful = c.doubtful;
+    k->undecided = c.undecided;
     k->hit = no_lane();
     r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
     lanes hi = smaller(-floor40(-smaller(c.far + gap, high)), all_lanes(1));

@@ -1,4 +1,4 @@
-/* packets.c - the hits of a row at once; what that leaves in doubt, and pictures without a frame, as packets
+/* packets.c - the hits of a row at once; what that leaves undecided, and pictures without a frame, as packets
  * of rays. */
 #include "../base/arithmetic.h"
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "impl.h"
 #include "../rays/intersect_impl.h"
 
-enum { GROUP = 16 }; /* doubtful pixels that are solved together */
+enum { GROUP = 16 }; /* undecided pixels that are solved together */
 
 #define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
 
@@ -100,14 +100,14 @@ static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_row_j
         if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
 }
 
-/* Pixels that the row left in doubt, and their rays as a packet. */
-typedef struct doubtful_pixels {
+/* Pixels that the row left undecided, and their rays as a packet. */
+typedef struct undecided_pixels {
     size_t count;
     int pixel[GROUP];
     double origin[3][GROUP], direction[3][GROUP], t_min[GROUP], t_max[GROUP];
-} doubtful_pixels;
+} undecided_pixels;
 
-static void add_pixel(doubtful_pixels *d, int x, const algsurf_ray *ray) {
+static void add_pixel(undecided_pixels *d, int x, const algsurf_ray *ray) {
     size_t i = d->count++;
     d->pixel[i] = x;
     d->t_min[i] = ray->t_min;
@@ -119,7 +119,7 @@ static void add_pixel(doubtful_pixels *d, int x, const algsurf_ray *ray) {
 }
 
 /* The rays themselves, without the noise that a row allows for: most of them are decided side by side. */
-static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pixels *d, algsurf_i_line *line,
+static algsurf_status solve_group(const algsurf_scene *scene, const undecided_pixels *d, algsurf_i_line *line,
                                   algsurf_i_tally *tally) {
     unsigned char state[GROUP];
     double t[GROUP], position[3][GROUP], normal[3][GROUP];
@@ -156,15 +156,15 @@ static algsurf_status solve_group(const algsurf_scene *scene, const doubtful_pix
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
-                                        int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+algsurf_status algsurf_i_solve_undecided(const algsurf_i_picture *picture, double y, double sx, int begin,
+                                         int end, algsurf_i_line *line, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    doubtful_pixels d = {.count = 0};
+    undecided_pixels d = {.count = 0};
     algsurf_status status = ALGSURF_OK;
     if (scene->complex) return algsurf_i_complex_doubtful(picture, y, sx, begin, end, line, tally);
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
-        if (line->state[x] == ALGSURF_LANE_DOUBTFUL) {
+        if (line->state[x] == ALGSURF_LANE_UNDECIDED) {
             algsurf_i_camera_ray(&scene->camera, picture->width, picture->height,
                                  algsurf_i_place_of(line, x, sx), y, &ray);
             add_pixel(&d, x, &ray);
@@ -177,9 +177,9 @@ algsurf_status algsurf_i_solve_doubtful(const algsurf_i_picture *picture, double
     return status;
 }
 
-/* Hits move to the front of depth, their pixels to the line; returns whether there are doubtful ones. */
+/* Hits move to the front of depth, their pixels to the line; returns whether there are undecided ones. */
 static int gather(algsurf_i_line *line, int begin, int end) {
-    int doubtful = 0;
+    int undecided = 0;
     for (int x = begin; x < end; x++) {
         uint64_t eight; /* most of a picture is empty */
         if (end - x >= 8 && (memcpy(&eight, line->state + x, 8), eight == 0)) {
@@ -190,9 +190,9 @@ static int gather(algsurf_i_line *line, int begin, int end) {
         if (line->imaginary) line->imaginary[line->count] = line->imaginary[x];
         line->pixel[line->count] = x;
         line->count += line->state[x] == ALGSURF_LANE_HIT;
-        doubtful |= line->state[x] == ALGSURF_LANE_DOUBTFUL;
+        undecided |= line->state[x] == ALGSURF_LANE_UNDECIDED;
     }
-    return doubtful;
+    return undecided;
 }
 
 /* Positions and normals of the line's points, which are hits. */
@@ -217,7 +217,7 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
                                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
-    int begin, end, doubtful = 1, complex = picture->scene->complex;
+    int begin, end, undecided = 1, complex = picture->scene->complex;
     double begun = algsurf_i_render_clock();
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     if (band) {
@@ -234,16 +234,16 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
             solve_wanted(picture, &job, begin, end, worker, tally);
         else
             solve_run(picture, &job, begin, end, worker, tally);
-        doubtful = gather(line, begin, end);
+        undecided = gather(line, begin, end);
         tally->hits += (uint64_t)line->count;
     } else {
         for (int x = begin; x < end; x++)
-            line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
+            line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_UNDECIDED : ALGSURF_LANE_MISS;
     }
     if (complex) algsurf_i_complex_end_row(picture, row, expanded ? begin : 0, expanded ? end : 0, worker);
     int hits = line->count;
     algsurf_status status =
-        doubtful ? algsurf_i_solve_doubtful(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
+        undecided ? algsurf_i_solve_undecided(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
     double solved = algsurf_i_render_clock();
     tally->solve_s += solved - solving;
     if (hits > 0) find_points(picture, &job, hits, worker);
@@ -256,9 +256,9 @@ algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, 
     double begun = algsurf_i_render_clock();
     int width = picture->width;
     for (int x = 0; x < width; x++)
-        line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_DOUBTFUL : ALGSURF_LANE_MISS;
+        line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_UNDECIDED : ALGSURF_LANE_MISS;
     tally->rays += (uint64_t)line->wanted_count;
-    algsurf_status status = algsurf_i_solve_doubtful(picture, row + sy, sx, 0, width, line, tally);
+    algsurf_status status = algsurf_i_solve_undecided(picture, row + sy, sx, 0, width, line, tally);
     tally->solve_s += algsurf_i_render_clock() - begun;
     return status;
 }

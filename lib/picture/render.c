@@ -140,7 +140,7 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
     int threads = thread_count(options);
     double begun = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    void *memory = algsurf_i_hire(picture, threads, &workers);
+    void *memory = algsurf_i_allocate(picture, threads, &workers);
     if (memory) {
         algsurf_i_srgb_curve(picture->curve);
         picture->colours.curve = picture->curve;

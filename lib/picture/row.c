@@ -285,7 +285,7 @@ static algsurf_status add_coloured(const algsurf_i_picture *picture, int row, in
     return status;
 }
 
-/* Row j of the listed pixels' samples.  Those not in doubt wait, as long as there is room, to be coloured
+/* Row j of the listed pixels' samples.  Those not undecided wait, as long as there is room, to be coloured
  * with those of the rows that follow; in full quality colours depend on the row. */
 static algsurf_status render_samples_row(const algsurf_i_picture *picture, int row, int j,
                                          algsurf_i_worker *worker, algsurf_i_tally *tally) {
@@ -298,11 +298,11 @@ static algsurf_status render_samples_row(const algsurf_i_picture *picture, int r
     if (status != ALGSURF_OK) return status;
     line->sample = j * n;
     double y = row + (j + 0.5) / n;
-    int doubtful = algsurf_i_render_listed(picture, row, (j + 0.5) / n, worker, tally);
-    if (doubtful) {
+    int undecided = algsurf_i_render_listed(picture, row, (j + 0.5) / n, worker, tally);
+    if (undecided) {
         status = add_coloured(picture, row, 1, line, tally);
         if (status == ALGSURF_OK)
-            status = algsurf_i_solve_doubtful(picture, y, 0.5, n * line->begin, n * line->end, line, tally);
+            status = algsurf_i_solve_undecided(picture, y, 0.5, n * line->begin, n * line->end, line, tally);
         if (status == ALGSURF_OK) status = add_coloured(picture, row, 0, line, tally);
     }
     raise_ways(line);

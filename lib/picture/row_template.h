@@ -59,7 +59,7 @@ typedef struct sight {
 /* Depths where the chord begins and ends, and their error. */
 typedef struct chord {
     lanes near, far, blur;
-    mask doubtful;
+    mask undecided;
 } chord;
 
 INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, double e) {
@@ -73,7 +73,7 @@ INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, doubl
     c.near = (-along - half) * over_size;
     c.far = (half - along) * over_size;
     c.blur = all_lanes(e) * (size * size) * inverse;
-    c.doubtful = at_most(absolute(inside), edge);
+    c.undecided = at_most(absolute(inside), edge);
     c.far = choose(less(inside, -edge), c.near - 1, c.far); /* surely none: see Edge */
     return c;
 }
@@ -91,10 +91,10 @@ INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e
         c.near = choose(along, c.near, larger(c.near, smaller(one, two)));
         c.far = choose(along, c.far, smaller(c.far, larger(one, two)));
         c.far = choose(along & less(room, all_lanes(-4 * PARALLEL)), c.near - 1, c.far);
-        c.doubtful |= along & at_most(absolute(room), all_lanes(4 * PARALLEL));
+        c.undecided |= along & at_most(absolute(room), all_lanes(4 * PARALLEL));
         c.blur = choose(along, c.blur, larger(c.blur, all_lanes(e) / absolute(safe)));
     }
-    c.doubtful |= at_most(absolute(c.far - c.near), all_lanes(ON_EDGE));
+    c.undecided |= at_most(absolute(c.far - c.near), all_lanes(ON_EDGE));
     return c;
 }
 
@@ -113,7 +113,7 @@ INLINE void clip_to_plane(const algsurf_i_row_job *job, const algsurf_i_cut_plan
     c->near = choose(at_near, larger(c->near, z), c->near);
     c->blur = choose(at_far | at_near, larger(c->blur, blur), c->blur);
     c->far = choose(along & less(room, above), c->near - 1, c->far);
-    c->doubtful |= along & at_most(absolute(above), room);
+    c->undecided |= along & at_most(absolute(above), room);
 }
 
 /* The part of each line of sight that is shown, as far as it is known. */
@@ -131,10 +131,10 @@ INLINE chord chord_of(const algsurf_i_row_job *job, const sight *s) {
 INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask *open) {
     chord c = chord_of(job, s);
     c.near = larger(c.near, near);
-    lanes unsure = 8 * c.blur + 0x1p-38;
-    c.doubtful |= at_most(absolute(c.far - c.near), unsure);
-    c.doubtful &= less(c.near - unsure, c.far);
-    *open = less(c.near, c.far) & ~c.doubtful;
+    lanes slack = 8 * c.blur + 0x1p-38;
+    c.undecided |= at_most(absolute(c.far - c.near), slack);
+    c.undecided &= less(c.near - slack, c.far);
+    *open = less(c.near, c.far) & ~c.undecided;
     return c;
 }
 
@@ -235,13 +235,13 @@ INLINE void search_chord(const segment *s, const chord *c, packet *k) {
 
 /* What the pixels before tell: the depths of the last three of a block, if all were hit, and the depths at
  * which the last one was cut to show that it has none. */
-typedef struct trail {
+typedef struct predictor {
     double last, step, bend;
     int known;
     cuts empty;
-} trail;
+} predictor;
 
-INLINE void set_trail(trail *t, const double *depth, const uint8_t *state, int end) {
+INLINE void set_predictor(predictor *t, const double *depth, const uint8_t *state, int end) {
     const double *d = depth + end - 3;
     const uint8_t *s = state + end - 3;
     t->known = (s[0] & s[1] & s[2]) == ALGSURF_LANE_HIT;
@@ -253,7 +253,7 @@ INLINE void set_trail(trail *t, const double *depth, const uint8_t *state, int e
 
 /* A parabola through them, for the pixels that come next, wrong by its next difference: taken to be some
  * bends at most. */
-INLINE guess guess_from(const trail *t, const segment *s, int ahead) {
+INLINE guess guess_from(const predictor *t, const segment *s, int ahead) {
     guess g;
     lanes far = all_lanes(ahead + 1) + numbered(), scale = all_lanes(1 / s->length);
     lanes bend = all_lanes(t->bend), last = all_lanes(t->last);
@@ -274,22 +274,23 @@ INLINE void cuts_in_segment(const segment *s, const cuts *depths, cuts *c) {
 
 /* What was found of so many lanes, at most. */
 INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
-    unsigned hits = bits(k->hit), doubts = bits(k->doubtful);
+    unsigned hits = bits(k->hit), undecided = bits(k->undecided);
     for (int l = 0; l < LANES && l < count; l++) {
-        state[l] = (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+        state[l] =
+            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
     }
     for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
 }
 
 /* The pixels from number x on, packet i of the segment; the cuts of its last pixel go to cut. */
-INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const trail *t, int x,
+INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const predictor *t, int x,
                          int end, double *depth, uint8_t *state, cuts *cut, int n) {
     double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
     lanes z = all_lanes(0);
     packet k;
     k.watch = NULL;
     k.open = s->open[i];
-    k.doubtful = s->chords[i].doubtful;
+    k.undecided = s->chords[i].undecided;
     k.hit = no_lane();
     cut->count = 0;
     if (any(k.open)) {
@@ -307,7 +308,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
             follow(&k, n, &g);
         } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {
             cuts_in_segment(s, &t->empty, cut);
-            skirt(&k, n, cut);
+            reuse_cuts(&k, n, cut);
         }
         if (any(k.open)) isolate(&k, n, cut);
         if (any(k.hit)) {
@@ -323,7 +324,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, 
 INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
                         uint8_t *state, int n) {
     if (n < 1) __builtin_unreachable();
-    trail t = {0};
+    predictor t = {0};
     for (int first = 0; first < p->count; first += SEGMENT) {
         segment s;
         cuts cut = {0};
@@ -337,7 +338,7 @@ INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p,
             int at = first + i * LANES;
             solve_packet(job, &s, i, &t, at, stop, depth, state, &cut, n);
             if ((i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* a short block */
-            set_trail(&t, depth, state, at + LANES);
+            set_predictor(&t, depth, state, at + LANES);
             t.empty = cut;
         }
     }

@@ -306,17 +306,18 @@ INLINE void begin_solids(const algsurf_i_shadow_job *job, const start_packet *p,
     for (int k = 0; k < 3; k++) s->known &= less(absolute(s->x[k]), all_lanes(ALGSURF_I_TAYLOR_REACH));
 }
 
-INLINE void add_doubts(unsigned lanes_left, int first, const lanes direction[3], algsurf_i_doubts *doubts) {
+INLINE void add_doubts(unsigned lanes_left, int first, const lanes direction[3],
+                       algsurf_i_undecided *undecided) {
     for (int l = 0; l < LANES; l++) {
         if (!(lanes_left >> l & 1)) continue;
-        doubts->start[doubts->count] = first + l;
-        for (int k = 0; k < 3; k++) doubts->direction[k][doubts->count] = direction[k][l];
-        doubts->count++;
+        undecided->start[undecided->count] = first + l;
+        for (int k = 0; k < 3; k++) undecided->direction[k][undecided->count] = direction[k][l];
+        undecided->count++;
     }
 }
 
 static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first, int count,
-                     int from, int rays, algsurf_i_doubts *doubts) {
+                     int from, int rays, algsurf_i_undecided *undecided) {
     for (int end = first + count; first < end; first += LANES) {
         int here = end - first < LANES ? end - first : LANES;
         lanes seen = all_lanes(0);
@@ -330,7 +331,7 @@ static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *st
             ray_packet k = {.open = p.open & less(all_lanes(0), dot(direction, p.facing)), .hit = no_lane()};
             if (job->taylor) judge(job, &s, direction, &k);
             seen += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
-            if (any(k.open)) add_doubts(bits(k.open), first, direction, doubts);
+            if (any(k.open)) add_doubts(bits(k.open), first, direction, undecided);
         }
         for (int l = 0; l < here; l++) *starts->seen[first + l] += seen[l];
     }

@@ -9,7 +9,7 @@
  *
  * Up to degree 7 the rays from a point to a light are first asked about all at once, as a fan: most points
  * see the whole light or nothing of it.  Other rays are found side by side from P's Taylor expansion about
- * the points, up to degree 10.  Only what is in doubt then is shot as a ray.  The answers are those of the
+ * the points, up to degree 10.  Only what is undecided then is shot as a ray.  The answers are those of the
  * rays. */
 #include "../base/arithmetic.h"
 #include "shade_impl.h"
@@ -139,7 +139,7 @@ static algsurf_status see_rays(algsurf_i_shadow_rays *rays, const algsurf_i_shad
         for (int from = 0; from < count; from += ALGSURF_I_RAYS_OF_ONE) {
             int left = starts->count - first, more = count - from;
             code->see_rays(job, starts, first, left < ALGSURF_I_AIMS ? left : ALGSURF_I_AIMS, from,
-                           more < ALGSURF_I_RAYS_OF_ONE ? more : ALGSURF_I_RAYS_OF_ONE, &rays->doubts);
+                           more < ALGSURF_I_RAYS_OF_ONE ? more : ALGSURF_I_RAYS_OF_ONE, &rays->undecided);
             algsurf_status status = algsurf_i_collect_doubts(rays, starts);
             if (status < 0) return status;
         }

@@ -38,10 +38,10 @@ typedef struct algsurf_i_shadow_job {
 enum { ALGSURF_I_UNKNOWN = 0, ALGSURF_I_LIT = 1, ALGSURF_I_DARK = 2 };
 
 /* Rays of which it is not known whether they arrive. */
-typedef struct algsurf_i_doubts {
+typedef struct algsurf_i_undecided {
     int count, start[ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
     double direction[3][ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
-} algsurf_i_doubts;
+} algsurf_i_undecided;
 
 typedef struct algsurf_i_shadow_kernel {
     /* Points from `first` on, lifted by `height`, and by what a far hit may be off. */
@@ -50,10 +50,10 @@ typedef struct algsurf_i_shadow_kernel {
     /* how[i]: how much start i sees of the job's light. */
     void (*see_light)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how);
     /* Rays from `from` on, `rays` of them, of each of some starts: adds those that are not hidden to *seen;
-     * what is below the point's tangent plane counts as seen: shading knows how the point lies.  Those in
-     * doubt are appended. */
+     * what is below the point's tangent plane counts as seen: shading knows how the point lies.
+     * Undecided ones are appended. */
     void (*see_rays)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first, int count,
-                     int from, int rays, algsurf_i_doubts *doubts);
+                     int from, int rays, algsurf_i_undecided *undecided);
 } algsurf_i_shadow_kernel;
 
 extern const algsurf_i_shadow_kernel algsurf_i_shadow_avx512, algsurf_i_shadow_avx2,

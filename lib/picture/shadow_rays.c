@@ -5,7 +5,7 @@
 void algsurf_i_begin_shadow_rays(algsurf_i_shadow_rays *rays, const algsurf_i_picture *picture) {
     rays->picture = picture;
     rays->count = 0;
-    rays->doubts.count = 0;
+    rays->undecided.count = 0;
     rays->rays = rays->without_memory = 0;
     for (int i = 0; i < ALGSURF_I_SHADOW_RAYS; i++) rays->t_max[i] = 1;
 }
@@ -29,17 +29,17 @@ algsurf_status algsurf_i_send_shadow_rays(algsurf_i_shadow_rays *b) {
 }
 
 algsurf_status algsurf_i_collect_doubts(algsurf_i_shadow_rays *b, const algsurf_i_starts *starts) {
-    for (int i = 0; i < b->doubts.count; i++) {
-        int from = b->doubts.start[i];
+    for (int i = 0; i < b->undecided.count; i++) {
+        int from = b->undecided.start[i];
         for (int k = 0; k < 3; k++) {
             b->origin[k][b->count] = starts->at[k][from];
-            b->direction[k][b->count] = b->doubts.direction[k][i];
+            b->direction[k][b->count] = b->undecided.direction[k][i];
         }
         b->seen[b->count++] = starts->seen[from];
         if (b->count < ALGSURF_I_SHADOW_RAYS) continue;
         algsurf_status status = algsurf_i_send_shadow_rays(b);
         if (status < 0) return status;
     }
-    b->doubts.count = 0;
+    b->undecided.count = 0;
     return ALGSURF_OK;
 }

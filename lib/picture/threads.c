@@ -20,7 +20,7 @@
 #define WAIT_NS 100000000L /* between two calls of progress while waiting */
 #define SELECTIVE_BATCH 16 /* rows of a batch in a selective picture: the two beyond are drawn in vain */
 
-typedef struct crew {
+typedef struct thread_pool {
     algsurf_i_picture *picture;
     const algsurf_render_options *options;
     atomic_int next_row, rows_done;
@@ -28,23 +28,23 @@ typedef struct crew {
     pthread_cond_t left;  /* a helper has finished */
     int helpers_at_work;
     algsurf_status status; /* OK, or why no more rows are handed out */
-} crew;
+} thread_pool;
 
 typedef struct helper {
-    crew *team;
+    thread_pool *pool;
     algsurf_i_worker *worker;
     pthread_t thread;
 } helper;
 
-static void stop_crew(crew *team, algsurf_status why) {
-    pthread_mutex_lock(&team->lock);
-    if (team->status == ALGSURF_OK) team->status = why;
-    pthread_mutex_unlock(&team->lock);
-    atomic_store_explicit(&team->picture->stop, 1, memory_order_relaxed);
+static void stop_pool(thread_pool *pool, algsurf_status why) {
+    pthread_mutex_lock(&pool->lock);
+    if (pool->status == ALGSURF_OK) pool->status = why;
+    pthread_mutex_unlock(&pool->lock);
+    atomic_store_explicit(&pool->picture->stop, 1, memory_order_relaxed);
 }
 
-static int stopped(const crew *team) {
-    return atomic_load_explicit(&team->picture->stop, memory_order_relaxed);
+static int stopped(const thread_pool *pool) {
+    return atomic_load_explicit(&pool->picture->stop, memory_order_relaxed);
 }
 
 void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more) {
@@ -78,57 +78,57 @@ static int batch_of(const algsurf_i_picture *picture) {
 }
 
 /* Gives the worker rows when it has none left; returns 0 when there are none to give. */
-static int take_rows(crew *team, algsurf_i_worker *worker) {
-    const algsurf_i_picture *picture = team->picture;
-    if (stopped(team)) return 0;
+static int take_rows(thread_pool *pool, algsurf_i_worker *worker) {
+    const algsurf_i_picture *picture = pool->picture;
+    if (stopped(pool)) return 0;
     if (worker->row < worker->row_end) return 1;
     int batch = batch_of(picture);
-    int first = atomic_fetch_add_explicit(&team->next_row, batch, memory_order_relaxed);
+    int first = atomic_fetch_add_explicit(&pool->next_row, batch, memory_order_relaxed);
     if (first >= picture->row_end) return 0;
     worker->row = first < picture->row_begin ? picture->row_begin : first;
     worker->row_end = batch < picture->row_end - first ? first + batch : picture->row_end;
-    worker->trail.row = -1;
+    worker->predictor.row = -1;
     return 1;
 }
 
 /* Draws the worker's next row; returns 0 when there was none left to take. */
-static int draw_next(crew *team, algsurf_i_worker *worker) {
+static int draw_next(thread_pool *pool, algsurf_i_worker *worker) {
     algsurf_i_tally tally = {0};
     algsurf_fpenv saved;
-    if (!take_rows(team, worker)) return 0;
+    if (!take_rows(pool, worker)) return 0;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_render_row(team->picture, worker->row++, worker, &tally);
+    algsurf_status status = algsurf_i_render_row(pool->picture, worker->row++, worker, &tally);
     algsurf_fpenv_leave(&saved);
     algsurf_i_tally_add(&worker->tally, &tally);
     if (status == ALGSURF_OK)
-        atomic_fetch_add_explicit(&team->rows_done, 1, memory_order_relaxed);
+        atomic_fetch_add_explicit(&pool->rows_done, 1, memory_order_relaxed);
     else
-        stop_crew(team, status);
+        stop_pool(pool, status);
     return 1;
 }
 
 static void *help(void *data) {
     const helper *me = data;
-    crew *team = me->team;
-    while (draw_next(team, me->worker)) {
+    thread_pool *pool = me->pool;
+    while (draw_next(pool, me->worker)) {
     }
-    pthread_mutex_lock(&team->lock);
-    team->helpers_at_work--;
-    pthread_cond_signal(&team->left);
-    pthread_mutex_unlock(&team->lock);
+    pthread_mutex_lock(&pool->lock);
+    pool->helpers_at_work--;
+    pthread_cond_signal(&pool->left);
+    pthread_mutex_unlock(&pool->lock);
     return NULL;
 }
 
-static void report(crew *team) {
-    const algsurf_render_options *o = team->options;
-    if (!o->progress || stopped(team)) return;
-    int done = atomic_load_explicit(&team->rows_done, memory_order_relaxed);
-    int total = team->picture->row_end - team->picture->row_begin;
-    if (o->progress(done, total, o->progress_data) != 0) stop_crew(team, ALGSURF_CANCELLED);
+static void report(thread_pool *pool) {
+    const algsurf_render_options *o = pool->options;
+    if (!o->progress || stopped(pool)) return;
+    int done = atomic_load_explicit(&pool->rows_done, memory_order_relaxed);
+    int total = pool->picture->row_end - pool->picture->row_begin;
+    if (o->progress(done, total, o->progress_data) != 0) stop_pool(pool, ALGSURF_CANCELLED);
 }
 
 /* Waits until a helper leaves, or for WAIT_NS; returns how many are still at work. */
-static int wait_for_helpers(crew *team) {
+static int wait_for_helpers(thread_pool *pool) {
     struct timespec until = {0, 0};
     (void)clock_gettime(CLOCK_REALTIME, &until);
     until.tv_nsec += WAIT_NS;
@@ -136,36 +136,36 @@ static int wait_for_helpers(crew *team) {
         until.tv_nsec -= 1000000000L;
         until.tv_sec++;
     }
-    pthread_mutex_lock(&team->lock);
-    if (team->helpers_at_work > 0) (void)pthread_cond_timedwait(&team->left, &team->lock, &until);
-    int at_work = team->helpers_at_work;
-    pthread_mutex_unlock(&team->lock);
+    pthread_mutex_lock(&pool->lock);
+    if (pool->helpers_at_work > 0) (void)pthread_cond_timedwait(&pool->left, &pool->lock, &until);
+    int at_work = pool->helpers_at_work;
+    pthread_mutex_unlock(&pool->lock);
     return at_work;
 }
 
-static int init_sync(crew *team) {
-    if (pthread_cond_init(&team->left, NULL) != 0) return 0;
-    if (pthread_mutex_init(&team->lock, NULL) == 0) return 1;
-    (void)pthread_cond_destroy(&team->left);
+static int init_sync(thread_pool *pool) {
+    if (pthread_cond_init(&pool->left, NULL) != 0) return 0;
+    if (pthread_mutex_init(&pool->lock, NULL) == 0) return 1;
+    (void)pthread_cond_destroy(&pool->left);
     return 0;
 }
 
 /* Starts up to `wanted` helpers, fewer when the system refuses one, and returns how many. */
-static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_worker *workers) {
+static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf_i_worker *workers) {
     int started = 0;
     for (; started < wanted; started++) {
         helper *next = &helpers[started];
-        next->team = team;
+        next->pool = pool;
         next->worker = &workers[started];
-        pthread_mutex_lock(&team->lock);
-        team->helpers_at_work++;
-        pthread_mutex_unlock(&team->lock);
+        pthread_mutex_lock(&pool->lock);
+        pool->helpers_at_work++;
+        pthread_mutex_unlock(&pool->lock);
         if (pthread_create(&next->thread, NULL, help, next) != 0) break;
     }
     if (started < wanted) {
-        pthread_mutex_lock(&team->lock);
-        team->helpers_at_work--;
-        pthread_mutex_unlock(&team->lock);
+        pthread_mutex_lock(&pool->lock);
+        pool->helpers_at_work--;
+        pthread_mutex_unlock(&pool->lock);
     }
     return started;
 }
@@ -173,25 +173,25 @@ static int start_helpers(crew *team, helper *helpers, int wanted, algsurf_i_work
 algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
                                      int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used) {
-    crew team = {.picture = picture, .options = options};
-    atomic_init(&team.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
-    atomic_init(&team.rows_done, 0);
+    thread_pool pool = {.picture = picture, .options = options};
+    atomic_init(&pool.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
+    atomic_init(&pool.rows_done, 0);
     helper *helpers = calloc((size_t)threads, sizeof *helpers);
     if (!helpers) return ALGSURF_E_NO_MEMORY;
-    if (!init_sync(&team)) {
+    if (!init_sync(&pool)) {
         free(helpers);
         return ALGSURF_E_THREAD;
     }
-    int started = start_helpers(&team, helpers, threads - 1, workers + 1);
-    while (draw_next(&team, workers)) report(&team);
+    int started = start_helpers(&pool, helpers, threads - 1, workers + 1);
+    while (draw_next(&pool, workers)) report(&pool);
     if (started > 0)
-        while (wait_for_helpers(&team) > 0) report(&team);
+        while (wait_for_helpers(&pool) > 0) report(&pool);
     for (int i = 0; i < started; i++) (void)pthread_join(helpers[i].thread, NULL);
     free(helpers);
-    if (started > 0) report(&team);
-    (void)pthread_mutex_destroy(&team.lock);
-    (void)pthread_cond_destroy(&team.left);
+    if (started > 0) report(&pool);
+    (void)pthread_mutex_destroy(&pool.lock);
+    (void)pthread_cond_destroy(&pool.left);
     for (int i = 0; i <= started; i++) algsurf_i_tally_add(total, &workers[i].tally);
     *threads_used = started + 1;
-    return team.status;
+    return pool.status;
 }

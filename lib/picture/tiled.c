@@ -2,8 +2,8 @@
  *
  * Pixels of empty tiles miss.  Those of sheets have a root in the sheet, found by Newton's method from the
  * tile's series and proved to be it (algsurf_i_tile); the few where that fails, and the pixels of leaves, are
- * solved as rays of a row, from the depth on before which their tile has nothing.  What is in doubt then goes
- * the way of all rows. */
+ * solved as rays of a row, from the depth on before which their tile has nothing.  What is undecided then
+ * goes the way of all rows. */
 #include "../base/arithmetic.h"
 #include "impl.h"
 
@@ -131,24 +131,24 @@ static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_
         keep_sure(line, t);
 }
 
-/* Depths of the leaves' pixels that are hit, after the line's points; returns whether some are doubtful. */
+/* Depths of the leaves' pixels that are hit, after the line's points; returns whether some are undecided. */
 static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     const algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_leaves leaves = {t->leaves, t->leaf, t->leaf_low, t->leaf_high};
-    int doubtful = 0;
+    int undecided = 0;
     algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
     picture->code->solve_leaves(job, &leaves, t->leaf_depth, t->leaf_state);
     for (int i = 0; i < t->leaves; i++) {
         int x = t->leaf[i];
         line->state[x] = t->leaf_state[i];
-        doubtful |= t->leaf_state[i] == ALGSURF_LANE_DOUBTFUL;
+        undecided |= t->leaf_state[i] == ALGSURF_LANE_UNDECIDED;
         if (t->leaf_state[i] != ALGSURF_LANE_HIT) continue;
         line->pixel[line->count] = x;
         line->depth[line->count++] = t->leaf_depth[i];
     }
-    return doubtful;
+    return undecided;
 }
 
 /* The points of leaves, after the line's. */
@@ -157,14 +157,14 @@ static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, do
                                   algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     double begun = algsurf_i_render_clock();
-    int sheets = line->count, doubtful = solve_leaves(picture, job->row, worker);
+    int sheets = line->count, undecided = solve_leaves(picture, job->row, worker);
     double solved = algsurf_i_render_clock();
     const algsurf_i_points points = algsurf_i_points_to_find(picture, line, sheets);
     picture->code->points(job, line->pixel + sheets, line->depth + sheets, line->count - sheets, &points);
     tally->hits += (uint64_t)(line->count - sheets);
     double pointed = algsurf_i_render_clock();
     algsurf_status status = ALGSURF_OK;
-    if (doubtful) status = algsurf_i_solve_doubtful(picture, y, sx, line->begin, line->end, line, tally);
+    if (undecided) status = algsurf_i_solve_undecided(picture, y, sx, line->begin, line->end, line, tally);
     tally->point_s += pointed - solved;
     tally->solve_s += (solved - begun) + (algsurf_i_render_clock() - pointed);
     return status;
@@ -206,12 +206,12 @@ int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy
     job.offset = 0.5 - 0.5 * picture->width * dense;
     job.pixel /= dense;
     collect_listed(picture, row, worker);
-    int doubtful = solve_leaves(picture, &job, worker);
+    int undecided = solve_leaves(picture, &job, worker);
     double solved = algsurf_i_render_clock();
     const algsurf_i_points found = algsurf_i_points_to_find(picture, line, before);
     picture->code->points(&points, line->pixel + before, line->depth + before, line->count - before, &found);
     tally->hits += (uint64_t)(line->count - before);
     tally->solve_s += solved - begun;
     tally->point_s += algsurf_i_render_clock() - solved;
-    return doubtful;
+    return undecided;
 }

@@ -13,7 +13,7 @@
  * Range.  From the cut to the tile's chords on, the third order belongs to the rest, too (search_template.h).
  *
  * First cell.  Where the tile's rays are known to have no root up to a depth `from`, they may have one right
- * behind it, where the sign of a coefficient is in doubt.  So the first cell begins a little before: 1 or 16
+ * behind it, where the sign of a coefficient is undecided.  So the first cell begins a little before: 1 or 16
  * times as far as rays are apart leaves a tenth more pixels to leaves than 4 times.
  *
  * Empty: the cells from the first depth to the last have no variation of sign, so that no ray of the tile has
@@ -100,7 +100,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
     if (!widen_extent(&narrow, -apart)) return;
     c = chord_of(&narrow, &s);
     slack = 4 * c.blur + SLACK;
-    mask sure = ~c.doubtful & less(c.near, c.far);
+    mask sure = ~c.undecided & less(c.near, c.far);
     lanes near = larger(c.near + slack, all_lanes(job->row->near + SLACK));
     g->least = choose(sure, 0.5 * near + 0.5, g->least);
     g->most = choose(sure, 0.5 * (c.far - slack) + 0.5, g->most);

@@ -164,7 +164,7 @@ static void divide_step(workshop *w) {
 
 /* Several steps at once, while the older remainder stays at or above 2^goal: old = |d| old' + |b| now' gives
  * old' > 2^(bits - 1) / (|b| + |d|) >= 2^(bits - 2 - cap). */
-static int leap(workshop *w, int goal) {
+static int lehmer_step(workshop *w, int goal) {
     int top = bits_of(w->old.r, w->old.length), cap = top - goal - 2, n = w->old.length;
     int64_t f[4];
     if (cap < 2 || top < 62) return 0;
@@ -189,7 +189,7 @@ static int find_fraction(workshop *w) {
     w->old.t_length = 0, w->now.t_length = 1;
     w->old.length = w->limbs, w->now.length = algsurf_z_length(w->now.r, w->limbs);
     while (bits_of(w->now.r, w->now.length) > goal)
-        if (!leap(w, goal)) divide_step(w);
+        if (!lehmer_step(w, goal)) divide_step(w);
     return bits_of(w->now.t, w->now.t_length) <= goal;
 }
 

@@ -31,7 +31,7 @@ typedef struct ray_lanes {
     lanes t_unit;    /* the caller's t where ours is 1, a power of two */
     lanes near, far; /* ends of the chord */
     lanes off;       /* how far another computation may place them */
-    mask open, doubtful;
+    mask open, undecided;
 } ray_lanes;
 
 /* x + low + t d, rounded once but for a part 2^-100 of the terms. */
@@ -68,7 +68,7 @@ INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, size_t at, int count, 
     r.far = job->t_max ? inverse * load_some(job->t_max + at, count) : all_lanes(HUGE_VAL);
     r.off = all_lanes(0);
     r.open = active_lanes(job->active ? job->active + at : NULL, count);
-    r.doubtful = r.open & ~plain;
+    r.undecided = r.open & ~plain;
     r.open &= plain;
     return r;
 }
@@ -92,8 +92,8 @@ INLINE void clip_to_sphere(ray_lanes *r, const double centre[3], double radius) 
     lanes reach = square * (radius * radius), inside = reach - dot(c, c);
     lanes size = reach + square * dot(x, x);
     mask misses = less(inside, -0x1p-48 * size);
-    r->doubtful |= r->open & ~less(largest_of(q), all_lanes(FARTHEST_ORIGIN * radius));
-    r->open &= ~(misses | r->doubtful);
+    r->undecided |= r->open & ~less(largest_of(q), all_lanes(FARTHEST_ORIGIN * radius));
+    r->open &= ~(misses | r->undecided);
     lanes half = root(larger(inside, all_lanes(0))), b = -dot(x, d); /* 0: then off is infinite */
     lanes off = 0x1p-49 * (absolute(t) + half / square) + 0x1p-47 * size / (half * square);
     keep_chord(r, t + (b - half) / square, t + (b + half) / square, off);
@@ -109,7 +109,7 @@ INLINE void clip_to_box(ray_lanes *r, const double centre[3], const double size[
         mask out = less(all_lanes(size[i] * (1 + 0x1p-50)), absolute(q));
         near = choose(parallel, near, larger(near, smaller(one, two)));
         far = choose(parallel, far, smaller(far, larger(one, two)));
-        r->doubtful |= r->open & parallel & ~(in | out);
+        r->undecided |= r->open & parallel & ~(in | out);
         r->open &= ~(parallel & ~in);
     }
     keep_chord(r, near, far, 0x1p-49 * (absolute(near) + absolute(far)));
@@ -140,7 +140,7 @@ INLINE void clip_to_plane(ray_lanes *r, const algsurf_plane *plane) {
     lanes reach = larger(absolute(r->near), absolute(r->far)) + r->off;
     lanes slack = 2 * (above_error + reach * (absolute(rise) + rise_error));
     mask kept = steep | less(above, -slack), lost = ~steep & less(slack, above);
-    r->doubtful |= r->open & ~(kept | lost);
+    r->undecided |= r->open & ~(kept | lost);
     r->open &= kept;
 }
 

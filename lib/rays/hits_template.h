@@ -103,7 +103,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     mask sound = at_most(absolute(step), far);
     sound &= at_most(hit->t_lo - pad, hit->t) & at_most(hit->t, hit->t_hi + pad);
     sound &= less(all_lanes(LEAST_CHORD), half * r->t_unit);
-    k->doubtful |= k->hit & ~sound;
+    k->undecided |= k->hit & ~sound;
     k->hit &= sound;
     hit->t = smaller(larger(hit->t, hit->t_lo), hit->t_hi);
     if (ends) narrow(job->surface, r, half, k, x[0], dot(gradient, r->direction), hit);

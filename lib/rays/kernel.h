@@ -39,7 +39,8 @@ typedef struct algsurf_i_rays_hits {
 } algsurf_i_rays_hits;
 
 typedef struct algsurf_i_rays_kernel {
-    /* Answers the active rays among the first `count`.  Of a doubtful ray only the state means something. */
+    /* Answers the active rays among the first `count`.  Of an undecided ray only the state means something.
+     */
     void (*solve)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
     /* For the job of a single ray, which is solved by the baseline's code: nodes side by side instead of
      * rays. The same bits.  Null: nothing would be gained. */

@@ -2,7 +2,7 @@
  * and what they leave undecided one by one.
  *
  * The packet code (packet_template.h) reads the caller's arrays and writes the answers it is sure of; of the
- * others it writes ALGSURF_LANE_DOUBTFUL as state.  Those rays go on to intersect.c, and so do all rays of
+ * others it writes ALGSURF_LANE_UNDECIDED as state.  Those rays go on to intersect.c, and so do all rays of
  * calls that the packet code is not made for.  A single ray is a packet of one: no answer depends on what
  * else is in a packet, so a ray has the same bits alone as in company. */
 #include "../base/arithmetic.h"
@@ -81,7 +81,7 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
                            const algsurf_i_rays_hits *hits) {
     if (!q->fits_lanes || q->has_method) {
         for (size_t i = 0; i < rays->count; i++)
-            if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_DOUBTFUL;
+            if (!rays->active || rays->active[i]) hits->state[i] = ALGSURF_LANE_UNDECIDED;
         return;
     }
     const algsurf_i_rays_kernel *code = packet_code(q);
@@ -99,7 +99,7 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
 }
 
 static int left_alone(const algsurf_ray_packet *rays, const unsigned char *state, size_t i) {
-    return (!rays->active || rays->active[i]) && state[i] == ALGSURF_LANE_DOUBTFUL;
+    return (!rays->active || rays->active[i]) && state[i] == ALGSURF_LANE_UNDECIDED;
 }
 
 static void store_hit(const algsurf_i_rays_hits *hits, size_t i, const algsurf_hit *hit) {
@@ -245,7 +245,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
         .normal = {found.normal, found.normal + 1, found.normal + 2},
     };
     solve_together(&q, &rays, 0, 1, &hits);
-    if (state == ALGSURF_LANE_DOUBTFUL) return algsurf_i_intersect_first(&q, ray, NULL, hit, &exact);
+    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, NULL, hit, &exact);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;
@@ -318,7 +318,7 @@ static ALGSURF_NOINLINE algsurf_status any_of_one(const algsurf_surface *surface
     algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
     solve_together(&q, &rays, 1, 1, &(algsurf_i_rays_hits){.state = &found});
-    if (found == ALGSURF_LANE_DOUBTFUL) return algsurf_i_occluded(&q, ray, state);
+    if (found == ALGSURF_LANE_UNDECIDED) return algsurf_i_occluded(&q, ray, state);
     *state = (int)found;
     return ALGSURF_OK;
 }

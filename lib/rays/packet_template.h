@@ -63,9 +63,9 @@ INLINE void set_chords(const algsurf_i_rays_job *job, const ray_lanes *r, lanes 
         reach[i] = absolute(line->middle[i]) + absolute(line->half[i]);
     }
     k->blur = (r->off + 0x1p-52 * (absolute(middle) + half)) / absolute(half);
-    k->doubtful |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
-    k->doubtful |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
-    k->open &= ~k->doubtful;
+    k->undecided |= k->open & ~less(largest_of(reach), all_lanes(job->surface->most_reach));
+    k->undecided |= k->open & ~less(k->blur, all_lanes(MOST_BLUR));
+    k->open &= ~k->undecided;
     k->start = all_lanes(-1); /* all of [0,1] is searched, and solve_chords looks at its ends */
     k->stop = all_lanes(2);
 }
@@ -114,12 +114,12 @@ APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, p
     packet again;
     again.watch = k->watch;
     again.open = which;
-    again.doubtful = no_lane();
+    again.undecided = no_lane();
     again.start = k->start;
     again.stop = k->stop;
     again.blur = k->blur;
     decide_from_powers(job, line, &again, n);
-    k->doubtful = (k->doubtful & ~which) | again.doubtful;
+    k->undecided = (k->undecided & ~which) | again.undecided;
     close(k, n, again.hit, &again.at);
 }
 
@@ -128,7 +128,7 @@ INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *l
     mask opened = k->open;
     set_coefficients(job, line, k, n, block);
     solve_chords(job, k, n, 0);
-    mask again = opened & k->doubtful;
+    mask again = opened & k->undecided;
     if (any(again)) decide_again(job, line, k, again, n);
 }
 
@@ -179,13 +179,13 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         lanes_hit hit = {.t = all_lanes(0)};
         int left = count - at < LANES ? (int)(count - at) : LANES;
         ray_lanes r = load_rays(job, at, left, scale);
-        unsigned which = bits(r.open | r.doubtful);
+        unsigned which = bits(r.open | r.undecided);
         if (!which) continue;
         clip_rays(job, &r, scale);
         lanes middle = 0.5 * r.near + 0.5 * r.far, half = 0.5 * r.far - 0.5 * r.near;
         k.watch = watch_chord(job, &r, &watch);
         k.open = r.open;
-        k.doubtful = r.doubtful;
+        k.undecided = r.undecided;
         k.hit = no_lane();
         if (any(k.open)) {
             chord_line line;
@@ -200,11 +200,11 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
                 find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
             }
         }
-        unsigned found = bits(k.hit), doubts = bits(k.doubtful);
+        unsigned found = bits(k.hit), undecided = bits(k.undecided);
         for (int l = 0; l < left; l++)
             if (which >> l & 1)
                 hits->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
-                                                        ALGSURF_LANE_DOUBTFUL * (doubts >> l & 1));
+                                                        ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
         unsigned below = bits(negative(k.at.side));
         for (int l = 0; hits->side && l < left; l++)
             if (which >> l & found >> l & 1) hits->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;

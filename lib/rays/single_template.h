@@ -85,11 +85,11 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
         v = all_lanes(refine_single(s));
     else
         refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
-    if (any(s->k.doubtful)) return 0;
+    if (any(s->k.undecided)) return 0;
     find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
-    if (!s->how && any(s->k.doubtful)) return 0;
-    if (any(s->k.doubtful) || wide) {
-        s->k.doubtful = no_lane();
+    if (!s->how && any(s->k.undecided)) return 0;
+    if (any(s->k.undecided) || wide) {
+        s->k.undecided = no_lane();
         hit_as_it_is(s, v[0], &hit);
     }
     to->state = ALGSURF_HIT;
@@ -122,7 +122,7 @@ static void next_bracket(single_ray *s) {
     for (;;) {
         next(&s->k, n, from);
         isolate_known_often(&s->k, n);
-        if (!any(s->k.doubtful) || s->from_powers) return;
+        if (!any(s->k.undecided) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);
         bound_errors(&s->k, n, 1);
@@ -140,12 +140,12 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     s.half = 0.5 * s.ray.far - 0.5 * s.ray.near;
     s.k.watch = watch_chord(job, &s.ray, &s.watch);
     s.k.open = s.ray.open;
-    s.k.doubtful = s.ray.doubtful;
+    s.k.undecided = s.ray.undecided;
     s.k.hit = no_lane();
     if (any(s.k.open)) set_chords(job, &s.ray, s.middle, s.half, &s.line, &s.k);
     if (any(s.k.open)) first_bracket(&s);
     for (;;) {
-        if (any(s.k.doubtful)) return -1;
+        if (any(s.k.undecided)) return -1;
         if (!any(s.k.hit)) return count;
         if (!make_hit(&s, hits + count)) return -1;
         if (++count == most || s.k.at.q[0] >= 1) return count;

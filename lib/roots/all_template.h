@@ -2,8 +2,7 @@
  * doubles.
  *
  * Isolated as in first_template.h, but both parts of a split cell are kept, on a stack.  A root that Halley's
- * method has found is enclosed as in enclose_template.h.  All that is undecided leaves its polynomial in
- * doubt. */
+ * method has found is enclosed as in enclose_template.h.  All that is undecided leaves its polynomial undecided. */
 #ifndef ALGSURF_ALL_TEMPLATE_H
 #define ALGSURF_ALL_TEMPLATE_H
 #include "block_template.h"
@@ -34,7 +33,7 @@ INLINE void enclose_some(const algsurf_i_polys_job *job, poly_block *block, size
             if (bits(e[w].found) >> l & 1)
                 add_root(job->roots + to * (size_t)n, job->found[to]++, e + w, l);
             else
-                *in_row(block, PLACE, all.id[w][l], n) = IN_DOUBT;
+                *in_row(block, PLACE, all.id[w][l], n) = UNDECIDED;
         }
 }
 
@@ -64,17 +63,17 @@ INLINE void split_last_n(poly_block *block, int n, int turn) {
     left.e[0] = right.e[0] += cut_error;
     block->cells = i;
     lanes at = split_point(&right, n, turn);
-    mask unsure = at_most(right.q - right.p, all_lanes(NARROWEST));
+    mask undecided = at_most(right.q - right.p, all_lanes(NARROWEST));
     split(right.w, left.w, n, at - right.p, right.q - at);
-    unsure |= ~less(left.e[0], absolute(right.w[0]));
+    undecided |= ~less(left.e[0], absolute(right.w[0]));
     left.p = right.p;
     left.q = right.p = at;
     left.side = (words)all_lanes(0);
     right.side = take_sign(right.w, n, ~no_lane());
-    unsigned doubts = bits(unsure) & room;
-    if (doubts) leave_in_doubt(block, absolute(id), doubts, n);
-    keep_part(block, &right, id, cut_error, room & ~doubts, n);
-    keep_part(block, &left, id, cut_error, room & ~doubts, n);
+    unsigned unknown = bits(undecided) & room;
+    if (unknown) leave_undecided(block, absolute(id), unknown, n);
+    keep_part(block, &right, id, cut_error, room & ~unknown, n);
+    keep_part(block, &left, id, cut_error, room & ~unknown, n);
 }
 
 APART void split_last(poly_block *block, int n, int turn) {
@@ -90,10 +89,10 @@ static void solve_batch(const algsurf_i_polys_job *job, poly_block *block, size_
         if (block->cells > POLYS_OF(n) - LANES || turn > MOST_TURNS * BATCH_OF(n)) break;
         split_last(block, n, turn);
     }
-    for (int i = 0; i < block->cells; i++) leave_in_doubt(block, absolute(load_row(block, ID, i, n)), 1, n);
+    for (int i = 0; i < block->cells; i++) leave_undecided(block, absolute(load_row(block, ID, i, n)), 1, n);
     enclose_all(job, block, at, n);
     for (int i = 0; i < count; i++)
-        if (*in_row(block, PLACE, i, n) == IN_DOUBT) job->found[at + (size_t)i] = -1;
+        if (*in_row(block, PLACE, i, n) == UNDECIDED) job->found[at + (size_t)i] = -1;
 }
 
 static void solve_all(const algsurf_i_polys_job *job, size_t count) {

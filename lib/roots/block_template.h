@@ -26,7 +26,7 @@ enum {
     END,
     NEAR,
     RADIUS, /* polynomial number id, in column id */
-    PLACE,  /* its root in [-1,1], NOWHERE, IN_DOUBT, or ENCLOSED */
+    PLACE,  /* its root in [-1,1], NOWHERE, UNDECIDED, or ENCLOSED */
     VALUE,  /* which is then here */
     D       /* its n + 1 coefficients about the middle */
 };
@@ -43,7 +43,7 @@ enum {
 _Static_assert(ROWS_OF(10) * ROW_OF(10) <= ROOM, "rows");
 
 #define NOWHERE 4.0
-#define IN_DOUBT 2.0
+#define UNDECIDED 2.0
 #define ENCLOSED 1.5
 
 /* Polynomials and what was found. */
@@ -111,9 +111,9 @@ INLINE void add_brackets(poly_block *block, const cell *s, lanes id, unsigned ch
     block->hits += __builtin_popcount(chosen);
 }
 
-INLINE void leave_in_doubt(poly_block *block, lanes id, unsigned which, int n) {
+INLINE void leave_undecided(poly_block *block, lanes id, unsigned which, int n) {
     for (int l = 0; which >> l; l++)
-        if (which >> l & 1) *in_row(block, PLACE, (int)id[l], n) = IN_DOUBT;
+        if (which >> l & 1) *in_row(block, PLACE, (int)id[l], n) = UNDECIDED;
 }
 
 #endif

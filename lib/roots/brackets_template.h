@@ -101,13 +101,13 @@ APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block,
     }
 }
 
-/* Stores the roots that a packet's brackets led to; returns the lanes in doubt, those that did not come to an
- * end or whose root may be off by more than BLURRED. */
+/* Stores the roots that a packet's brackets led to; returns the lanes undecided, those that did not come to
+ * an end or whose root may be off by more than BLURRED. */
 INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
                            const approaches *all, int w) {
     const approach *a = all->a + w;
     mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
-    unsigned doubts = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
+    unsigned undecided = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
     for (int l = 0; l < LANES && l < count; l++) {
         int id = all->id[w][l];
         double x = a->x[l];
@@ -117,11 +117,11 @@ INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, si
             double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
                    half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
             double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
-            doubts |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
+            undecided |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
         }
-        *in_row(block, PLACE, id, n) = doubts >> l & 1 ? IN_DOUBT : x;
+        *in_row(block, PLACE, id, n) = undecided >> l & 1 ? UNDECIDED : x;
     }
-    return doubts;
+    return undecided;
 }
 
 /* Roots in brackets i, i+1 ..  Ill-conditioned ones, without radii, by values that are better than doubles.
@@ -129,15 +129,15 @@ INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, si
 APART void refine_some(const algsurf_i_polys_job *job, poly_block *block, size_t at, int i, int n) {
     approaches all;
     enclosure e[PAIR];
-    unsigned doubts[PAIR] = {0}, some = 0;
+    unsigned undecided[PAIR] = {0}, some = 0;
     approach_hits(job, block, i, n, &all);
     for (int w = 0; w < all.packets; w++)
-        some |= doubts[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
+        some |= undecided[w] = store_hits(job, block, at, block->hits - i - w * LANES, n, &all, w);
     if (!some || job->r.at) return;
     enclose_hits(job, block, at, i, &all, n, e);
     for (int w = 0; w < all.packets; w++)
-        for (int l = 0; doubts[w] >> l; l++)
-            if (doubts[w] & bits(e[w].found) & 1u << l) {
+        for (int l = 0; undecided[w] >> l; l++)
+            if (undecided[w] & bits(e[w].found) & 1u << l) {
                 *in_row(block, PLACE, all.id[w][l], n) = ENCLOSED;
                 *in_row(block, VALUE, all.id[w][l], n) = e[w].value[l];
             }

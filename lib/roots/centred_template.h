@@ -35,7 +35,7 @@ typedef struct centred {
 /* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
 INLINE lanes power_of_two(lanes a) { return (lanes)(0x7fe0000000000000u - ((words)a & 0x7ff0000000000000u)); }
 
-INLINE mask moderate(lanes a, double large) {
+INLINE mask within(lanes a, double large) {
     return less(all_lanes(1 / large), a) & less(a, all_lanes(large));
 }
 
@@ -49,7 +49,7 @@ INLINE lanes magnitude(const lanes *c, int n, lanes x) {
 /* Brings M and S of the `extreme` lanes to about 1.  What overflows shows in S. */
 INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *most, lanes *size) {
     lanes one = all_lanes(1), power = one;
-    p->sound = ~extreme | (moderate(*most, LARGEST) & moderate(*size, LARGEST));
+    p->sound = ~extreme | (within(*most, LARGEST) & within(*size, LARGEST));
     lanes shrink = choose(extreme & p->sound, power_of_two(*most), one), unit = 1 / shrink;
     lanes scale = choose(extreme & p->sound, power_of_two(*size), one);
     for (int k = 0; k <= n; k++) {
@@ -61,7 +61,7 @@ INLINE void rescale(centred *p, int n, mask extreme, lanes *m, lanes *h, lanes *
     *most *= shrink;
     *size = magnitude(p->d, n, *most);
     p->radius *= scale;
-    p->sound &= moderate(power, LARGEST) & (~extreme | moderate(*size, 8));
+    p->sound &= within(power, LARGEST) & (~extreme | within(*size, 8));
 }
 
 INLINE void load_interval(const algsurf_i_polys_job *job, size_t at, int count, lanes *lo, lanes *hi) {
@@ -91,7 +91,7 @@ INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred
     p->radius = all_lanes(0);
     for (int k = n; job->r.at && k >= 0; k--)
         p->radius = p->radius * most + load_table(&job->r, k, at, count);
-    mask extreme = ~(moderate(most, LARGE_END) & moderate(size, LARGE_SIZE));
+    mask extreme = ~(within(most, LARGE_END) & within(size, LARGE_SIZE));
     p->sound = ~no_lane();
     if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
     p->sound &= less(SHORTEST * most, h);

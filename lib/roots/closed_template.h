@@ -9,8 +9,8 @@
  * or both are s, the middle coefficient's is not, and the discriminant D is positive, then the first root is
  * the one where the slope d_1 + 2 d_2 v = -s sqrt(D).  Errors R of b are errors of at most R of d_0, d_1 and
  * 2 R of d_2; they change D by less than 16 R (|d_0| + |d_1| + |d_2| + R), which exceeds its roundings too.
- * The root is off by about u (|d_0| + |d_1| + |d_2|) / sqrt(D), so hits with a small D are doubtful. */
-INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtful) {
+ * The root is off by about u (|d_0| + |d_1| + |d_2|) / sqrt(D), so hits with a small D are undecided. */
+INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *undecided) {
     lanes a = n == 2 ? p->d[2] : all_lanes(0), b = p->d[1], c = p->d[0], radius = p->radius;
     lanes left = c - b + a, middle = c - a, right = c + b + a;
     words sign = (words)left & (words)all_lanes(-0.0);
@@ -23,8 +23,8 @@ INLINE lanes first_root_closed(const centred *p, int n, mask *hit, mask *doubtfu
     sure &= p->sound;
     lanes slope = root(larger(discriminant, all_lanes(0)));
     *hit = sure & (crosses | (around & less(all_lanes(0), discriminant)));
-    *doubtful = ~sure | (*hit & less(slope, FLAT * size));
-    *hit &= ~*doubtful;
+    *undecided = ~sure | (*hit & less(slope, FLAT * size));
+    *hit &= ~*undecided;
     mask same = ~negative((words)b ^ sign);
     lanes sum = b + (lanes)((words)slope | ((words)b & (words)all_lanes(-0.0)));
     return choose(same, -sum, -2 * c) / choose(same, 2 * a, sum);

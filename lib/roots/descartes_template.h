@@ -8,7 +8,7 @@
  * exact.
  *
  * Radii come in two kinds, told apart by `own`, a constant of the caller: 0, e[0] is the radius of all
- * coefficients; 1, each has its own, which costs a second scheme and leaves far fewer signs in doubt.
+ * coefficients; 1, each has its own, which costs a second scheme and leaves far fewer signs undecided.
  *
  * Rounding of a split.  Below, "path" is a product of weights that leads from w_j to a coefficient of a part;
  * a coefficient is the sum over all paths of weight times w_j.  A path through n levels meets at most 5 n + 1
@@ -140,8 +140,7 @@ INLINE words take_sign(lanes *w, int n, mask which) {
     return side;
 }
 
-/* Where `which`: the cell [from,to] cut from the whole polynomial b with radii e.  Its ends' signs may be in
- * doubt. */
+/* Where `which`: the cell [from,to] cut from the whole polynomial b with radii e.  Its ends' signs may be undecided. */
 INLINE void cut_cell(cell *c, const lanes *b, const lanes *e, int n, int own, lanes cut_error, mask which,
                      lanes from, lanes to) {
     cell part;
@@ -201,7 +200,7 @@ INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes s
         split(right_e, left_e, n, before, behind);
     else
         left_e[0] = right_e[0];
-    mask crosses = negative((words)left[n]), unsure = ~less(radius_of(left_e, n, own), absolute(left[n]));
+    mask crosses = negative((words)left[n]), undecided = ~less(radius_of(left_e, n, own), absolute(left[n]));
     signs l = count_signs(left, left_e, n, own);
     int told = watch && bits(which) & 1;
     if (told) tell_cell(watch, c->p[0], at[0], left, left_e, n, own, c->side[0] != 0);
@@ -219,7 +218,7 @@ INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes s
     c->q = choose(go_left, at, c->q);
     s->none = (go_right & r.none) | (go_left & l.none);
     s->one = (go_right & r.one) | (go_left & l.one);
-    return which & unsure;
+    return which & undecided;
 }
 
 /* Where the control polygon, positive first, crosses zero for the last time. */

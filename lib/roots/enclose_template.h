@@ -40,7 +40,7 @@ INLINE void begin_enclosure(const algsurf_i_polys_job *job, size_t at, const int
     e->to = choose(at_most(all_lanes(1), end), hi, middle + end * half - margin);
     e->t = middle + x * half;
     e->before = e->last = e->value = all_lanes(0);
-    e->open = open & moderate(most, LARGE_END) & moderate(magnitude(e->c, n, most), LARGE_SIZE);
+    e->open = open & within(most, LARGE_END) & within(magnitude(e->c, n, most), LARGE_SIZE);
     e->found = no_lane();
 }
 

@@ -1,7 +1,7 @@
-/* first.c - many polynomials: checked, solved side by side, and what stays in doubt one by one.
+/* first.c - many polynomials: checked, solved side by side, and what stays undecided one by one.
  *
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
- * ALGSURF_LANE_DOUBTFUL as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
+ * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
  * radius for each coefficient or in integers.  So are polynomials in intervals with an infinite end, which
  * the packets find unsound (centred_template.h). */
 #include "../base/arithmetic.h"
@@ -146,13 +146,13 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
     if (has_kernel(p->degree)) {
         if (!q.kernel->solve(&job, p->count)) return ALGSURF_OK;
     } else {
-        memset(state, ALGSURF_LANE_DOUBTFUL, p->count);
+        memset(state, ALGSURF_LANE_UNDECIDED, p->count);
     }
-    const unsigned char *doubtful = state, *end = state + p->count;
-    while ((doubtful = memchr(doubtful, ALGSURF_LANE_DOUBTFUL, (size_t)(end - doubtful)))) {
-        algsurf_status alone = solve_alone(p, (size_t)(doubtful - state), state, root);
+    const unsigned char *undecided = state, *end = state + p->count;
+    while ((undecided = memchr(undecided, ALGSURF_LANE_UNDECIDED, (size_t)(end - undecided)))) {
+        algsurf_status alone = solve_alone(p, (size_t)(undecided - state), state, root);
         if (alone != ALGSURF_OK) status = alone;
-        doubtful++;
+        undecided++;
     }
     return status;
 }

@@ -33,7 +33,7 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     s.q = s.limit = all_lanes(1);
     mask ends = p.sound & ends_known(s.w, s.e, n, 0, s.p);
     signs whole = count_signs(s.w, s.e, n, 0);
-    store(in_row(block, PLACE, i, n), choose(ends, all_lanes(NOWHERE), all_lanes(IN_DOUBT)));
+    store(in_row(block, PLACE, i, n), choose(ends, all_lanes(NOWHERE), all_lanes(UNDECIDED)));
     unsigned some = bits(ends & ~whole.none) & first_lanes(room), one = bits(whole.one) & some;
     if (one) add_brackets(block, &s, id, one, n);
     add_cells(block, &s, id, (8 * n * 0x1p-53) * (largest + p.radius), some & ~one, n);
@@ -70,19 +70,19 @@ APART void go_on(const poly_block *block, cell *s, const lanes *id, const lanes 
 INLINE unsigned divide_some(poly_block *block, cell *s, lanes id, lanes cut_error, unsigned which, int n,
                             int turn) {
     signs c;
-    mask unsure = at_most(s->q - s->p, all_lanes(NARROWEST));
-    unsure |=
+    mask undecided = at_most(s->q - s->p, all_lanes(NARROWEST));
+    undecided |=
         divide(s, n, 0, cut_error, ~no_lane(), all_lanes(-1), all_lanes(0), all_lanes(2), turn, &c, NULL);
     mask again = c.none & less(s->q, s->limit);
     if (bits(again) & which) {
         go_on(block, s, &id, &cut_error, &again);
-        unsure |= again & ~ends_known(s->w, s->e, n, 0, all_lanes(0));
+        undecided |= again & ~ends_known(s->w, s->e, n, 0, all_lanes(0));
         c = count_signs(s->w, s->e, n, 0);
     }
-    unsigned doubts = bits(unsure) & which, hits = bits(c.one) & which & ~doubts;
-    if (doubts) leave_in_doubt(block, id, doubts, n);
+    unsigned unknown = bits(undecided) & which, hits = bits(c.one) & which & ~unknown;
+    if (unknown) leave_undecided(block, id, unknown, n);
     if (hits) add_brackets(block, s, id, hits, n);
-    return which & ~bits(c.none) & ~hits & ~doubts;
+    return which & ~bits(c.none) & ~hits & ~unknown;
 }
 
 INLINE void divide_cells_n(poly_block *block, int n, int turn) {
@@ -109,7 +109,7 @@ INLINE void divide_last_cells_n(poly_block *block, int n, int turn) {
     unsigned open = first_lanes(block->cells);
     take_cells(block, 0, &s, &id, &cut_error, n);
     for (; open && turn < MOST_TURNS; turn++) open = divide_some(block, &s, id, cut_error, open, n, turn);
-    leave_in_doubt(block, id, open, n);
+    leave_undecided(block, id, open, n);
 }
 
 /* The same until no cell is open: one packet, which stays where it is. */
@@ -118,18 +118,18 @@ APART void divide_last_cells(poly_block *block, int n, int turn) {
     FOR_DEGREE(n, divide_last_cells_n(block, N, turn))
 }
 
-/* The bytes of `hits` become 1, those of `doubts` 2, others 0. */
-INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
+/* The bytes of `hits` become 1, those of `undecided` 2, others 0. */
+INLINE void store_states(uint8_t *state, mask hits, mask undecided, int count) {
     static const uint8_t spread[16][4] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0},
                                           {0, 0, 1, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}, {1, 1, 1, 0},
                                           {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
                                           {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
     uint8_t all[8] = {0};
     for (int l = 0; l < LANES; l += 4) {
-        uint32_t hit, doubt;
+        uint32_t hit, open;
         __builtin_memcpy(&hit, spread[bits(hits) >> l & 15], 4);
-        __builtin_memcpy(&doubt, spread[bits(doubts) >> l & 15], 4);
-        hit = ALGSURF_LANE_HIT * hit + ALGSURF_LANE_DOUBTFUL * doubt;
+        __builtin_memcpy(&open, spread[bits(undecided) >> l & 15], 4);
+        hit = ALGSURF_LANE_HIT * hit + ALGSURF_LANE_UNDECIDED * open;
         __builtin_memcpy(all + l, &hit, 4);
     }
     if (count >= LANES) {
@@ -139,64 +139,64 @@ INLINE void store_states(uint8_t *state, mask hits, mask doubts, int count) {
     }
 }
 
-/* The answers of polynomials i .. of the block; returns whether some are in doubt. */
+/* The answers of polynomials i .. of the block; returns whether some are undecided. */
 INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room,
                   int n) {
     lanes v = load_row(block, PLACE, i, n);
-    mask hit = less(v, all_lanes(IN_DOUBT)), doubtful = at_most(v, all_lanes(IN_DOUBT)) & ~hit;
-    store_states(job->state + at, hit, doubtful, room);
-    if (!job->root) return any(doubtful);
+    mask hit = less(v, all_lanes(UNDECIDED)), undecided = at_most(v, all_lanes(UNDECIDED)) & ~hit;
+    store_states(job->state + at, hit, undecided, room);
+    if (!job->root) return any(undecided);
     lanes lo, hi;
     load_interval(job, at, room, &lo, &hi);
     lanes t = 0.5 * lo + 0.5 * hi + v * (0.5 * hi - 0.5 * lo);
     t = choose(at_most(absolute(v - ENCLOSED), all_lanes(0)), load_row(block, VALUE, i, n), t);
     store_some(job->root + at, choose(hit, smaller(larger(t, lo), hi), all_lanes(HUGE_VAL)), room);
-    return any(doubtful);
+    return any(undecided);
 }
 
 INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
-    int turn = 0, doubts = 0;
+    int turn = 0, undecided = 0;
     classify_all(job, block, at, count, n);
     for (; block->cells > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
-    for (int i = LANES; i < block->cells; i++) leave_in_doubt(block, load_row(block, ID, i, n), 1, n);
+    for (int i = LANES; i < block->cells; i++) leave_undecided(block, load_row(block, ID, i, n), 1, n);
     if (block->cells > 0) divide_last_cells(block, n, turn);
     for (int i = 0; i < block->hits && !job->root; i++)
         *in_row(block, PLACE, (int)*in_row(block, HIT_ID, i, n), n) = 0;
     for (int i = 0; i < block->hits && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
     for (int i = 0; i < count; i += LANES)
-        doubts |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
-    return doubts;
+        undecided |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+    return undecided;
 }
 
 INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
     centred p;
-    mask hit, doubtful;
+    mask hit, undecided;
     centre(job, at, count, &p, n);
-    lanes v = first_root_closed(&p, n, &hit, &doubtful);
-    store_states(job->state + at, hit, doubtful, count);
-    if (!job->root) return any(doubtful);
+    lanes v = first_root_closed(&p, n, &hit, &undecided);
+    store_states(job->state + at, hit, undecided, count);
+    if (!job->root) return any(undecided);
     lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
     store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
-    return any(doubtful);
+    return any(undecided);
 }
 
 /* Degrees 1 and 2. */
 INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
-    int doubts = 0;
+    int undecided = 0;
     for (size_t at = 0; at < count; at += LANES)
-        doubts |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
-    return doubts;
+        undecided |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
+    return undecided;
 }
 
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
-    int doubts = 0, n = job->degree;
+    int undecided = 0, n = job->degree;
     if (n <= 2) return n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1);
     poly_block block;
     begin_block(&block, n);
     const size_t together = (size_t)POLYS_OF(n);
     for (size_t at = 0; at < count; at += together)
-        doubts |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
-    return doubts;
+        undecided |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);
+    return undecided;
 }
 
 #endif

@@ -23,11 +23,11 @@ typedef struct algsurf_i_polys_job {
     uint8_t *state;
     double *root;             /* +inf where there is none; may be null */
     algsurf_real_root *roots; /* of all roots: those of number i from i degree on */
-    int *found;               /* and how many; -1: in doubt */
+    int *found;               /* and how many; -1: undecided */
 } algsurf_i_polys_job;
 
 typedef struct algsurf_i_roots_kernel {
-    /* state and root of the first `count` polynomials; of a doubtful one only the state means something.
+    /* state and root of the first `count` polynomials; of an undecided one only the state means something.
      * Returns 0 if there is none. */
     int (*solve)(const algsurf_i_polys_job *job, size_t count);
     /* roots and found of the first `count` polynomials, which have no radii. */

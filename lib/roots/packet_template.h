@@ -3,7 +3,7 @@
  *
  * Only the part [start,stop] of [0,1] is searched, its ends known up to `blur`.  A lane whose cell is
  * exhausted goes on with its polynomial cut at the place it has reached.  A lane that would need a sign that
- * is not known leaves as doubtful, and so does one that does not come to an end. */
+ * is not known leaves as undecided, and so does one that does not come to an end. */
 #ifndef ALGSURF_ROOTS_PACKET_TEMPLATE_H
 #define ALGSURF_ROOTS_PACKET_TEMPLATE_H
 #include "../simd/degrees.h"
@@ -21,14 +21,14 @@ typedef struct packet {
     lanes largest;                /* max|b| */
     lanes cut_error;              /* 8 n u max|b| */
     mask open;                    /* lanes still to be solved */
-    mask hit, doubtful;           /* lanes solved: the others have no root */
+    mask hit, undecided;          /* lanes solved: the others have no root */
     cell at;                      /* of a hit: the bracket */
     signs s;                      /* the cell's count */
     const algsurf_i_watch *watch; /* null; or, with two lanes, of the first one */
 } packet;
 
 INLINE void leave_undecided(packet *k, mask which) {
-    k->doubtful |= k->open & which;
+    k->undecided |= k->open & which;
     k->open &= ~which;
 }
 
@@ -98,7 +98,7 @@ INLINE void add_cut(cuts *c, double at) {
 }
 
 /* Open lanes that have no root, as the same cuts show, are closed. */
-INLINE void skirt_n(packet *k, int n, const cuts *c) {
+INLINE void reuse_cuts_n(packet *k, int n, const cuts *c) {
     lanes left[MOST_DEGREE + 1], right[MOST_DEGREE + 1], error = k->e[0];
     mask empty = k->open;
     double from = 0;
@@ -174,7 +174,7 @@ INLINE jet jet_at(const lanes *w, int n, lanes x) {
 /* The first lane goes on from an end of a cell. */
 INLINE void next(packet *k, int n, lanes from) {
     k->open = less(numbered(), all_lanes(1));
-    k->hit = k->doubtful = no_lane();
+    k->hit = k->undecided = no_lane();
     k->at.limit = all_lanes(1);
     enter(k, n, 1, k->open, from, k->at.limit, k->watch);
 }
@@ -248,7 +248,7 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const 
                     at_most(4 * step * ratio * ratio, all_lanes(tolerance)) &
                     at_most(step, all_lanes(tolerance > SHORT_STEP ? tolerance : SHORT_STEP)));
         if (round == MOST_TURNS) {
-            k->doubtful |= moving;
+            k->undecided |= moving;
             k->hit &= ~moving;
             break;
         }
@@ -260,7 +260,7 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const 
 
 APART void follow(packet *k, int n, const guess *g){FOR_DEGREE(n, follow_n(k, N, g))}
 
-APART void skirt(packet *k, int n, const cuts *c){FOR_DEGREE(n, skirt_n(k, N, c))}
+APART void reuse_cuts(packet *k, int n, const cuts *c){FOR_DEGREE(n, reuse_cuts_n(k, N, c))}
 
 /* The same steps, for whoever watches. */
 APART void isolate_watched(packet *k, int n, int own) {

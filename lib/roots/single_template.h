@@ -9,8 +9,8 @@
  * are at most S together.  The shift costs n + 1 sums, and for each factor m a product and m's own rounding,
  * for each factor h as much: 3n + 1.  Horner's rule costs two sums in each of n steps, a product, a binomial
  * and the division: 2n + 4.  So b_j is off by (5n + 5) u S; the bound (7n + 16) u S takes in the higher
- * orders and the rounding of S.  Numbers that are not moderate are scaled first: M to at most 1, the largest
- * c_k M^k to about 1; what underflow changes then is below 2^-900.  Moderate ones have S and M^n within
+ * orders and the rounding of S.  Numbers that are out of range are scaled first: M to at most 1, the largest
+ * c_k M^k to about 1; what underflow changes then is below 2^-900.  Those in range have S and M^n within
  * 2^+-300, so that nothing is above 2^600 on the way, and what underflow changes is below 2^-700, hence below
  * 2^-300 u S.
  *
@@ -130,7 +130,7 @@ int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, d
         k.watch = &here;
     }
     k.open = less(numbered(), all_lanes(1));
-    k.doubtful = no_lane();
+    k.undecided = no_lane();
     k.start = all_lanes(-1);
     k.stop = all_lanes(2);
     k.blur = all_lanes(0);
@@ -144,7 +144,7 @@ int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, d
     leave_undecided(&k, ~ends_known(k.b, k.e, n, 1, all_lanes(0)));
     for (;;) {
         isolate_known_often(&k, n);
-        if (any(k.doubtful)) return 0;
+        if (any(k.undecided)) return 0;
         if (!any(k.hit)) return 1;
         if (!set_bracket(&s, &k, *count ? b[*count - 1].hi : lo, b + *count)) return 0;
         if (++*count == most || k.at.q[0] >= 1) return 1;

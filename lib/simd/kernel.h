@@ -6,12 +6,12 @@
  *
  * All kernels give the same bits: each lane is rounded as a double alone would be, and no result depends on
  * how many lanes there are.  None of them decides a sign inside its error bound; a lane that would have to
- * reports doubt.  To be called in the standard floating-point environment. */
+ * reports it as undecided.  To be called in the standard floating-point environment. */
 #ifndef ALGSURF_KERNEL_H
 #define ALGSURF_KERNEL_H
 
 /* Answers of a lane. */
-enum { ALGSURF_LANE_MISS = 0, ALGSURF_LANE_HIT = 1, ALGSURF_LANE_DOUBTFUL = 2 };
+enum { ALGSURF_LANE_MISS = 0, ALGSURF_LANE_HIT = 1, ALGSURF_LANE_UNDECIDED = 2 };
 
 /* The initializer of a table by index: what is named for each kernel, without those that the processor's
  * family does not have. */

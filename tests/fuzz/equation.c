@@ -100,7 +100,8 @@ static int letter_at(const char *text, size_t *width) {
         for (int spelling = 0; spelling < 3 && greek[row][spelling]; spelling++)
             if ((*width = starts(text, greek[row][spelling])) && (*text != '\\' || !is_latin(text[*width])))
                 return 256 + row;
-    return *width = 0;
+    *width = 0;
+    return 0;
 }
 
 /* A letter, a digit, an underscore. */

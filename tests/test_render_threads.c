@@ -1,4 +1,4 @@
-/* test_render_crew.c - the same bytes whoever draws them; progress, cancelling, options.
+/* test_render_threads.c - the same bytes whoever draws them; progress, cancelling, options.
  *
  * Breaks tried, each caught by the test named:
  *   rows skipped, a buffer shared by two threads, colours summed over rows        same_bytes
@@ -226,5 +226,5 @@ int main(void) {
         cmocka_unit_test(same_bytes),  cmocka_unit_test(progress_calls), cmocka_unit_test(cancel),
         cmocka_unit_test(bad_options), cmocka_unit_test(bad_planes),     cmocka_unit_test(sized_structs),
     };
-    return cmocka_run_group_tests_name("render: crew", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("render: threads", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* hire.c - the memory of a picture, one block: what all threads share, and what each draws with.
+/* allocate.c - the memory of a picture, one block: what all threads share, and what each draws with.
  *
  * It is laid out twice: the first time at no address, which tells how much it is. */
 #include "../base/arithmetic.h"
@@ -141,8 +141,8 @@ static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_wo
     lay_out_line(a, s, &worker->line);
     if (selective) lay_out_middles(a, s, &worker->middles);
     if (s->cells) lay_out_tiling(a, s, &worker->tiling);
-    worker->trail.x = take_doubles(a, s->roots * s->width);
-    worker->trail.y = take_doubles(a, s->roots * s->width);
+    worker->predictor.x = take_doubles(a, s->roots * s->width);
+    worker->predictor.y = take_doubles(a, s->roots * s->width);
 }
 
 static void lay_out_frame(arena *a, const sizes *s, algsurf_i_frame_form *frame) {
@@ -182,7 +182,7 @@ static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i
     }
 }
 
-void *algsurf_i_hire(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
+void *algsurf_i_allocate(algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
     arena a = {NULL, 0};
     lay_out(&a, picture, threads, workers);
     unsigned char *memory = calloc(a.used + ALIGNED, 1);
