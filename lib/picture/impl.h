@@ -199,6 +199,7 @@ typedef struct algsurf_i_picture {
     const algsurf_i_picture_kernel *code; /* for that kernel */
     const algsurf_i_colour_kernel *shader;
     algsurf_i_packets *packets; /* null: every ray by itself */
+    int timed;                  /* 1: the caller asks for stats */
     int tiled;                  /* 1: there are packets, and tiles of them */
     int thin;                   /* 1: what is thin is shown: there are packets, and tiles to find it */
     algsurf_picture planes;
@@ -363,13 +364,13 @@ long algsurf_i_processors(void);
 
 /* Draws all rows with at most the given number of threads, the caller's among them; there is a worker
  * for each.  threads_used receives how many could be had. */
-algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                     int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
-                                     int *threads_used);
+algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
+                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
+                                        int *threads_used);
 
 void algsurf_i_tally_add(algsurf_i_tally *total, const algsurf_i_tally *more);
 
-/* Seconds since some moment in the past; never goes back. */
-double algsurf_i_render_clock(void);
+/* Seconds since some moment in the past; never goes back.  0 if nobody asks for the picture's times. */
+double algsurf_i_render_clock(const algsurf_i_picture *picture);
 
 #endif

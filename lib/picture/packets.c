@@ -218,16 +218,16 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
     int begin, end, undecided = 1, complex = picture->scene->complex;
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     if (band) {
-        tally->solve_s += algsurf_i_render_clock() - begun;
+        tally->solve_s += algsurf_i_render_clock(picture) - begun;
         return algsurf_i_render_tiled(picture, band, row, sx, sy, worker, tally);
     }
     tally->rays += (uint64_t)line->wanted_count;
     if (complex) algsurf_i_complex_begin_row(picture, row, worker);
     int expanded = algsurf_i_begin_row(picture, row + sy, sx, &worker->form, &job, &begin, &end);
-    double solving = algsurf_i_render_clock();
+    double solving = algsurf_i_render_clock(picture);
     tally->expand_s += solving - begun;
     if (expanded) {
         if (line->wanted)
@@ -244,21 +244,21 @@ algsurf_status algsurf_i_render_packets(const algsurf_i_picture *picture, int ro
     int hits = line->count;
     algsurf_status status =
         undecided ? algsurf_i_solve_undecided(picture, row + sy, sx, begin, end, line, tally) : ALGSURF_OK;
-    double solved = algsurf_i_render_clock();
+    double solved = algsurf_i_render_clock(picture);
     tally->solve_s += solved - solving;
     if (hits > 0) find_points(picture, &job, hits, worker);
-    tally->point_s += algsurf_i_render_clock() - solved;
+    tally->point_s += algsurf_i_render_clock(picture) - solved;
     return status;
 }
 
 algsurf_status algsurf_i_render_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
                                      algsurf_i_line *line, algsurf_i_tally *tally) {
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     int width = picture->width;
     for (int x = 0; x < width; x++)
         line->state[x] = !line->wanted || line->wanted[x] ? ALGSURF_LANE_UNDECIDED : ALGSURF_LANE_MISS;
     tally->rays += (uint64_t)line->wanted_count;
     algsurf_status status = algsurf_i_solve_undecided(picture, row + sy, sx, 0, width, line, tally);
-    tally->solve_s += algsurf_i_render_clock() - begun;
+    tally->solve_s += algsurf_i_render_clock(picture) - begun;
     return status;
 }

@@ -138,7 +138,7 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
                                             algsurf_i_tally *total, int *threads_used) {
     algsurf_i_worker *workers;
     int threads = thread_count(options);
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
     void *memory = algsurf_i_allocate(picture, threads, &workers);
     if (memory) {
@@ -147,9 +147,9 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
         if (picture->shadows) algsurf_i_place_samples(picture);
         status = make_frame(picture);
     }
-    double expanded = algsurf_i_render_clock();
+    double expanded = algsurf_i_render_clock(picture);
     if (status == ALGSURF_OK)
-        status = algsurf_i_render_crew(picture, options, threads, workers, total, threads_used);
+        status = algsurf_i_render_threads(picture, options, threads, workers, total, threads_used);
     total->expand_s += expanded - begun;
     free(memory);
     return status;
@@ -159,9 +159,9 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
 static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
                                               const algsurf_render_options *options,
                                               const algsurf_picture *planes, algsurf_render_stats *stats) {
-    double begin = algsurf_i_render_clock();
     algsurf_i_packets packets;
-    algsurf_i_picture picture = {.packets = &packets};
+    algsurf_i_picture picture = {.packets = &packets, .timed = stats != NULL};
+    double begin = algsurf_i_render_clock(&picture);
     algsurf_render_options o;
     algsurf_i_tally total = {0};
     int threads = 0;
@@ -173,7 +173,7 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
     if (status == ALGSURF_OK) status = draw(&picture, &o, &total, &threads);
     if (status == ALGSURF_OK && total.without_memory > 0) status = ALGSURF_E_NO_MEMORY;
     if ((status >= 0 || total.without_memory > 0) && stats)
-        write_stats(stats, &total, algsurf_i_render_clock() - begin, threads, picture.kernel->name);
+        write_stats(stats, &total, algsurf_i_render_clock(&picture) - begin, threads, picture.kernel->name);
     return status;
 }
 

@@ -16,8 +16,9 @@
 
 #include "shade_impl.h"
 
-double algsurf_i_render_clock(void) {
+double algsurf_i_render_clock(const algsurf_i_picture *picture) {
     struct timespec now = {0, 0};
+    if (!picture->timed) return 0;
     (void)clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
@@ -69,18 +70,18 @@ algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, cons
 /* Colours of the points. */
 static algsurf_status shade_line(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                  algsurf_i_tally *tally) {
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     if (picture->shadows) {
         algsurf_status status = algsurf_i_render_shadows(picture, row, line, tally);
         if (status != ALGSURF_OK) return status;
-        double now = algsurf_i_render_clock();
+        double now = algsurf_i_render_clock(picture);
         tally->shadow_s += now - begun;
         begun = now;
     }
     picture->shader->colours(line->colours, &line->points.looks, line->count,
                              picture->shadows ? line->visible : NULL, line->as_bytes ? NULL : line->colour,
                              line->bytes);
-    tally->shade_s += algsurf_i_render_clock() - begun;
+    tally->shade_s += algsurf_i_render_clock(picture) - begun;
     return ALGSURF_OK;
 }
 
@@ -89,7 +90,7 @@ static void keep_nearest(const algsurf_i_line *line, int i, int x, uint8_t kind)
     const algsurf_i_points *points = &line->points;
     double *normal = line->shown.normal;
     uint8_t *state = line->shown.state;
-    if ((!normal && !state) || !algsurf_i_is_nearest(&line->shown, x, points->t[i])) return;
+    if (!algsurf_i_is_nearest(&line->shown, x, points->t[i])) return;
     if (state) state[x] = kind;
     for (int k = 0; normal && k < 3; k++) normal[3 * x + k] = points->normal[k][i];
 }
@@ -102,13 +103,12 @@ static void raise_ways(const algsurf_i_line *line) {
 
 /* Adds the points to what the pixels show.  all_hit: 1, they are; 0, states tell. */
 static void add_points(const algsurf_i_line *line, int all_hit) {
-    const float *colour = line->colours ? line->colour : NULL;
-    double *sum = line->shown.sum;
+    const int keeps = line->shown.normal || line->shown.state;
     for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i] / line->dense;
-        keep_nearest(line, i, x, all_hit ? ALGSURF_HIT : line->state[line->pixel[i]]);
+        int at = line->pixel[i], x = line->dense > 1 ? at / line->dense : at;
+        if (keeps) keep_nearest(line, i, x, all_hit ? ALGSURF_HIT : line->state[at]);
         algsurf_i_add_sample(&line->shown, x, line->points.t[i]);
-        for (int k = 0; colour && k < 3; k++) sum[3 * x + k] += colour[3 * i + k];
+        for (int k = 0; line->colours && k < 3; k++) line->shown.sum[3 * x + k] += line->colour[3 * i + k];
     }
 }
 

@@ -170,7 +170,7 @@ static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf
     return started;
 }
 
-algsurf_status algsurf_i_render_crew(algsurf_i_picture *picture, const algsurf_render_options *options,
+algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
                                      int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
                                      int *threads_used) {
     thread_pool pool = {.picture = picture, .options = options};

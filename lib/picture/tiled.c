@@ -156,17 +156,17 @@ static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, do
                                   const algsurf_i_point_job *job, algsurf_i_worker *worker,
                                   algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     int sheets = line->count, undecided = solve_leaves(picture, job->row, worker);
-    double solved = algsurf_i_render_clock();
+    double solved = algsurf_i_render_clock(picture);
     const algsurf_i_points points = algsurf_i_points_to_find(picture, line, sheets);
     picture->code->points(job, line->pixel + sheets, line->depth + sheets, line->count - sheets, &points);
     tally->hits += (uint64_t)(line->count - sheets);
-    double pointed = algsurf_i_render_clock();
+    double pointed = algsurf_i_render_clock(picture);
     algsurf_status status = ALGSURF_OK;
     if (undecided) status = algsurf_i_solve_undecided(picture, y, sx, line->begin, line->end, line, tally);
     tally->point_s += pointed - solved;
-    tally->solve_s += (solved - begun) + (algsurf_i_render_clock() - pointed);
+    tally->solve_s += (solved - begun) + (algsurf_i_render_clock(picture) - pointed);
     return status;
 }
 
@@ -176,17 +176,17 @@ algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const al
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     tally->rays += (uint64_t)line->wanted_count;
     memset(line->state + line->begin, ALGSURF_LANE_MISS, (size_t)(line->end - line->begin));
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     collect(picture, band, row + sy, sx, worker);
     tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
-    double collected = algsurf_i_render_clock();
+    double collected = algsurf_i_render_clock(picture);
     tally->solve_s += collected - begun;
     if (line->count > 0) {
         find_sheets(picture, &points, worker);
-        tally->point_s += algsurf_i_render_clock() - collected;
+        tally->point_s += algsurf_i_render_clock(picture) - collected;
     }
     tally->sheet_rays += (uint64_t)line->count;
     tally->hits += (uint64_t)line->count;
@@ -200,18 +200,18 @@ int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
-    double begun = algsurf_i_render_clock();
+    double begun = algsurf_i_render_clock(picture);
     tally->rays += (uint64_t)(dense * line->wanted_count);
     algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
     job.offset = 0.5 - 0.5 * picture->width * dense;
     job.pixel /= dense;
     collect_listed(picture, row, worker);
     int undecided = solve_leaves(picture, &job, worker);
-    double solved = algsurf_i_render_clock();
+    double solved = algsurf_i_render_clock(picture);
     const algsurf_i_points found = algsurf_i_points_to_find(picture, line, before);
     picture->code->points(&points, line->pixel + before, line->depth + before, line->count - before, &found);
     tally->hits += (uint64_t)(line->count - before);
     tally->solve_s += solved - begun;
-    tally->point_s += algsurf_i_render_clock() - solved;
+    tally->point_s += algsurf_i_render_clock(picture) - solved;
     return undecided;
 }
