@@ -199,6 +199,8 @@ expectCompiled("x^2 + y^2 = z", {}, 2, [], []);
 expectCompiled("(x+y+z+1)^64", {}, 64, [], []);
 expectCompiled("x^2 + a y^2 = b*z^3 + a", {}, 3, ["a", "b"], ["a", "b"]);
 expectCompiled("x^2 + a y^2 = b z", { b: 2, c: 3 }, 2, ["b", "a"], ["a"]);
+expectCompiled("x^2 + \u03c6 y^2 = \u03c0 z", {}, 2, ["\u03c6"], ["\u03c6"]); // a Greek letter; pi is no name
+expectCompiled("x^2 + \\mu y^2 = \\pi z", { "\\mu": 2 }, 2, ["\\mu"], []);
 const unset = thrown(() => engine.render({ ...usual, equation: "x^2 = radius" }, size));
 check(unset.code === "E_NAME" && unset.name === "radius" && unset.offset === 6, `no value: ${unset.code}, ${unset.name}`);
 

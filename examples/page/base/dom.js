@@ -13,6 +13,14 @@ export function element(tag, attributes = {}, ...children) {
     return made;
 }
 
+/** An element of SVG, likewise, without listeners. */
+export function svg(tag, attributes = {}, ...children) {
+    const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    made.append(...children);
+    return made;
+}
+
 /** The same children again, others gone. */
 export function fill(parent, ...children) {
     parent.replaceChildren(...children);

@@ -10,7 +10,7 @@
 // the next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts,
 // too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "../algsurf.js";
-import { isInOwnColours } from "../state/state.js";
+import { isInOwnColours, isName } from "../state/state.js";
 
 const MAX_DEGREE = 64;
 const MOST_PLANES = 8; // ALGSURF_MAX_CLIP_PLANES
@@ -203,7 +203,7 @@ export class Engine {
         if (typeof equation !== "string") throw refused("equation: not a text");
         if (equation.length > LONGEST_EQUATION) throw refused("equation: too long");
         for (const [name, value] of Object.entries(values)) {
-            if (!/^[A-Za-z][A-Za-z0-9_]*$/.test(name)) throw refused("parameter: not a name");
+            if (!isName(name)) throw refused("parameter: not a name");
             number(value, name);
         }
         const zero = equation.indexOf("\0");
@@ -234,7 +234,7 @@ export class Engine {
                 return missing;
             } catch (error) {
                 const known = error.code !== "E_NAME" || error.name === "" || error.name in all;
-                if (known || !/^[A-Za-z][A-Za-z0-9_]*$/.test(error.name)) throw error;
+                if (known || !isName(error.name)) throw error;
                 if (missing.length >= MOST_LETTERS || performance.now() - begin > LONGEST_SEARCH) throw error;
                 missing.push(error.name);
                 all[error.name] = 1.5;

@@ -1,15 +1,14 @@
 // worker.js - a worker of the page: an Engine, and the jobs that painter.js sends it.
 //
-//     { start: module }                               a compiled WebAssembly.Module; answered by { ready:
-//                                                     true }
-//     { job, kind, args, urgent }                      kind: "band", "image", "thumbnail", or a call of
-//                                                      Engine
+//     { start: module }                               a compiled WebAssembly.Module; answered by
+//                                                     { ready: true }
+//     { job, kind, args, urgent }                     kind: "band", or a call of Engine
 //     { cancel: [job, ...] }                          those not begun are answered { job, cancelled: true }
-//     { crash: "trap" | "throw" }                     for tests: see painter.js, Painter.kill
+//     { crash: true }                                 for tests: throws, as a worker that crashes does
 //
-// A job that is begun is told by { begun: job }.  Each job is answered by { job, result } or { job, error: {
-// code, message, ... } }.  Between two jobs messages are read, so that a cancelled one is not begun; urgent
-// ones come first.
+// A job that is begun is told by { begun: job }.  Each job is answered by { job, result } or
+// { job, error: { code, message, ... } }.  Between two jobs messages are read, so that a cancelled one is not
+// begun; urgent ones come first.
 import { Engine, EngineError } from "./engine.js";
 
 let engine = null;
@@ -24,7 +23,7 @@ function plain(error) {
 
 /** What a job gives, and the buffers that go with it. */
 function done({ kind, args }) {
-    if (kind === "band" || kind === "image" || kind === "thumbnail") {
+    if (kind === "band") {
         const picture = engine.render(...args);
         return [picture, [picture.data.buffer]];
     }

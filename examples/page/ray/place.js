@@ -1,6 +1,6 @@
 // place.js - the place of the picture through which the ray goes that is looked into: the event "place" of
 // motion.js chooses it, a cross shows it.
-import { svg } from "../base/svg.js";
+import { svg } from "../base/dom.js";
 
 const ARM = 11; // pixels
 

@@ -1,10 +1,9 @@
 // plane.js - all complex roots of a ray's polynomial in the plane: proved boxes with their multiplicities,
 // the sector of complex space laid over them, the root that is seen marked.
 import { anchorOf, linear } from "./axis.js";
-import { element } from "../base/dom.js";
+import { element, svg } from "../base/dom.js";
 import { short } from "../base/number.js";
 import { planeView } from "./planeview.js";
-import { svg } from "../base/svg.js";
 import { WedgeHandles, wedgeAreas } from "./wedge.js";
 import { button, labelled } from "../base/widgets.js";
 

@@ -3,8 +3,7 @@
 // A layer is a function of the frame that returns SVG nodes; frame.x and frame.y bring values to pixels of
 // the element, so that letters have the same size on a telephone and on a wide screen.  Colours and strokes
 // are those of ray.css.
-import { element } from "../base/dom.js";
-import { svg } from "../base/svg.js";
+import { element, svg } from "../base/dom.js";
 
 const LETTER = 6.3; // pixels, of 12 pixels high
 const ROW = 28; // pixels from one tick of the ordinate to the next, at least

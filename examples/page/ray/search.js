@@ -1,10 +1,9 @@
 // search.js - the polynomial along the ray and how its roots were isolated, cell by cell (after ZEROFIND).
 import { convexHull, restrict } from "./bernstein.js";
 import { anchorOf, linear, ofValues } from "./axis.js";
-import { element } from "../base/dom.js";
+import { element, svg } from "../base/dom.js";
 import { between, short } from "../base/number.js";
 import { Plot, area, band, line, marks, zero } from "./plot.js";
-import { svg } from "../base/svg.js";
 import { stepper } from "../base/widgets.js";
 
 const DEEPEST = 12; // row of cells below the plot, from 0; smaller cells share it

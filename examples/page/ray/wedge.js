@@ -1,10 +1,10 @@
 // wedge.js - the sector of complex space over the plane of roots: sigma .. sigma + delta and its mirror
 // image, with a handle on each edge that can be dragged, or moved by the arrow keys.
 
+import { svg } from "../base/dom.js";
 import { short } from "../base/number.js";
 import { rayIn, wedgeIn } from "./planeview.js";
 import { toDegrees, toRadians, withFirstEdge, withLastEdge } from "../complex/sector.js";
-import { svg } from "../base/svg.js";
 
 const KEY_STEP = 1; // degrees; with shift a tenth
 const KEYS = { ArrowUp: 1, ArrowRight: -1, ArrowDown: -1, ArrowLeft: 1, PageUp: 10, PageDown: -10 };

@@ -29,6 +29,7 @@ export class Shown {
     #wanted = null; // the same before it was made to suit the window
     #fitted = ""; // the surface and the extent that this camera was fitted to
     #fittedSurface = ""; // the surface that the extent was fitted to, or that it came with
+    #turn = 0; // of what is opened: what was begun before the last one is not shown any more
 
     /** tell(say): say(text) gives what is to be told, once there are words */
     constructor(canvas, { store, painter, tell }) {
@@ -96,19 +97,23 @@ export class Shown {
         const checked = checkedState(state).state;
         const base = this.#setHome(surfaceOf(checked.name)?.camera ?? checked.camera);
         this.#fittedSurface = surfaceIn(checked);
+        this.#turn++;
         this.#store.set({ ...checked, camera: camera ?? base });
         this.onOpen(checked.equation);
     }
 
     /** What stateOfLink read. */
     async openLink({ state, hasCamera, bad = [], unknown = [], newer = false }) {
+        const turn = ++this.#turn;
         try {
             const { parameters } = await compiledWith(this.#painter, state.equation, state.parameters);
+            if (turn !== this.#turn) return;
             const whole = { ...state, name: isOfCatalogue(state) ? state.name : "", parameters };
             this.open(whole, { camera: hasCamera ? state.camera : null });
             if (!hasCamera && whole.name === "")
                 await this.fit(state.extent.kind === "fitted" ? "view" : "camera");
         } catch (error) {
+            if (turn !== this.#turn) return;
             this.open(SURFACES[0]);
             const why = (text) => error.message || text(`mistake.${error.code}`);
             return this.#tell((text) => text("link.equation", { why: why(text) }));
@@ -123,8 +128,10 @@ export class Shown {
 
     /** A surface that was just typed: what is shown, and from where, is chosen. */
     async openTyped(partial) {
+        const turn = ++this.#turn;
         this.#fittedSurface = surfaceIn(partial);
         const found = await this.#ask(partial);
+        if (turn !== this.#turn) return;
         if (found) this.#show({ ...partial, clip: [], extent: found.extent }, found.camera);
         else this.#store.set({ ...partial, clip: [] });
         this.onTyped();
@@ -148,10 +155,10 @@ export class Shown {
 
     /** what: "view" chooses extent and camera anew, "camera" the camera. */
     async fit(what) {
-        const { extent } = this.#store.get();
+        const { extent } = this.#store.get(), turn = this.#turn;
         try {
             const found = await this.#ask({}, what === "view" ? "fitted" : extent.kind);
-            if (found) this.#show({ extent: what === "view" ? found.extent : extent }, found.camera);
+            if (found && turn === this.#turn) this.#show({ extent: what === "view" ? found.extent : extent }, found.camera);
         } catch (error) {
             if (error.code !== "E_CANCELLED") this.#tell((text) => text("trouble", { why: error.message }));
         }

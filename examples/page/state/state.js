@@ -6,7 +6,7 @@
 export const VERSION = 1;
 export const LIMITS = { equation: 10_000, parameters: 50, planes: 6, degree: 64, number: 1e12 };
 export const BLUE = { outside: "#69b5ff", inside: "#f6a245" };
-const TAKEN = new Set(["x", "y", "z", "sqrt", "sin", "cos", "pi"]);
+const TAKEN = new Set(["x", "y", "z", "sqrt", "sin", "cos", "pi", "\\pi", "π"]);
 
 /** A sphere: every state has all of these members. */
 export function initialState() {
@@ -27,8 +27,13 @@ export function initialState() {
 
 // ---- checks: each gives the value, or undefined ----
 
+/** May a constant of an equation be called that?  \phi is a Greek letter, too. */
 export function isName(name) {
-    return typeof name === "string" && /^[A-Za-z][A-Za-z0-9_]{0,39}$/.test(name) && !TAKEN.has(name);
+    return (
+        typeof name === "string" &&
+        /^\\?[a-zͰ-Ͽ][\wͰ-Ͽ]{0,39}$/i.test(name) &&
+        !TAKEN.has(name)
+    );
 }
 
 function inRange(x, from = -LIMITS.number, to = LIMITS.number) {
