@@ -229,7 +229,7 @@ static const cli_option options_table[] = {
      "single_rays: rays not solved together with others of their row; exact_rays: of\n"
      "these, and of rays beside thin parts, decided by integers; empty_rays,\n"
      "sheet_rays: decided by tiles;\n"
-     "shadow_rays: rays to lights;\n"
+     "shadow_rays: rays to lights and around that were solved one by one;\n"
      "tiles: squares of pixels that were looked at as a whole; empty_tiles, sheet_tiles:\n"
      "of these, decided for all of their rays; leaf_tiles: the smallest that were not;\n"
      "iterations: corrections of complex roots, 0 for a real surface;\n"

@@ -1,7 +1,7 @@
 /* impl.h - the pieces of render: a picture, its rows, the pool of threads that draws them.
  *
  *     render.c           checks the arguments, reports
- *     allocate.c             the memory of a picture and its threads
+ *     allocate.c         the memory of a picture and its threads
  *     threads.c          hands rows to threads, calls progress, cancels
  *     processors.c       how many threads the system can run at once
  *     row.c              one row: samples -> hits -> colours -> planes
@@ -12,7 +12,7 @@
  *     tiles.c            which tiles of pixels are empty, which see one sheet of the surface
  *     tiled.c            the hits of a row by its tiles
  *     thin_row.c         the pixels of a row beside whose rays there is something thin
- *     thin.c             is there?
+ *     thin.c             is there something thin beside a ray: boxes about it, halved (thin_box.c: one box)
  *     packets.c          the hits of a row by packets
  *     complex.c          complex space: the roots of a row, started from those of the row above
  *     shadow.c           which share of a light reaches a point
