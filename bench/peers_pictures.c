@@ -45,6 +45,9 @@ static double draw_here(studio *s, artist who) {
     const algsurf_picture picture = {.size = sizeof picture, .pixels = s->pixels, .t = s->hits};
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_status status = algsurf_scene_set_intersect(s->scene.scene, &intersect);
+    /* After fork() the first write to a page copies it.  That time is none of the picture. */
+    memset(s->pixels, 0, (size_t)3 * PIXELS);
+    memset(s->hits, 0, PIXELS * sizeof *s->hits);
     double begun = measure_cpu();
     if (status == ALGSURF_OK) status = algsurf_render(s->scene.scene, &options, &picture, &stats);
     double seconds = measure_cpu() - begun;
