@@ -8,6 +8,11 @@
  *
  * Ends.  A ray leaves the extent between (1 - gap) and 1 times what is searched of it.  What is found at t
  * counts if P is beyond zero by more than it can change by within gap: |dP/dt| <= 2 n max|b|.
+ * In a ball about 0 a ray x + tau d ends at tau = (D - b) / a, with a = |d|^2, b = x d, c = R^2 - |x|^2 and
+ * D^2 = b^2 + a c.  The ends for a narrow and a wide R differ by the difference of their R^2 over the sum of
+ * their D, at most by w / D, with w that difference and the wide D: w / (D (D - b) / a) of the end.  If b <=
+ * 0, D (D - b) >= D^2 >= a c; if not, D - b = a c / (D + b) >= a c / (2 D).  So gap = 2 w / c will do for all
+ * rays from x.
  *
  * Errors: those of taylor.c, and 8 n u max|b| for each of two cuts at a turn (descartes_template.h). */
 #ifndef ALGSURF_SEGMENTS_TEMPLATE_H
@@ -30,6 +35,7 @@
  * makes r_000 positive.  error: of Bernstein coefficients of its rays, which are no larger than `size`. */
 typedef struct solid_packet {
     lanes x[3], error, size, r[ALGSURF_I_SOLID(TAYLOR_DEGREE)];
+    lanes room, gap;    /* of a ball: the square of its wide radius, less |x|^2; of all rays */
     mask known, inside; /* P's sign at x is; x is within the extent */
 } solid_packet;
 
@@ -188,20 +194,22 @@ INLINE mask within(const algsurf_i_shadow_job *job, const lanes x[3]) {
     return inside;
 }
 
-/* Where rays x + tau d leave a ball: the narrow and the wide root of |x + tau d| differ by their squares'
- * difference over the sum of their discriminants' roots. */
-INLINE fan_ends ends_of_rays_in_sphere(double radius, const solid_packet *s, const lanes d[3]) {
+/* What all rays from points in a ball have in common. */
+INLINE void measure_ball(double radius, solid_packet *s) {
     double wide = radius * (1 + END_SLACK), narrow = radius * (1 - END_SLACK);
+    s->room = wide * wide - dot(s->x, s->x);
+    s->gap = choose(s->inside, 8 * END_SLACK + 2 * (wide * wide - narrow * narrow) / s->room, all_lanes(1));
+}
+
+INLINE fan_ends ends_of_rays_in_ball(const solid_packet *s, const lanes d[3]) {
     lanes a = dot(d, d), b = dot(s->x, d);
-    lanes discriminant_root = root(larger(b * b - a * (dot(s->x, s->x) - wide * wide), all_lanes(0)));
-    lanes most = (discriminant_root - b) / a;
-    lanes least = most * (1 - END_SLACK) - (wide * wide - narrow * narrow) / discriminant_root;
-    return (fan_ends){choose(s->inside, least, all_lanes(0)), most};
+    lanes most = (root(larger(b * b + a * s->room, all_lanes(0))) - b) / a;
+    return (fan_ends){most * (1 - s->gap), most};
 }
 
 /* Where rays leave the extent, between these. */
 INLINE fan_ends ends_of_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes d[3]) {
-    fan_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE ? ends_of_rays_in_sphere(job->extent_size[0], s, d)
+    fan_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE ? ends_of_rays_in_ball(s, d)
                                                            : ends_in_box(job->extent_size, s->x, d, 0);
     return ends_at_planes(job, s->x, d, 0, e);
 }
@@ -211,7 +219,7 @@ INLINE fan_ends ends_of_rays(const algsurf_i_shadow_job *job, const solid_packet
 INLINE lanes cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes direction[3],
                       ray_packet *k) {
     const double unit = job->unit / job->taylor->frame.view.size;
-    lanes end[3], part = all_lanes(1);
+    lanes end[3], part = all_lanes(1), gap;
     for (int i = 0; i < 3; i++) {
         k->d[i] = direction[i] * unit;
         end[i] = s->x[i] + k->d[i];
@@ -220,7 +228,11 @@ INLINE lanes cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, co
     if (job->plane_count == 0 && !any(k->open & ~(s->inside & within(job, end)))) return part;
     fan_ends e = ends_of_rays(job, s, k->d);
     part = larger(smaller(e.most * (1 + END_SLACK), part), all_lanes(SHORTEST_END));
-    k->gap = choose(less(part, e.least), all_lanes(0), 1 - e.least / part + END_SLACK);
+    if (job->extent_kind == ALGSURF_EXTENT_SPHERE && job->plane_count == 0)
+        gap = s->gap;
+    else
+        gap = 1 - e.least / part + END_SLACK;
+    k->gap = choose(less(part, e.least), all_lanes(0), gap);
     for (int i = 0; i < 3; i++) k->d[i] *= part;
     return part;
 }
@@ -303,6 +315,7 @@ INLINE void begin_solids(const algsurf_i_shadow_job *job, const start_packet *p,
     }
     expand_solids(job->taylor, span, s, job->taylor->frame.degree);
     s->inside = within(job, s->x);
+    if (job->extent_kind == ALGSURF_EXTENT_SPHERE) measure_ball(job->extent_size[0], s);
     for (int k = 0; k < 3; k++) s->known &= less(absolute(s->x[k]), all_lanes(ALGSURF_I_TAYLOR_REACH));
 }
 
