@@ -5,6 +5,7 @@
  * anywhere.
  * - A fan's polynomials, evaluated exactly, differ from P on the segment by what its errors say at most.
  * - So do the coefficients of single rays, to lights and around.
+ * - What is searched of them ends where they leave the extent, within their gaps.
  * - Each place of a light that is lit, dark, free or hidden is so for algsurf_occluded, and so is each ray
  *   around.
  * - All kernels say the same.
@@ -15,7 +16,8 @@
  *   inverse binomial coefficients of another degree                                the same, and both below
  *   rays that end before they leave the extent; half sides of the light four fifths as large;
  *   the part behind a cell cut too far on                 rays_are_what_is_said, pictures_are_those_of_rays
- *   no gap between ends; all points taken to be inside the extent                  rays_are_what_is_said
+ *   all points taken to be inside the extent                                       rays_are_what_is_said
+ *   no gap between ends, an eighth of it; a ball's end too near                    rays_end_with_the_extent
  *
  *     test_fans [scenes [seed]]
  */
@@ -38,9 +40,15 @@
 #define KERNEL(name) name##_here
 #include "picture/shadows_template.h"
 
-enum { MOST = ALGSURF_MAX_TAYLOR_DEGREE, SIDE = MOST + 1, POINTS = 16, PLACES = 9, AROUND = 16 };
+enum {
+    MOST = ALGSURF_MAX_TAYLOR_DEGREE,
+    SIDE = MOST + 1,
+    POINTS = ALGSURF_I_STARTS,
+    PLACES = 9,
+    RAYS_AROUND = 16
+};
 
-static long scene_count = 4000;
+static long scene_count = 8000;
 static uint64_t first_seed = 20261124;
 
 static double uniform(uint64_t *seed, double lo, double hi) {
@@ -135,7 +143,7 @@ static void set_forms(test_scene *s) {
     assert_true(s->taylor.usable && fan->usable == (s->degree <= ALGSURF_MAX_FAN_DEGREE));
     s->around = (algsurf_i_shadow_job){.taylor = &s->taylor,
                                        .ball = s->radius / 2,
-                                       .lattice = ALGSURF_I_LATTICE_STEP * AROUND,
+                                       .lattice = ALGSURF_I_LATTICE_STEP * RAYS_AROUND,
                                        .unit = ldexp(1, -unit),
                                        .extent_kind = s->extent.kind};
     for (int i = 0; i < 3; i++) s->around.extent_size[i] = ldexp(s->extent.size[i], -unit) / view->size;
@@ -207,16 +215,19 @@ static void set_scene(test_scene *s, uint64_t *seed, int degree) {
 
 /* What a kernel says of all points: of the light as a whole, of each ray to it and around. */
 typedef struct answers {
-    uint8_t how[POINTS], to_light[PLACES][POINTS], around[AROUND][POINTS];
+    uint8_t how[POINTS], to_light[PLACES][POINTS], around[RAYS_AROUND][POINTS];
 } answers;
 
 static void ask_rays(test_scene *s, const algsurf_i_shadow_kernel *code, const algsurf_i_shadow_job *job,
                      int ray, uint8_t *state) {
     static algsurf_i_undecided undecided;
+    static algsurf_i_solids solids;
+    static const uint8_t how[POINTS] = {ALGSURF_I_UNKNOWN};
     double seen[POINTS] = {0};
     undecided.count = 0;
     for (int p = 0; p < POINTS; p++) s->starts.seen[p] = seen + p;
-    code->see_rays(job, &s->starts, 0, POINTS, ray, 1, &undecided);
+    code->expand(job, &s->starts, &solids);
+    code->see_rays(job, &s->starts, &solids, how, ray, 1, &undecided);
     for (int p = 0; p < POINTS; p++) state[p] = seen[p] > 0 ? ALGSURF_LANE_MISS : ALGSURF_LANE_HIT;
     for (int i = 0; i < undecided.count; i++) {
         assert_int_equal(state[undecided.start[i]], ALGSURF_LANE_HIT);
@@ -228,7 +239,7 @@ static void ask(test_scene *s, const algsurf_i_shadow_kernel *code, answers *a) 
     memset(a, 0, sizeof *a);
     code->see_light(&s->job, &s->starts, a->how);
     for (int j = 0; j < PLACES; j++) ask_rays(s, code, &s->job, j, a->to_light[j]);
-    for (int j = 0; j < AROUND; j++) ask_rays(s, code, &s->around, j, a->around[j]);
+    for (int j = 0; j < RAYS_AROUND; j++) ask_rays(s, code, &s->around, j, a->around[j]);
 }
 
 static algsurf_ray ray_to(const test_scene *s, int p, int place) {
@@ -245,7 +256,7 @@ static algsurf_ray ray_of(const test_scene *s, const algsurf_i_shadow_job *job, 
     algsurf_ray ray = {.t_min = 0, .t_max = 1};
     lanes direction[3];
     start_packet start;
-    load_starts(&s->starts, p, 1, &start);
+    load_starts(&s->starts, p, &start);
     aim(job, &start, j, direction);
     for (int i = 0; i < 3; i++) ray.origin[i] = s->starts.at[i][p], ray.direction[i] = direction[i][0];
     return ray;
@@ -292,7 +303,7 @@ static void check_places(const test_scene *s, const answers *a, int p, long turn
 }
 
 static void check_around(const test_scene *s, const answers *a, int p, long turn) {
-    for (int j = (int)turn % 4; j < AROUND; j += 4) {
+    for (int j = (int)turn % 4; j < RAYS_AROUND; j += 4) {
         const algsurf_ray ray = ray_of(s, &s->around, p, j);
         int state = a->around[j][p];
         told.open += state == ALGSURF_LANE_UNDECIDED;
@@ -346,8 +357,8 @@ static int fan_of(const test_scene *s, int p, test_fan *f) {
     start_packet start;
     fan_packet g;
     lanes r[ALGSURF_I_SOLID(MOST)], *line[FAN_DEGREE + 1][FAN_DEGREE + 1], error[2];
-    load_starts(&s->starts, p, 1, &start);
-    begin_fans(&s->job, start.at, start.open, &g);
+    load_starts(&s->starts, p, &start);
+    begin_fans(&s->job, start.at, less(numbered(), all_lanes(1)), &g);
     expand_solid(&s->fan, &g, r, line, s->degree);
     set_errors(&s->fan, &g, error, s->degree);
     f->part = g.part[0];
@@ -425,7 +436,7 @@ static void fans_keep_their_bound(void **state) {
 
 /* The coefficients of one ray, as the lanes have them, and which part of it they are for. */
 typedef struct test_coefficients {
-    double part, error, c[MOST + 1];
+    double part, gap, error, c[MOST + 1];
     int known;
 } test_coefficients;
 
@@ -433,15 +444,16 @@ static void coefficients_of(const test_scene *s, const algsurf_i_shadow_job *job
                             test_coefficients *t) {
     start_packet start;
     solid_packet solid;
-    ray_packet k = {.hit = no_lane()};
+    ray_packet k = {
+        .kind = job->light ? TO_LIGHTS : AROUND, .open = less(numbered(), all_lanes(1)), .hit = no_lane()};
     lanes direction[3], c[TAYLOR_DEGREE + 1];
-    load_starts(&s->starts, p, 1, &start);
+    load_starts(&s->starts, p, &start);
     begin_solids(job, &start, &solid);
     aim(job, &start, j, direction);
-    k.open = start.open;
     t->part = cut_rays(job, &solid, direction, &k)[0];
     expand_rays_n(&solid, k.d, c, s->degree);
-    t->error = solid.error[0], t->known = bits(solid.known) & 1;
+    t->gap = k.gap[0];
+    t->error = solid.error[k.kind][0], t->known = bits(solid.known) & 1;
     for (int i = 0; i <= s->degree; i++) t->c[i] = c[i][0];
 }
 
@@ -486,7 +498,7 @@ static void rays_keep_their_bound(void **state) {
         for (int p = 0; p < POINTS; p += 3) {
             const algsurf_i_shadow_job *job = p % 2 ? &s.job : &s.around;
             test_coefficients t;
-            int j = exact_random_int(&seed, p % 2 ? PLACES : AROUND);
+            int j = exact_random_int(&seed, p % 2 ? PLACES : RAYS_AROUND);
             const algsurf_ray ray = ray_of(&s, job, p, j);
             coefficients_of(&s, job, p, j, &t);
             unknown += !t.known;
@@ -508,6 +520,78 @@ static void rays_keep_their_bound(void **state) {
     assert_true(worst > 0x1p-8 && unknown * 10 < count);
 }
 
+/* ---- where rays end ---- */
+
+/* Is the exact point at + t d within the extent? */
+static int is_within(const test_scene *s, const algsurf_ray *ray, const mpq_t t) {
+    mpq_t x, y, square;
+    int inside = 1;
+    mpq_inits(x, y, square, NULL);
+    for (int i = 0; i < 3; i++) {
+        exact_set(x, ray->direction[i]), mpq_mul(x, x, t);
+        exact_set(y, ray->origin[i]), mpq_add(x, x, y);
+        exact_set(y, s->extent.centre[i]), mpq_sub(x, x, y);
+        mpq_abs(y, x), mpq_mul(x, x, x), mpq_add(square, square, x);
+        exact_set(x, s->extent.size[i]);
+        if (s->extent.kind == ALGSURF_EXTENT_BOX) inside = inside && mpq_cmp(y, x) <= 0;
+    }
+    exact_set(x, s->radius), mpq_mul(x, x, x);
+    if (s->extent.kind == ALGSURF_EXTENT_SPHERE) inside = mpq_cmp(square, x) <= 0;
+    mpq_clears(x, y, square, NULL);
+    return inside;
+}
+
+/* Some points lie a little below the extent's surface. */
+static void move_outward(test_scene *s, uint64_t *seed, int p) {
+    double size = 0, depth = ldexp(uniform(seed, 1, 2), -exact_random_int(seed, 34));
+    for (int i = 0; i < 3; i++) {
+        double from_centre = s->starts.at[i][p] - s->extent.centre[i];
+        size = s->extent.kind == ALGSURF_EXTENT_BOX ? fmax(size, fabs(from_centre) / s->extent.size[i])
+                                                    : hypot(size, from_centre / s->radius);
+    }
+    for (int i = 0; i < 3 && size > 0; i++)
+        s->starts.at[i][p] =
+            s->extent.centre[i] + (s->starts.at[i][p] - s->extent.centre[i]) / size * fmax(1 - depth, 0.1);
+}
+
+/* What is searched of a ray ends outside the extent, or is all of it; but for `gap` of it, it is inside. */
+static void rays_end_with_the_extent(void **state) {
+    (void)state;
+    uint64_t seed = first_seed;
+    long cut = 0, whole = 0, unknown = 0;
+    double widest = 0;
+    mpq_t t, gap;
+    mpq_inits(t, gap, NULL);
+    for (long turn = 0; turn < scene_count; turn++) {
+        static test_scene s;
+        set_scene(&s, &seed, 1 + (int)(turn % 3));
+        for (int p = 0; p < POINTS; p += 3) {
+            const algsurf_i_shadow_job *job = p % 2 ? &s.job : &s.around;
+            test_coefficients c;
+            if (exact_random_int(&seed, 2)) move_outward(&s, &seed, p);
+            int j = exact_random_int(&seed, p % 2 ? PLACES : RAYS_AROUND);
+            const algsurf_ray ray = ray_of(&s, job, p, j);
+            coefficients_of(&s, job, p, j, &c);
+            if (algsurf_max_abs(ray.direction) == 0) continue;
+            exact_set(t, c.part), exact_set(gap, 1 - c.gap);
+            int ends = c.part == 1 || !is_within(&s, &ray, t);
+            mpq_mul(t, t, gap);
+            int begins = c.gap >= 1 || is_within(&s, &ray, t);
+            if (!ends || !begins)
+                tell_ray(&s, &ray, turn), fprintf(stderr, "part %a, gap %a\n", c.part, c.gap);
+            assert_true(ends && begins);
+            unknown += c.gap >= 1, cut += c.part < 1, whole += c.part == 1;
+            if (c.gap < 1) widest = fmax(widest, c.gap);
+        }
+        algsurf_surface_free(s.surface);
+    }
+    mpq_clears(t, gap, NULL);
+    printf("ends: %ld rays leave the extent, %ld end inside, %ld are not known to begin inside; gaps up to "
+           "%.3g\n",
+           cut, whole, unknown, widest);
+    assert_true(cut > whole / 4 && whole > cut / 8 && unknown * 2 < cut);
+}
+
 /* ---- pictures ---- */
 
 static int nothing_known;
@@ -521,11 +605,11 @@ static void see_light_unknown(const algsurf_i_shadow_job *job, const algsurf_i_s
     algsurf_i_shadow_baseline.see_light(&unknown, starts, how);
 }
 
-static void see_rays_unknown(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first,
-                             int count, int from, int rays, algsurf_i_undecided *undecided) {
-    algsurf_i_shadow_job unknown = *job;
-    unknown.taylor = NULL;
-    algsurf_i_shadow_baseline.see_rays(&unknown, starts, first, count, from, rays, undecided);
+static void see_rays_unknown(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                             const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                             algsurf_i_undecided *undecided) {
+    (void)solids;
+    algsurf_i_shadow_baseline.see_rays(job, starts, NULL, how, from, rays, undecided);
 }
 
 const algsurf_i_shadow_kernel *__wrap_algsurf_i_shadow_kernel_for(const algsurf_i_kernel *kernel) {
@@ -608,6 +692,7 @@ int main(int argc, char **argv) {
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fans_keep_their_bound), cmocka_unit_test(rays_keep_their_bound),
-        cmocka_unit_test(rays_are_what_is_said), cmocka_unit_test(pictures_are_those_of_rays)};
+        cmocka_unit_test(rays_end_with_the_extent), cmocka_unit_test(rays_are_what_is_said),
+        cmocka_unit_test(pictures_are_those_of_rays)};
     return cmocka_run_group_tests_name("fans", tests, NULL, NULL);
 }

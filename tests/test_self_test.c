@@ -299,10 +299,11 @@ static void wrong_lights(const algsurf_i_shadow_job *job, const algsurf_i_starts
         if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
 }
 
-static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first,
-                              int count, int from, int rays, algsurf_i_undecided *undecided) {
-    real_shadow->see_rays(job, starts, first, count, from, rays, undecided);
-    for (int i = 0; i < count; i++) *starts->seen[first + i] *= 0.5;
+static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                              const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                              algsurf_i_undecided *undecided) {
+    real_shadow->see_rays(job, starts, solids, how, from, rays, undecided);
+    for (int i = 0; i < starts->count; i++) *starts->seen[i] *= 0.5;
 }
 
 static void break_shadow(void) {

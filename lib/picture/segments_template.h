@@ -31,10 +31,13 @@
 
 /* ---- points ---- */
 
+enum { TO_LIGHTS, AROUND, KINDS }; /* of rays */
+
 /* P about LANES points: r_ijk over (n over i + j + k), in the order of i, then j, then k, with the sign that
- * makes r_000 positive.  error: of Bernstein coefficients of its rays, which are no larger than `size`. */
+ * makes r_000 positive.  error: of Bernstein coefficients of its rays, which are no larger than `size`, by
+ * their kind. */
 typedef struct solid_packet {
-    lanes x[3], error, size, r[ALGSURF_I_SOLID(TAYLOR_DEGREE)];
+    lanes x[3], error[KINDS], size[KINDS], r[ALGSURF_I_SOLID(TAYLOR_DEGREE)];
     lanes room, gap;    /* of a ball: the square of its wide radius, less |x|^2; of all rays */
     mask known, inside; /* P's sign at x is; x is within the extent */
 } solid_packet;
@@ -52,9 +55,9 @@ INLINE void add_row(lanes *a, const lanes *b, int n, lanes x) {
     for (int k = 0; k < n; k++) a[k] += x * b[k];
 }
 
-/* span: bounds |d_k| of rays. */
-INLINE void expand_solids_n(const algsurf_i_taylor *taylor, const lanes span[3], solid_packet *s, int n) {
-    lanes *row[TAYLOR_DEGREE + 1][TAYLOR_DEGREE + 1], *r = s->r, at[3], along[3];
+/* span: bounds |d_k| of rays, by their kind. */
+INLINE void expand_solids_n(const algsurf_i_taylor *taylor, lanes span[KINDS][3], solid_packet *s, int n) {
+    lanes *row[TAYLOR_DEGREE + 1][TAYLOR_DEGREE + 1], *r = s->r, at[3];
     for (int i = 0; i <= n; i++) {
         for (int j = 0; i + j <= n; j++) {
             row[i][j] = r;
@@ -68,12 +71,12 @@ INLINE void expand_solids_n(const algsurf_i_taylor *taylor, const lanes span[3],
     for (int j = 0; j < n; j++)
         for (int m = 0; j + m < n; m++)
             for (int i = n - j - 1; i >= m; i--) add_row(row[i][j], row[i + 1][j], n - i - j, s->x[0]);
-    for (int k = 0; k < 3; k++) {
-        at[k] = absolute(s->x[k]);
-        along[k] = at[k] + span[k];
+    for (int k = 0; k < 3; k++) at[k] = absolute(s->x[k]);
+    for (int kind = 0; kind < KINDS; kind++) {
+        for (int k = 0; k < 3; k++) span[kind][k] += at[k];
+        s->size[kind] = size_of(&taylor->frame, span[kind], n);
+        s->error[kind] = taylor->weight * s->size[kind] + taylor->least_error;
     }
-    s->size = size_of(&taylor->frame, along, n);
-    s->error = taylor->weight * s->size + taylor->least_error;
     s->known = less(taylor->weight * size_of(&taylor->frame, at, n) + taylor->least_error, absolute(s->r[0]));
     const lanes sign = choose(less(s->r[0], all_lanes(0)), all_lanes(-1), all_lanes(1));
     r = s->r;
@@ -82,7 +85,7 @@ INLINE void expand_solids_n(const algsurf_i_taylor *taylor, const lanes span[3],
             for (int k = 0; i + j + k <= n; k++) *r++ *= taylor->inverse[i + j + k] * sign;
 }
 
-APART void expand_solids(const algsurf_i_taylor *taylor, const lanes span[3], solid_packet *s, int n) {
+APART void expand_solids(const algsurf_i_taylor *taylor, lanes span[KINDS][3], solid_packet *s, int n) {
     FOR_RAY_DEGREE(n, expand_solids_n(taylor, span, s, N))
 }
 
@@ -91,6 +94,7 @@ APART void expand_solids(const algsurf_i_taylor *taylor, const lanes span[3], so
 /* One ray of each point.  Searched is x + t d, 0 <= t <= 1; within the extent are those up to t = 1 - gap,
  * and none beyond. */
 typedef struct ray_packet {
+    int kind;
     lanes d[3], gap;
     mask open, hit; /* those to be decided; those with a root */
 } ray_packet;
@@ -161,11 +165,12 @@ INLINE void cut_rest(cell *c, const lanes *whole, mask again, int n) {
 }
 
 INLINE void judge_rays_n(const solid_packet *s, ray_packet *k, int n) {
-    lanes whole[TAYLOR_DEGREE + 1], error = s->error, gap = k->gap, largest = error;
+    lanes whole[TAYLOR_DEGREE + 1], error = s->error[k->kind], gap = k->gap, largest = error;
     cell c;
     c.p = all_lanes(0), c.q = all_lanes(1);
     expand_rays_n(s, k->d, c.w, n);
-    k->gap = 2 * n * s->size * gap; /* that P can change by; for a start a larger bound that costs less */
+    /* What P can change by within it; at first a larger bound, which costs less. */
+    k->gap = 2 * n * s->size[k->kind] * gap;
     mask none = close_rays(&c, error, k, n);
     if (!any(k->open)) return;
     for (int m = 0; m <= n; m++) {
@@ -253,10 +258,10 @@ INLINE void judge(const algsurf_i_shadow_job *job, const solid_packet *s, const 
 /* LANES of the starts. */
 typedef struct start_packet {
     lanes at[3], facing[3], number, across, up;
-    mask open; /* those that there are */
 } start_packet;
 
-INLINE void load_starts(const algsurf_i_starts *starts, int first, int count, start_packet *p) {
+INLINE void load_starts(const algsurf_i_starts *starts, int first, start_packet *p) {
+    const int count = starts->count - first;
     for (int k = 0; k < 3; k++) {
         p->at[k] = load_some(starts->at[k] + first, count);
         p->facing[k] = load_some(starts->facing[k] + first, count);
@@ -264,7 +269,6 @@ INLINE void load_starts(const algsurf_i_starts *starts, int first, int count, st
     p->number = load_some(starts->number + first, count);
     p->across = load_some(starts->across + first, count);
     p->up = load_some(starts->up + first, count);
-    p->open = less(numbered(), all_lanes(count));
 }
 
 /* A point of the unit circle at a share of its way round from -45 degrees, within 2e-5: with t about the
@@ -303,15 +307,15 @@ INLINE void aim(const algsurf_i_shadow_job *job, const start_packet *p, int j, l
     for (int k = 0; k < 3; k++) direction[k] = job->ball * (p->facing[k] + on_ball[k]);
 }
 
-/* The points about which P is expanded, with a bound on what d can be. */
+/* The points about which P is expanded, with bounds on what d can be. */
 INLINE void begin_solids(const algsurf_i_shadow_job *job, const start_packet *p, solid_packet *s) {
     const algsurf_i_view *view = &job->taylor->frame.view;
     double unit = job->unit / view->size;
-    lanes span[3];
+    lanes span[KINDS][3];
     for (int k = 0; k < 3; k++) {
         s->x[k] = (job->unit * p->at[k] - view->centre[k]) * (1 / view->size);
-        span[k] = absolute(s->x[k]) + ALGSURF_I_TAYLOR_REACH;
-        if (!job->light) span[k] = (job->ball * unit * (1 + 0x1p-20)) * (1 + absolute(p->facing[k]));
+        span[TO_LIGHTS][k] = absolute(s->x[k]) + ALGSURF_I_TAYLOR_REACH;
+        span[AROUND][k] = (job->ball * unit * (1 + 0x1p-20)) * (1 + absolute(p->facing[k]));
     }
     expand_solids(job->taylor, span, s, job->taylor->frame.degree);
     s->inside = within(job, s->x);
@@ -319,8 +323,20 @@ INLINE void begin_solids(const algsurf_i_shadow_job *job, const start_packet *p,
     for (int k = 0; k < 3; k++) s->known &= less(absolute(s->x[k]), all_lanes(ALGSURF_I_TAYLOR_REACH));
 }
 
-INLINE void add_doubts(unsigned lanes_left, int first, const lanes direction[3],
-                       algsurf_i_undecided *undecided) {
+static void expand(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                   algsurf_i_solids *solids) {
+    solid_packet *s = (solid_packet *)(void *)solids->packets;
+    _Static_assert(sizeof(solid_packet) * (ALGSURF_I_STARTS / LANES) <= sizeof solids->packets,
+                   "room for all");
+    for (int first = 0; first < starts->count; first += LANES) {
+        start_packet p;
+        load_starts(starts, first, &p);
+        begin_solids(job, &p, s + first / LANES);
+    }
+}
+
+INLINE void add_undecided(unsigned lanes_left, int first, const lanes direction[3],
+                          algsurf_i_undecided *undecided) {
     for (int l = 0; l < LANES; l++) {
         if (!(lanes_left >> l & 1)) continue;
         undecided->start[undecided->count] = first + l;
@@ -329,24 +345,29 @@ INLINE void add_doubts(unsigned lanes_left, int first, const lanes direction[3],
     }
 }
 
-static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first, int count,
-                     int from, int rays, algsurf_i_undecided *undecided) {
-    for (int end = first + count; first < end; first += LANES) {
-        int here = end - first < LANES ? end - first : LANES;
-        lanes seen = all_lanes(0);
+static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                     const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                     algsurf_i_undecided *undecided) {
+    const solid_packet *s = solids ? (const solid_packet *)(const void *)solids->packets : NULL;
+    for (int first = 0; first < starts->count; first += LANES) {
+        lanes seen = all_lanes(0), asked = seen;
         start_packet p;
-        solid_packet s;
-        load_starts(starts, first, here, &p);
-        if (job->taylor) begin_solids(job, &p, &s);
-        for (int j = from; j < from + rays; j++) {
+        load_starts(starts, first, &p);
+        for (int l = 0; l < LANES && first + l < starts->count; l++)
+            asked[l] = how[first + l] == ALGSURF_I_UNKNOWN;
+        mask open = less(all_lanes(0), asked);
+        for (int j = from; j < from + rays && any(open); j++) {
             lanes direction[3];
             aim(job, &p, j, direction);
-            ray_packet k = {.open = p.open & less(all_lanes(0), dot(direction, p.facing)), .hit = no_lane()};
-            if (job->taylor) judge(job, &s, direction, &k);
+            ray_packet k = {.kind = job->light ? TO_LIGHTS : AROUND,
+                            .open = open & less(all_lanes(0), dot(direction, p.facing)),
+                            .hit = no_lane()};
+            if (s) judge(job, s + first / LANES, direction, &k);
             seen += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
-            if (any(k.open)) add_doubts(bits(k.open), first, direction, undecided);
+            if (any(k.open)) add_undecided(bits(k.open), first, direction, undecided);
         }
-        for (int l = 0; l < here; l++) *starts->seen[first + l] += seen[l];
+        for (int l = 0; l < LANES && first + l < starts->count; l++)
+            if (how[first + l] == ALGSURF_I_UNKNOWN) *starts->seen[first + l] += seen[l];
     }
 }
 

@@ -116,13 +116,13 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
     return job;
 }
 
-/* Where the lattices of points begin, for the rays to a light or around; `from`: points of the line. */
+/* Where the lattices of the line's points from `first` on begin, for the rays to a light or around. */
 static void set_lattices(const algsurf_i_picture *picture, const algsurf_i_line *line, int row, int light,
-                         const int *from, algsurf_i_starts *starts) {
+                         int first, algsurf_i_starts *starts) {
     const int across = line->across, rays = count_rays(picture, line, light),
               purpose = light < picture->light_count ? ALGSURF_I_FOR_LIGHT + light : ALGSURF_I_FOR_AMBIENT;
     for (int i = 0; i < starts->count; i++) {
-        const int x = line->pixel[from[i]], number = line->sample + x % line->dense;
+        const int x = line->pixel[first + i], number = line->sample + x % line->dense;
         const algsurf_i_sample sample = {x / line->dense, row, number, across * across};
         const algsurf_i_lattice lattice = algsurf_i_lattice_of(&sample, purpose, rays);
         starts->number[i] = lattice.number;
@@ -131,48 +131,28 @@ static void set_lattices(const algsurf_i_picture *picture, const algsurf_i_line 
     }
 }
 
-/* Adds the rays of points that are not hidden to their *seen. */
-static algsurf_status see_rays(algsurf_i_shadow_rays *rays, const algsurf_i_shadow_job *job, int count,
-                               const algsurf_i_starts *starts) {
-    const algsurf_i_shadow_kernel *code = algsurf_i_shadow_kernel_for(rays->picture->kernel);
-    for (int first = 0; first < starts->count; first += ALGSURF_I_AIMS)
-        for (int from = 0; from < count; from += ALGSURF_I_RAYS_OF_ONE) {
-            int left = starts->count - first, more = count - from;
-            code->see_rays(job, starts, first, left < ALGSURF_I_AIMS ? left : ALGSURF_I_AIMS, from,
-                           more < ALGSURF_I_RAYS_OF_ONE ? more : ALGSURF_I_RAYS_OF_ONE, &rays->undecided);
-            algsurf_status status = algsurf_i_collect_doubts(rays, starts);
-            if (status < 0) return status;
-        }
-    return ALGSURF_OK;
-}
-
-static void add_point(const algsurf_i_group *all, int i, double *seen, algsurf_i_group *to) {
-    int end = to->starts.count++;
-    for (int k = 0; k < 3; k++) {
-        to->starts.at[k][end] = all->starts.at[k][i];
-        to->starts.facing[k][end] = all->starts.facing[k][i];
-    }
-    to->starts.seen[end] = seen;
-    to->from[end] = all->from[i];
-}
-
-/* How many rays to a light, or around, arrive from each of the points in the making. */
-static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light) {
+/* How many rays to a light, or around, arrive from each of the line's points from `first` on. */
+static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light,
+                              int first) {
     const algsurf_i_picture *picture = rays->picture;
-    const algsurf_i_group *all = &rays->all;
-    algsurf_i_group *open = &rays->open;
-    const algsurf_i_shadow_job job = job_of(picture, line, light);
+    const algsurf_i_shadow_kernel *code = algsurf_i_shadow_kernel_for(picture->kernel);
+    const algsurf_i_shadow_job *job = &rays->jobs[light];
+    algsurf_i_starts *starts = &rays->starts;
     const int count = count_rays(picture, line, light);
     uint8_t how[ALGSURF_I_STARTS] = {0};
-    open->starts.count = 0;
-    if (job.light) algsurf_i_shadow_kernel_for(picture->kernel)->see_light(&job, &all->starts, how);
-    for (int i = 0; i < all->starts.count; i++) {
-        double *seen = line->visible + all->from[i] * (picture->light_count + 1) + light;
-        *seen = how[i] == ALGSURF_I_LIT ? count : 0;
-        if (how[i] == ALGSURF_I_UNKNOWN) add_point(all, i, seen, open);
+    if (job->light) code->see_light(job, starts, how);
+    for (int i = 0; i < starts->count; i++) {
+        starts->seen[i] = line->visible + (first + i) * (picture->light_count + 1) + light;
+        *starts->seen[i] = how[i] == ALGSURF_I_LIT ? count : 0;
     }
-    if (!job.place[0]) set_lattices(picture, line, row, light, open->from, &open->starts);
-    return see_rays(rays, &job, count, &open->starts);
+    if (!job->place[0]) set_lattices(picture, line, row, light, first, starts);
+    for (int from = 0; from < count; from += ALGSURF_I_RAYS_OF_ONE) {
+        int more = count - from < ALGSURF_I_RAYS_OF_ONE ? count - from : ALGSURF_I_RAYS_OF_ONE;
+        code->see_rays(job, starts, job->taylor ? &rays->solids : NULL, how, from, more, &rays->undecided);
+        algsurf_status status = algsurf_i_collect_undecided(rays);
+        if (status < 0) return status;
+    }
+    return ALGSURF_OK;
 }
 
 /* From counts to shares. */
@@ -190,13 +170,14 @@ algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int ro
     const double height = 1e-6 * picture->lighting.radius;
     algsurf_i_shadow_rays *rays = line->rays;
     algsurf_i_begin_shadow_rays(rays, picture);
+    for (int l = 0; l <= picture->light_count; l++) rays->jobs[l] = job_of(picture, line, l);
     for (int first = 0; first < line->count; first += ALGSURF_I_STARTS) {
         int left = line->count - first, count = left < ALGSURF_I_STARTS ? left : ALGSURF_I_STARTS;
-        code->lift(&line->points, first, count, height, &rays->all.starts);
-        for (int i = 0; i < count; i++) rays->all.from[i] = first + i;
+        if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
+        code->lift(&line->points, first, count, height, &rays->starts);
+        if (rays->jobs[0].taylor) code->expand(&rays->jobs[0], &rays->starts, &rays->solids);
         for (int l = 0; l <= picture->light_count; l++) {
-            if (atomic_load_explicit(&picture->stop, memory_order_relaxed)) return ALGSURF_CANCELLED;
-            algsurf_status status = see_one(rays, line, row, l);
+            algsurf_status status = see_one(rays, line, row, l, first);
             if (status < 0) return status;
         }
     }

@@ -5,9 +5,8 @@
 #include "../surface/taylor.h"
 #include "kernel.h"
 
-#define ALGSURF_I_STARTS 64      /* points whose shadow rays are found together */
-#define ALGSURF_I_AIMS 16        /* of these at once, */
-#define ALGSURF_I_RAYS_OF_ONE 32 /* and so many rays from each */
+#define ALGSURF_I_STARTS 8       /* points whose shadow rays are found together: the lanes of any kernel */
+#define ALGSURF_I_RAYS_OF_ONE 32 /* so many from each at once */
 
 /* Points, lifted off the surface, and the side of it that the viewer is on: structure of arrays. */
 typedef struct algsurf_i_starts {
@@ -17,18 +16,24 @@ typedef struct algsurf_i_starts {
     double *seen[ALGSURF_I_STARTS]; /* where rays that arrive are added up */
 } algsurf_i_starts;
 
+/* P about these points, as a kernel has it. */
+typedef struct algsurf_i_solids {
+    _Alignas(64) unsigned char packets[ALGSURF_I_STARTS * (ALGSURF_I_SOLID(ALGSURF_MAX_TAYLOR_DEGREE) + 16) *
+                                       sizeof(double)];
+} algsurf_i_solids;
+
 /* Where rays from points go, and what is known of those they may meet. */
 typedef struct algsurf_i_shadow_job {
-    const algsurf_i_taylor *taylor; /* null: nothing is known of rays */
+    const algsurf_i_taylor *taylor; /* for their expansion; null: nothing is known of rays */
     const algsurf_i_fan *fan;       /* of the light; null: nothing is known of it as a whole */
-    const algsurf_light *light; /* null: rays end on a ball of that radius that touches the point's plane: */
-    double ball;
-    const double *place[2]; /* of the light, in its edges from its middle: rays go there; or null: */
-    double lattice;         /* they go to points of lattices, which have so many */
-    double unit;            /* of the caller's coordinates, in natural ones */
-    double to_light[3];     /* its middle about the fan's centre, in the fan's unit */
-    int extent_kind;        /* sphere or box, about that centre */
-    double extent_size[3];  /* in that unit */
+    const algsurf_light *light;     /* null: rays end on a ball that touches the point's plane, */
+    double ball;                    /* of that radius, the same for all of a picture's jobs */
+    const double *place[2];         /* of the light, in its edges from its middle: rays go there; or null: */
+    double lattice;                 /* they go to points of lattices, which have so many */
+    double unit;                    /* of the caller's coordinates, in natural ones */
+    double to_light[3];             /* its middle about the fan's centre, in the fan's unit */
+    int extent_kind;                /* sphere or box, about that centre */
+    double extent_size[3];          /* in that unit */
     const algsurf_i_cut_plane *planes; /* in the caller's axes */
     int plane_count;
 } algsurf_i_shadow_job;
@@ -39,8 +44,8 @@ enum { ALGSURF_I_UNKNOWN = 0, ALGSURF_I_LIT = 1, ALGSURF_I_DARK = 2 };
 
 /* Rays of which it is not known whether they arrive. */
 typedef struct algsurf_i_undecided {
-    int count, start[ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
-    double direction[3][ALGSURF_I_AIMS * ALGSURF_I_RAYS_OF_ONE];
+    int count, start[ALGSURF_I_STARTS * ALGSURF_I_RAYS_OF_ONE];
+    double direction[3][ALGSURF_I_STARTS * ALGSURF_I_RAYS_OF_ONE];
 } algsurf_i_undecided;
 
 typedef struct algsurf_i_shadow_kernel {
@@ -49,11 +54,14 @@ typedef struct algsurf_i_shadow_kernel {
                  algsurf_i_starts *starts);
     /* how[i]: how much start i sees of the job's light. */
     void (*see_light)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how);
-    /* Rays from `from` on, `rays` of them, of each of some starts: adds those that are not hidden to *seen;
-     * what is below the point's tangent plane counts as seen: shading knows how the point lies.
-     * Undecided ones are appended. */
-    void (*see_rays)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, int first, int count,
-                     int from, int rays, algsurf_i_undecided *undecided);
+    /* P about the points, for all jobs of a picture. */
+    void (*expand)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, algsurf_i_solids *solids);
+    /* Rays from `from` on, `rays` of them, of each start that sees an unknown part of the light: adds those
+     * that are not hidden to *seen; what is below the point's tangent plane counts as seen: shading knows how
+     * the point lies.  Undecided ones are appended.  solids: null where nothing is known of rays. */
+    void (*see_rays)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                     const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                     algsurf_i_undecided *undecided);
 } algsurf_i_shadow_kernel;
 
 extern const algsurf_i_shadow_kernel algsurf_i_shadow_avx512, algsurf_i_shadow_avx2,

@@ -28,7 +28,8 @@ algsurf_status algsurf_i_send_shadow_rays(algsurf_i_shadow_rays *b) {
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_collect_doubts(algsurf_i_shadow_rays *b, const algsurf_i_starts *starts) {
+algsurf_status algsurf_i_collect_undecided(algsurf_i_shadow_rays *b) {
+    const algsurf_i_starts *starts = &b->starts;
     for (int i = 0; i < b->undecided.count; i++) {
         int from = b->undecided.start[i];
         for (int k = 0; k < 3; k++) {
