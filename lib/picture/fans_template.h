@@ -171,7 +171,7 @@ INLINE void expand_solid(const algsurf_i_fan *fan, const fan_packet *g, lanes *r
 }
 
 /* S of fan.c. */
-INLINE lanes size_of(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
+APART lanes size_of(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
     lanes whole = all_lanes(0);
     for (int i = n; i >= 0; i--) {
         lanes level = all_lanes(0);
