@@ -19,7 +19,8 @@ static const double AROUND = 1.2; /* about what is seen then */
 
 /* ---- camera ---- */
 
-enum { ROWS = 144, MOST_COLUMNS = 512, ROUNDS = 8, DOT = 6 };
+enum { ROWS = 144, FEW_ROWS = 36, MOST_COLUMNS = 512, ROUNDS = 8, DOT = 6 };
+enum { MOST_TOGETHER = 24 }; /* degree: above it rays are solved one by one, and so fewer are asked */
 static const double HIGH = 0.90, WIDE = 0.95; /* of the picture */
 static const double CLOSE = 1.3;              /* radii of the extent, from its centre to the eye */
 static const double SMALL = 0.1;              /* of the extent: aimed at */
@@ -37,11 +38,12 @@ typedef struct glance {
 static glance open_glance(const view_options *options, const algsurf_surface *surface,
                           const algsurf_extent *extent, int thin, algsurf_status *failed) {
     static const double any_colour[3] = {1, 1, 1};
-    glance g = {.height = ROWS, .failed = failed};
-    double width = fmin(MOST_COLUMNS, fmax(1, round((double)ROWS * options->width / options->height)));
-    g.width = (int)width;
-    g.state = malloc((size_t)g.width * ROWS);
-    g.t = malloc((size_t)g.width * ROWS * sizeof *g.t);
+    const int rows = algsurf_surface_degree(surface) <= MOST_TOGETHER ? ROWS : FEW_ROWS;
+    const double most = (double)MOST_COLUMNS * rows / ROWS;
+    glance g = {.height = rows, .failed = failed};
+    g.width = (int)fmin(most, fmax(1, round((double)rows * options->width / options->height)));
+    g.state = malloc((size_t)g.width * (size_t)rows);
+    g.t = malloc((size_t)g.width * (size_t)rows * sizeof *g.t);
     if (!g.state || !g.t) fit_demand(failed, ALGSURF_E_NO_MEMORY);
     fit_demand(failed, algsurf_scene_create(surface, &g.scene));
     fit_demand(failed, algsurf_scene_set_extent(g.scene, extent));
