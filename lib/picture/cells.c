@@ -13,16 +13,9 @@ algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across,
                          .y = row * across + (int)(sy * across),
                          .pixel = p->pixel / across,
                          .offset = -0.5 * picture->width * across,
-                         .share = 1};
-    f.rays = (algsurf_i_row_job){.view = &p->frame.view,
-                                 .pixel = f.pixel,
-                                 .u0 = p->origin[0],
-                                 .du = p->per_slope,
-                                 .extent = &picture->scene->extent,
-                                 .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
-                                 .planes = p->view_planes,
-                                 .plane_count = p->plane_count,
-                                 .near = p->near};
+                         .share = 1,
+                         .rays = algsurf_i_any_row(picture)};
+    f.rays.pixel = f.pixel;
     return f;
 }
 

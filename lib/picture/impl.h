@@ -275,6 +275,9 @@ void algsurf_i_packets_range(const algsurf_i_row_job *job, int width, int *begin
 int algsurf_i_begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job, int *begin, int *end);
 
+/* What the jobs of all rows have in common; the offset is that of the pixels' left edges. */
+algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture);
+
 /* The row's job, without its form's coefficients. */
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job);
@@ -282,8 +285,10 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
 /* Are there forms for tiles as small as pixels, and all rays of a row within their bounds? */
 int algsurf_i_has_cells(const algsurf_i_picture *picture, double y);
 
-/* The pixels of a row whose rays are within the bounds of forms, and those of the pixels about them. */
-void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin, int *end);
+/* The pixels between two heights, counted from the top, whose rays are within the bounds of forms, and so are
+ * those of `margin` pixels beside them, and of one above and below. */
+void algsurf_i_range_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int margin,
+                                   int *begin, int *end);
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);

@@ -12,19 +12,14 @@ enum { GROUP = 16 }; /* undecided pixels that are solved together */
 
 #define CLOSE 8 /* pixels: to begin anew costs as much as to go on for so many */
 
-void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
-                        algsurf_i_row_job *job) {
+algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
     const algsurf_i_packets *p = picture->packets;
-    const algsurf_i_view *view = &p->frame.view;
-    form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
-    *job = (algsurf_i_row_job){.view = view,
+    return (algsurf_i_row_job){.view = &p->frame.view,
                                .basis = p->frame.basis,
-                               .row = form,
-                               .offset = sx - 0.5 * picture->width,
+                               .offset = -0.5 * picture->width,
                                .pixel = p->pixel,
                                .u0 = p->origin[0],
                                .du = p->per_slope,
-                               .slope = view->alpha * form->v + view->beta[1],
                                .extent = &picture->scene->extent,
                                .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
                                .planes = p->view_planes,
@@ -33,13 +28,27 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
                                .tolerance = p->tolerance};
 }
 
-/* The error bounds hold for rays that stay within 4 of the view's centre in x and y. */
+void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
+                        algsurf_i_row_job *job) {
+    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_view *view = &p->frame.view;
+    form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
+    *job = algsurf_i_any_row(picture);
+    job->row = form;
+    job->offset += sx;
+    job->slope = view->alpha * form->v + view->beta[1];
+}
+
+/* The error bounds of forms hold for rays that stay within this of the view's centre in x and y, over the
+ * depths of what is shown, |z| <= 1 (row_template.h). */
+#define BOUND 4
+
 static int within_bounds(const algsurf_i_row_job *job, int begin, int end) {
     const algsurf_i_view *view = job->view;
     double first = job->u0 + job->du * ((begin + job->offset) * job->pixel);
     double last = job->u0 + job->du * ((end + job->offset) * job->pixel);
     double u = fmax(fabs(first), fabs(last)), v = fabs(job->row->v);
-    return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < 4 && v + fabs(job->slope) < 4;
+    return u * (1 + fabs(view->alpha)) + fabs(view->beta[0]) < BOUND && v + fabs(job->slope) < BOUND;
 }
 
 int algsurf_i_has_cells(const algsurf_i_picture *picture, double y) {
@@ -50,15 +59,17 @@ int algsurf_i_has_cells(const algsurf_i_picture *picture, double y) {
     return within_bounds(&job, 0, picture->width);
 }
 
-void algsurf_i_cell_range(const algsurf_i_picture *picture, double y, int *begin, int *end) {
+void algsurf_i_range_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int margin,
+                                   int *begin, int *end) {
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_view *view = &p->frame.view;
     double side = fabs(p->per_slope) * p->pixel, spread = 1 + fabs(view->alpha), half = 0.5 * picture->width;
-    double v = fabs(p->origin[1]) + side * (fabs(0.5 * picture->height - y) + 1);
+    double from_middle = fmax(fabs(0.5 * picture->height - top), fabs(0.5 * picture->height - bottom));
+    double v = fabs(p->origin[1]) + side * (from_middle + 1);
     /* pixels so far from the middle are within them */
-    double room = ((4 - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / side - 1;
+    double room = ((BOUND - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / side - margin;
     *begin = *end = 0;
-    if (!(v * spread + fabs(view->beta[1]) < 4) || !(room > 0)) return;
+    if (!(v * spread + fabs(view->beta[1]) < BOUND) || !(room > 0)) return;
     *begin = room < half ? (int)ceil(half - room) : 0;
     *end = room < half ? (int)floor(half + room) : picture->width;
 }

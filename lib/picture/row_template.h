@@ -10,7 +10,7 @@
  * points of the ray and of the line differ at most in each of x, y, z.  Both are less than the chord's blur,
  * which is made of
  *     e = 2^-44 + 4 N,  divided by the sine where the line meets the extent or a plane at a slant.
- * What is shown has |X| <= 1; |u| + |a| < 4 and |v| + |b| < 4 (packets.c, tiles.c); N < 2^-22 (view.c).
+ * What is shown has |X| <= 1; |u| + |a| < 4 and |v| + |b| < 4 (packets.c); N < 2^-22 (view.c).
  * Hence |(u,v)| < 5.7, s = 1 + a^2 + b^2 < 33, and the root of s is below 5.75.  Roundings are counted in
  * 2^-53, to first order: 2^-44 has 512 of them.  Beside the end of a ray's chord, sqrt(3) N away, there is a
  * point of the line; N of that is in depth.

@@ -17,7 +17,7 @@ static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band,
                    const algsurf_i_cells *f, const algsurf_i_line *line, algsurf_i_tiling *t) {
     int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0, begin, end;
     const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    algsurf_i_cell_range(picture, row + 0.5, &begin, &end);
+    algsurf_i_range_within_bounds(picture, row + 0.5, row + 0.5, 1, &begin, &end);
     if (begin < line->begin) begin = line->begin;
     if (end > line->end) end = line->end;
     for (int x = begin; x < end; x++) {

@@ -99,39 +99,20 @@ static algsurf_i_tile_counts count_tiles(const algsurf_i_tile_job *job, uint64_t
     return counts;
 }
 
-/* Sets which rays of the band, with a pixel about it, are within the bounds of forms. */
+/* Sets which tiles of the band, with a pixel about each, are within the bounds of forms. */
 static void set_bounds(const algsurf_i_picture *picture, algsurf_i_band *band) {
-    const algsurf_i_packets *p = picture->packets;
-    const algsurf_i_view *view = &p->frame.view;
-    int y = band->number * ALGSURF_I_TILES;
-    double side = fabs(p->per_slope) * p->pixel, spread = 1 + fabs(view->alpha);
-    double up = fabs(0.5 * picture->height - y), down = fabs(0.5 * picture->height - y - ALGSURF_I_TILES);
-    double v = fabs(p->origin[1]) + side * ((up > down ? up : down) + 1);
-    /* pixels so far from the middle are within them */
-    double room = ((4 - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / side - ALGSURF_I_TILES - 1;
-    double half = 0.5 * picture->width;
-    band->begin = band->end = 0;
-    if (!(v * spread + fabs(view->beta[1]) < 4) || !(room > 0)) return;
-    band->begin = room < half ? (int)ceil((half - room) / ALGSURF_I_TILES) * ALGSURF_I_TILES : 0;
-    band->end = room < half ? (int)floor((half + room) / ALGSURF_I_TILES) * ALGSURF_I_TILES : picture->width;
+    const int tile = ALGSURF_I_TILES, y = band->number * tile;
+    algsurf_i_range_within_bounds(picture, y, y + tile, tile + 1, &band->begin, &band->end);
+    band->begin = (band->begin + tile - 1) / tile * tile;
+    if (band->end < picture->width) band->end = band->end / tile * tile;
     if (band->end < band->begin) band->end = band->begin;
 }
 
 static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
-    const algsurf_i_packets *p = picture->packets;
-    const algsurf_i_row_job rays = {.view = &p->frame.view,
-                                    .offset = -0.5 * picture->width,
-                                    .pixel = p->pixel,
-                                    .u0 = p->origin[0],
-                                    .du = p->per_slope,
-                                    .extent = &picture->scene->extent,
-                                    .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
-                                    .planes = p->view_planes,
-                                    .plane_count = p->plane_count,
-                                    .near = p->near};
+    const algsurf_i_row_job rays = algsurf_i_any_row(picture);
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
-                              .noise = p->frame.value_error,
+                              .noise = picture->packets->frame.value_error,
                               .cell = band->cell,
                               .stride = stride_of(picture),
                               .from_y = band->number * ALGSURF_I_TILES,
