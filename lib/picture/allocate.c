@@ -3,6 +3,7 @@
  * It is laid out twice: the first time at no address, which tells how much it is. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "srgb.h"
 #include "thin.h"
 #include "shadow_rays.h"
 

@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "cells.h"
+#include "antialias.h"
 #include "impl.h"
 
 static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {

@@ -1,6 +1,7 @@
 /* cells.c - see cells.h. */
 #include "../base/arithmetic.h"
 #include "cells.h"
+#include "impl.h"
 
 #include <math.h>
 

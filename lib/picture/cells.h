@@ -1,7 +1,9 @@
 /* cells.h - what a pixel's samples stand for: cells, 1/n of it wide and high, and tiles about them. */
 #ifndef ALGSURF_CELLS_H
 #define ALGSURF_CELLS_H
-#include "impl.h"
+#include "kernel.h"
+#include "packets.h"
+#include "tiling.h"
 
 /* The cells about the samples of a pass are the pixels of a picture with as many times more pixels. */
 typedef struct algsurf_i_cells {

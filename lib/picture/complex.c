@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "camera_impl.h"
+#include "complex_impl.h"
 #include "impl.h"
 #include "../rays/intersect_impl.h"
 #include "../rays/region.h"

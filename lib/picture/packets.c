@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "camera_impl.h"
+#include "complex_impl.h"
 #include "impl.h"
+#include "packets.h"
+#include "tiling.h"
 #include "../rays/intersect_impl.h"
 
 enum { GROUP = 16 }; /* undecided pixels that are solved together */

@@ -33,7 +33,7 @@
  * - NaN and infinity prove nothing.
  * MARGIN is eight times what is needed, and widens a range of 1000 pixels by 1/30 of one. */
 #include "../base/arithmetic.h"
-#include "impl.h"
+#include "packets.h"
 
 #include <math.h>
 

@@ -1,6 +1,10 @@
 /* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "packets.h"
+#include "shadow.h"
+#include "srgb.h"
+#include "tiling.h"
 
 #include <stdlib.h>
 #include <string.h>

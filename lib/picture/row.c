@@ -8,7 +8,14 @@
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
+#include "antialias.h"
 #include "impl.h"
+#include "line.h"
+#include "packets.h"
+#include "shadow.h"
+#include "srgb.h"
+#include "thin_row.h"
+#include "tiling.h"
 
 #include <math.h>
 #include <string.h>

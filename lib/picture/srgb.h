@@ -13,4 +13,9 @@ static inline int algsurf_i_srgb_step(float light) {
     return (int)(float)((float)((SRGB_STEPS - 1) * light) + 0.5f);
 }
 
+/* The byte of 0 <= light <= 1. */
+static inline uint8_t algsurf_i_byte_of(const uint8_t curve[SRGB_STEPS], double light) {
+    return curve[algsurf_i_srgb_step((float)light)];
+}
+
 #endif

@@ -5,6 +5,8 @@
 #include "camera_impl.h"
 #include "cells.h"
 #include "impl.h"
+#include "srgb.h"
+#include "thin_row.h"
 #include "thin.h"
 #include "../rays/intersect_impl.h"
 #include "../base/vec.h"

@@ -10,6 +10,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "complex_impl.h"
 
 #include <stdlib.h>
 #include <time.h>
@@ -171,8 +172,8 @@ static int start_helpers(thread_pool *pool, helper *helpers, int wanted, algsurf
 }
 
 algsurf_status algsurf_i_render_threads(algsurf_i_picture *picture, const algsurf_render_options *options,
-                                     int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
-                                     int *threads_used) {
+                                        int threads, algsurf_i_worker *workers, algsurf_i_tally *total,
+                                        int *threads_used) {
     thread_pool pool = {.picture = picture, .options = options};
     atomic_init(&pool.next_row, picture->row_begin - picture->row_begin % batch_of(picture));
     atomic_init(&pool.rows_done, 0);

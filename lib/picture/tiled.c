@@ -6,6 +6,8 @@
  * goes the way of all rows. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "packets.h"
+#include "tiling.h"
 
 #include <string.h>
 

@@ -10,6 +10,8 @@
  * over pixels.  Rows of pixels are as fast at FEW and faster beyond. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "packets.h"
+#include "tiling.h"
 
 #include <math.h>
 

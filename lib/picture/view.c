@@ -25,7 +25,9 @@
 #include "../rays/expand_impl.h"
 #include "../rays/own_ball.h"
 #include "../rays/planes.h"
+#include "complex_impl.h"
 #include "impl.h"
+#include "packets.h"
 #include "../base/vec.h"
 
 /* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */

@@ -1,0 +1,99 @@
+/* line.h - a row in the making: the points that are seen through its pixels, and what the pixels show.
+ *
+ * A pass adds one sample of each pixel, or several that lie side by side: its points are found, coloured and
+ * added to what the pixels show. */
+#ifndef ALGSURF_LINE_H
+#define ALGSURF_LINE_H
+#include <stdint.h>
+#include <string.h>
+
+#include "algsurf/intersect.h"
+#include "kernel.h"
+#include "tally.h"
+
+typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
+
+/* What the pixels of a row show, over the samples drawn so far. */
+typedef struct algsurf_i_shown {
+    uint16_t *samples; /* of each pixel: how many of its samples show a point; 0: the others mean nothing */
+    double *sum;       /* 3 for each pixel: the colours of those, if colours are asked for */
+    double *nearest;   /* their smallest t */
+    double *normal;    /* 3 for each pixel: the normal there, or null: it is not asked for */
+    uint8_t *state;    /* the int there, or null likewise */
+    uint8_t *way;      /* the largest algsurf_picture.way of all samples, or null likewise */
+} algsurf_i_shown;
+
+/* The points of a row that are seen through one sample of its pixels, or through several that lie side by
+ * side, and what the pixels show.  Samples of a row are counted from its left end: sample i is in pixel i /
+ * dense. */
+typedef struct algsurf_i_line {
+    const uint8_t *wanted; /* of each pixel: 1, it is to be sampled; null: all are */
+    int wanted_count;
+    int *list;      /* the wanted pixels of the row, from the left; */
+    int begin, end; /* pixels of the row that are looked at now: begin .. end-1, */
+    int listed;     /* of the list wanted_count from this one on */
+    int dense;      /* so many samples of a pixel are among the row's, one or all that are side by side */
+    int across;     /* samples of a pixel that are side by side; */
+    int sample;     /* the row's samples are this one of across x across, row by row, and those that follow */
+    int count;      /* points: hits and undecided ones */
+    int *pixel;     /* of each point its sample of the row; in no particular order */
+    algsurf_i_points points;
+    const algsurf_i_colour_job *colours; /* null: none are asked for */
+    float *colour;                       /* 3 for each point; */
+    uint32_t *bytes; /* or, as_bytes, where each is a pixel of its own: red + 256 green + 65536 blue */
+    int as_bytes;
+    double *visible;                    /* light_count + 1 for each point, in full quality */
+    struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
+    double *depth;                      /* of each entry: where packets found it */
+    double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
+    uint8_t *state; /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
+    uint8_t *way;   /* of each sample: as algsurf_picture.way; null: it is not asked for */
+    algsurf_i_shown shown;
+} algsurf_i_line;
+
+#define ALGSURF_I_MOST_ACROSS 16 /* samples of a pixel */
+
+/* Where a row of pixels goes: what is null is not asked for. */
+typedef struct algsurf_i_row_planes {
+    uint8_t *pixels;
+    int channels;
+    double *t;
+    float *normals;
+    uint8_t *state, *way;
+} algsurf_i_row_planes;
+
+/* Where sample x of the line's row is, in pixels from the left, if it is `offset` in its pixel; dense samples
+ * have their own. */
+static inline double algsurf_i_place_of(const algsurf_i_line *line, int x, double offset) {
+    return line->dense > 1 ? (x + 0.5) / line->dense : x + offset;
+}
+
+/* No sample has been drawn yet. */
+static inline void algsurf_i_begin_shown(const algsurf_i_shown *shown, int width) {
+    memset(shown->samples, 0, (size_t)width * sizeof *shown->samples);
+    if (shown->way) memset(shown->way, 0, (size_t)width);
+}
+
+/* Is t less than that of each sample of pixel x so far? */
+static inline int algsurf_i_is_nearest(const algsurf_i_shown *shown, int x, double t) {
+    return shown->samples[x] == 0 || t < shown->nearest[x];
+}
+
+/* Adds a sample to pixel x: its t; its colour is for the caller to add to the sum, which the first one sets
+ * to 0. */
+static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, double t) {
+    int first = shown->samples[x]++ == 0;
+    for (int k = 0; k < 3 && first; k++) shown->sum[3 * x + k] = 0;
+    shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
+}
+
+/* The line's points from `first` on, as kernels are to find them. */
+algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
+                                          int first);
+
+/* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
+ * counts it. */
+void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, const algsurf_hit *hit,
+                        algsurf_i_tally *tally);
+
+#endif

@@ -1,0 +1,13 @@
+/* thin_row.h - what is thin beside the rays of a row (thin.h tells of one ray). */
+#ifndef ALGSURF_THIN_ROW_H
+#define ALGSURF_THIN_ROW_H
+#include "tally.h"
+
+typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
+typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
+
+/* Adds to the line, whose points have their colours, what is thin beside the pixels' rays. */
+void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
+                        algsurf_i_worker *worker, algsurf_i_tally *tally);
+
+#endif
