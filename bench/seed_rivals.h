@@ -3,8 +3,8 @@
 #define SEED_RIVALS_H
 #include "algsurf/algsurf.h"
 
-/* As algsurf_refine_poly without radii, whose arguments a rival takes for granted: a bracket with different signs at its
- * finite ends, and options. */
+/* As algsurf_refine_poly without radii, whose arguments a rival takes for granted: a bracket with different
+ * signs at its finite ends, and options. */
 typedef algsurf_status seed_solver(const double *c, int degree, double lo, double hi,
                                    const algsurf_refine_options *options, algsurf_refined_root *result);
 

@@ -21,8 +21,7 @@
 typedef struct isolate_answer {
     algsurf_status status;
     int count;
-    algsurf_bracket
-        first; /* what isolate_first says, which need not be b[0] but must be about the same root */
+    algsurf_bracket first; /* what isolate_first says: about the same root as b[0], maybe another bracket */
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE + 1];
 } isolate_answer;
 

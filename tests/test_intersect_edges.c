@@ -359,7 +359,8 @@ static void judge_bounded(const edge_case *e, int round, int *undecided) {
         const char *wrong = intersect_wrong_packet(&e->c, &e->extent, &how, &a);
         if (!wrong && as == ALGSURF_AS_UNDECIDED) wrong = judge_first(e, &a.first);
         int open = report.first.state == ALGSURF_UNDECIDED;
-        if (a.first.state != (open ? becomes[as] : report.first.state)) wrong = "what becomes of the undecided";
+        if (a.first.state != (open ? becomes[as] : report.first.state))
+            wrong = "what becomes of the undecided";
         open = report.occluded == ALGSURF_UNDECIDED;
         if ((int)a.occluded != (open ? becomes[as] : (int)report.occluded)) wrong = "occluded, undecided";
         if (wrong) refuse(e, &a, wrong, round);
@@ -367,7 +368,7 @@ static void judge_bounded(const edge_case *e, int round, int *undecided) {
     *undecided += report.first.state == ALGSURF_UNDECIDED;
 }
 
-static void doubt_at_the_edge(void **state) {
+static void undecided_at_the_edge(void **state) {
     uint64_t seed = SEED + 1;
     int undecided = 0, rounds = 0;
     static edge_case e;
@@ -390,6 +391,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines),
         cmocka_unit_test(found_before),      cmocka_unit_test(a_long_box),
-        cmocka_unit_test(ends_of_parts),     cmocka_unit_test(doubt_at_the_edge)};
+        cmocka_unit_test(ends_of_parts),     cmocka_unit_test(undecided_at_the_edge)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

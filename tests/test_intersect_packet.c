@@ -395,7 +395,7 @@ static void test_hits_on_the_extent(void **state) {
 }
 
 /* Exactly tangent, exactly at the ends, along double lines. */
-static void test_doubtful_rays(void **state) {
+static void test_undecided_rays(void **state) {
     (void)state;
     static const struct {
         const char *equation;
@@ -936,7 +936,7 @@ int main(void) {
         cmocka_unit_test(test_catalogue),
         cmocka_unit_test(test_cancellation),
         cmocka_unit_test(test_hits_on_the_extent),
-        cmocka_unit_test(test_doubtful_rays),
+        cmocka_unit_test(test_undecided_rays),
         cmocka_unit_test(test_exact),
         cmocka_unit_test(test_degrees),
         cmocka_unit_test(test_catalogue_is_decided),

@@ -325,7 +325,7 @@ static algsurf_status undecided_intersect(void) {
     return ALGSURF_OK;
 }
 
-static void test_doubtful_rays(void **state) {
+static void test_undecided_rays(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof undecided_rays / sizeof *undecided_rays; i++) {
         asked = undecided_rays + i;
@@ -548,7 +548,7 @@ int main(void) {
         cmocka_unit_test(test_surface),          cmocka_unit_test(test_root_solver),
         cmocka_unit_test(test_refine),           cmocka_unit_test(test_isolate),
         cmocka_unit_test(test_scene_and_render), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_doubtful_rays),
+        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_undecided_rays),
         cmocka_unit_test(test_certified_picture)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,8 +110,8 @@ static double outwards(double middle, double half, double s, double to) {
 
 /* All roots t of the polynomial along the ray, with the state's imaginary parts.  The boxes hold the roots of
  * the exact polynomial along the ray of these doubles.
- *   rows  eight numbers each: root (re, im), box (re lo, re hi, im lo, im hi), multiplicity, real; room
- *         for 64
+ *   rows  eight numbers each: root (re, im), box (re lo, re hi, im lo, im hi), multiplicity, real;
+ *         room for 64
  * Returns how many. */
 EXPORTED(page_complex_roots)
 int page_complex_roots(const algsurf_surface *surface, const page_state *state, const algsurf_ray *chord,

@@ -111,8 +111,7 @@ static inline int algsurf_limb_bits(algsurf_limb x) { return x ? 64 - algsurf_li
 static inline algsurf_limb algsurf_limb_quotient(algsurf_limb high, algsurf_limb low, algsurf_limb d) {
 #if ALGSURF_HAS_WIDE
     return (algsurf_limb)(((algsurf_wide)high << 64 | low) / d);
-#else /* two digits of 32 bits (Knuth, algorithm D): a trial quotient by d's upper half is at most 2 too     \
-         large */
+#else /* two digits of 32 bits (Knuth, algorithm D); a trial quotient by d's upper half: 0 to 2 too large */
     algsurf_limb q = 0, dh = d >> 32, dl = d & 0xffffffffu;
     for (int shift = 32; shift >= 0; shift -= 32) {
         algsurf_limb next = low >> shift & 0xffffffffu, digit = high / dh, rest = high % dh;

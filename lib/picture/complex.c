@@ -4,12 +4,11 @@
  * roots, and an iteration that starts there takes fewer steps.  It saves time and must not show.  Two things
  * see to it:
  * - the root that is seen is settled with doubled precision (complex/lanes_template.h), so that its bits do
- * not tell where the iteration began;
+ *   not tell where the iteration began;
  * - which pixels are left to the single ray may depend on the start.  So rows begin anew at multiples of
- * BAND, counted from the top of the picture, and whoever begins elsewhere solves the rows before, from there
- * on. Where a pixel has several samples, a row's first pass begins anew, and each other one starts from the
- * pass before.
- */
+ *   ALGSURF_I_BAND, counted from the top of the picture, and whoever begins elsewhere solves the rows before,
+ *   from there on.  Where a pixel has several samples, a row's first pass begins anew, and each other one
+ *   starts from the pass before. */
 #include "../base/arithmetic.h"
 #include <math.h>
 
@@ -93,8 +92,9 @@ static algsurf_status solve_alone(const algsurf_i_picture *picture, int x, doubl
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
-                                          int end, algsurf_i_line *line, algsurf_i_tally *tally) {
+algsurf_status algsurf_i_complex_solve_undecided(const algsurf_i_picture *picture, double y, double sx,
+                                                 int begin, int end, algsurf_i_line *line,
+                                                 algsurf_i_tally *tally) {
     algsurf_status status = ALGSURF_OK;
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         if (line->state[x] != ALGSURF_LANE_UNDECIDED) continue;

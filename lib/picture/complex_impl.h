@@ -32,7 +32,8 @@ void algsurf_i_complex_end_row(const algsurf_i_picture *picture, int row, int be
                                algsurf_i_worker *worker);
 
 /* The undecided pixels of a row in complex space, ray by ray: their points go to the line. */
-algsurf_status algsurf_i_complex_doubtful(const algsurf_i_picture *picture, double y, double sx, int begin,
-                                          int end, algsurf_i_line *line, algsurf_i_tally *tally);
+algsurf_status algsurf_i_complex_solve_undecided(const algsurf_i_picture *picture, double y, double sx,
+                                                 int begin, int end, algsurf_i_line *line,
+                                                 algsurf_i_tally *tally);
 
 #endif

@@ -55,9 +55,8 @@ typedef struct algsurf_i_leaves {
  * at most to the root.  A leaf: enough = 0, the first root of each ray, if there is one, has low <= z <=
  * high, as far as chords allow. */
 typedef struct algsurf_i_tile {
-    double x, y, inverse; /* its middle in pixels, one over half its side */
-    double
-        depth[ALGSURF_I_SERIES]; /* of a sheet, about: with powers 1, xi, eta, xi^2, xi eta, eta^2, xi^3 .. */
+    double x, y, inverse;           /* its middle in pixels, one over half its side */
+    double depth[ALGSURF_I_SERIES]; /* of a sheet, about: of 1, xi, eta, xi^2, xi eta, eta^2, xi^3 .. */
     double low, high, enough;
 } algsurf_i_tile;
 

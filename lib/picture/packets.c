@@ -175,7 +175,7 @@ algsurf_status algsurf_i_solve_undecided(const algsurf_i_picture *picture, doubl
     const algsurf_scene *scene = picture->scene;
     undecided_pixels d = {.count = 0};
     algsurf_status status = ALGSURF_OK;
-    if (scene->complex) return algsurf_i_complex_doubtful(picture, y, sx, begin, end, line, tally);
+    if (scene->complex) return algsurf_i_complex_solve_undecided(picture, y, sx, begin, end, line, tally);
     for (int x = begin; x < end && status == ALGSURF_OK; x++) {
         algsurf_ray ray;
         if (line->state[x] == ALGSURF_LANE_UNDECIDED) {

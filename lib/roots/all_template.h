@@ -2,7 +2,8 @@
  * doubles.
  *
  * Isolated as in first_template.h, but both parts of a split cell are kept, on a stack.  A root that Halley's
- * method has found is enclosed as in enclose_template.h.  All that is undecided leaves its polynomial undecided. */
+ * method has found is enclosed as in enclose_template.h.  All that is undecided leaves its polynomial
+ * undecided. */
 #ifndef ALGSURF_ALL_TEMPLATE_H
 #define ALGSURF_ALL_TEMPLATE_H
 #include "block_template.h"

@@ -16,7 +16,7 @@
  * of weight times (5 n + 1) u |w_j|, to first order.  8 n instead of 5 n + 1 takes in the higher orders.
  * - One radius: weights are not negative and their sum is 1, so e[0] grows by 8 n u max|w| at most.
  * - Own radii: that is the scheme itself on g_j = e_j + 8 n u |w_j|.  The scheme on g rounds, too, and may
- * lose (5 n + 1) u < 2^-44 of itself for n <= 64; therefore g_j = (1 + 2^-42) e_j + 8 n u |w_j|.
+ *   lose (5 n + 1) u < 2^-44 of itself for n <= 64; therefore g_j = (1 + 2^-42) e_j + 8 n u |w_j|.
  *
  * Range: |w_j| and e_j are below 2^300.  Cells are split where before <= 2^10 behind at most, at 2 n behind
  * with radii of their own, so split's units are within (1 + 2 n)^n < 2^450 for n <= 64, and nothing
@@ -78,12 +78,11 @@ INLINE mask ends_known(const lanes *w, const lanes *e, int n, int own, lanes mar
     return less(e[0] + margin, absolute(w[0])) & less(radius_of(e, n, own) + margin, absolute(w[n]));
 }
 
-/* w becomes the part behind, left the part before, of a cell cut between lengths `before` and `behind`,
- * before
- * <= 2^10 behind: de Casteljau's scheme at two thirds of its cost.  Level i is kept in units of
- * (behind/(before
- * + behind))^i, so that each sum is one multiplication and one addition.  If the lengths are exact, the
- * quotient and the share have error u each: every level adds 3 u max|w|, its unit 2 u. */
+/* w becomes the part behind, left the part before, of a cell cut between lengths `before` and `behind`, with
+ * before <= 2^10 behind: de Casteljau's scheme at two thirds of its cost.  With share = behind / (before +
+ * behind), level i is kept in units of share^i, so that each sum is one multiplication and one addition.  If
+ * the lengths are exact, the quotient and the share have error u each: every level adds 3 u max|w|, its unit
+ * 2 u. */
 INLINE void split(lanes *w, lanes *left, int n, lanes before, lanes behind) {
     lanes quotient = before / behind, share = behind / (before + behind), unit = all_lanes(1);
     left[0] = w[0];
@@ -140,7 +139,8 @@ INLINE words take_sign(lanes *w, int n, mask which) {
     return side;
 }
 
-/* Where `which`: the cell [from,to] cut from the whole polynomial b with radii e.  Its ends' signs may be undecided. */
+/* Where `which`: the cell [from,to] cut from the whole polynomial b with radii e.  Its ends' signs may be
+ * undecided. */
 INLINE void cut_cell(cell *c, const lanes *b, const lanes *e, int n, int own, lanes cut_error, mask which,
                      lanes from, lanes to) {
     cell part;

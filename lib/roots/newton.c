@@ -12,8 +12,8 @@
  * Termination: at most FREE_STEPS + 2 H steps for H halvings.  The first MEANS halvings take the
  * arithmetic mean, and so do those of ends that are near each other; the others, j of them, halve the number
  * of doubles in the bracket, which is below 2^64.  Near ends are within 2^61 units in the last place of the
- * smaller one, and within 2^8 such units for each double: at most min(61, 72 - j) halvings remain.  So H <= 3
- * + 72, and no more than 246 points.
+ * smaller one, and within 2^8 such units for each double: at most min(61, 72 - j) halvings remain.  So
+ * H <= 3 + 72, and no more than 246 points.
  */
 #include "../base/arithmetic.h"
 #include <stdint.h>

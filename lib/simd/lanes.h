@@ -36,8 +36,8 @@
 #define X86_WIDTH 0
 #endif
 
-/* Lanes are a register of WebAssembly.  Its instructions are called by name where clang would make a loop over
- * memory of what is written lane by lane, which takes three times as long. */
+/* Lanes are a register of WebAssembly.  Its instructions are called by name where clang would make a loop
+ * over memory of what is written lane by lane, which takes three times as long. */
 #if defined(__wasm_simd128__) && WIDTH == 128
 #define WASM 1
 #else

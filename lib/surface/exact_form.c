@@ -10,8 +10,9 @@
  * as far as one power of two can do that for three axes; then f0 and f1 have 53 to 56 bits, not 53 + |shift|.
  * The powers of 2^shift are put in at the end.
  *
- * Widths.  Every polynomial on the way is a sum of products of a term and some coordinates; with |f0| + |f1|
- * < 2^bits a product by a coordinate adds `bits` to the largest of the summands, and N summands add log2 N.
+ * Widths.  Every polynomial on the way is a sum of products of a term and some coordinates; with
+ * |f0| + |f1| < 2^bits a product by a coordinate adds `bits` to the largest of the summands, and N summands
+ * add log2 N.
  */
 #include "../base/arithmetic.h"
 #include "exact_form.h"

@@ -12,13 +12,13 @@
  * - 2n in the shift of z, a product and a sum each, and n + 1 for powers of d_3;
  * - 3n in that of y, a product and two sums each, 3n in that of x;
  * - 2n for powers of h_1 and h_2, or of where a place is, and products with them; n + 1 for the end of a
- * segment;
+ *   segment;
  * - n + 2 in the basis: its entry, the product, n sums;
  * - 5 (5n + 1) in up to five cells within cells, 6n in a cell cut anew, 9 in the sums of the T.
  * Together less than 44 n + 19; and once more the cuts and sums, 31 n + 14, for sizes that become radii.  The
  * weight 96 (n + 1) takes that in.
- *     The axes are orthonormal to 2^-49, so that coordinates of points, below 1.25, and t d are within NOISE
- * = 2^-46 of exact ones, and places within `missed`.  A coordinate that is off by m moves a term by m times
+ *     The axes are orthonormal to 2^-49, so that coordinates of points, below 1.25, and t d are within
+ * NOISE = 2^-46 of exact ones, and places within `missed`.  A coordinate that is off by m moves a term by m times
  * its derivative at most, which is no more than what the term grows by when the coordinate grows by A, over
  * A: all derivatives grow.  Hence 3 m / A times S at (x + A, y + A, z + A).
  */

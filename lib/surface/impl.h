@@ -44,9 +44,9 @@ struct algsurf_surface {
     /* For packets of rays, null for degree 0.  Polynomials along a ray have Bernstein coefficients of degree
      * node_degree over [-1,1].  Row j of from_powers makes coefficient j of the coefficients of v^k, with
      * entries off by 3 u.  Up to ALGSURF_MAX_NODE_DEGREE there are node_degree + 1 nodes, too, and
-     * to_bernstein does it with the values there: coefficient j of the value at node i at i
-     * ALGSURF_NODE_STRIDE
-     * + j, off by (3 node_degree + 4) u; what is behind the last node and coefficient is 0. */
+     * to_bernstein does it with the values there: coefficient j of the value at node i stands at
+     * i ALGSURF_NODE_STRIDE + j, off by (3 node_degree + 4) u; what is behind the last node and coefficient
+     * is 0. */
     int node_degree; /* at least degree */
     double *tables, *from_powers, *nodes, *to_bernstein;
     double amplification; /* the largest sum of |entries| of to_bernstein for one coefficient */
