@@ -1,9 +1,7 @@
 // files.js - files of SURFER opened: by dropping them on the page, or by a dialog.
 import { element } from "../base/dom.js";
-import { stateOfFile } from "./jsurf.js";
+import { LARGEST, stateOfFile } from "./jsurf.js";
 import { checkedState } from "../state/state.js";
-
-const LARGEST = 1 << 20; // bytes
 
 /** Java writes the bytes of ISO 8859-1; a text that is UTF-8 was written by other means. */
 function decoded(bytes) {

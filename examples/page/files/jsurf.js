@@ -5,7 +5,7 @@
 // drawn here: a camera that is far away stands for it.
 import { isColour, LIMITS } from "../state/state.js";
 
-const LARGEST = 1 << 20; // bytes of a file
+export const LARGEST = 1 << 20; // bytes of a file
 const RADIANS = Math.PI / 180;
 const FAR_FOV = 1; // degrees, for a parallel projection
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

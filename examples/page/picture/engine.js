@@ -10,14 +10,12 @@
 // the next, for bands of a picture.  algsurf.js is ../npm/algsurf.mjs, of which the build exports the parts,
 // too.
 import { Algsurf, AlgsurfError, Module, compile, systemOf } from "../algsurf.js";
-import { isInOwnColours, isName } from "../state/state.js";
+import { isInOwnColours, isName, LIMITS } from "../state/state.js";
 
-const MAX_DEGREE = 64;
-const MOST_PLANES = 8; // ALGSURF_MAX_CLIP_PLANES
-const LONGEST_EQUATION = 1 << 20; // characters
-const MOST_LETTERS = 64; // without a value that are looked for
+const { degree: MAX_DEGREE, planes: MOST_PLANES, side: MAX_SIDE } = LIMITS;
+const LONGEST_EQUATION = 1 << 20; // characters; the page itself stops at LIMITS.equation
+const MOST_LETTERS = 64; // without a value that are looked for: some beyond LIMITS, so that too many are told
 const LONGEST_SEARCH = 300; // milliseconds for them
-const MAX_SIDE = 65535;
 const CURVE_POINTS = 256;
 const MOST_NUMBERS = 1 << 16; // of cells or points
 const ENOSYS = 52; // of WASI: there are no files here

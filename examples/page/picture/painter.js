@@ -10,6 +10,7 @@
 import { Coarseness } from "./coarse.js";
 import { Pool } from "./pool.js";
 import { Drawing } from "./drawing.js";
+import { LIMITS } from "../state/state.js";
 
 const STAGES = [
     { stage: "plain", quality: "standard", antialias: 1 },
@@ -21,7 +22,6 @@ const LATE = 150; // milliseconds: a moving picture that takes longer may be giv
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
 const USUALLY_THIN = 6; // the degree up to which thin features are drawn without being asked for
-const MAX_SIDE = 65535;
 const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "thumbnail"];
 
 /** What kinds of work go first. */
@@ -60,7 +60,7 @@ export class Painter {
     /** Shows the state on the canvas, as soon as can be; the newest call wins. */
     draw(state, { canvas, width, height, moving = false }) {
         const [columns, rows] = [width, height].map((x) =>
-            Math.min(MAX_SIDE, Math.max(1, Math.round(x) || 1)),
+            Math.min(LIMITS.side, Math.max(1, Math.round(x) || 1)),
         );
         const request = {
             state: structuredClone(state),

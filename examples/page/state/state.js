@@ -4,7 +4,9 @@
 // missing, out of range or of the wrong kind becomes the default, and its name is told.
 
 export const VERSION = 1;
-export const LIMITS = { equation: 10_000, parameters: 50, planes: 6, degree: 64, number: 1e12 };
+// Planes, degree and side of a picture are the library's (ALGSURF_MAX_CLIP_PLANES, ALGSURF_MAX_DEGREE, render.h);
+// the others are what fits a page and a link.
+export const LIMITS = { equation: 10_000, parameters: 50, planes: 8, degree: 64, side: 65535, number: 1e12 };
 export const BLUE = { outside: "#69b5ff", inside: "#f6a245" };
 const TAKEN = new Set(["x", "y", "z", "sqrt", "sin", "cos", "pi", "\\pi", "π"]);
 
