@@ -18,9 +18,9 @@
  * Together less than 44 n + 19; and once more the cuts and sums, 31 n + 14, for sizes that become radii.  The
  * weight 96 (n + 1) takes that in.
  *     The axes are orthonormal to 2^-49, so that coordinates of points, below 1.25, and t d are within
- * NOISE = 2^-46 of exact ones, and places within `missed`.  A coordinate that is off by m moves a term by m times
- * its derivative at most, which is no more than what the term grows by when the coordinate grows by A, over
- * A: all derivatives grow.  Hence 3 m / A times S at (x + A, y + A, z + A).
+ * NOISE = 2^-46 of exact ones, and places within `missed`.  A coordinate that is off by m moves a term by m
+ * times its derivative at most, which is no more than what the term grows by when the coordinate grows by A,
+ * over A: all derivatives grow.  Hence 3 m / A times S at (x + A, y + A, z + A).
  */
 #include "../base/arithmetic.h"
 #include "fan.h"
