@@ -234,6 +234,33 @@ static void test_undecided(void **state) {
     }
 }
 
+/* Positions beyond the range of double, of hits and of what is undecided, are clamped to it, and t is finite.
+ * Catches: positions from t without the clamp, or of a frame that has overflowed; a t that has. */
+static void test_beyond_range(void **state) {
+    static const struct {
+        const char *equation;
+        algsurf_ray ray;
+        int state;
+    } cases[] = {
+        {"x^2+y^2+z^2=1", {{1.7e308, 0, 0.25}, {1, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_UNDECIDED},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1000, 1, 0}, 1e308, HUGE_VAL}, ALGSURF_UNDECIDED},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 1, HUGE_VAL}, ALGSURF_UNDECIDED},
+        {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 0, HUGE_VAL}, ALGSURF_HIT},
+    };
+    const algsurf_complex_space space = space_of(0, 1);
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        algsurf_surface *s = surface_of(cases[i].equation);
+        algsurf_hit hit;
+        assert_int_equal(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL),
+                         ALGSURF_OK);
+        assert_int_equal(hit.state, cases[i].state);
+        assert_true(isfinite(hit.t) && hit.t_lo <= hit.t && hit.t <= hit.t_hi);
+        for (int k = 0; k < 3; k++) assert_true(isfinite(hit.position[k]));
+        algsurf_surface_free(s);
+    }
+}
+
 /* p(t) = a (x + d t) + i (m + k t) up to t_max: a plane seen along its normal, from -x before it. */
 typedef struct plane {
     double a, x, d, t_max, m, k;
@@ -394,12 +421,12 @@ static void test_bad_arguments(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
-        cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
-        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_undecided),
-        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_small_imaginary),
-        cmocka_unit_test(test_small_t_min),   cmocka_unit_test(test_rivals),
-        cmocka_unit_test(test_conjugates),
+        cmocka_unit_test(test_real_space),      cmocka_unit_test(test_complex_sphere),
+        cmocka_unit_test(test_normal),          cmocka_unit_test(test_start_values),
+        cmocka_unit_test(test_far_eye),         cmocka_unit_test(test_undecided),
+        cmocka_unit_test(test_beyond_range),    cmocka_unit_test(test_bad_arguments),
+        cmocka_unit_test(test_small_imaginary), cmocka_unit_test(test_small_t_min),
+        cmocka_unit_test(test_rivals),          cmocka_unit_test(test_conjugates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

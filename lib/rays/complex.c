@@ -12,6 +12,7 @@
  * point shown by dX = |t| (dV - (w.dV) V).  So the normal is w + (1 - w.V)/(V.V) V; for a real root
  * w.V = 1, and it is the gradient's direction. */
 #include "../base/arithmetic.h"
+#include <float.h>
 #include <math.h>
 
 #include "../complex/impl.h"
@@ -138,12 +139,13 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
     double size = magnitude_of(s->root), t = ldexp(size, -f->exponent);
     /* |s| - centre, without the rounding of the sum where the root is real and in front */
     double offset = s->root.im == 0 && s->root.re >= 0 ? f->step * local->root.re : size - f->centre;
-    hit->t = clamped(t, q->ray.t_min, q->ray.t_max);
+    hit->t = clamped(t, q->ray.t_min, fmin(q->ray.t_max, DBL_MAX));
     hit->t_lo = clamped(ends.lo, q->ray.t_min, hit->t);
     hit->t_hi = clamped(ends.hi, hit->t, q->ray.t_max);
-    for (int i = 0; i < 3; i++)
-        hit->position[i] =
-            ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
+    for (int i = 0; i < 3; i++) {
+        double x = ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
+        hit->position[i] = isfinite(x) ? x : algsurf_i_coordinate_at(&q->ray, i, hit->t);
+    }
     if (local->multiplicity == 1) set_normal(q, local->root, hit->normal); /* a cluster has none */
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
@@ -180,7 +182,7 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
     hit->reason = reason;
     hit->t = hit->t_lo = q->ray.t_min;
     hit->t_hi = q->ray.t_max;
-    for (int i = 0; i < 3; i++) hit->position[i] = q->ray.origin[i] + hit->t * q->ray.direction[i];
+    for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(&q->ray, i, hit->t);
 }
 
 /* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is

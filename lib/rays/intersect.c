@@ -5,7 +5,6 @@
 #include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -21,11 +20,6 @@
 
 void algsurf_i_set_miss(algsurf_hit *hit) {
     *hit = (algsurf_hit){.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-}
-
-/* A coordinate of a ray's point at t, clamped to the range of double. */
-static double coordinate_at(const algsurf_ray *ray, int axis, double t) {
-    return fmin(fmax(algsurf_multiply_add(t, ray->direction[axis], ray->origin[axis]), -DBL_MAX), DBL_MAX);
 }
 
 /* The point of a hit. */
@@ -49,7 +43,7 @@ static void polish(const hit_point *p, const algsurf_i_ray_root *root, double x[
 /* The point at t where the frame has, or may have, overflowed. */
 static void point_within_range(const hit_point *p, double t, double x[3], double position[3]) {
     for (int i = 0; i < 3; i++) {
-        position[i] = coordinate_at(p->ray, i, t);
+        position[i] = algsurf_i_coordinate_at(p->ray, i, t);
         x[i] = ldexp(algsurf_multiply_add(t, p->ray->direction[i], p->ray->origin[i]), -p->surface->unit);
     }
 }
@@ -57,7 +51,7 @@ static void point_within_range(const hit_point *p, double t, double x[3], double
 /* A point in natural units as the caller's; a coordinate of which underflow took digits, from t. */
 static void set_position(const hit_point *p, const double x[3], double t, double position[3]) {
     for (int i = 0; i < 3; i++) {
-        double unpolished = coordinate_at(p->ray, i, t);
+        double unpolished = algsurf_i_coordinate_at(p->ray, i, t);
         int lost = p->ray->direction[i] != 0 && fabs(p->frame.V[i]) < 0x1p-900;
         lost |= unpolished != 0 && fabs(ldexp(unpolished, -p->surface->unit)) < 0x1p-900;
         position[i] = lost ? unpolished : ldexp(x[i], p->surface->unit);
@@ -126,7 +120,7 @@ static void set_undecided(const algsurf_ray *ray, double lo, double hi, algsurf_
                                              : isfinite(hi)   ? hi
                                                               : 0;
     *hit = (algsurf_hit){.state = ALGSURF_UNDECIDED, .reason = reason, .t = t, .t_lo = lo, .t_hi = hi};
-    for (int i = 0; i < 3; i++) hit->position[i] = coordinate_at(ray, i, t);
+    for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(ray, i, t);
 }
 
 /* One lane's answer: the first hits, at most `most`, or -1 where they are undecided. */

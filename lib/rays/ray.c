@@ -18,6 +18,7 @@
 #include "../base/arithmetic.h"
 #include "ray_impl.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "../base/eft.h"
@@ -28,6 +29,10 @@ algsurf_status algsurf_i_ray_check(const algsurf_ray *ray) {
     if (!ray || isnan(ray->t_min) || isnan(ray->t_max)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_is_finite3(ray->origin) || !algsurf_is_finite3(ray->direction)) return ALGSURF_E_NOT_FINITE;
     return algsurf_max_abs(ray->direction) > 0 ? ALGSURF_OK : ALGSURF_E_ARGUMENT;
+}
+
+double algsurf_i_coordinate_at(const algsurf_ray *ray, int axis, double t) {
+    return fmin(fmax(algsurf_multiply_add(t, ray->direction[axis], ray->origin[axis]), -DBL_MAX), DBL_MAX);
 }
 
 algsurf_status algsurf_i_extent_check(const algsurf_extent *extent) {

@@ -10,6 +10,9 @@ static inline int algsurf_i_has_points(double t_min, double t_max) {
     return t_min <= t_max && t_min < HUGE_VAL && t_max > -HUGE_VAL;
 }
 
+/* A coordinate of a ray's point at a finite t, clamped to the range of double. */
+double algsurf_i_coordinate_at(const algsurf_ray *ray, int axis, double t);
+
 /* OK, E_ARGUMENT (null, NaN t, zero direction) or E_NOT_FINITE. */
 algsurf_status algsurf_i_ray_check(const algsurf_ray *ray);
 
