@@ -148,7 +148,7 @@ static const struct {
     {"sqrt(x)", ALGSURF_E_SYNTAX, 4},
     {"x+sqrt(-1)", ALGSURF_E_SYNTAX, 6},
     {"sqrt2", ALGSURF_E_SYNTAX, 0},
-    {"x+sin 2", ALGSURF_E_SYNTAX, 6},
+    {"x+sin 2y", ALGSURF_E_SYNTAX, 6},
     {"x+cos(z)", ALGSURF_E_SYNTAX, 2},
     {"x+sin(101)", ALGSURF_E_SYNTAX, 2},
     {"x+sin(1e300)", ALGSURF_E_SYNTAX, 2},

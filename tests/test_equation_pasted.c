@@ -35,9 +35,15 @@ static const char *const pasted[][2] = {
     {"sin(pi/6)x+cos(pi/3)y+sin(-pi/2)z", "x/2+y/2-z"},
     {"cos(2pi/5)x+cos{4*\u03c0/5}y+z", "(sqrt(5)-1)/4*x-(sqrt(5)+1)/4*y+z"},
     {"sin(31pi+pi/4)x+cos(-31 pi-pi/4)y+z", "-sqrt(2)/2*x-sqrt(2)/2*y+z"},
+    {"x+y sin 2-cos .5", "x+y*sin(2)-cos(0.5)"}, /* one thing alone needs no brackets */
+    {"x+(cos sqrt(2))y=cos\u221a2", "x+y*cos(sqrt(2))-cos(sqrt(2))"},
+    {"x=sin cos 1;", "x-sin(cos(1))"},
     {"sin(1e-200)x+cos(1e-200)y", "1e-200x+y"},
     {"sin(0.001)^2x+cos[0.001]^2x+y", "x+y"},
     {"(sin(100)^2+cos(100)^2-1)x^9+y", "y"},
+    {"\u00bdx^2+\u00bcy\u00b2-\u00bez", "x^2/2+y^2/4-3z/4"},
+    {"x=\u00bd(y\u2212\u00be)\u00b7\u03c0", "x-pi*(y-0.75)/2"},
+    {"\u00bd\u00b2x+cos\u00bd", "x/4+cos(0.5)"},
     {"(pi-3.14159265358979323846264338327950288419716939937510582)x^9+y", "y"},
 };
 
@@ -67,6 +73,7 @@ static const char *const latex[][2] = {
     {"2\\pi x+\\pi^2y", "2pi x+pi^2y"},
     {"\\sin(1)x+\\cos\\left(\\frac{\\pi}{5}\\right)y+\\sin{2}", "sin(1)x+cos(pi/5)y+sin(2)"},
     {"$$P\\left(x,y,z\\right)=x^2-y$$", "x^2-y"},
+    {"x+y\\cos\\frac{2\\pi}{5}=z\\sin \\frac{\\pi}{5}", "x+y*cos(2pi/5)-z*sin(pi/5)"},
 };
 
 /* Catches: each command; one whose name begins another's; a digit cut off or too many behind \frac. */
@@ -105,6 +112,7 @@ static void test_greek(void **unused) {
         {"x\\phi^2y\u03c6\u00b2", "16x*y"},
         {"\u03a0x+\\Pi y+\u03c0z", "17x+17y+pi z"},
         {"\\frac{\\phi}{\\mu}x\\left(\\alpha+y\\right)", "2/5*x*(13+y)"},
+        {"x\\cos\\phi+y\\sin\\phi=z\\cos \\mu", "x*cos(2)+y*sin(2)-z*cos(5)"},
         {"\\mu{x}\\mu(y)\u03bcpi", "125pi x*y"},
     };
     for (size_t c = 0; c < sizeof pairs / sizeof *pairs; c++)
@@ -222,8 +230,25 @@ static const refused_text explanations[] = {
     {"\\[x;\\]", ";", "sign that closes"},
     {"x$", "$", "the end"},
     {"sin x", "sin", "not a polynomial"}, /* words */
-    {"y+cos \u03b1", "cos", "not a polynomial"},
-    {"sin pi", "pi", "expected '('"},
+    {"y+cos \u03b1", "\u03b1", "needs a value"},
+    {"y+\\cos b", "b", "needs a value"},
+    {"sin 2x", "2", "needs brackets"}, /* sines without brackets */
+    {"sin \\pi/5+x", "\\pi", "needs brackets"},
+    {"x+\\sin\\pi x", "\\pi", "needs brackets"},
+    {"\\sin\\frac{\\pi}{5}x", "\\frac", "needs brackets"},
+    {"\\cos\\frac{1}{5}\\pi+x", "\\frac", "needs brackets"},
+    {"\\cos\\frac{1}{5}^2+x", "\\frac", "needs brackets"},
+    {"x+cos 2 3", "2", "needs brackets"},
+    {"x+cos 2\u00bd", "2", "needs brackets"},
+    {"x+cos pi\u00b2", "pi", "needs brackets"},
+    {"x+cos pi*2", "pi", "needs brackets"},
+    {"x+sin -1", "-", "needs brackets"},
+    {"x+sin", "", "needs brackets"},
+    {"x+sin |1|", "|", "absolute value"},
+    {"\\sin^2 1 x", "^", "write sin(a)^2"},
+    {"x+sin\u00b2(1)", "\u00b2", "write sin(a)^2"},
+    {"sin piy", "sin", "not a polynomial"},
+    {"sin \u221ax", "x", "a root"},
     {"pow(x,2)", "pow", "write x^2"},
     {"x pow(y,2)", "pow", "write x^2"},
     {"y+foo(x)", "foo", "no function of this name"},
@@ -238,10 +263,17 @@ static const refused_text explanations[] = {
     {"f(x,z,y) = x", "f", "no function of this name"},
     {"f(x,y,z) x", "f", "no function of this name"},
     {"f(x,y,z) = =x", "=", "expected a number"},
-    {"x_1^2+y", "x_1", "write x"},
-    {"2x_{1}", "x_", "write x"},
-    {"x y_2", "y_2", "write y"},
-    {"xZ_i", "Z_i", "write z"},
+    {"x_1^2+y", "x_1", "coordinates are x, y and z"}, /* indices */
+    {"2x_{1}", "x_", "coordinates are x, y and z"},
+    {"x y_2", "y_2", "constants may be named"},
+    {"xZ_i", "Z_i", "constants may be named"},
+    {"x\u2081^2+y", "\u2081", "coordinates are x, y and z"},
+    {"x+2ab\u2080", "ab", "constants may be named"},
+    {"x+\u2093", "\u2093", "coordinates are x, y and z"},
+    {"x+\u208a", "\u208a", "expected a number"},
+    {"x\u00bd", "\u00bd", "a number behind a factor"},
+    {"2\u00bd", "\u00bd", "a number behind a factor"},
+    {"x^\u00bd", "\u00bd", "as exponent"},
     {"c_{1}x", "c_", "write a_1"},
     {"\\mu_{1}x", "\\mu_", "write a_1"},
     {"x = 1 and y = 2", "and", "one equation"},
@@ -260,7 +292,7 @@ static void test_explained(void **unused) {
     same_with("pow(x+2)", &pow, 1, "2x+4");
     same_with("x_1 x", &index, 1, "3x");
     explained(&(refused_text){"a_{1}x", "a_", "write a_1"}, &a, 1);
-    explained(&(refused_text){"ax_1", "x_1", "write x"}, &a, 1);
+    explained(&(refused_text){"ax_1", "x_1", "coordinates are x, y and z"}, &a, 1);
 }
 
 /* Names of a million letters, and brackets of LaTeX a million deep.  Catches: time that grows with the square
@@ -279,6 +311,9 @@ static void test_long(void **unused) {
     explained(&(refused_text){text, "\\left", "LaTeX is not understood"}, NULL, 0);
     for (int n = 0; n < LENGTH; n += 6) memcpy(text + n, "\\frac{", 7);
     explained(&(refused_text){text, "\\frac", "nested deeper"}, NULL, 0);
+    for (int n = 0; n < LENGTH; n += 4) memcpy(text + n, "sin ", 4);
+    strcpy(text + LENGTH, "1");
+    explained(&(refused_text){text, "sin", "nested deeper"}, NULL, 0);
     memset(text, 'k', LENGTH), text[0] = '\\', text[LENGTH] = '\0';
     explained(&(refused_text){text, text, "LaTeX is not understood"}, NULL, 0);
     free(text);

@@ -54,12 +54,14 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * constant integer exponent 0..64 (down to -64 for a constant base); division only by a constant.
  * Implicit multiplication binds like *: 1/2x is x/2; its right operand is never a number.  A name is the
  * longest one that can be read; if it is not a constant, it is the product of those it is made of: xyz, and
- * ax for a constant a.
+ * ax for a constant a.  sin and cos need no brackets for one number, name, root or fraction of LaTeX at the
+ * end of a product: y cos a.  What readers differ about, sin pi/5 or cos a y, is refused.
  *     For equations that are pasted (UTF-8): ** is ^, == is =, a middle dot, dot operator or cross is *, a
- * minus sign or dash is -, a division sign is /, superscript digits are an exponent, a root sign is sqrt of
- * what follows it (a number, a name, a bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are
- * variables, unless they are constants; no-break and other typographic spaces are blanks; the text may begin
- * with '=', or with NAME(x,y,z) =, which is skipped, and end with ';'.
+ * minus sign or dash is -, a division sign is /, superscript digits are an exponent, the signs of a quarter,
+ * a half and three quarters are numbers, a root sign is sqrt of what follows it (a number, a name, a
+ * bracket), the Greek letter is pi; [ ] and { } are brackets; X Y Z are variables, unless they are constants;
+ * no-break and other typographic spaces are blanks; the text may begin with '=', or with NAME(x,y,z) =, which
+ * is skipped, and end with ';'.
  *     Of LaTeX: \frac{a}{b} (\dfrac, \tfrac) is (a)/(b), \sqrt{a} a root, \sin and \cos as without backslash,
  * a single digit needs no braces; \cdot, \times and \ast are *, \div is /; \pi is pi; \left and \right
  * (\bigl, ...) before a bracket, \, \; \: \! \quad \qquad ~ are blanks; a pair $ $, $$ $$, \( \) or \[ \] may

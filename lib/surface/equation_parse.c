@@ -8,6 +8,7 @@
  *     signed   = { "+" | "-" } power
  *     power    = primary [ "^" signed | superscript { superscript } ]
  *     primary  = number | name | bracket | ("sqrt" | "sin" | "cos") bracket | root-sign primary
+ *              | ("sin" | "cos") primary                         behind that, no factor and no * / ^
  *              | "\sqrt" argument | "\frac" argument argument
  *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
@@ -166,13 +167,46 @@ static int parse_fraction(parser *p, algsurf_i_tripoly *out) {
     return algsurf_i_parse_divide(p, offset, divisor, out, &below);
 }
 
-/* Does a name stand here that is neither pi nor a constant, as x in sin x?  p->token is seen. */
-static int unknown_name_follows(const parser *p) {
+/* Does a product with a variable stand here, as in sin x or sin ax?  p->token is seen. */
+static int variable_follows(const parser *p) {
     const algsurf_constant *constant;
     const char *name = p->text + p->at;
     if (p->token.kind != ALGSURF_I_TOKEN_LETTER) return 0;
-    size_t length = algsurf_i_name_length(name), factor = algsurf_i_first_factor(p, name, length, &constant);
-    return factor < length || algsurf_i_variable(name[0]);
+    size_t length = algsurf_i_name_length(name);
+    if (algsurf_i_find_constant(p, name, length)) return 0;
+    for (size_t at = 0, factor; at < length; at += factor) {
+        factor = algsurf_i_first_factor(p, name + at, length - at, &constant);
+        if (factor == 0) return 0;
+        if (!constant && algsurf_i_variable(name[at])) return 1;
+    }
+    return 0;
+}
+
+static int begins_factor(int c);
+
+static int begins_operand(const parser *p, int c) {
+    return number_follows(p) || begins_factor(c) || c == ALGSURF_I_TOKEN_QUARTERS;
+}
+
+/* Does the product go on behind a factor?  c: the token there. */
+static int product_goes_on(const parser *p, int c) {
+    return begins_operand(p, c) || c == '*' || c == '/' || c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT;
+}
+
+/* What a sine without brackets is of, as in \cos\frac{2\pi}{5} or sin a.  Readers differ about what belongs
+ * to it when the product goes on: sin pi/5, \sin\frac{\pi}{5}x.  Hence only one thing alone is taken. */
+static int parse_bare_argument(parser *p, algsurf_i_tripoly *out) {
+    static const char BRACKETS[] = "what sin or cos is of needs brackets here: sin(pi/5)";
+    size_t offset = p->at;
+    int c = p->token.kind;
+    if (c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT)
+        return algsurf_i_parse_refuse(p, offset, "an exponent behind sin or cos: write sin(a)^2");
+    if (!begins_operand(p, c)) return refuse_token(p, BRACKETS);
+    if (!enter(p, offset) || !parse_primary(p, out)) return 0;
+    p->depth--;
+    if (!product_goes_on(p, peek(p))) return 1;
+    algsurf_i_tripoly_free(out);
+    return algsurf_i_parse_refuse(p, offset, BRACKETS);
 }
 
 /* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
@@ -180,9 +214,9 @@ static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_tripoly 
     algsurf_i_tripoly argument;
     size_t offset = p->at;
     p->at += length;
-    (void)peek(p);
-    if (unknown_name_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
-    if (!parse_bracket(p, &argument)) return 0;
+    int bracket = algsurf_i_closing(peek(p)) != '\0';
+    if (variable_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
+    if (bracket ? !parse_bracket(p, &argument) : !parse_bare_argument(p, &argument)) return 0;
     int constant = algsurf_i_tripoly_is_constant(&argument);
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
     if (constant && argument.count) m = argument.m[0];
@@ -244,6 +278,9 @@ static int parse_primary(parser *p, algsurf_i_tripoly *out) {
     case ALGSURF_I_TOKEN_PI:
         take(p);
         return make_pi(p, out);
+    case ALGSURF_I_TOKEN_QUARTERS:
+        take(p);
+        return algsurf_i_parse_value(p, algsurf_dd_from(0.25 * p->token.digit), 0.0, 0, 0, out);
     default:
         return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
     }

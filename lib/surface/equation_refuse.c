@@ -28,11 +28,7 @@ static int is_joining(const char *name, size_t length) {
     return 0;
 }
 
-static const char *index_of(char variable) {
-    return variable == 'x'   ? "a variable has no index: write x"
-           : variable == 'y' ? "a variable has no index: write y"
-                             : "a variable has no index: write z";
-}
+static const char INDEX[] = "the coordinates are x, y and z, no index; constants may be named a or a_1";
 
 /* The part of a name that has no value, and what stands around it. */
 typedef struct part {
@@ -76,9 +72,9 @@ static const char *meaning(const char *name, size_t length, size_t known, const 
         return ALGSURF_I_NOT_POLYNOMIAL;
     if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return "expected '(' behind sqrt";
     *from = without->before;
-    if (known > 0 && name[known] == '_' && algsurf_i_variable(name[without->before]))
-        return index_of(algsurf_i_variable(name[without->before]));
+    if (known > 0 && name[known] == '_' && algsurf_i_variable(name[without->before])) return INDEX;
     *from = 0;
+    if (algsurf_i_token_at(end).kind == ALGSURF_I_TOKEN_SUBSCRIPT) return INDEX;
     if (end[-1] == '_' && *end == '{') return "an index takes no brackets: write a_1 for a_{1}";
     if (known > 0 && is_digit(name[known]))
         return "a number behind a letter: write x^2 for a power, 2x or x*2 for a product";
@@ -128,6 +124,8 @@ static const char *about_token(const parser *p, const char *expected) {
     case ',':
         return p->depth > 0 || is_digit(text[1]) ? "a decimal point is written '.'"
                                                  : "one equation at a time";
+    case ALGSURF_I_TOKEN_SUBSCRIPT:
+        return INDEX;
     case '!':
         return "not a polynomial: a factorial";
     case ')':
@@ -135,7 +133,7 @@ static const char *about_token(const parser *p, const char *expected) {
     case '}':
         return p->depth == 0 ? "a closing bracket without an opening one" : expected;
     default:
-        return number_follows(text)
+        return number_follows(text) || p->token.kind == ALGSURF_I_TOKEN_QUARTERS
                    ? "a number behind a factor: write x^2 for a power, 2x or x*2 for a product"
                    : expected;
     }

@@ -57,7 +57,17 @@ static const struct {
     {"\xe2\x81\xb7", ALGSURF_I_TOKEN_SUPERSCRIPT, 7},
     {"\xe2\x81\xb8", ALGSURF_I_TOKEN_SUPERSCRIPT, 8},
     {"\xe2\x81\xb9", ALGSURF_I_TOKEN_SUPERSCRIPT, 9},
+    {"\xc2\xbc", ALGSURF_I_TOKEN_QUARTERS, 1},
+    {"\xc2\xbd", ALGSURF_I_TOKEN_QUARTERS, 2},
+    {"\xc2\xbe", ALGSURF_I_TOKEN_QUARTERS, 3},
 };
+
+/* U+2080 to U+2089, the digits, and U+2090 to U+209C, letters. */
+static int is_subscript(const char *text, size_t width) {
+    unsigned char last = (unsigned char)text[width - 1];
+    return width == 3 && strncmp(text, "\xe2\x82", 2) == 0 &&
+           (last <= 0x89 || (last >= 0x90 && last <= 0x9c));
+}
 
 static algsurf_i_token beyond_ascii(const char *text) {
     for (size_t s = 0; s < sizeof signs / sizeof *signs; s++) {
@@ -67,7 +77,8 @@ static algsurf_i_token beyond_ascii(const char *text) {
     }
     size_t width = 1;
     while (((unsigned char)text[width] & 0xc0) == 0x80) width++;
-    return (algsurf_i_token){ALGSURF_I_TOKEN_UNKNOWN, 0, width};
+    return (algsurf_i_token){is_subscript(text, width) ? ALGSURF_I_TOKEN_SUBSCRIPT : ALGSURF_I_TOKEN_UNKNOWN,
+                             0, width};
 }
 
 algsurf_i_token algsurf_i_token_at(const char *text) {

@@ -6,6 +6,8 @@
 /* What stands at a place of the text: an ASCII character that is no letter, or one of these. */
 enum {
     ALGSURF_I_TOKEN_SUPERSCRIPT = 256, /* one digit of an exponent */
+    ALGSURF_I_TOKEN_SUBSCRIPT,         /* one digit of an index, or a letter */
+    ALGSURF_I_TOKEN_QUARTERS,          /* 1, 2 or 3 of them as one sign */
     ALGSURF_I_TOKEN_ROOT,              /* a root sign */
     ALGSURF_I_TOKEN_PI,                /* the letter */
     ALGSURF_I_TOKEN_LETTER,            /* of a name: equation_letter.h */
@@ -20,7 +22,7 @@ enum {
 
 typedef struct algsurf_i_token {
     int kind;
-    int digit;    /* of a superscript */
+    int digit;    /* of a superscript; how many quarters */
     size_t width; /* in bytes; 0 at the end of the text */
 } algsurf_i_token;
 
