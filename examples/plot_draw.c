@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "plot_label.h"
+
 static const char *const colours[] = {"#0072b2", "#d55e00", "#009e73", "#b0508c",
                                       "#222222", "#e69f00", "#56b4e9", "#8a6d3b"};
 static const char *const dashes[] = {"none", "8 4", "2 3", "10 3 2 3", "5 2", "1 2", "12 4 2 4 2 4", "16 4"};
@@ -37,10 +39,12 @@ void plot_put_text(FILE *out, const char *text, size_t length) {
         }
 }
 
-static int is_line(plot_mark mark) { return mark == PLOT_LINE || mark == PLOT_BOTH || mark == PLOT_STEPS; }
-static int has_points(plot_mark mark) {
+int plot_is_line(plot_mark mark) { return mark == PLOT_LINE || mark == PLOT_BOTH || mark == PLOT_STEPS; }
+
+int plot_has_points(plot_mark mark) {
     return mark == PLOT_POINTS || mark == PLOT_BOTH || mark == PLOT_NUMBERED;
 }
+
 int plot_has_values(plot_mark mark) { return mark != PLOT_BANDS && mark != PLOT_RULES; }
 
 /* A line without marks has dashes to be told by; one without a name is a guide. */
@@ -50,7 +54,7 @@ static void begin_line(FILE *out, const plot_series *s, size_t index) {
         out,
         "<path fill='none' stroke='%s' stroke-width='%s' stroke-linejoin='round' stroke-dasharray='%s' d='",
         guide ? "#888" : colours[index % KINDS], guide ? "1" : "1.8",
-        guide || has_points(s->mark) ? "none" : dashes[index % KINDS]);
+        guide || plot_has_points(s->mark) ? "none" : dashes[index % KINDS]);
 }
 
 static void put_mark(FILE *out, size_t index, double x, double y, double size) {
@@ -58,7 +62,7 @@ static void put_mark(FILE *out, size_t index, double x, double y, double size) {
             marks[index % KINDS]);
 }
 
-double plot_key_width(const plot_series *s) { return is_line(s->mark) ? 30 : 14; }
+double plot_key_width(const plot_series *s) { return plot_is_line(s->mark) ? 30 : 14; }
 
 static void put_rule(FILE *out, size_t index, double x, double y, double height) {
     fprintf(out, "<path fill='none' stroke='%s' stroke-width='1.8' d='M%.2f %.2fv%.2f'/>\n",
@@ -67,12 +71,12 @@ static void put_rule(FILE *out, size_t index, double x, double y, double height)
 
 void plot_put_key(FILE *out, const plot_series *s, size_t index, double x, double y) {
     double length = plot_key_width(s);
-    if (is_line(s->mark)) {
+    if (plot_is_line(s->mark)) {
         begin_line(out, s, index);
         fprintf(out, "M%.2f %.2fh%.2f'/>\n", x, y, length);
     }
     fprintf(out, "<g fill='%s'>\n", colours[index % KINDS]);
-    if (has_points(s->mark)) put_mark(out, index, x + length / 2, y, 4.5);
+    if (plot_has_points(s->mark)) put_mark(out, index, x + length / 2, y, 4.5);
     if (s->mark == PLOT_BARS) fprintf(out, "<rect x='%.2f' y='%.2f' width='14' height='11'/>\n", x, y - 6);
     if (s->mark == PLOT_BANDS)
         fprintf(out, "<rect x='%.2f' y='%.2f' width='%.2f' height='14' fill-opacity='" SHADE "'/>\n", x,
@@ -126,49 +130,6 @@ static void put_rules(FILE *out, const plot_series *s, size_t index, const plot_
     }
 }
 
-/* Where a number is or may be: the middle of it, and its width. */
-typedef struct label {
-    double x, y, width;
-} label;
-
-enum { MOST_LABELS = 100, DIGIT_HEIGHT = 9, MARK = 8 };
-
-/* Is a label inside the frame, off the other labels, and off the marks of the other points? */
-static int is_free(const label *taken, int count, label place, const plot_series *s, size_t own,
-                   const plot_frame *f) {
-    if (place.y < DIGIT_HEIGHT / 2 || place.y > f->height - DIGIT_HEIGHT / 2) return 0;
-    for (int i = 0; i < count; i++)
-        if (fabs(taken[i].x - place.x) < (taken[i].width + place.width) / 2 &&
-            fabs(taken[i].y - place.y) < DIGIT_HEIGHT)
-            return 0;
-    for (size_t i = 0; i < s->count; i++)
-        if (i != own && fabs(x_of(f, s->x[i]) - place.x) < (place.width + MARK) / 2 &&
-            fabs(y_of(f, s->y[i]) - place.y) < (DIGIT_HEIGHT + MARK) / 2)
-            return 0;
-    return 1;
-}
-
-/* Above or below a point, where there is room, or not at all. */
-static void put_numbers(FILE *out, const plot_series *s, size_t index, const plot_frame *f) {
-    static const double sides[] = {-12, 12};
-    label taken[MOST_LABELS];
-    int count = 0;
-    fprintf(out, "<g fill='%s' text-anchor='middle'>\n", colours[index % KINDS]);
-    for (size_t i = 0; i < s->count; i++) {
-        char text[24];
-        snprintf(text, sizeof text, "%zu", i);
-        label place = {x_of(f, s->x[i]), 0, PLOT_SMALL * plot_text_width(text) + 2};
-        for (int side = 0; side < 2 && count < MOST_LABELS; side++) {
-            place.y = y_of(f, s->y[i]) + sides[side];
-            if (!is_free(taken, count, place, s, i, f)) continue;
-            taken[count++] = place;
-            fprintf(out, "<text x='%.2f' y='%.2f'>%s</text>\n", place.x, place.y + DIGIT_HEIGHT / 2, text);
-            break;
-        }
-    }
-    fprintf(out, "</g>\n");
-}
-
 static void put_points(FILE *out, const plot_series *s, size_t index, const plot_frame *f) {
     int few = s->count <= FEW;
     fprintf(out, "<g fill='%s' fill-opacity='%s'>\n", colours[index % KINDS], few ? "1" : "0.6");
@@ -219,12 +180,16 @@ void plot_put_series(FILE *out, const plot *p, const plot_frame *f) {
     }
     for (size_t i = 0; i < p->count; i++) {
         if (p->series[i].mark == PLOT_BARS) put_bars(out, p, i, f, place++, bars);
-        if (is_line(p->series[i].mark)) put_line(out, &p->series[i], i, f);
+        if (plot_is_line(p->series[i].mark)) put_line(out, &p->series[i], i, f);
     }
     fprintf(out, "</svg>\n<g transform='translate(%.2f %.2f)'>\n", f->left, f->top);
     for (size_t i = 0; i < p->count; i++)
-        if (has_points(p->series[i].mark)) put_points(out, &p->series[i], i, f);
+        if (plot_has_points(p->series[i].mark)) put_points(out, &p->series[i], i, f);
     for (size_t i = 0; i < p->count; i++)
-        if (p->series[i].mark == PLOT_NUMBERED) put_numbers(out, &p->series[i], i, f);
+        if (p->series[i].mark == PLOT_NUMBERED) {
+            fprintf(out, "<g fill='%s' text-anchor='middle'>\n", colours[i % KINDS]);
+            plot_put_numbers(out, p, i, f);
+            fprintf(out, "</g>\n");
+        }
     fprintf(out, "</g>\n");
 }
