@@ -12,6 +12,9 @@
  * the points, up to degree 10.  Only what is undecided then is shot as a ray.  The answers are those of the
  * rays. */
 #include "../base/arithmetic.h"
+#include "shadow.h"
+
+#include "lattice.h"
 #include "shade_impl.h"
 #include "shadow_rays.h"
 

@@ -2,7 +2,6 @@
 #ifndef ALGSURF_SHADOW_H
 #define ALGSURF_SHADOW_H
 #include "algsurf/shade.h"
-#include "lattice.h"
 #include "line.h"
 #include "shadow_kernel.h"
 #include "tally.h"
