@@ -42,12 +42,12 @@ typedef enum algsurf_hit_state {
     ALGSURF_THIN = 3       /* in pictures only: the ray passes something thin (algsurf_scene_set_thin) */
 } algsurf_hit_state;
 
-/* Where a ray meets a surface.  Of a miss t, t_lo and t_hi are +inf, the vectors 0. */
+/* Where a ray meets a surface.  For a miss, t, t_lo and t_hi are +inf, and the vectors are 0. */
 typedef struct algsurf_hit {
     int state;        /* an algsurf_hit_state */
     int reason;       /* an algsurf_status: ALGSURF_OK, or why it is undecided (a positive status) */
     int multiplicity; /* of the root t: 1 where the ray crosses a smooth sheet, 2 where it touches one, ...; 0
-                         where the ray lies in the surface, of a miss, and of an undecided place */
+                         where the ray lies in the surface, for a miss, and for an undecided place */
     int side;         /* the sign of P on the ray just before the hit: -1 or 1; 0 with multiplicity 0 */
     double t;         /* approximate, along the ray as given; undecided: a point of that place */
     double t_lo, t_hi;  /* encloses: the hit is in [t_lo, t_hi], and no hit is before t_lo.  If integers
@@ -78,7 +78,7 @@ typedef struct algsurf_intersect_options {
                                     as t along it.  Packets and pictures, where rays go side by side and by
                                     several threads, refuse it: E_ARGUMENT */
     const algsurf_plane *planes; /* what is shown is the part of the extent that all of these keep; null: all
-                                    of it.  With the same guarantees: a point on a plane is kept */
+                                    of it.  The guarantees stay the same, and a point on a plane is kept */
     size_t plane_count;          /* at most ALGSURF_MAX_CLIP_PLANES */
 } algsurf_intersect_options;
 
@@ -96,7 +96,8 @@ ALGSURF_API const char *algsurf_kernel_name(int index);
  *   options  null: certified tier, default method, full accuracy
  * Guarantee: see algsurf_tier.  With absolute_tolerance 0, |t - exact| is within a few u S(X)/|p'(t)|,
  * u = 2^-53, S(X) the sum of |a x^i y^j z^k| over P's terms at the hit, and within one unit in the last place
- * where integers decided.  A tolerance adds itself, and 2^-49 of the part of the ray inside the extent.
+ * where integers decided.  With a tolerance, the error may be larger by the tolerance, and by 2^-49 of the
+ * length in t of the ray's part inside the extent.
  * Regula falsi, and any method that stops at the limit of iterations, promise less: t is in [t_lo, t_hi].  A
  * ray alone has the same bits as in a packet (algsurf_intersect_packet), with every kernel.
  * Returns OK also for a miss and for undecided: the state is in hit.
@@ -124,8 +125,8 @@ ALGSURF_API algsurf_status algsurf_intersect_all(const algsurf_surface *surface,
                                                  const algsurf_intersect_options *options, algsurf_hit *hits,
                                                  int capacity, int *count);
 
-/* Is there any hit?  Cheaper than the first hit, since no root is refined.  If P has different signs at both
- * ends of the ray's part inside the extent, there is a hit; so the answer may be a hit although
+/* Is there any hit?  Cheaper than the first hit, since no root is refined.  If P has different signs at the
+ * two ends of the ray's part inside the extent, there is a hit; so the answer may be a hit although
  * algsurf_intersect_first leaves the first hit undecided.
  *   state  an algsurf_hit_state: ALGSURF_HIT: occluded; ALGSURF_MISS: free; ALGSURF_UNDECIDED
  * Errors: as above.  42 KiB of stack.  Since 1.0. */
@@ -140,7 +141,7 @@ typedef struct algsurf_ray_packet {
     size_t count;                           /* of rays; the arrays may be null when it is 0 */
     const double *origin[3], *direction[3]; /* x, y, z */
     const double *t_min, *t_max;            /* null: 0 for all, infinity for all */
-    const unsigned char *active;            /* null: all; 0: any numbers may stand there; no answer */
+    const unsigned char *active;            /* null: all; 0: that ray is skipped, its numbers may be any */
 } algsurf_ray_packet;
 
 /* Where the answers go: entry i of each array is that member of ray i's algsurf_hit.  A null array is not
@@ -191,15 +192,16 @@ typedef struct algsurf_complex_space {
 } algsurf_complex_space;
 
 /* The first hit in complex space.  The polynomial along the ray, p(t) = P(origin + t direction)
- * + i sum_k imaginary[k] t^k, k up to the surface's degree, has degree-many complex roots t.  Of those
- * whose argument lies in the sector and whose magnitude lies in the part [t_min, t_max] of the ray
- * inside the extent, t_min >= 0, the one of least magnitude is shown.
+ * + i sum_k imaginary[k] t^k, k up to the surface's degree, has degree-many complex roots t.  A root
+ * counts if its argument lies in the sector and its magnitude in [t_min, t_max], the part of the ray inside
+ * the extent with t_min >= 0.  Of the roots that count, the one of least magnitude is shown.
  *   hit    hit->t is |t|, position is origin + |t| direction, [t_lo,t_hi] encloses |t|.  normal is the unit
- *          normal of the surface that is shown: of the points origin + |t| direction for all directions, with
- *          the origin fixed.  If t and p'(t) are real it has the direction of P's gradient.  Otherwise it is
- *          Re(g / p'(t)), g the complex gradient of P at origin + t direction, corrected along the ray and
- *          normalised.  For a multiple root it is 0.  state UNDECIDED: it is open whether a root is in the
- *          sector and in range, or which one is the least; the hit is then the least root that may be the one
+ *          normal of the surface that is shown, which consists of the points origin + |t| direction for all
+ *          directions from that origin.  If t and p'(t) are real it has the direction of P's gradient.
+ *          Otherwise it is Re(g / p'(t)), g the complex gradient of P at origin + t direction, corrected
+ *          along the ray and normalised.  For a multiple root it is 0.  state UNDECIDED: it is open whether
+ *          a root is in the sector and in range, or which one is the least; the hit is then the least root
+ *          that may be the one
  *   root   the complex root t shown; may be null
  *   start  null, or degree-many start values for the roots t, for example those of a neighbouring ray: they
  *          change the time, not the answer

@@ -27,7 +27,7 @@ typedef enum algsurf_extent_kind {
 
 /* The part of space in which a surface is looked at. */
 typedef struct algsurf_extent {
-    int kind;         /* an algsurf_extent_kind; of all of space centre and size play no part */
+    int kind;         /* an algsurf_extent_kind; for all of space, centre and size play no part */
     double centre[3]; /* finite */
     double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
 } algsurf_extent;
@@ -35,8 +35,8 @@ typedef struct algsurf_extent {
 /* How many planes may cut what is shown. */
 #define ALGSURF_MAX_CLIP_PLANES 8
 
-/* A cutting plane: of what is shown it keeps the closed half space normal . X <= offset, of the exact
- * doubles.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
+/* A cutting plane: what is shown keeps the closed half space normal . X <= offset, and loses the rest.  The
+ * doubles are taken as exact.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
 typedef struct algsurf_plane {
     double normal[3]; /* of any length; finite, not all zero */
     double offset;    /* finite */
@@ -56,16 +56,16 @@ typedef struct algsurf_plane {
 ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray,
                                                algsurf_ray *chord, int *meets);
 
-/* The part of a ray inside an extent that all of some planes keep, rounded outward.
+/* The part of a ray that is inside an extent and kept by all planes given, rounded outward.
  *   extent          null: all of space
  *   planes, count   as algsurf_scene_set_clip takes them; null with count 0: no planes
  *   chord, meets    as above
- * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes, of the exact
- * doubles, has its t in [chord->t_min, chord->t_max]; if there is one, meets is 1.  So the hits on the ray
- * are those on the chord, with the same extent and planes.  The chord is hardly longer.  Its points leave a
- * box along axis i by at most
+ * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes has its t in
+ * [chord->t_min, chord->t_max], all doubles taken as exact; if there is such a point, meets is 1.  So the
+ * hits on the ray are those on the chord, with the same extent and planes.  The chord is hardly longer than
+ * that part of the ray.  Its points leave a box along axis i by at most
  *     e_i = 2^-42 (|origin_i| + |centre_i| + size_i),
- * a ball, of which each size_i is the radius, by at most the largest e_i, and a plane (normal . X - offset) by
+ * a ball by at most the largest e_i, with its radius as each size_i, and a plane (by normal . X - offset) by
  * at most
  *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
  * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)

@@ -53,8 +53,8 @@ ALGSURF_API void algsurf_scene_free(algsurf_scene *scene);
 ALGSURF_API algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent);
 ALGSURF_API algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera);
 ALGSURF_API algsurf_status algsurf_scene_set_material(algsurf_scene *scene, const algsurf_material *material);
-/* At most ALGSURF_MAX_LIGHTS.  Count 0, with which lights may be null, removes all lights, the default one,
- * too.
+/* At most ALGSURF_MAX_LIGHTS.  With count 0 the scene has no light, not even the default one; lights may be
+ * null then.
  * Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights,
                                                     int count);
@@ -63,13 +63,14 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Draws what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
  * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin has it, without light or
- * shadow; null, the default: nothing is done.  It may draw what is not there, but leaves out no thin part,
- * except in the cases listed below.
+ * shadow; null, the default: no thin part is drawn.  A picture may show thin parts that are not there, but
+ * leaves out none, except in the cases listed below.
  *
  * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
  * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
- * A cell shows the colour unless one of the following is known of the part of space behind it, up to what its
- * ray hits, but for 4 cells' widths before it (an undecided place is no hit here, whatever it is drawn as):
+ * Looked at is the part of space behind a cell; if the cell's ray hits something, that part ends 4 cells'
+ * widths before it (an undecided place is no hit here, whatever it is drawn as).  The cell shows the colour
+ * unless one of the following is known of that part:
  * - it is proved to hold no point of the surface;
  * - it holds a sheet: within half a cell of it, P grows along the view, or in two directions across the view
  *   that are 45 degrees apart;
@@ -123,14 +124,15 @@ ALGSURF_API algsurf_status algsurf_scene_set_antialias(algsurf_scene *scene, int
  * 0.1; about one per cent of the pixels are chosen.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold);
-/* How the rays of the picture are intersected.  Planes are E_ARGUMENT here: algsurf_scene_set_clip sets them,
- * and they stay what they are.  Errors: as algsurf_intersect_first for the options.  Since 1.0. */
+/* How the rays of the picture are intersected.  Options with planes are E_ARGUMENT; algsurf_scene_set_clip
+ * sets planes, and this call leaves them as they are.  Errors: as algsurf_intersect_first for the options.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene,
                                                        const algsurf_intersect_options *options);
 
-/* Cuts what is shown by planes: what lies beyond one of them is not there, as what is outside the extent.  It
- * is not seen and casts no shadow; what lies on a plane is seen.  The planes before are forgotten.  At first
- * there are none.
+/* Cuts what is shown by planes: what lies beyond one of them is treated like what is outside the extent.  It
+ * is not seen and casts no shadow; what lies on a plane is seen.  These planes replace those set before; a
+ * new scene has none.
  *   planes  copied; null with count 0: no planes
  *   count   at most ALGSURF_MAX_CLIP_PLANES
  * Guarantee: in real space every ray is decided as algsurf_intersect_first decides it, with these planes in
@@ -180,8 +182,9 @@ typedef struct algsurf_render_stats {
     uint64_t hits;        /* of them, ALGSURF_HIT */
     uint64_t undecided;   /* of them, ALGSURF_UNDECIDED, not among the hits (drawn like them, where the
                              surface seems to touch) */
-    uint64_t shadow_rays; /* of the rays from points of the surface, to samples of lights and around: those
-                             traced by themselves, as the others from their point did not decide them */
+    uint64_t shadow_rays; /* rays from points of the surface, to samples of lights and around, that were
+                             traced one by one, because they were not decided together with the others from
+                             their point */
     double solve_s;       /* seconds spent in intersection, summed over threads */
     double shade_s;       /* seconds spent in shading, summed over threads */
     double total_s;       /* wall time */
@@ -237,7 +240,7 @@ typedef enum algsurf_way {
 typedef struct algsurf_picture {
     size_t size;           /* sizeof(algsurf_picture) */
     unsigned char *pixels; /* sRGB bytes of the average of the samples' colours (algsurf_srgb_encode) */
-    size_t stride;         /* from one row of pixels to the next, at least a row's bytes; 0: as many */
+    size_t stride;         /* bytes from one row of pixels to the next, at least those of a row; 0: these */
     int format;            /* of the pixels, an algsurf_pixel_format */
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  The error of t is at most
@@ -246,8 +249,8 @@ typedef struct algsurf_picture {
     float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
                               viewer; all 0 if that is 0, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state.  HIT; UNDECIDED: t and normal are those of the undecided
-                              place; THIN: t is that of something thin beside the ray, as a rule to a
-                              pixel's width, and the normal is 0; MISS where no sample shows anything */
+                              place; THIN: t is that of something thin beside the ray, as a rule right
+                              to a pixel's width, and the normal is 0; MISS where no sample shows anything */
     unsigned char *way;    /* way & 3: the largest algsurf_way of the pixel's samples; way & ~3: the side, 16,
                               8 or 4, of the tile that the pixel is in, 0 if there are no tiles.  A tile's
                               first pixel is at multiples of its side in the whole picture */
@@ -264,17 +267,17 @@ typedef struct algsurf_picture {
  * touches the surface at the point, on the viewer's side, and has half the radius of what is shown.  Rays
  * around, and rays to lights with 0, 0 samples, differ from pixel to pixel; they depend only on where the
  * pixel is in the whole picture.
- * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  Not
- * E_NO_MEMORY then, if single rays were short of memory, too: stats counts these as undecided).
+ * Returns OK; CANCELLED (finished rows are valid, others untouched; stats counts what was done.  It is
+ * returned instead of E_NO_MEMORY if single rays were short of memory, too: stats counts these as undecided).
  * Errors: E_ARGUMENT (null; an option, stride, format or size out of range), E_NOT_FINITE (the picture or a
  * light leaves the range of double), E_NO_MEMORY (to draw at all: nothing is drawn; or to decide single rays:
  * these count as undecided, everything else is drawn, and stats is written), E_THREAD (a lock could not be
  * made).
  * Cost: real scenes with a bounded extent, the default method and a degree of at most 24 are drawn by
  * packets: 20 to 100 nanoseconds a sample for degrees 2 to 10, shading included; samples that packets leave
- * undecided, and all of other scenes, cost an intersection each.  Shadows: a ray a light sample; up to degree
- * 7 the rays from a point to a light are decided together if possible, and up to degree 10 the others share
- * P's expansion about the point, 15 to 50 nanoseconds a ray.
+ * undecided, and all of other scenes, cost an intersection each.  Shadows: one ray for each light sample; up
+ * to degree 7 the rays from a point to a light are decided together if possible, and up to degree 10 the
+ * others share P's expansion about the point, 15 to 50 nanoseconds a ray.
  * t, normals and state: 1 to 4 nanoseconds a pixel.
  *     Up to degree 12, in pictures of many pixels, tiles of up to 16 x 16 pixels are proved, all at once, to
  * be empty or to see one sheet of the surface: there time grows with the outlines, not with the area.

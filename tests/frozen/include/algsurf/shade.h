@@ -54,8 +54,8 @@ typedef struct algsurf_lighting {
     int light_count;                  /* at most ALGSURF_MAX_LIGHTS */
     double up[3], forward[3]; /* unit vectors: which way is up in the picture, and away from the viewer */
     double centre[3], radius; /* a ball about what is shown, radius > 0 */
-    int bounded; /* 1: nothing is shown outside the ball.  0: something may be; z and, without `visible`, O
-                    of the formula below are then constant */
+    int bounded; /* 1: nothing is shown outside the ball.  0: something may be; in the formula below z is
+                    then constant, and so is O if `visible` is null */
 } algsurf_lighting;
 
 /* Position of sample (a,b) of a light, 0 <= a < samples_u, 0 <= b < samples_v.
@@ -91,7 +91,7 @@ ALGSURF_API algsurf_status algsurf_light_sample(const algsurf_light *light, int 
  * It is computed in single precision, with +, -, *, / and square roots only: the same bits everywhere, and
  * within 1e-4 of the formula, nearly always 1e-5, for a roughness of 0.1 or more and lights at least a tenth
  * of the radius away.  A roughness below 2^-10 counts as that.
- * A pixel comes from algsurf_camera_ray, algsurf_intersect_first, algsurf_shade and algsurf_srgb_encode.
+ * A pixel is made by algsurf_camera_ray, algsurf_intersect_first, algsurf_shade and algsurf_srgb_encode.
  * Errors: E_ARGUMENT (null; a number out of its range; a vector that is not a unit vector within 1e-6),
  * E_NOT_FINITE.  Cost: some 130 ns; pictures pay about 6 ns (AVX-512).
  * Source: Lambert; Blinn 1977 and Trowbridge, Reitz 1975 for the highlight.  Since 1.0. */
