@@ -87,17 +87,15 @@ void plot_put_key(FILE *out, const plot_series *s, size_t index, double x, doubl
 
 /* ---- inside the frame, whose upper left corner is 0,0 ---- */
 
-static double x_of(const plot_frame *f, double value) { return f->width * plot_ruler_at(&f->x, value); }
-static double y_of(const plot_frame *f, double value) {
-    return f->height * (1 - plot_ruler_at(&f->y, value));
-}
+double plot_x_of(const plot_frame *f, double value) { return f->width * plot_ruler_at(&f->x, value); }
+double plot_y_of(const plot_frame *f, double value) { return f->height * (1 - plot_ruler_at(&f->y, value)); }
 
 static void put_line(FILE *out, const plot_series *s, size_t index, const plot_frame *f) {
     int down = 0; /* the pen */
     double before = 0;
     begin_line(out, s, index);
     for (size_t i = 0; i < s->count; i++) {
-        double x = x_of(f, s->x[i]), y = y_of(f, s->y[i]);
+        double x = plot_x_of(f, s->x[i]), y = plot_y_of(f, s->y[i]);
         if (isnan(x) || isnan(y)) {
             down = 0;
             continue;
@@ -115,7 +113,7 @@ static void put_bands(FILE *out, const plot_series *s, size_t index, const plot_
     const double least = 2;
     fprintf(out, "<g fill='%s' fill-opacity='" SHADE "'>\n", colours[index % KINDS]);
     for (size_t i = 0; i + 1 < s->count; i += 2) {
-        double from = x_of(f, s->x[i]), width = x_of(f, s->x[i + 1]) - from;
+        double from = plot_x_of(f, s->x[i]), width = plot_x_of(f, s->x[i + 1]) - from;
         if (isnan(from) || isnan(width)) continue;
         if (width < least) from -= (least - width) / 2, width = least;
         fprintf(out, "<rect x='%.2f' width='%.2f' height='%.2f'/>\n", from, width, f->height);
@@ -125,7 +123,7 @@ static void put_bands(FILE *out, const plot_series *s, size_t index, const plot_
 
 static void put_rules(FILE *out, const plot_series *s, size_t index, const plot_frame *f) {
     for (size_t i = 0; i < s->count; i++) {
-        double x = x_of(f, s->x[i]);
+        double x = plot_x_of(f, s->x[i]);
         if (!isnan(x)) put_rule(out, index, x, 0, f->height);
     }
 }
@@ -160,7 +158,7 @@ static void put_bars(FILE *out, const plot *p, size_t index, const plot_frame *f
     fprintf(out, "<g fill='%s' stroke='#fff' stroke-width='%g'>\n", colours[index % KINDS],
             width > 6 ? 1 : 0.2);
     for (size_t i = 0; i < s->count; i++) {
-        double x = x_of(f, s->x[i]) - group / 2 + width * (double)place, y = y_of(f, s->y[i]);
+        double x = plot_x_of(f, s->x[i]) - group / 2 + width * (double)place, y = plot_y_of(f, s->y[i]);
         if (isnan(x) || isnan(y)) continue;
         fprintf(out, "<rect x='%.2f' y='%.2f' width='%.2f' height='%.2f'/>\n", x, fmin(y, base), width,
                 fabs(y - base));

@@ -20,6 +20,10 @@ void plot_put_text(FILE *out, const char *text, size_t length);
 double plot_key_width(const plot_series *s);
 void plot_put_key(FILE *out, const plot_series *s, size_t index, double x, double y);
 
+/* Where a value is in a frame, from its upper left corner. */
+double plot_x_of(const plot_frame *f, double value);
+double plot_y_of(const plot_frame *f, double value);
+
 /* Do the points of such a series have values y?  Are they joined by a line?  Have they marks? */
 int plot_has_values(plot_mark mark);
 int plot_is_line(plot_mark mark);

@@ -15,11 +15,6 @@ typedef struct label {
     double x, y, across, down;
 } label;
 
-static double x_of(const plot_frame *f, double value) { return f->width * plot_ruler_at(&f->x, value); }
-static double y_of(const plot_frame *f, double value) {
-    return f->height * (1 - plot_ruler_at(&f->y, value));
-}
-
 static int is_inside(const label *l, const plot_frame *f) {
     return l->x - l->across > 0 && l->x + l->across < f->width && l->y - l->down > 0 &&
            l->y + l->down < f->height;
@@ -52,7 +47,7 @@ static int is_crossed(const label *l, double x0, double y0, double x1, double y1
 static int touches_line(const label *l, const plot_series *s, const plot_frame *f) {
     double x0 = NAN, y0 = NAN;
     for (size_t i = 0; i < s->count; i++) {
-        double x = x_of(f, s->x[i]), y = s->mark == PLOT_RULES ? 0 : y_of(f, s->y[i]);
+        double x = plot_x_of(f, s->x[i]), y = s->mark == PLOT_RULES ? 0 : plot_y_of(f, s->y[i]);
         if (s->mark == PLOT_RULES ? is_crossed(l, x, 0, x, f->height) : is_crossed(l, x0, y0, x, y)) return 1;
         x0 = x, y0 = y;
     }
@@ -62,7 +57,7 @@ static int touches_line(const label *l, const plot_series *s, const plot_frame *
 /* own: the number's own point, if it is of this series. */
 static int touches_mark(const label *l, const plot_series *s, const plot_frame *f, const double *own) {
     for (size_t i = 0; i < s->count; i++) {
-        const label mark = {x_of(f, s->x[i]), y_of(f, s->y[i]), MARK / 2.0, MARK / 2.0};
+        const label mark = {plot_x_of(f, s->x[i]), plot_y_of(f, s->y[i]), MARK / 2.0, MARK / 2.0};
         if (s->x + i != own && overlap(l, &mark)) return 1;
     }
     return 0;
@@ -101,7 +96,7 @@ void plot_put_numbers(FILE *out, const plot *p, size_t index, const plot_frame *
         char text[24];
         snprintf(text, sizeof text, "%zu", i);
         double across = PLOT_SMALL * plot_text_width(text) / 2 + 1;
-        label l = {x_of(f, s->x[i]), y_of(f, s->y[i]), across, DIGIT_HEIGHT / 2.0};
+        label l = {plot_x_of(f, s->x[i]), plot_y_of(f, s->y[i]), across, DIGIT_HEIGHT / 2.0};
         if (!place(&l, taken, count, p, f, s->x + i)) continue;
         taken[count++] = l;
         fprintf(out, "<text x='%.2f' y='%.2f'>%s</text>\n", l.x, l.y + l.down, text);
