@@ -38,7 +38,6 @@ int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, int th
                               .count = count,
                               .at = t->at,
                               .from = t->from,
-                              .to = t->pixel_depth,
                               .within = thin ? t->pixel_low : NULL,
                               .noise = p->frame.value_error};
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),

@@ -21,8 +21,7 @@ int algsurf_i_has_cells(const algsurf_i_picture *picture, int row, int *begin, i
 algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across, int row, double sx,
                                    double sy);
 
-/* Tiles of `size` cells about those of t->at, where each ray has its first root between t->from and
- * t->pixel_depth, or none: those that are neither empty nor sheets are left in the lists, with what is known
+/* Tiles of `size` cells about those of t->at, where no ray has a root before t->from: those that are neither empty nor sheets are left in the lists, with what is known
  * then.  thin: 1, pixel_low tells of them as algsurf_i_tile_job.within.  Returns how many. */
 int algsurf_i_search_cells(const algsurf_i_cells *cells, int size, int count, int thin, algsurf_i_tiling *t);
 

@@ -17,8 +17,7 @@ typedef struct algsurf_i_packets {
     algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
     int plane_count;
     double *beams;            /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_fan *fans;      /* where shadows are drawn: of each light; or null */
-    algsurf_i_taylor *taylor; /* there: for single rays; or null */
+    algsurf_i_taylor *taylor; /* where shadows are drawn; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];

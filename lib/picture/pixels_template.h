@@ -5,10 +5,10 @@
  * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring
  * to Bernstein coefficients over the range; surface/view.c counts the roundings.
  *
- * Ends.  Where the root is known to lie between depths that leave less than the chord, the range is inside
- * the chord, and a root in it counts.  Else it holds the chord's end and is longer than the chord by less
- * than `blur`, in units of its length: where |P| at that end of the range exceeds what it can change by
- * within blur, no root is between.  In both cases the end need not be looked at again. */
+ * Ends.  Where it is known that no root lies before a depth inside the chord, the range begins there, and a
+ * root in it counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in
+ * units of its length: where |P| at that end of the range exceeds what it can change by within blur, no root
+ * is between.  In both cases the end need not be looked at again. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "sight_template.h"
@@ -50,22 +50,20 @@ INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_r
 }
 
 APART void expand_pixels(const algsurf_i_row_job *job, const lanes *u, const depth_range *r, packet *p,
-                         int n) {
-    FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))
-}
+                         int n){FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))}
 
-/* The whole range is searched.  after, before: it begins, or ends, inside the chord. */
-INLINE void set_ends(packet *k, lanes blur, mask after, mask before, int n) {
+/* The whole range is searched.  after: it begins inside the chord. */
+INLINE void set_ends(packet *k, lanes blur, mask after, int n) {
     k->blur = blur;
     lanes margin = k->e[0] + end_error(k, n);
     after |= less(margin, absolute(k->b[0]));
-    before |= less(margin, absolute(k->b[n]));
+    mask before = less(margin, absolute(k->b[n]));
     k->start = choose(after, all_lanes(-1), all_lanes(0));
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-/* LANES pixels whose first roots, if there are any on their chords, are between low and high. */
-INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
+/* LANES pixels whose rays have no root on their chords before low. */
+INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, packet *k,
                          lanes *z, int n) {
     const sight s = sight_at(job, pixel);
     depth_range r;
@@ -75,7 +73,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, l
     k->undecided = c.undecided;
     k->hit = no_lane();
     r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
-    lanes hi = smaller(-floor40(-smaller(c.far + gap, high)), all_lanes(1));
+    lanes hi = smaller(-floor40(-(c.far + gap)), all_lanes(1));
     k->open &= less(r.lo, hi);
     if (!any(k->open)) return;
     r.lo = choose(k->open, r.lo, all_lanes(-1));
@@ -86,7 +84,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, l
     k->open &= ~k->s.none;
     if (!any(k->open)) return;
     bound_errors(k, n, 0);
-    set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
+    set_ends(k, 2 * sure / r.length, less(c.near + sure, low), n);
     isolate(k, n);
     if (!any(k->hit)) return;
     refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
@@ -111,8 +109,7 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         int count = p->count - i;
         packet k;
         lanes z = all_lanes(0);
-        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count),
-                     load_some(p->high + i, count), &k, &z, n);
+        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count), &k, &z, n);
         store_solved(&k, z, count, depth + i, state + i);
     }
 }

@@ -29,7 +29,6 @@ static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band,
         if (line->wanted && !line->wanted[x]) continue;
         for (int i = 0; i < line->dense; i++) {
             t->at[count] = x * f->across + f->x + i;
-            t->pixel_depth[count] = 1;
             t->from[count++] = tiled ? band->tiles[number - 1].low : -1;
         }
     }
@@ -154,7 +153,6 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     if (count > 0) count = algsurf_i_search_cells(&f, 1, count, 1, t);
     for (int i = 0; i < count; i++) { /* there may be something beside the pixel */
         t->from[i] = -1;
-        t->pixel_depth[i] = 1;
     }
     if (count > 0) count = algsurf_i_search_cells(&f, 2, count, 1, t);
     if (count == 0) return;
@@ -171,7 +169,7 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
                                   .u = p->origin[0] + p->per_slope * ((t->at[i] + 0.5 + f.offset) * f.pixel),
                                   .h = h + copysign(ALGSURF_I_WIDER, h),
                                   .from = t->from[i],
-                                  .to = t->pixel_depth[i],
+                                  .to = 1,
                                   .within = t->pixel_low[i],
                                   .look_beside = look_beside,
                                   .looker = &at};
