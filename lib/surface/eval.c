@@ -105,6 +105,10 @@ static jet magnitudes(const algsurf_surface *s, double x, double y, double z) {
     return p;
 }
 
+double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]) {
+    return magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2])).v;
+}
+
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]) {
     if (!gradient) return value_only(s, x[0], x[1], x[2]);
     jet p = value_and_gradient(s, x[0], x[1], x[2]);

@@ -69,6 +69,10 @@ int algsurf_i_surface_set_tables(algsurf_surface *s);
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
+/* The sum of the sizes of P's terms, in natural scale, at a point in natural units: too small by 2 n + 3
+ * roundings at most; what is 0 or underflows counts as 2^-960 or more. */
+double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]);
+
 /* The same gradient; 0 where rounding leaves less than 8 bits of it: it is nothing to tell a direction from.
  */
 int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]);
