@@ -204,7 +204,8 @@ APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf
             if (!job->any && any(k.hit)) {
                 lanes v;
                 refine(&k, n, ROOT_ERROR, &v);
-                find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
+                find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi,
+                          hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
             }
         }
         unsigned found = bits(k.hit), undecided = bits(k.undecided);

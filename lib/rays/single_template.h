@@ -70,9 +70,10 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
+    mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = normal[i];
+    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
 }
 
 /* The bracket's hit; 0: it is undecided. */
@@ -85,7 +86,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, 1, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;
     if (any(s->k.undecided) || wide) {
         s->k.undecided = no_lane();
