@@ -1,6 +1,6 @@
-/* equation_steps.c - see equation_steps.h. */
+/* steps.c - see steps.h. */
 #include "../base/arithmetic.h"
-#include "equation_steps.h"
+#include "steps.h"
 
 #include <math.h>
 #include <stdlib.h>

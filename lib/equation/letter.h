@@ -1,4 +1,4 @@
-/* equation_letter.h - the letters of names in an equation: Latin ones, and Greek ones but for pi. */
+/* letter.h - the letters of names in an equation: Latin ones, and Greek ones but for pi. */
 #ifndef ALGSURF_EQUATION_LETTER_H
 #define ALGSURF_EQUATION_LETTER_H
 #include <stddef.h>

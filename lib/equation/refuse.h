@@ -1,11 +1,11 @@
-/* equation_refuse.h - why an equation is refused at a place: what people try there, and what to write
+/* refuse.h - why an equation is refused at a place: what people try there, and what to write
  * instead.
  *
  * Each function sets the parser's status and error, and returns 0.
  */
 #ifndef ALGSURF_EQUATION_REFUSE_H
 #define ALGSURF_EQUATION_REFUSE_H
-#include "equation_parse.h"
+#include "parse.h"
 
 /* The message for functions. */
 #define ALGSURF_I_NOT_POLYNOMIAL                                                                             \

@@ -1,17 +1,17 @@
-/* equation_token.c - see equation_token.h.
+/* token.c - see token.h.
  *
  * Text is UTF-8.  Characters beyond ASCII are few, hence looked up in a table; a byte that begins none of
  * them, and no letter, is a token by itself, up to the next byte that begins a character, so that offsets of
  * errors never point into one.
  */
 #include "../base/arithmetic.h"
-#include "equation_token.h"
+#include "token.h"
 
 #include <string.h>
 
-#include "equation_latex.h"
-#include "equation_letter.h"
-#include "equation_number.h"
+#include "latex.h"
+#include "letter.h"
+#include "number.h"
 
 enum { BLANK = ' ' };
 

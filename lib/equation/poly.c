@@ -1,4 +1,4 @@
-/* equation_poly.c - polynomials in x, y, z with double-double coefficients of unlimited range.
+/* poly.c - polynomials in x, y, z with double-double coefficients of unlimited range.
  *
  * Coefficients: hi lies in [2^-128, 2^128) between operations, so that products and their errors
  * stay far from both ends of the range of double; exponents differ in steps of 256, so that sums
@@ -10,7 +10,7 @@
  * in x, y and z: the place of a product is the sum of the places of its factors.
  */
 #include "../base/arithmetic.h"
-#include "equation_poly.h"
+#include "poly.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* equation_parse.c - from an equation as text to a polynomial: recursive descent that computes.
+/* parse.c - from an equation as text to a polynomial: recursive descent that computes.
  *
  *     text     = [ open ] [ head ] equation [ close ] [ ";" ]      open and close: $ or another pair of LaTeX
  *     head     = name "(" "x" "," "y" "," "z" ")" "="
@@ -13,7 +13,7 @@
  *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
- * The signs are those of equation_token.h.  Every expression's value is a polynomial (equation_poly.h); what
+ * The signs are those of token.h.  Every expression's value is a polynomial (poly.h); what
  * must be constant, divisors, exponents, arguments of roots, is seen from its value.  Depth is counted, so
  * text cannot exhaust the stack.  A name is as long as it can be; one that is no constant is a product of
  * what it consists of, letter by letter: variables, constants, pi.  A number never stands right of an
@@ -24,15 +24,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "equation_latex.h"
-#include "equation_letter.h"
-#include "equation_name.h"
-#include "equation_number.h"
-#include "equation_parse.h"
-#include "equation_refuse.h"
-#include "equation_sine.h"
-#include "equation_steps.h"
-#include "equation_token.h"
+#include "latex.h"
+#include "letter.h"
+#include "name.h"
+#include "number.h"
+#include "parse.h"
+#include "refuse.h"
+#include "sine.h"
+#include "steps.h"
+#include "token.h"
 
 enum { DEPTH_LIMIT = 100 };
 

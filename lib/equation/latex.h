@@ -1,7 +1,7 @@
-/* equation_latex.h - what LaTeX has in an equation besides letters: commands, and signs about the whole. */
+/* latex.h - what LaTeX has in an equation besides letters: commands, and signs about the whole. */
 #ifndef ALGSURF_EQUATION_LATEX_H
 #define ALGSURF_EQUATION_LATEX_H
-#include "equation_token.h"
+#include "token.h"
 
 /* The token of the command at the start of text, which begins with a backslash. */
 algsurf_i_token algsurf_i_latex_token(const char *text);

@@ -1,6 +1,6 @@
-/* equation.c - a surface from an equation as text: constants in, coefficients out.
+/* surface.c - a surface from an equation as text: constants in, coefficients out.
  *
- * The constants are checked and sorted, the parser (equation_parse.h) computes the polynomial left
+ * The constants are checked and sorted, the parser (parse.h) computes the polynomial left
  * minus right in double-double, each coefficient is rounded once, and the surface is made of them.
  */
 #include "../base/arithmetic.h"
@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "equation_letter.h"
-#include "equation_parse.h"
+#include "letter.h"
+#include "parse.h"
 #include "../base/fpenv.h"
-#include "impl.h"
+#include "../surface/impl.h"
 
 /* What rounding a coefficient to the double a changed, or its computation may have, as a part of a. */
 static double relative_rounding(const algsurf_i_monomial *m, double a) {

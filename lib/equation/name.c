@@ -1,11 +1,11 @@
-/* equation_name.c - see equation_name.h. */
+/* name.c - see name.h. */
 #include "../base/arithmetic.h"
-#include "equation_name.h"
+#include "name.h"
 
 #include <string.h>
 
-#include "equation_letter.h"
-#include "equation_refuse.h"
+#include "letter.h"
+#include "refuse.h"
 
 typedef algsurf_i_parser parser;
 

@@ -1,9 +1,9 @@
-/* equation_parse.h - from an equation as text to a polynomial. */
+/* parse.h - from an equation as text to a polynomial. */
 #ifndef ALGSURF_EQUATION_PARSE_H
 #define ALGSURF_EQUATION_PARSE_H
 #include "algsurf/surface.h"
-#include "equation_poly.h"
-#include "equation_token.h"
+#include "poly.h"
+#include "token.h"
 
 /* Set text and constants, the rest to 0. */
 typedef struct algsurf_i_parser {

@@ -1,14 +1,14 @@
-/* equation_latex.c - see equation_latex.h.
+/* latex.c - see latex.h.
  *
  * Source: Knuth, The TeXbook, 1984, chapters 16 to 18; the commands that LaTeX adds are from Lamport, LaTeX,
  * 1994.
  */
 #include "../base/arithmetic.h"
-#include "equation_latex.h"
+#include "latex.h"
 
 #include <string.h>
 
-#include "equation_letter.h"
+#include "letter.h"
 
 enum { BLANK = ' ', FENCE = 1 }; /* FENCE: stands before a bracket, and then is nothing but a blank */
 

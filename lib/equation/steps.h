@@ -1,4 +1,4 @@
-/* equation_steps.h - the operators of an equation: each checks its conditions and computes, or tells the
+/* steps.h - the operators of an equation: each checks its conditions and computes, or tells the
  * error.
  *
  * Each function returns 1, or 0 after a failure: then the parser's status and error are set, and operands
@@ -6,7 +6,7 @@
  */
 #ifndef ALGSURF_EQUATION_STEPS_H
 #define ALGSURF_EQUATION_STEPS_H
-#include "equation_parse.h"
+#include "parse.h"
 
 enum { ALGSURF_I_EXPONENT_LIMIT = 64 };
 

@@ -1,4 +1,4 @@
-/* equation_number.c - reading a number exactly, whatever the locale.
+/* number.c - reading a number exactly, whatever the locale.
  *
  * A decimal fraction is kept in limbs of nine digits and multiplied or divided by powers of two
  * until it lies in [1/2, 1); multiplying on then shifts its bits out at the front, as in schoolbook
@@ -8,7 +8,7 @@
  * two, has at most 767 significant digits.
  */
 #include "../base/arithmetic.h"
-#include "equation_number.h"
+#include "number.h"
 
 #include <stdint.h>
 

@@ -1,4 +1,4 @@
-/* equation_token.h - the signs of an equation, as people type and paste them. */
+/* token.h - the signs of an equation, as people type and paste them. */
 #ifndef ALGSURF_EQUATION_TOKEN_H
 #define ALGSURF_EQUATION_TOKEN_H
 #include <stddef.h>
@@ -10,7 +10,7 @@ enum {
     ALGSURF_I_TOKEN_QUARTERS,          /* 1, 2 or 3 of them as one sign */
     ALGSURF_I_TOKEN_ROOT,              /* a root sign */
     ALGSURF_I_TOKEN_PI,                /* the letter */
-    ALGSURF_I_TOKEN_LETTER,            /* of a name: equation_letter.h */
+    ALGSURF_I_TOKEN_LETTER,            /* of a name: letter.h */
     ALGSURF_I_TOKEN_INEQUALITY,
     ALGSURF_I_TOKEN_FRACTION, /* from here on: commands of LaTeX */
     ALGSURF_I_TOKEN_SQRT,

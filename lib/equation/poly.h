@@ -1,4 +1,4 @@
-/* equation_poly.h - polynomials in x, y, z with double-double coefficients of unlimited range, for
+/* poly.h - polynomials in x, y, z with double-double coefficients of unlimited range, for
  * the equation parser: the values its expressions take.
  *
  * A coefficient is (v + d) 2^(256 e) with |d| <= err: a double-double, a bound on its error, and an

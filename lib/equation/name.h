@@ -1,7 +1,7 @@
-/* equation_name.h - what a name in an equation stands for. */
+/* name.h - what a name in an equation stands for. */
 #ifndef ALGSURF_EQUATION_NAME_H
 #define ALGSURF_EQUATION_NAME_H
-#include "equation_parse.h"
+#include "parse.h"
 
 /* The caller's constant of this name, or null. */
 const algsurf_constant *algsurf_i_find_constant(const algsurf_i_parser *p, const char *name, size_t length);

@@ -1,4 +1,4 @@
-/* equation_letter.c - see equation_letter.h.
+/* letter.c - see letter.h.
  *
  * A letter is known by its code point, so that names compare equal whether they have the letter itself or its
  * command of LaTeX.  The Greek letters lie in a row in Unicode, U+03B1 to U+03C9, their capitals 32 before
@@ -6,7 +6,7 @@
  * keyboards have is mu.
  */
 #include "../base/arithmetic.h"
-#include "equation_letter.h"
+#include "letter.h"
 
 #include <string.h>
 

@@ -1,12 +1,12 @@
-/* equation_refuse.c - see equation_refuse.h. */
+/* refuse.c - see refuse.h. */
 #include "../base/arithmetic.h"
-#include "equation_refuse.h"
+#include "refuse.h"
 
 #include <string.h>
 
-#include "equation_letter.h"
-#include "equation_name.h"
-#include "equation_steps.h"
+#include "letter.h"
+#include "name.h"
+#include "steps.h"
 
 typedef algsurf_i_parser parser;
 
