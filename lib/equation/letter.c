@@ -94,16 +94,6 @@ size_t algsurf_i_name_parts(const char *name, size_t length) {
     return parts;
 }
 
-int algsurf_i_name_order(const char *a, size_t a_length, const char *b, size_t b_length) {
-    const char *a_end = a + a_length, *b_end = b + b_length;
-    while (a < a_end && b < b_end) {
-        algsurf_i_letter of_a = algsurf_i_name_part_at(a), of_b = algsurf_i_name_part_at(b);
-        if (of_a.code != of_b.code) return of_a.code < of_b.code ? -1 : 1;
-        a += of_a.width, b += of_b.width;
-    }
-    return (a < a_end) - (b < b_end);
-}
-
 char algsurf_i_variable(int code) {
     if (code >= 'X' && code <= 'Z') code += 'x' - 'X';
     return (char)(code >= 'x' && code <= 'z' ? code : '\0');

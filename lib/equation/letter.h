@@ -22,10 +22,6 @@ size_t algsurf_i_name_length(const char *text);
 /* How many letters, digits and underscores a name of that length has. */
 size_t algsurf_i_name_parts(const char *name, size_t length);
 
-/* Negative, 0 or positive, as one name comes before the other, is the same, comes behind; lengths in bytes.
- */
-int algsurf_i_name_order(const char *a, size_t a_length, const char *b, size_t b_length);
-
 /* The length of the command of LaTeX at the start of text, with its backslash: letters, or one character. */
 size_t algsurf_i_command_length(const char *text);
 

@@ -168,16 +168,15 @@ static int parse_fraction(parser *p, algsurf_i_tripoly *out) {
 }
 
 /* Does a product with a variable stand here, as in sin x or sin ax?  p->token is seen. */
-static int variable_follows(const parser *p) {
+static int variable_follows(parser *p) {
+    algsurf_i_names *names = &p->names;
     const algsurf_constant *constant;
-    const char *name = p->text + p->at;
     if (p->token.kind != ALGSURF_I_TOKEN_LETTER) return 0;
-    size_t length = algsurf_i_name_length(name);
-    if (algsurf_i_find_constant(p, name, length)) return 0;
-    for (size_t at = 0, factor; at < length; at += factor) {
-        factor = algsurf_i_first_factor(p, name + at, length - at, &constant);
+    if (algsurf_i_names_read(names, p->text + p->at) != ALGSURF_OK || algsurf_i_names_whole(names)) return 0;
+    for (size_t i = 0, factor; i < names->count; i += factor) {
+        factor = algsurf_i_names_factor(names, i, &constant);
         if (factor == 0) return 0;
-        if (!constant && algsurf_i_variable(name[at])) return 1;
+        if (!constant && algsurf_i_variable(names->letter[i].code)) return 1;
     }
     return 0;
 }
@@ -236,27 +235,42 @@ static int is_called(const char *name, size_t length, const char *function) {
     return length == strlen(function) && strncmp(name, function, length) == 0;
 }
 
-static int parse_name(parser *p, algsurf_i_tripoly *out) {
-    const char *name = p->text + p->at;
+/* The next factor of the product that a name is. */
+static int parse_letters(parser *p, algsurf_i_tripoly *out) {
     const algsurf_constant *constant;
-    size_t length;
-    if (p->at < p->letters_end) {
-        length = algsurf_i_first_factor(p, name, p->letters_end - p->at, &constant);
-    } else {
-        length = algsurf_i_name_length(name);
-        constant = algsurf_i_find_constant(p, name, length);
-        if (!constant && is_called(name, length, "sqrt")) return parse_sqrt(p, out);
-        if (!constant && is_called(name, length, "sin")) return parse_sine(p, length, 0, out);
-        if (!constant && is_called(name, length, "cos")) return parse_sine(p, length, 1, out);
-        if (!constant && !algsurf_i_split_name(p, name, length)) return 0;
-        if (!constant) length = algsurf_i_first_factor(p, name, length, &constant);
-    }
-    p->at += length;
+    const algsurf_i_name_letter *letter = p->names.letter + p->letter;
+    size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
+    p->letter += letters;
+    p->at += letter[letters].at - letter->at;
     if (constant) return algsurf_i_parse_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
-    char variable = algsurf_i_variable(*name);
+    char variable = algsurf_i_variable(letter->code);
     if (!variable) return make_pi(p, out);
     int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
     return algsurf_i_parse_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
+}
+
+static int parse_name(parser *p, algsurf_i_tripoly *out) {
+    if (p->at < p->letters_end) return parse_letters(p, out);
+    const char *name = p->text + p->at;
+    algsurf_i_names *names = &p->names;
+    const algsurf_constant *constant;
+    if (!algsurf_i_parse_computed(p, algsurf_i_names_read(names, name), p->at)) return 0;
+    size_t length = names->letter[names->count].at;
+    constant = algsurf_i_names_whole(names);
+    if (constant) {
+        p->at += length;
+        return algsurf_i_parse_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
+    }
+    if (is_called(name, length, "sqrt")) return parse_sqrt(p, out);
+    if (is_called(name, length, "sin")) return parse_sine(p, length, 0, out);
+    if (is_called(name, length, "cos")) return parse_sine(p, length, 1, out);
+    for (size_t i = 0, letters; i < names->count; i += letters) {
+        letters = algsurf_i_names_factor(names, i, &constant);
+        if (letters == 0) return algsurf_i_refuse_name(p, name, length, names->letter[i].at);
+    }
+    p->letter = 0;
+    p->letters_end = p->at + length;
+    return parse_letters(p, out);
 }
 
 static int parse_primary(parser *p, algsurf_i_tripoly *out) {

@@ -1,18 +1,17 @@
 /* parse.h - from an equation as text to a polynomial. */
 #ifndef ALGSURF_EQUATION_PARSE_H
 #define ALGSURF_EQUATION_PARSE_H
-#include "algsurf/surface.h"
+#include "name.h"
 #include "poly.h"
 #include "token.h"
 
-/* Set text and constants, the rest to 0. */
+/* Set text and names, the rest to 0. */
 typedef struct algsurf_i_parser {
     const char *text;
-    const algsurf_constant **constants; /* sorted by name */
-    size_t constant_count;
-    size_t longest;        /* how many letters, digits, underscores the longest of their names has */
+    algsurf_i_names names;
     size_t at;             /* how far the text is read */
-    size_t letters_end;    /* up to here, names are products of variables, constants and pi */
+    size_t letter;         /* of the name that was read last, the one that comes next */
+    size_t letters_end;    /* up to here, it is a product of variables, constants and pi */
     algsurf_i_token token; /* at that place */
     const char *closing;   /* what is to close the signs about the whole, $ for one; null: there are none */
     size_t unknown;        /* the length of the name without a value, after ALGSURF_E_NAME */

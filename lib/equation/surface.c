@@ -1,6 +1,6 @@
 /* surface.c - a surface from an equation as text: constants in, coefficients out.
  *
- * The constants are checked and sorted, the parser (parse.h) computes the polynomial left
+ * The constants are checked, the parser (parse.h) computes the polynomial left
  * minus right in double-double, each coefficient is rounded once, and the surface is made of them.
  */
 #include "../base/arithmetic.h"
@@ -44,37 +44,17 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
     return status;
 }
 
-static int compare_names(const void *left, const void *right) {
-    const algsurf_constant *const *a = left, *const *b = right;
-    return algsurf_i_name_order((*a)->name, strlen((*a)->name), (*b)->name, strlen((*b)->name));
-}
-
 static int reserved(const char *name) {
     return (strlen(name) == 1 && strchr("xyz", name[0])) || strcmp(name, "sqrt") == 0;
 }
 
-/* Checks the constants and sorts pointers to them by name; *sorted is to be freed. */
-static algsurf_status sort_constants(const algsurf_constant *constants, size_t count,
-                                     const algsurf_constant ***sorted) {
+static algsurf_status check_constants(const algsurf_constant *constants, size_t count) {
     for (size_t c = 0; c < count; c++) {
         const char *name = constants[c].name;
-        if (!name || algsurf_i_name_length(name) == 0 || name[algsurf_i_name_length(name)] != '\0' ||
-            reserved(name)) {
-            return ALGSURF_E_ARGUMENT;
-        }
+        size_t length = name ? algsurf_i_name_length(name) : 0;
+        if (length == 0 || name[length] != '\0' || reserved(name)) return ALGSURF_E_ARGUMENT;
         if (!isfinite(constants[c].value)) return ALGSURF_E_NOT_FINITE;
     }
-    const algsurf_constant **names = malloc((count ? count : 1) * sizeof *names);
-    if (!names) return ALGSURF_E_NO_MEMORY;
-    for (size_t c = 0; c < count; c++) names[c] = &constants[c];
-    qsort(names, count, sizeof *names, compare_names);
-    for (size_t c = 1; c < count; c++) {
-        if (compare_names(&names[c - 1], &names[c]) == 0) {
-            free(names);
-            return ALGSURF_E_ARGUMENT;
-        }
-    }
-    *sorted = names;
     return ALGSURF_OK;
 }
 
@@ -88,15 +68,10 @@ static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
 
 static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
                                             size_t count, algsurf_surface **surface) {
-    algsurf_status status = sort_constants(constants, count, &p->constants);
-    if (status != ALGSURF_OK) return status;
-    p->constant_count = count;
-    for (size_t c = 0; c < count; c++) {
-        size_t parts = algsurf_i_name_parts(constants[c].name, strlen(constants[c].name));
-        if (parts > p->longest) p->longest = parts;
-    }
-    status = parse(p, surface);
-    free(p->constants);
+    algsurf_status status = check_constants(constants, count);
+    if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, constants, count);
+    if (status == ALGSURF_OK) status = parse(p, surface);
+    algsurf_i_names_free(&p->names);
     return status;
 }
 
