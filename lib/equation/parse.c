@@ -55,15 +55,15 @@ static int number_follows(const parser *p) {
     return is_digit(c[0]) || (c[0] == '.' && is_digit(c[1]));
 }
 
-static int parse_sum(parser *p, algsurf_i_tripoly *out);
-static int parse_signed(parser *p, algsurf_i_tripoly *out);
-static int parse_primary(parser *p, algsurf_i_tripoly *out);
+static int parse_sum(parser *p, algsurf_i_value *out);
+static int parse_signed(parser *p, algsurf_i_value *out);
+static int parse_primary(parser *p, algsurf_i_value *out);
 
 static int enter(parser *p, size_t offset) {
     return ++p->depth <= DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
 }
 
-static int parse_number(parser *p, algsurf_i_tripoly *out) {
+static int parse_number(parser *p, algsurf_i_value *out) {
     size_t length, at = p->at;
     algsurf_i_number n;
     algsurf_i_reading reading = algsurf_i_read_number(p->text + at, &length, &n);
@@ -73,7 +73,7 @@ static int parse_number(parser *p, algsurf_i_tripoly *out) {
         algsurf_i_monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
         if (isfinite(algsurf_i_monomial_round(&m))) {
             p->at += length;
-            return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(m, out), at);
+            return algsurf_i_parse_constant(p, m, at, out);
         }
     }
     return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
@@ -91,14 +91,14 @@ static const char *expected_closing(char closing) {
                             : "expected an operator or '}'";
 }
 
-static int parse_bracket(parser *p, algsurf_i_tripoly *out) {
+static int parse_bracket(parser *p, algsurf_i_value *out) {
     char closing = algsurf_i_closing(peek(p));
     if (!closing) return algsurf_i_parse_refuse(p, p->at, "expected '('");
     if (!enter(p, p->at)) return 0;
     take(p);
     if (!parse_sum(p, out)) return 0;
     if (peek(p) != closing) {
-        algsurf_i_tripoly_free(out);
+        algsurf_i_value_free(out);
         return refuse_token(p, expected_closing(closing));
     }
     take(p);
@@ -107,25 +107,25 @@ static int parse_bracket(parser *p, algsurf_i_tripoly *out) {
 }
 
 /* *value becomes its square root; offset is where it stands. */
-static int take_root(parser *p, size_t offset, algsurf_i_tripoly *value) {
-    int constant = algsurf_i_tripoly_is_constant(value);
+static int take_root(parser *p, size_t offset, algsurf_i_value *value) {
+    int constant = algsurf_i_tripoly_is_constant(&value->p);
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
-    if (constant && value->count) m = value->m[0];
-    algsurf_i_tripoly_free(value);
+    if (constant && value->p.count) m = value->p.m[0];
+    algsurf_i_value_free(value);
     if (!constant)
         return algsurf_i_parse_refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
     if (m.v.hi < 0) return algsurf_i_parse_refuse(p, offset, "the root of a negative number");
-    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sqrt(m), value), offset);
+    return algsurf_i_parse_constant(p, algsurf_i_monomial_sqrt(m), offset, value);
 }
 
-static int parse_sqrt(parser *p, algsurf_i_tripoly *out) {
+static int parse_sqrt(parser *p, algsurf_i_value *out) {
     p->at += strlen("sqrt");
     (void)peek(p);
     size_t offset = p->at;
     return parse_bracket(p, out) && take_root(p, offset, out);
 }
 
-static int parse_root_sign(parser *p, algsurf_i_tripoly *out) {
+static int parse_root_sign(parser *p, algsurf_i_value *out) {
     if (!enter(p, p->at)) return 0;
     take(p);
     (void)peek(p);
@@ -136,7 +136,7 @@ static int parse_root_sign(parser *p, algsurf_i_tripoly *out) {
 }
 
 /* What a command of LaTeX applies to: a bracket, or a digit, since \frac12 is 1/2. */
-static int parse_argument(parser *p, algsurf_i_tripoly *out) {
+static int parse_argument(parser *p, algsurf_i_value *out) {
     int c = peek(p);
     if (c == '{' || c == '(') return parse_bracket(p, out);
     if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
@@ -144,15 +144,15 @@ static int parse_argument(parser *p, algsurf_i_tripoly *out) {
     return algsurf_i_parse_value(p, algsurf_dd_from(c - '0'), 0.0, 0, 0, out);
 }
 
-static int parse_latex_sqrt(parser *p, algsurf_i_tripoly *out) {
+static int parse_latex_sqrt(parser *p, algsurf_i_value *out) {
     take(p);
     if (peek(p) == '[') return algsurf_i_parse_refuse(p, p->at, "of roots, only square roots are known");
     size_t offset = p->at;
     return parse_argument(p, out) && take_root(p, offset, out);
 }
 
-static int parse_fraction(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly below;
+static int parse_fraction(parser *p, algsurf_i_value *out) {
+    algsurf_i_value below;
     size_t offset = p->at;
     if (!enter(p, offset)) return 0;
     take(p);
@@ -160,7 +160,7 @@ static int parse_fraction(parser *p, algsurf_i_tripoly *out) {
     (void)peek(p);
     size_t divisor = p->at;
     if (!parse_argument(p, &below)) {
-        algsurf_i_tripoly_free(out);
+        algsurf_i_value_free(out);
         return 0;
     }
     p->depth--;
@@ -194,7 +194,7 @@ static int product_goes_on(const parser *p, int c) {
 
 /* What a sine without brackets is of, as in \cos\frac{2\pi}{5} or sin a.  Readers differ about what belongs
  * to it when the product goes on: sin pi/5, \sin\frac{\pi}{5}x.  Hence only one thing alone is taken. */
-static int parse_bare_argument(parser *p, algsurf_i_tripoly *out) {
+static int parse_bare_argument(parser *p, algsurf_i_value *out) {
     static const char BRACKETS[] = "what sin or cos is of needs brackets here: sin(pi/5)";
     size_t offset = p->at;
     int c = p->token.kind;
@@ -204,31 +204,30 @@ static int parse_bare_argument(parser *p, algsurf_i_tripoly *out) {
     if (!enter(p, offset) || !parse_primary(p, out)) return 0;
     p->depth--;
     if (!product_goes_on(p, peek(p))) return 1;
-    algsurf_i_tripoly_free(out);
+    algsurf_i_value_free(out);
     return algsurf_i_parse_refuse(p, offset, BRACKETS);
 }
 
 /* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
-static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly argument;
+static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_value *out) {
+    algsurf_i_value argument;
     size_t offset = p->at;
     p->at += length;
     int bracket = algsurf_i_closing(peek(p)) != '\0';
     if (variable_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (bracket ? !parse_bracket(p, &argument) : !parse_bare_argument(p, &argument)) return 0;
-    int constant = algsurf_i_tripoly_is_constant(&argument);
+    int constant = algsurf_i_tripoly_is_constant(&argument.p);
     algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
-    if (constant && argument.count) m = argument.m[0];
-    algsurf_i_tripoly_free(&argument);
+    if (constant && argument.p.count) m = argument.p.m[0];
+    algsurf_i_value_free(&argument);
     if (!constant) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
         return algsurf_i_parse_refuse(p, offset, "sin and cos take at most 100 radians");
-    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_sine(&m, quarters), out),
-                                    offset);
+    return algsurf_i_parse_constant(p, algsurf_i_monomial_sine(&m, quarters), offset, out);
 }
 
-static int make_pi(parser *p, algsurf_i_tripoly *out) {
-    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(algsurf_i_monomial_pi(), out), p->at);
+static int make_pi(parser *p, algsurf_i_value *out) {
+    return algsurf_i_parse_constant(p, algsurf_i_monomial_pi(), p->at, out);
 }
 
 static int is_called(const char *name, size_t length, const char *function) {
@@ -236,7 +235,7 @@ static int is_called(const char *name, size_t length, const char *function) {
 }
 
 /* The next factor of the product that a name is. */
-static int parse_letters(parser *p, algsurf_i_tripoly *out) {
+static int parse_letters(parser *p, algsurf_i_value *out) {
     const algsurf_constant *constant;
     const algsurf_i_name_letter *letter = p->names.letter + p->letter;
     size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
@@ -249,7 +248,7 @@ static int parse_letters(parser *p, algsurf_i_tripoly *out) {
     return algsurf_i_parse_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
 }
 
-static int parse_name(parser *p, algsurf_i_tripoly *out) {
+static int parse_name(parser *p, algsurf_i_value *out) {
     if (p->at < p->letters_end) return parse_letters(p, out);
     const char *name = p->text + p->at;
     algsurf_i_names *names = &p->names;
@@ -273,7 +272,7 @@ static int parse_name(parser *p, algsurf_i_tripoly *out) {
     return parse_letters(p, out);
 }
 
-static int parse_primary(parser *p, algsurf_i_tripoly *out) {
+static int parse_primary(parser *p, algsurf_i_value *out) {
     int c = peek(p);
     if (number_follows(p)) return parse_number(p, out);
     if (algsurf_i_closing(c)) return parse_bracket(p, out);
@@ -317,31 +316,35 @@ static int begins_factor(int c) {
 }
 
 /* Why base^exponent is refused when the exponent is no whole number. */
-static const char *about_exponent(const algsurf_i_tripoly *base, const algsurf_i_tripoly *exponent) {
-    if (!algsurf_i_tripoly_is_constant(exponent)) return "not a polynomial: x, y or z in an exponent";
-    if (algsurf_i_tripoly_is_constant(base))
+static const char *about_exponent(const algsurf_i_value *base, const algsurf_i_value *exponent) {
+    if (!algsurf_i_tripoly_is_constant(&exponent->p)) return "not a polynomial: x, y or z in an exponent";
+    if (algsurf_i_tripoly_is_constant(&base->p))
         return "expected a whole number as exponent; a root of a constant is written sqrt(...)";
     return "not a polynomial: expected a whole number from 0 to 64 as exponent";
 }
 
-/* The exponent behind '^', and base raised to it. */
-static int parse_exponent(parser *p, const algsurf_i_tripoly *base, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly exponent;
+/* The exponent behind '^', and *base raised to it. */
+static int parse_exponent(parser *p, algsurf_i_value *base) {
+    algsurf_i_value exponent;
     size_t offset = p->at;
     take(p);
     (void)peek(p);
     size_t exponent_offset = p->at;
-    if (!enter(p, offset) || !parse_signed(p, &exponent)) return 0;
+    if (!enter(p, offset) || !parse_signed(p, &exponent)) {
+        algsurf_i_value_free(base);
+        return 0;
+    }
     int n, whole = algsurf_i_parse_whole(&exponent, &n);
     const char *why = about_exponent(base, &exponent);
-    algsurf_i_tripoly_free(&exponent);
+    algsurf_i_value_free(&exponent);
     p->depth--;
-    return whole ? algsurf_i_parse_raise(p, offset, exponent_offset, base, n, out)
-                 : algsurf_i_parse_refuse(p, exponent_offset, why);
+    if (whole) return algsurf_i_parse_raise(p, offset, exponent_offset, base, n);
+    algsurf_i_value_free(base);
+    return algsurf_i_parse_refuse(p, exponent_offset, why);
 }
 
-/* Superscripts in a row, and base raised to them. */
-static int parse_superscripts(parser *p, const algsurf_i_tripoly *base, algsurf_i_tripoly *out) {
+/* Superscripts in a row, and *base raised to them. */
+static int parse_superscripts(parser *p, algsurf_i_value *base) {
     size_t offset = p->at;
     int n = 0;
     do {
@@ -349,33 +352,27 @@ static int parse_superscripts(parser *p, const algsurf_i_tripoly *base, algsurf_
         take(p);
         p->token = algsurf_i_token_at(p->text + p->at);
     } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
-    return algsurf_i_parse_raise(p, offset, offset, base, n, out);
+    return algsurf_i_parse_raise(p, offset, offset, base, n);
 }
 
-static int parse_power(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly base;
-    if (!parse_primary(p, &base)) return 0;
+static int parse_power(parser *p, algsurf_i_value *out) {
+    if (!parse_primary(p, out)) return 0;
     int c = peek(p);
-    if (c != '^' && c != ALGSURF_I_TOKEN_SUPERSCRIPT) {
-        *out = base;
-        return 1;
-    }
-    int ok = c == '^' ? parse_exponent(p, &base, out) : parse_superscripts(p, &base, out);
-    algsurf_i_tripoly_free(&base);
-    return ok;
+    if (c == '^') return parse_exponent(p, out);
+    return c == ALGSURF_I_TOKEN_SUPERSCRIPT ? parse_superscripts(p, out) : 1;
 }
 
-static int parse_signed(parser *p, algsurf_i_tripoly *out) {
+static int parse_signed(parser *p, algsurf_i_value *out) {
     int negative = 0;
     for (int c = peek(p); c == '+' || c == '-'; take(p), c = peek(p)) negative ^= c == '-';
     if (!parse_power(p, out)) return 0;
-    if (negative) algsurf_i_tripoly_negate(out);
+    if (negative) algsurf_i_value_negate(out);
     return 1;
 }
 
 /* The next operator and operand of a product; *more becomes 0 when there is none. */
-static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
-    algsurf_i_tripoly right;
+static int extend_product(parser *p, algsurf_i_value *left, int *more) {
+    algsurf_i_value right;
     int c = peek(p);
     size_t offset = p->at;
     *more = 1;
@@ -384,7 +381,7 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
         (void)peek(p);
         size_t operand = p->at;
         if (!parse_signed(p, &right)) {
-            algsurf_i_tripoly_free(left);
+            algsurf_i_value_free(left);
             return 0;
         }
         return c == '*' ? algsurf_i_parse_multiply(p, offset, left, &right)
@@ -392,15 +389,15 @@ static int extend_product(parser *p, algsurf_i_tripoly *left, int *more) {
     }
     if (begins_factor(c)) {
         if (parse_power(p, &right)) return algsurf_i_parse_multiply(p, offset, left, &right);
-        algsurf_i_tripoly_free(left);
+        algsurf_i_value_free(left);
         return 0;
     }
     *more = 0;
     return 1;
 }
 
-static int parse_product(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly product;
+static int parse_product(parser *p, algsurf_i_value *out) {
+    algsurf_i_value product;
     if (!parse_signed(p, &product)) return 0;
     for (int more = 1; more;) {
         if (!extend_product(p, &product, &more)) return 0;
@@ -409,19 +406,17 @@ static int parse_product(parser *p, algsurf_i_tripoly *out) {
     return 1;
 }
 
-static int parse_sum(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_sum sum = {.parts = 0};
-    for (int sign = '+';;) {
-        algsurf_i_tripoly product;
-        if (!parse_product(p, &product)) break;
-        if (sign == '-') algsurf_i_tripoly_negate(&product);
-        if (!algsurf_i_parse_computed(p, algsurf_i_sum_add(&sum, product), p->at)) break;
+static int parse_sum(parser *p, algsurf_i_value *out) {
+    algsurf_i_value_sum sum = {.way = NULL};
+    algsurf_i_value product;
+    for (int sign = '+'; parse_product(p, &product); take(p)) {
+        if (sign == '-') algsurf_i_value_negate(&product);
+        algsurf_status status = algsurf_i_value_sum_add(&sum, &product);
         sign = peek(p);
-        if (sign != '+' && sign != '-')
-            return algsurf_i_parse_computed(p, algsurf_i_sum_total(&sum, out), p->at);
-        take(p);
+        if (status == ALGSURF_OK && (sign == '+' || sign == '-')) continue;
+        return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&sum, status, out), p->at);
     }
-    algsurf_i_sum_free(&sum);
+    (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, out);
     return 0;
 }
 
@@ -449,19 +444,23 @@ static int parse_end(parser *p, int equals_seen) {
 }
 
 /* *left minus the sum behind '='; *left is freed on failure. */
-static int parse_right(parser *p, algsurf_i_tripoly *left) {
-    algsurf_i_tripoly right, difference = {NULL, 0};
+static int parse_right(parser *p, algsurf_i_value *left) {
+    algsurf_i_value right;
+    algsurf_i_value_sum difference = {.way = NULL};
     size_t offset = p->at;
     take(p);
-    int ok = parse_sum(p, &right);
-    if (ok) {
-        algsurf_i_tripoly_negate(&right);
-        ok = algsurf_i_parse_computed(p, algsurf_i_tripoly_add(left, &right, &difference), offset);
-        algsurf_i_tripoly_free(&right);
+    if (!parse_sum(p, &right)) {
+        algsurf_i_value_free(left);
+        return 0;
     }
-    algsurf_i_tripoly_free(left);
-    *left = difference;
-    return ok;
+    algsurf_i_value_negate(&right);
+    algsurf_status status = algsurf_i_value_sum_add(&difference, left);
+    if (status == ALGSURF_OK) {
+        status = algsurf_i_value_sum_add(&difference, &right);
+    } else {
+        algsurf_i_value_free(&right);
+    }
+    return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&difference, status, left), offset);
 }
 
 /* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
@@ -493,8 +492,8 @@ static int parse_head(parser *p, int *named) {
     return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
 }
 
-int algsurf_i_parse_equation(parser *p, algsurf_i_tripoly *out) {
-    algsurf_i_tripoly value;
+int algsurf_i_parse_equation(parser *p, algsurf_i_value *out) {
+    algsurf_i_value value;
     int named;
     if (!parse_head(p, &named)) return 0;
     int equals = !named && peek(p) == '=';
@@ -505,7 +504,7 @@ int algsurf_i_parse_equation(parser *p, algsurf_i_tripoly *out) {
         if (!parse_right(p, &value)) return 0;
     }
     if (!parse_end(p, equals)) {
-        algsurf_i_tripoly_free(&value);
+        algsurf_i_value_free(&value);
         return 0;
     }
     *out = value;

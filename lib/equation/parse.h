@@ -2,7 +2,7 @@
 #ifndef ALGSURF_EQUATION_PARSE_H
 #define ALGSURF_EQUATION_PARSE_H
 #include "name.h"
-#include "poly.h"
+#include "value.h"
 #include "token.h"
 
 /* Set text and names, the rest to 0. */
@@ -22,6 +22,6 @@ typedef struct algsurf_i_parser {
 
 /* Computes left minus right; returns 1, or 0 after a failure: then status is set, error for the
  * statuses that have one, and *out is not. */
-int algsurf_i_parse_equation(algsurf_i_parser *p, algsurf_i_tripoly *out);
+int algsurf_i_parse_equation(algsurf_i_parser *p, algsurf_i_value *out);
 
 #endif

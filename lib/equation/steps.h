@@ -19,19 +19,21 @@ int algsurf_i_parse_computed(algsurf_i_parser *p, algsurf_status status, size_t 
 
 /* v 2^exponent times the monomial of the key; err as in algsurf_i_monomial_make. */
 int algsurf_i_parse_value(algsurf_i_parser *p, algsurf_dd v, double err, int exponent, int key,
-                          algsurf_i_tripoly *out);
+                          algsurf_i_value *out);
+
+/* A monomial as a value. */
+int algsurf_i_parse_constant(algsurf_i_parser *p, algsurf_i_monomial m, size_t offset, algsurf_i_value *out);
 
 /* *left *= right, *left /= right; right is freed, left on failure.  divisor: where that stands. */
-int algsurf_i_parse_multiply(algsurf_i_parser *p, size_t offset, algsurf_i_tripoly *left,
-                             algsurf_i_tripoly *right);
-int algsurf_i_parse_divide(algsurf_i_parser *p, size_t offset, size_t divisor, algsurf_i_tripoly *left,
-                           algsurf_i_tripoly *right);
+int algsurf_i_parse_multiply(algsurf_i_parser *p, size_t offset, algsurf_i_value *left,
+                             algsurf_i_value *right);
+int algsurf_i_parse_divide(algsurf_i_parser *p, size_t offset, size_t divisor, algsurf_i_value *left,
+                           algsurf_i_value *right);
 
 /* Is the value, within its error bound, a whole number of magnitude up to 1000?  (This one does not fail.) */
-int algsurf_i_parse_whole(const algsurf_i_tripoly *value, int *n);
+int algsurf_i_parse_whole(const algsurf_i_value *value, int *n);
 
-/* base^n; exponent: where that stands. */
-int algsurf_i_parse_raise(algsurf_i_parser *p, size_t offset, size_t exponent, const algsurf_i_tripoly *base,
-                          int n, algsurf_i_tripoly *out);
+/* *base becomes base^n, and is freed on failure; exponent: where that stands. */
+int algsurf_i_parse_raise(algsurf_i_parser *p, size_t offset, size_t exponent, algsurf_i_value *base, int n);
 
 #endif

@@ -59,10 +59,10 @@ static algsurf_status check_constants(const algsurf_constant *constants, size_t 
 }
 
 static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
-    algsurf_i_tripoly value;
+    algsurf_i_value value;
     if (!algsurf_i_parse_equation(p, &value)) return p->status;
-    algsurf_status status = to_surface(&value, p->at, surface, &p->error);
-    algsurf_i_tripoly_free(&value);
+    algsurf_status status = to_surface(&value.p, p->at, surface, &p->error);
+    algsurf_i_value_free(&value);
     return status;
 }
 
