@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "letter.h"
+#include "read.h"
 
 /* Node 0 is the root; 0 in a link is none, or the root. */
 typedef struct algsurf_i_name_node {

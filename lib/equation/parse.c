@@ -13,26 +13,16 @@
  *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
- * The signs are those of token.h.  Every expression's value is a polynomial (poly.h); what
+ * The signs are those of read.h.  Every expression's value is a polynomial (value.h); what
  * must be constant, divisors, exponents, arguments of roots, is seen from its value.  Depth is counted, so
  * text cannot exhaust the stack.  A name is as long as it can be; one that is no constant is a product of
  * what it consists of, letter by letter: variables, constants, pi.  A number never stands right of an
  * implicit multiplication: x 2 could be a slip for x^2 as well as a product.
  */
 #include "../base/arithmetic.h"
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "latex.h"
-#include "letter.h"
-#include "name.h"
-#include "number.h"
 #include "parse.h"
-#include "refuse.h"
-#include "sine.h"
-#include "steps.h"
-#include "token.h"
+
+#include <string.h>
 
 enum { DEPTH_LIMIT = 100 };
 
@@ -48,35 +38,12 @@ static int peek(parser *p) {
 /* Moves behind the token that peek has seen. */
 static void take(parser *p) { p->at += p->token.width; }
 
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-
-static int number_follows(const parser *p) {
-    const char *c = p->text + p->at;
-    return is_digit(c[0]) || (c[0] == '.' && is_digit(c[1]));
-}
-
 static int parse_sum(parser *p, algsurf_i_value *out);
 static int parse_signed(parser *p, algsurf_i_value *out);
 static int parse_primary(parser *p, algsurf_i_value *out);
 
 static int enter(parser *p, size_t offset) {
     return ++p->depth <= DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
-}
-
-static int parse_number(parser *p, algsurf_i_value *out) {
-    size_t length, at = p->at;
-    algsurf_i_number n;
-    algsurf_i_reading reading = algsurf_i_read_number(p->text + at, &length, &n);
-    if (reading == ALGSURF_I_NUMBER) {
-        /* Exact when it fits a double, the rule for numbers people type. */
-        double err = n.v.lo == 0 ? 0.0 : ALGSURF_DD_U * n.v.hi;
-        algsurf_i_monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
-        if (isfinite(algsurf_i_monomial_round(&m))) {
-            p->at += length;
-            return algsurf_i_parse_constant(p, m, at, out);
-        }
-    }
-    return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 
 /* Refuses what stands here. */
@@ -106,31 +73,17 @@ static int parse_bracket(parser *p, algsurf_i_value *out) {
     return 1;
 }
 
-/* *value becomes its square root; offset is where it stands. */
-static int take_root(parser *p, size_t offset, algsurf_i_value *value) {
-    int constant = algsurf_i_tripoly_is_constant(&value->p);
-    algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
-    if (constant && value->p.count) m = value->p.m[0];
-    algsurf_i_value_free(value);
-    if (!constant)
-        return algsurf_i_parse_refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
-    if (m.v.hi < 0) return algsurf_i_parse_refuse(p, offset, "the root of a negative number");
-    return algsurf_i_parse_constant(p, algsurf_i_monomial_sqrt(m), offset, value);
-}
-
-static int parse_sqrt(parser *p, algsurf_i_value *out) {
-    p->at += strlen("sqrt");
+/* The root of the operand that stands here. */
+static int parse_root_of(parser *p, int (*operand)(parser *, algsurf_i_value *), algsurf_i_value *out) {
     (void)peek(p);
     size_t offset = p->at;
-    return parse_bracket(p, out) && take_root(p, offset, out);
+    return operand(p, out) && algsurf_i_parse_root(p, offset, out);
 }
 
 static int parse_root_sign(parser *p, algsurf_i_value *out) {
     if (!enter(p, p->at)) return 0;
     take(p);
-    (void)peek(p);
-    size_t offset = p->at;
-    if (!parse_primary(p, out) || !take_root(p, offset, out)) return 0;
+    if (!parse_root_of(p, parse_primary, out)) return 0;
     p->depth--;
     return 1;
 }
@@ -141,14 +94,13 @@ static int parse_argument(parser *p, algsurf_i_value *out) {
     if (c == '{' || c == '(') return parse_bracket(p, out);
     if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
     take(p);
-    return algsurf_i_parse_value(p, algsurf_dd_from(c - '0'), 0.0, 0, 0, out);
+    return algsurf_i_parse_double(p, c - '0', 0, out);
 }
 
 static int parse_latex_sqrt(parser *p, algsurf_i_value *out) {
     take(p);
     if (peek(p) == '[') return algsurf_i_parse_refuse(p, p->at, "of roots, only square roots are known");
-    size_t offset = p->at;
-    return parse_argument(p, out) && take_root(p, offset, out);
+    return parse_root_of(p, parse_argument, out);
 }
 
 static int parse_fraction(parser *p, algsurf_i_value *out) {
@@ -181,10 +133,13 @@ static int variable_follows(parser *p) {
     return 0;
 }
 
-static int begins_factor(int c);
+/* Does a factor begin with this token, other than a number? */
+static int begins_factor(int c) {
+    return (c >= ALGSURF_I_TOKEN_ROOT && c <= ALGSURF_I_TOKEN_COSINE) || algsurf_i_closing(c);
+}
 
 static int begins_operand(const parser *p, int c) {
-    return number_follows(p) || begins_factor(c) || c == ALGSURF_I_TOKEN_QUARTERS;
+    return algsurf_i_number_follows(p->text + p->at) || begins_factor(c) || c == ALGSURF_I_TOKEN_QUARTERS;
 }
 
 /* Does the product go on behind a factor?  c: the token there. */
@@ -210,28 +165,16 @@ static int parse_bare_argument(parser *p, algsurf_i_value *out) {
 
 /* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
 static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_value *out) {
-    algsurf_i_value argument;
     size_t offset = p->at;
     p->at += length;
     int bracket = algsurf_i_closing(peek(p)) != '\0';
     if (variable_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
-    if (bracket ? !parse_bracket(p, &argument) : !parse_bare_argument(p, &argument)) return 0;
-    int constant = algsurf_i_tripoly_is_constant(&argument.p);
-    algsurf_i_monomial m = {{0.0, 0.0}, 0.0, 0, 0};
-    if (constant && argument.p.count) m = argument.p.m[0];
-    algsurf_i_value_free(&argument);
-    if (!constant) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
-    if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
-        return algsurf_i_parse_refuse(p, offset, "sin and cos take at most 100 radians");
-    return algsurf_i_parse_constant(p, algsurf_i_monomial_sine(&m, quarters), offset, out);
+    return (bracket ? parse_bracket(p, out) : parse_bare_argument(p, out)) &&
+           algsurf_i_parse_sine(p, offset, quarters, out);
 }
 
 static int make_pi(parser *p, algsurf_i_value *out) {
-    return algsurf_i_parse_constant(p, algsurf_i_monomial_pi(), p->at, out);
-}
-
-static int is_called(const char *name, size_t length, const char *function) {
-    return length == strlen(function) && strncmp(name, function, length) == 0;
+    return algsurf_i_parse_monomial(p, algsurf_i_monomial_pi(), p->at, out);
 }
 
 /* The next factor of the product that a name is. */
@@ -241,11 +184,11 @@ static int parse_letters(parser *p, algsurf_i_value *out) {
     size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
     p->letter += letters;
     p->at += letter[letters].at - letter->at;
-    if (constant) return algsurf_i_parse_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
+    if (constant) return algsurf_i_parse_double(p, constant->value, 0, out);
     char variable = algsurf_i_variable(letter->code);
     if (!variable) return make_pi(p, out);
     int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
-    return algsurf_i_parse_value(p, algsurf_dd_from(1.0), 0.0, 0, key, out);
+    return algsurf_i_parse_double(p, 1, key, out);
 }
 
 static int parse_name(parser *p, algsurf_i_value *out) {
@@ -258,14 +201,14 @@ static int parse_name(parser *p, algsurf_i_value *out) {
     constant = algsurf_i_names_whole(names);
     if (constant) {
         p->at += length;
-        return algsurf_i_parse_value(p, algsurf_dd_from(constant->value), 0.0, 0, 0, out);
+        return algsurf_i_parse_double(p, constant->value, 0, out);
     }
-    if (is_called(name, length, "sqrt")) return parse_sqrt(p, out);
-    if (is_called(name, length, "sin")) return parse_sine(p, length, 0, out);
-    if (is_called(name, length, "cos")) return parse_sine(p, length, 1, out);
+    int function = algsurf_i_listed("sin cos sqrt", name, length);
+    if (function == 1 || function == 2) return parse_sine(p, length, function - 1, out);
+    if (function) return p->at += length, parse_root_of(p, parse_bracket, out);
     for (size_t i = 0, letters; i < names->count; i += letters) {
         letters = algsurf_i_names_factor(names, i, &constant);
-        if (letters == 0) return algsurf_i_refuse_name(p, name, length, names->letter[i].at);
+        if (letters == 0) return algsurf_i_refuse_name(p, length, names->letter[i].at);
     }
     p->letter = 0;
     p->letters_end = p->at + length;
@@ -274,7 +217,7 @@ static int parse_name(parser *p, algsurf_i_value *out) {
 
 static int parse_primary(parser *p, algsurf_i_value *out) {
     int c = peek(p);
-    if (number_follows(p)) return parse_number(p, out);
+    if (algsurf_i_number_follows(p->text + p->at)) return algsurf_i_parse_number(p, out);
     if (algsurf_i_closing(c)) return parse_bracket(p, out);
     switch (c) {
     case ALGSURF_I_TOKEN_LETTER:
@@ -293,34 +236,10 @@ static int parse_primary(parser *p, algsurf_i_value *out) {
         return make_pi(p, out);
     case ALGSURF_I_TOKEN_QUARTERS:
         take(p);
-        return algsurf_i_parse_value(p, algsurf_dd_from(0.25 * p->token.digit), 0.0, 0, 0, out);
+        return algsurf_i_parse_double(p, 0.25 * p->token.digit, 0, out);
     default:
         return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
     }
-}
-
-/* Does a factor begin with this token, other than a number? */
-static int begins_factor(int c) {
-    switch (c) {
-    case ALGSURF_I_TOKEN_LETTER:
-    case ALGSURF_I_TOKEN_ROOT:
-    case ALGSURF_I_TOKEN_SQRT:
-    case ALGSURF_I_TOKEN_FRACTION:
-    case ALGSURF_I_TOKEN_SINE:
-    case ALGSURF_I_TOKEN_COSINE:
-    case ALGSURF_I_TOKEN_PI:
-        return 1;
-    default:
-        return algsurf_i_closing(c) != '\0';
-    }
-}
-
-/* Why base^exponent is refused when the exponent is no whole number. */
-static const char *about_exponent(const algsurf_i_value *base, const algsurf_i_value *exponent) {
-    if (!algsurf_i_tripoly_is_constant(&exponent->p)) return "not a polynomial: x, y or z in an exponent";
-    if (algsurf_i_tripoly_is_constant(&base->p))
-        return "expected a whole number as exponent; a root of a constant is written sqrt(...)";
-    return "not a polynomial: expected a whole number from 0 to 64 as exponent";
 }
 
 /* The exponent behind '^', and *base raised to it. */
@@ -334,13 +253,8 @@ static int parse_exponent(parser *p, algsurf_i_value *base) {
         algsurf_i_value_free(base);
         return 0;
     }
-    int n, whole = algsurf_i_parse_whole(&exponent, &n);
-    const char *why = about_exponent(base, &exponent);
-    algsurf_i_value_free(&exponent);
     p->depth--;
-    if (whole) return algsurf_i_parse_raise(p, offset, exponent_offset, base, n);
-    algsurf_i_value_free(base);
-    return algsurf_i_parse_refuse(p, exponent_offset, why);
+    return algsurf_i_parse_power(p, offset, exponent_offset, base, &exponent);
 }
 
 /* Superscripts in a row, and *base raised to them. */
@@ -348,7 +262,7 @@ static int parse_superscripts(parser *p, algsurf_i_value *base) {
     size_t offset = p->at;
     int n = 0;
     do {
-        if (n <= ALGSURF_I_EXPONENT_LIMIT) n = 10 * n + p->token.digit;
+        if (n <= ALGSURF_MAX_DEGREE) n = 10 * n + p->token.digit;
         take(p);
         p->token = algsurf_i_token_at(p->text + p->at);
     } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
@@ -370,40 +284,23 @@ static int parse_signed(parser *p, algsurf_i_value *out) {
     return 1;
 }
 
-/* The next operator and operand of a product; *more becomes 0 when there is none. */
-static int extend_product(parser *p, algsurf_i_value *left, int *more) {
+static int parse_product(parser *p, algsurf_i_value *out) {
     algsurf_i_value right;
-    int c = peek(p);
-    size_t offset = p->at;
-    *more = 1;
-    if (c == '*' || c == '/') {
-        take(p);
-        (void)peek(p);
+    if (!parse_signed(p, out)) return 0;
+    for (int ok = 1; ok;) {
+        int c = peek(p), written = c == '*' || c == '/';
+        size_t offset = p->at;
+        if (!written && !begins_factor(c)) return 1;
+        if (written) take(p), (void)peek(p);
         size_t operand = p->at;
-        if (!parse_signed(p, &right)) {
-            algsurf_i_value_free(left);
+        if (!(written ? parse_signed(p, &right) : parse_power(p, &right))) {
+            algsurf_i_value_free(out);
             return 0;
         }
-        return c == '*' ? algsurf_i_parse_multiply(p, offset, left, &right)
-                        : algsurf_i_parse_divide(p, offset, operand, left, &right);
+        ok = c == '/' ? algsurf_i_parse_divide(p, offset, operand, out, &right)
+                      : algsurf_i_parse_multiply(p, offset, out, &right);
     }
-    if (begins_factor(c)) {
-        if (parse_power(p, &right)) return algsurf_i_parse_multiply(p, offset, left, &right);
-        algsurf_i_value_free(left);
-        return 0;
-    }
-    *more = 0;
-    return 1;
-}
-
-static int parse_product(parser *p, algsurf_i_value *out) {
-    algsurf_i_value product;
-    if (!parse_signed(p, &product)) return 0;
-    for (int more = 1; more;) {
-        if (!extend_product(p, &product, &more)) return 0;
-    }
-    *out = product;
-    return 1;
+    return 0;
 }
 
 static int parse_sum(parser *p, algsurf_i_value *out) {
@@ -443,26 +340,6 @@ static int parse_end(parser *p, int equals_seen) {
                                        : "expected an operator, '=' or the end");
 }
 
-/* *left minus the sum behind '='; *left is freed on failure. */
-static int parse_right(parser *p, algsurf_i_value *left) {
-    algsurf_i_value right;
-    algsurf_i_value_sum difference = {.way = NULL};
-    size_t offset = p->at;
-    take(p);
-    if (!parse_sum(p, &right)) {
-        algsurf_i_value_free(left);
-        return 0;
-    }
-    algsurf_i_value_negate(&right);
-    algsurf_status status = algsurf_i_value_sum_add(&difference, left);
-    if (status == ALGSURF_OK) {
-        status = algsurf_i_value_sum_add(&difference, &right);
-    } else {
-        algsurf_i_value_free(&right);
-    }
-    return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&difference, status, left), offset);
-}
-
 /* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
 static int take_signs(parser *p, const char *signs) {
     parser ahead = *p;
@@ -480,7 +357,7 @@ static int take_signs(parser *p, const char *signs) {
  * whether that is there. */
 static int parse_head(parser *p, int *named) {
     (void)peek(p);
-    const algsurf_i_quotes *quotes = algsurf_i_latex_quotes(p->text + p->at);
+    const algsurf_i_quotes *quotes = algsurf_i_quotes_at(p->text + p->at);
     if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
     (void)peek(p);
     size_t start = p->at;
@@ -492,21 +369,27 @@ static int parse_head(parser *p, int *named) {
     return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
 }
 
+/* What stands behind '=', taken from *left, which is freed on failure. */
+static int parse_right(parser *p, algsurf_i_value *left) {
+    algsurf_i_value right;
+    size_t offset = p->at;
+    take(p);
+    if (parse_sum(p, &right)) return algsurf_i_parse_subtract(p, offset, left, &right);
+    algsurf_i_value_free(left);
+    return 0;
+}
+
 int algsurf_i_parse_equation(parser *p, algsurf_i_value *out) {
-    algsurf_i_value value;
     int named;
     if (!parse_head(p, &named)) return 0;
     int equals = !named && peek(p) == '=';
     if (equals) take(p);
-    if (!parse_sum(p, &value)) return 0;
+    if (!parse_sum(p, out)) return 0;
     if (!equals && peek(p) == '=') {
         equals = 1;
-        if (!parse_right(p, &value)) return 0;
+        if (!parse_right(p, out)) return 0;
     }
-    if (!parse_end(p, equals)) {
-        algsurf_i_value_free(&value);
-        return 0;
-    }
-    *out = value;
-    return 1;
+    if (parse_end(p, equals)) return 1;
+    algsurf_i_value_free(out);
+    return 0;
 }

@@ -66,6 +66,12 @@ void algsurf_i_monomial_multiply(algsurf_i_monomial *m, const algsurf_i_monomial
 /* The square root of a constant >= 0. */
 algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m);
 
+/* sine.c.  sin(m + quarters pi/2), m a constant with |m| <= the limit, in radians, 0 <= quarters <= 3; and
+ * pi. */
+#define ALGSURF_I_SINE_LIMIT 100
+algsurf_i_monomial algsurf_i_monomial_sine(const algsurf_i_monomial *m, int quarters);
+algsurf_i_monomial algsurf_i_monomial_pi(void);
+
 /* A sum of many polynomials: partial sums whose lengths at least halve from one to the next, so that
  * each monomial is copied O(log) times.  A polynomial has less than 2^16 monomials: 16 parts that are
  * not zero, one that is, and a new one are the most there can be. */

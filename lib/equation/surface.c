@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "letter.h"
 #include "parse.h"
 #include "../base/fpenv.h"
 #include "../surface/impl.h"
@@ -86,7 +85,7 @@ algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_con
     algsurf_fpenv_leave(&saved);
     if (error && p.error.message) {
         *error = p.error;
-        error->length = p.unknown ? p.unknown : algsurf_i_wrong_length(text + error->offset);
+        if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);
     }
     return status;
 }
