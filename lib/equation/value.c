@@ -21,7 +21,8 @@ typedef struct algsurf_i_way {
     int is_sum, power;
     algsurf_i_monomial scale;
     size_t weight, count, capacity;
-    value *part; /* those with a way have no polynomial */
+    value *part;        /* those with a way have no polynomial */
+    algsurf_i_sum made; /* of parts with a way, as long as there may be more */
 } way;
 
 static size_t weight_of(const value *v) { return v->way ? v->way->weight : v->p.count; }
@@ -175,9 +176,9 @@ algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, value *v) {
     algsurf_i_tripoly p = v->p;
     v->p = (algsurf_i_tripoly){NULL, 0};
     if (!v->way) return algsurf_i_sum_add(&sum->plain, p);
-    algsurf_status status = algsurf_i_sum_add(&sum->made, p);
-    if (status == ALGSURF_OK) return remember(&sum->way, 1, v, 1);
-    algsurf_i_value_free(v);
+    algsurf_status status = remember(&sum->way, 1, v, 1);
+    if (status == ALGSURF_OK) return algsurf_i_sum_add(&sum->way->made, p);
+    algsurf_i_tripoly_free(&p);
     return status;
 }
 
@@ -185,7 +186,7 @@ algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_stat
     value plain = {{NULL, 0}, NULL}, total = {{NULL, 0}, sum->way};
     algsurf_i_tripoly made = {NULL, 0};
     status = algsurf_i_sum_finish(&sum->plain, status, &plain.p);
-    status = algsurf_i_sum_finish(&sum->made, status, &made);
+    if (total.way) status = algsurf_i_sum_finish(&total.way->made, status, &made);
     if (status == ALGSURF_OK) status = algsurf_i_tripoly_add(&plain.p, &made, &total.p);
     if (status == ALGSURF_OK && total.way) status = remember(&total.way, 1, &plain, 1);
     weigh(&total);

@@ -28,8 +28,8 @@ algsurf_status algsurf_i_value_raise(algsurf_i_value *v, int n);
 
 /* A sum of many values, all 0 at first. */
 typedef struct algsurf_i_value_sum {
-    algsurf_i_sum plain, made; /* of values without a way, and of the others */
-    struct algsurf_i_way *way;
+    algsurf_i_sum plain;       /* of values without a way */
+    struct algsurf_i_way *way; /* of the others */
 } algsurf_i_value_sum;
 
 /* Adds v and takes it over. */
