@@ -1,7 +1,7 @@
 /* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "packets.h"
+#include "geometry.h"
 #include "shadow.h"
 #include "srgb.h"
 #include "tiling.h"

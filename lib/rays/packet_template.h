@@ -100,7 +100,7 @@ INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int ow
     if (own)
         isolate_known(k, n);
     else
-        isolate(k, n, NULL);
+        isolate(k, n);
 }
 
 /* By powers, with a radius for each coefficient. */
@@ -203,7 +203,6 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
 /* Answers the lanes `given`, but those that it returns. */
 INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
                         const algsurf_i_rays_hits *hits, int n, int block) {
-    const guess nowhere = {.known = no_lane()};
     packet k;
     algsurf_i_watch watch;
     lanes_hit hit = {.t = all_lanes(0)};
@@ -224,7 +223,7 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
         if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !block);
         if (!job->any && any(k.hit)) {
             lanes v;
-            refine(&k, n, &nowhere, ROOT_ERROR, &v);
+            refine(&k, n, ROOT_ERROR, &v);
             find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
         }
     }
