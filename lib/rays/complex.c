@@ -266,8 +266,9 @@ static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_
     return status;
 }
 
-static void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
-                  algsurf_complex *root, int *iterations) {
+/* Apart, as most rays that miss need none of its memory. */
+static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots,
+                                   algsurf_hit *hit, algsurf_complex *root, int *iterations) {
     algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     int count = 0, index = 0;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
