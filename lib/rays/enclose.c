@@ -3,8 +3,8 @@
  * For each of the six faces of the box cells wait in the order in which they reach out that way (Skelboe
  * 1974). The first one is tried: where P, or with it a derivative, has one sign throughout it holds no point
  * and goes; else it is cut in eight.  When the first one is small nothing reaches out farther.  Each face is
- * looked for in the box that the ones before have left, with cells small against that; when a round of six no
- * longer helps much, with smaller ones: so no search has to go deep.
+ * looked for with cells small against the box; then all begins anew in the box that was found, and when that no
+ * longer helps much, with smaller cells: so no search has to go deep.
  *
  * Cells are from lo to hi, doubles: parts share the double at which they are cut, wherever that is, and cover
  * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the result
@@ -225,16 +225,17 @@ static int push_parts(search *s, const cell *whole, int axis, int sign) {
 
 typedef enum outcome { NO_MEMORY, EMPTY, FOUND } outcome;
 
-/* How far what is in the box reaches out: the face is moved there. */
-static outcome find_face(search *s, cell *box, int axis, int sign, double precision) {
-    double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left * (1 - SHARE);
+/* How far what is in the box reaches out. */
+static outcome find_face(search *s, const cell *box, int axis, int sign, double precision, double most,
+                         double *face) {
+    double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left - most;
     s->count = 0;
     if (!is_empty(s, box) && !push(s, box, axis, sign)) return NO_MEMORY;
     while (s->count > 0) {
         cell first = pop(s, axis, sign);
         double lo = first.lo[axis], hi = first.hi[axis], middle = middle_of(&first, axis);
         if (hi - lo <= width || middle == lo || middle == hi || s->left < stop) {
-            *(sign > 0 ? &box->hi[axis] : &box->lo[axis]) = sign > 0 ? hi : lo;
+            *face = sign > 0 ? hi : lo;
             return FOUND;
         }
         if (!push_parts(s, &first, axis, sign)) return NO_MEMORY;
@@ -247,14 +248,19 @@ static outcome find_face(search *s, cell *box, int axis, int sign, double precis
 static outcome find_box(search *s, double precision, cell *box) {
     double share = precision;
     for (int round = 0; round < MOST_ROUNDS && share >= FINEST * precision; round++) {
-        const cell before = *box;
+        const cell before = *box; /* for all faces, as the budget: what is symmetric gets a symmetric box */
+        const double most = SHARE * s->left;
         int helped = 0;
-        for (int face = 0; face < 6; face++) {
-            outcome found = find_face(s, box, face / 2, face % 2 ? 1 : -1, share);
-            if (found != FOUND) return found;
-        }
         for (int i = 0; i < 3; i++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                outcome found =
+                    find_face(s, &before, i, sign, share, most, sign > 0 ? &box->hi[i] : &box->lo[i]);
+                if (found != FOUND) return found;
+            }
+        for (int i = 0; i < 3; i++) {
+            if (box->lo[i] > box->hi[i]) return EMPTY; /* by two faces */
             helped |= box->hi[i] - box->lo[i] < ENOUGH * (before.hi[i] - before.lo[i]);
+        }
         if (!helped) share *= 0.5;
     }
     return FOUND;

@@ -88,21 +88,22 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
  * than ALGSURF_I_CLEAR asks for, or the last step is not short, the normal is NaN, and found apart (normal.h).  S_i is at most n L^(n-1) times
  * the coefficients' size, L = max(1, |x|); or, S being convex, at most (S(|x| + d) - S(|x|)) / d in each
  * coordinate, for d along all of them. */
-APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes least) {
+#define CLEAR(s) (ALGSURF_I_CLEAR * (4 * (s)->degree + 8) * 0x1p-53)
+
+APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes gradient) {
     lanes reach[3], d = 0.125 * size;
     for (int i = 0; i < 3; i++) {
         reach[i] = absolute(x[i]) + d;
         if (s->stride[i] == 2) reach[i] *= reach[i];
     }
-    return ~less(surface_magnitude(s, reach) * least, d);
+    return ~less(CLEAR(s) * surface_magnitude(s, reach), d * gradient);
 }
 
 INLINE mask unclear(const algsurf_surface *s, const lanes x[3], const lanes gradient[3], mask which) {
-    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(s->degree * s->size);
-    lanes least = ALGSURF_I_CLEAR * (4 * s->degree + 8) * 0x1p-53 / largest_of(gradient);
+    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(CLEAR(s) * s->degree * s->size);
     for (int i = 1; i < s->degree; i++) power *= size;
-    mask which_not = which & ~less(power * least, all_lanes(1));
-    return any(which_not) ? which_not & unclear_by_terms(s, x, size, least) : which_not;
+    mask not_yet = which & ~less(power, largest_of(gradient));
+    return any(not_yet) ? not_yet & unclear_by_terms(s, x, size, largest_of(gradient)) : not_yet;
 }
 
 /* From roots v of the polynomials, -1 <= v <= 1, to hits.  A point is kept as t + low: where the origin is
