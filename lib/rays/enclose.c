@@ -3,12 +3,12 @@
  * For each of the six faces of the box cells wait in the order in which they reach out that way (Skelboe
  * 1974). The first one is tried: where P, or with it a derivative, has one sign throughout it holds no point
  * and goes; else it is cut in eight.  When the first one is small nothing reaches out farther.  Each face is
- * looked for with cells small against the box; then all begins anew in the box that was found, and when that no
- * longer helps much, with smaller cells: so no search has to go deep.
+ * looked for with cells small against the box; then all begins anew in the box that was found, and when that
+ * no longer helps much, with smaller cells: so no search has to go deep.
  *
  * Cells are from lo to hi, doubles: parts share the double at which they are cut, wherever that is, and cover
- * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the result
- * are rounded outward.
+ * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the
+ * result are rounded outward.
  *
  * Sign over a cell.  The points c + h xi, |xi_i| <= 1, c a double in the cell and h, rounded up, at least its
  * distance to both ends, cover it.  P is the sum of a_ijk xi^i eta^j zeta^k; beside a_000 a term with even
@@ -20,8 +20,8 @@
  * covers P~, which is rounded itself (3n + N), and the dots.  Derivatives by xi multiply a_ijk and its error
  * by i <= n.  A surface with an error has so much of P~ more.
  *
- * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one of
- * total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
+ * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one
+ * of total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
  * times) it counts L^n times at most, in a power of h (n times for each place) 2^80 L^n times: together less
  * than 2^-960 L^n.  L^n <= 2^900 is asked for: then nothing overflows. */
 #include "../base/arithmetic.h"

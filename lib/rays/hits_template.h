@@ -9,7 +9,7 @@
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
-#define LITTLE_STEP 0x1p-32       /* likewise: the gradient where the last one begins is the hit's */
+#define LITTLE_STEP 0x1p-32 /* likewise: the gradient where the last one begins is the hit's */
 
 /* What becomes of the lanes' hits, with the caller's t. */
 typedef struct lanes_hit {
@@ -84,10 +84,10 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
     hit->t_hi = choose(behind, smaller(hit->t_hi, t[1]), hit->t_hi);
 }
 
-/* P's gradient may be off by (4 n + 8) u S_i, S its scheme on magnitudes (surface/eval.c).  Where that leaves less
- * than ALGSURF_I_CLEAR asks for, or the last step is not short, the normal is NaN, and found apart (normal.h).  S_i is at most n L^(n-1) times
- * the coefficients' size, L = max(1, |x|); or, S being convex, at most (S(|x| + d) - S(|x|)) / d in each
- * coordinate, for d along all of them. */
+/* P's gradient may be off by (4 n + 8) u S_i, S its scheme on magnitudes (surface/eval.c).  Where that leaves
+ * less than ALGSURF_I_CLEAR asks for, or the last step is not short, the normal is NaN, and found apart
+ * (normal.h).  S_i is at most n L^(n-1) times the coefficients' size, L = max(1, |x|); or, S being convex, at
+ * most (S(|x| + d) - S(|x|)) / d in each coordinate, for d along all of them. */
 #define CLEAR(s) (ALGSURF_I_CLEAR * (4 * (s)->degree + 8) * 0x1p-53)
 
 APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes gradient) {
@@ -134,8 +134,9 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     hit->t *= r->t_unit;
     hit->t_lo *= r->t_unit;
     hit->t_hi *= r->t_unit;
-    mask none = normals ? unclear(job->surface, x[0], gradient, k->hit) | (k->hit & ~at_most(absolute(step), little))
-                        : no_lane();
+    mask none =
+        normals ? unclear(job->surface, x[0], gradient, k->hit) | (k->hit & ~at_most(absolute(step), little))
+                : no_lane();
     make_unit(gradient);
     for (int i = 0; i < 3; i++) {
         hit->position[i] = (x[0][i] + step * r->direction[i]) * r->unit;
