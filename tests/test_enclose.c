@@ -187,13 +187,13 @@ static void check_end(const box *b, const algsurf_extent *e, int axis, const cha
     exact_set(lo, e->centre[axis]), exact_set(hi, e->centre[axis]);
     mpq_sub(lo, lo, size), mpq_add(hi, hi, size);
     if (!below(b->lo[axis], lo) || !above(b->hi[axis], hi))
-        fail_msg("%s: %a +- %a along %d, not %a .. %a", what, e->centre[axis], mpq_get_d(size), axis, b->lo[axis],
-                 b->hi[axis]);
+        fail_msg("%s: %a +- %a along %d, not %a .. %a", what, e->centre[axis], mpq_get_d(size), axis,
+                 b->lo[axis], b->hi[axis]);
     mpq_clears(lo, hi, size, NULL);
 }
 
-/* The plane a x = b in a box, or through the centre of a sphere: its point of the x axis, if that is in the box,
- * and the extent's ends in y and z. */
+/* The plane a x = b in a box, or through the centre of a sphere: its point of the x axis, if that is in the
+ * box, and the extent's ends in y and z. */
 static int check_plane(double a, double b, const algsurf_extent *e) {
     const algsurf_term terms[2] = {{1, 0, 0, a}, {0, 0, 0, -b}};
     algsurf_surface *surface;
@@ -206,7 +206,8 @@ static int check_plane(double a, double b, const algsurf_extent *e) {
     const box found = enclosed(surface, e, ALGSURF_PART_ALL);
     if (inside) {
         char what[200];
-        (void)snprintf(what, sizeof what, "seed %llu, %a x = %a, kind %d", (unsigned long long)seed, a, b, e->kind);
+        (void)snprintf(what, sizeof what, "seed %llu, %a x = %a, kind %d", (unsigned long long)seed, a, b,
+                       e->kind);
         if (found.empty || !below(found.lo[0], root) || !above(found.hi[0], root))
             fail_msg("%s: not in %a .. %a", what, found.lo[0], found.hi[0]);
         check_end(&found, e, 1, what), check_end(&found, e, 2, what);
@@ -353,10 +354,10 @@ static void bad_arguments(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits),           cmocka_unit_test(points), cmocka_unit_test(tips),
-        cmocka_unit_test(approximate),    cmocka_unit_test(ends),   cmocka_unit_test(diagonals),
-        cmocka_unit_test(known),          cmocka_unit_test(nothing),
-        cmocka_unit_test(rounding_modes), cmocka_unit_test(bad_arguments),
+        cmocka_unit_test(hits),          cmocka_unit_test(points),  cmocka_unit_test(tips),
+        cmocka_unit_test(approximate),   cmocka_unit_test(ends),    cmocka_unit_test(diagonals),
+        cmocka_unit_test(known),         cmocka_unit_test(nothing), cmocka_unit_test(rounding_modes),
+        cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests_name("enclose", tests, NULL, NULL);
 }

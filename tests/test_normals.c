@@ -1,5 +1,5 @@
-/* test_normals.c - normals against exact gradients, where rounding takes the digits of P's: far from the origin,
- * in high powers, beside singular points, at all sizes.
+/* test_normals.c - normals against exact gradients, where rounding takes the digits of P's: far from the
+ * origin, in high powers, beside singular points, at all sizes.
  *
  * The root's point comes from bisection in rationals.  What a hit may be off by is 10^-4 degrees, beside what
  * the gradient changes by from there to the reported position.
@@ -195,9 +195,14 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
     const double *o = ray->origin, *d = ray->direction;
     unsigned char state;
     double normal[3];
-    const algsurf_ray_packet rays = {.size = sizeof rays, .count = 1, .origin = {o, o + 1, o + 2},
-                                     .direction = {d, d + 1, d + 2}, .t_min = &ray->t_min, .t_max = &ray->t_max};
-    const algsurf_hit_packet to = {.size = sizeof to, .state = &state, .normal = {normal, normal + 1, normal + 2}};
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = 1,
+                                     .origin = {o, o + 1, o + 2},
+                                     .direction = {d, d + 1, d + 2},
+                                     .t_min = &ray->t_min,
+                                     .t_max = &ray->t_max};
+    const algsurf_hit_packet to = {
+        .size = sizeof to, .state = &state, .normal = {normal, normal + 1, normal + 2}};
     assert_int_equal(algsurf_intersect_packet(b->surface, extent, &rays, NULL, &to), ALGSURF_OK);
     assert_int_equal(state, first.state);
     assert_memory_equal(normal, first.normal, sizeof normal);
@@ -334,7 +339,8 @@ static void scaled(void **state) {
         const int scale = exact_random_int(&random, 665) - 332;
         const int far = turn % 3 == 0 ? 20 : 2;
         double c[3], unit = ldexp(1, scale), place[3];
-        for (int i = 0; i < 3; i++) c[i] = ldexp(exact_random_int(&random, 15) - 7, far), place[i] = c[i] * unit;
+        for (int i = 0; i < 3; i++)
+            c[i] = ldexp(exact_random_int(&random, 15) - 7, far), place[i] = c[i] * unit;
         body b = constant(1);
         times_quadric(&b, c, round_weights, 1);
         for (int t = 0; t < b.count; t++)

@@ -56,9 +56,10 @@ typedef struct algsurf_hit {
                            rounding P), else it is the one that isolates the hit.  Coefficients that are
                            known up to an error widen it.  Undecided: there may be a hit in it, or none */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
-    double normal[3];   /* the gradient of P there, unit length, approximate; at a singular point, that of a
-                           point shortly before it on the ray.  All 0 if there is none either (a ray in the
-                           surface), or if the gradient is beyond the range of double */
+    double normal[3];   /* the gradient of P at the position, unit length, its direction to 10^-4 degrees,
+                           however P's terms cancel.  At a singular point, or so near to one that the
+                           position's last bits tell the direction, it is that of a point shortly before it on
+                           the ray.  All 0 if there is none either (a ray in the surface) or no memory */
 } algsurf_hit;
 
 /* How rays are intersected. */

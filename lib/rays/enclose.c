@@ -3,12 +3,12 @@
  * For each of the six faces of the box cells wait in the order in which they reach out that way (Skelboe
  * 1974). The first one is tried: where P, or with it a derivative, has one sign throughout it holds no point
  * and goes; else it is cut in eight.  When the first one is small nothing reaches out farther.  Each face is
- * looked for in the box that the ones before have left, with cells small against that; when a round of six no
- * longer helps much, with smaller ones: so no search has to go deep.
+ * looked for with cells small against the box; then all begins anew in the box that was found, and when that
+ * no longer helps much, with smaller cells: so no search has to go deep.
  *
  * Cells are from lo to hi, doubles: parts share the double at which they are cut, wherever that is, and cover
- * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the result
- * are rounded outward.
+ * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the
+ * result are rounded outward.
  *
  * Sign over a cell.  The points c + h xi, |xi_i| <= 1, c a double in the cell and h, rounded up, at least its
  * distance to both ends, cover it.  P is the sum of a_ijk xi^i eta^j zeta^k; beside a_000 a term with even
@@ -20,8 +20,8 @@
  * covers P~, which is rounded itself (3n + N), and the dots.  Derivatives by xi multiply a_ijk and its error
  * by i <= n.  A surface with an error has so much of P~ more.
  *
- * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one of
- * total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
+ * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one
+ * of total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
  * times) it counts L^n times at most, in a power of h (n times for each place) 2^80 L^n times: together less
  * than 2^-960 L^n.  L^n <= 2^900 is asked for: then nothing overflows. */
 #include "../base/arithmetic.h"
@@ -225,16 +225,17 @@ static int push_parts(search *s, const cell *whole, int axis, int sign) {
 
 typedef enum outcome { NO_MEMORY, EMPTY, FOUND } outcome;
 
-/* How far what is in the box reaches out: the face is moved there. */
-static outcome find_face(search *s, cell *box, int axis, int sign, double precision) {
-    double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left * (1 - SHARE);
+/* How far what is in the box reaches out. */
+static outcome find_face(search *s, const cell *box, int axis, int sign, double precision, double most,
+                         double *face) {
+    double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left - most;
     s->count = 0;
     if (!is_empty(s, box) && !push(s, box, axis, sign)) return NO_MEMORY;
     while (s->count > 0) {
         cell first = pop(s, axis, sign);
         double lo = first.lo[axis], hi = first.hi[axis], middle = middle_of(&first, axis);
         if (hi - lo <= width || middle == lo || middle == hi || s->left < stop) {
-            *(sign > 0 ? &box->hi[axis] : &box->lo[axis]) = sign > 0 ? hi : lo;
+            *face = sign > 0 ? hi : lo;
             return FOUND;
         }
         if (!push_parts(s, &first, axis, sign)) return NO_MEMORY;
@@ -247,14 +248,19 @@ static outcome find_face(search *s, cell *box, int axis, int sign, double precis
 static outcome find_box(search *s, double precision, cell *box) {
     double share = precision;
     for (int round = 0; round < MOST_ROUNDS && share >= FINEST * precision; round++) {
-        const cell before = *box;
+        const cell before = *box; /* for all faces, as the budget: what is symmetric gets a symmetric box */
+        const double most = SHARE * s->left;
         int helped = 0;
-        for (int face = 0; face < 6; face++) {
-            outcome found = find_face(s, box, face / 2, face % 2 ? 1 : -1, share);
-            if (found != FOUND) return found;
-        }
         for (int i = 0; i < 3; i++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                outcome found =
+                    find_face(s, &before, i, sign, share, most, sign > 0 ? &box->hi[i] : &box->lo[i]);
+                if (found != FOUND) return found;
+            }
+        for (int i = 0; i < 3; i++) {
+            if (box->lo[i] > box->hi[i]) return EMPTY; /* by two faces */
             helped |= box->hi[i] - box->lo[i] < ENOUGH * (before.hi[i] - before.lo[i]);
+        }
         if (!helped) share *= 0.5;
     }
     return FOUND;

@@ -1,13 +1,13 @@
 /* normal.c - the unit normal of a hit: the direction of P's gradient.
  *
- * Doubles do where rounding leaves enough of the gradient (algsurf_i_surface_clear_gradient).  Elsewhere, as far
- * from the origin of space or where a high power cancels, it is exact, and rounded once: along the three axes
- * through the point P is a polynomial with integer coefficients (surface/exact_form.h), whose linear ones are
- * the derivatives.
+ * Doubles do where rounding leaves enough of the gradient (algsurf_i_surface_clear_gradient).  Elsewhere, as
+ * far from the origin of space or where a high power cancels, it is exact, and rounded once: along the three
+ * axes through the point P is a polynomial with integer coefficients (surface/exact_form.h), whose linear
+ * ones are the derivatives.
  *
- * A singular point has no gradient, and rounding of the point makes up one.  So the gradient must be about the
- * same a few roundings before the point.  If it is not, that of a point farther before it on the ray counts:
- * where two sheets meet, or one is there twice, it is the normal seen beside. */
+ * A singular point has no gradient, and rounding of the point makes up one.  So the gradient must be about
+ * the same a few roundings before the point.  If it is not, that of a point farther before it on the ray
+ * counts: where two sheets meet, or one is there twice, it is the normal seen beside. */
 #include "../base/arithmetic.h"
 #include "normal.h"
 
@@ -42,7 +42,8 @@ static int exact_derivative(algsurf_memory *memory, const algsurf_surface *s, co
 }
 
 /* A multiple of the gradient at x; 0 where it is 0, or there is no memory. */
-static ALGSURF_NOINLINE int exact_gradient(const algsurf_surface *s, const double x[3], size_t limit, double gradient[3]) {
+static ALGSURF_NOINLINE int exact_gradient(const algsurf_surface *s, const double x[3], size_t limit,
+                                           double gradient[3]) {
     algsurf_limb block[FORM_WORDS];
     algsurf_memory memory;
     int exponent[3], top = INT_MIN;
@@ -62,7 +63,8 @@ static int gradient_before(const algsurf_surface *s, const algsurf_ray *ray, con
     int e = algsurf_scale_exponent(algsurf_max_abs(ray->direction));
     for (int i = 0; i < 3; i++) before[i] = x[i] - back * ldexp(ray->direction[i], -e);
     if (!algsurf_is_finite3(before)) return 0;
-    return algsurf_i_surface_clear_gradient(s, before, gradient) || exact_gradient(s, before, limit, gradient);
+    return algsurf_i_surface_clear_gradient(s, before, gradient) ||
+           exact_gradient(s, before, limit, gradient);
 }
 
 /* Do the two have about the same direction? */

@@ -162,8 +162,8 @@ static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray,
 }
 
 /* The normal that packets leave open. */
-static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays, const algsurf_i_rays_hits *hits,
-                       size_t i) {
+static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                       const algsurf_i_rays_hits *hits, size_t i) {
     int open = 0;
     for (int k = 0; k < 3; k++) open |= hits->normal[k] && isnan(hits->normal[k][i]);
     if (!open || hits->state[i] != ALGSURF_HIT || (rays->active && !rays->active[i])) return;

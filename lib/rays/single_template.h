@@ -74,7 +74,8 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
+    for (int i = 0; i < 3; i++)
+        hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
 }
 
 /* The bracket's hit; 0: it is undecided. */
