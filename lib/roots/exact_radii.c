@@ -24,7 +24,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../base/fpenv.h"
 #include "exact_radii.h"
 
 enum { UNKNOWN = 2, MOST_ROUNDS = 8, MOST_HALVINGS = 5 };
@@ -208,14 +207,18 @@ static void lift(int *top, double mantissa, int e) {
  * w |T f'(c)| + sum |k - m| (radius_k + k^2 w^2 |p_k|) T^k at most.  m = 0 and T q' instead of u q' serve
  * about 0, too.  *m is given where doubles do not tell it.  All terms are in units of 2^top, with relative
  * errors below 2^-42; 2^-1000 covers underflow.  Where no m is found nothing is proved, nor need be. */
-static ALGSURF_NOINLINE int find_separating(const set *s, const algsurf_zpoly *slope, double lo, double hi,
-                                            int *m, int *clear) {
-    double at[ALGSURF_MAX_POLY_DEGREE + 1], all[ALGSURF_MAX_POLY_DEGREE + 1], v[3], power = 1, most = 1;
+static int find_separating(const set *s, const algsurf_zpoly *slope, double lo, double hi, int *m,
+                           int *clear) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    double v[3], power = 1, most = 1;
     double T = fmax(fabs(lo), fabs(hi)), c = middle_of(lo, hi), w = isinf(T) ? HUGE_VAL : (hi - lo) / T;
     double best = 0, sum = 0, total = 0, below = 0;
     int n = degree_of(s), top = INT_MIN;
     int about_zero = lo <= 0 && hi >= 0, e[3], ek, xc, xT, sign;
     double fc = frexp(c, &xc), fT = frexp(isinf(T) ? fabs(c) : T, &xT);
+    double *at = (double *)(void *)algsurf_memory_take(s->memory, 2 * (size_t)(n + 1));
+    if (!at) return 0;
+    double *all = at + n + 1;
     xc -= s->unit, xT -= s->unit;
     for (int i = 0; i < 3; i++) { /* p, T p', T^2 p'' */
         const algsurf_zpoly *f = i == 0 ? &s->p : slope + i - 1;
@@ -251,6 +254,7 @@ static ALGSURF_NOINLINE int find_separating(const set *s, const algsurf_zpoly *s
     for (int k = 0; k <= n; k++) sum += abs(k - *m) * all[k];
     sum += 0x1p-48 * (fabs(v[1]) + *m * fabs(v[0]) + w * (fabs(v[2]) + *m * fabs(v[1])));
     *clear = *m >= 0 && value > sum * (1 + 0x1p-40);
+    algsurf_memory_release(s->memory, mark);
     return 1;
 }
 
