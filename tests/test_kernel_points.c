@@ -19,6 +19,7 @@
 
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
+#include "scenes.h"
 #include "exact.h"
 #include "picture/kernel.h"
 #include "base/vec.h"
@@ -41,12 +42,6 @@ typedef struct stage {
     algsurf_i_row_form row;
     algsurf_i_row_job job;
 } stage;
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &s, NULL), ALGSURF_OK);
-    return s;
-}
 
 /* The view of a camera, of a ball about a point. */
 static void set_view(stage *s, const double centre[3], double radius) {

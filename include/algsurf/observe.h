@@ -53,7 +53,8 @@ typedef struct algsurf_cell {
     int degree;     /* of the polynomial whose coefficients these are */
     const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null if
                                  variations were found without them: of a quadratic polynomial (they are the
-                                 number of its roots), and of quarters of the line (between -s, 0 and s) */
+                                 number of its roots), of quarters of the line (between -s, 0 and s), and,
+                                 with radii, of the places that integers find */
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */
