@@ -1,8 +1,10 @@
 /* test_real_roots.c - algsurf_real_roots_integers against a Sturm chain over GMP's integers; for coefficients
  * that are doubles, the tests of isolate ask it, too.
  *
- * Breaks caught, each tried: the sign of a coefficient lost, no room for it, limbs beyond the first left out,
- * leading zeros taken for the degree.
+ * Roots of powers are judged by exact signs beside them.
+ *
+ * Breaks caught, each tried: ends of a root of q's, neighbours, taken for neighbours of p's, the sign of a
+ * coefficient lost, no room for it, limbs beyond the first left out, leading zeros taken for the degree.
  */
 #include "isolate_case.h"
 
@@ -135,10 +137,53 @@ static void test_refused(void **state) {
     assert_true(count == 1 && t[0].lo == 0 && t[0].hi == 0x1p-1074);
 }
 
+/* A root of t^m q(t^k), refined: a double that is one, or between neighbours of different signs. */
+static void check_final(const double *c, int n, const algsurf_real_root *r) {
+    int at_lo = exact_poly_sign(c, n, r->lo), at_hi = exact_poly_sign(c, n, r->hi);
+    int final = r->lo == r->hi ? at_lo == 0 : nextafter(r->lo, (double)INFINITY) == r->hi;
+    int told = r->lo == r->hi || (at_lo == r->sign && at_hi == -r->sign) || r->multiplicity > 1 ||
+               (at_lo == 0 && r->lo == 0) || (at_hi == 0 && r->hi == 0);
+    if (final && told && (r->root == r->lo || r->root == r->hi)) return;
+    exact_print_doubles("c", c, n + 1);
+    fail_msg("degree %d: root %a in [%a, %a], signs %d, %d", n, r->root, r->lo, r->hi, at_lo, at_hi);
+}
+
+static void check_power(const double *c, int n, double lo, double hi, int expected) {
+    algsurf_real_root t[4];
+    int count = -1;
+    assert_int_equal(algsurf_real_roots(c, n, lo, hi, t, 4, &count), ALGSURF_OK);
+    assert_int_equal(count, expected);
+    for (int i = 0; i < count; i++) check_final(c, n, t + i);
+}
+
+/* q's root, b / a, is among the subnormal numbers, whose neighbours are far apart in proportion: 0 to 53
+ * binary digits of it, and a root below all of them. */
+static void test_powers_of_subnormals(void **state) {
+    (void)state;
+    static const double known[][2] = {{3, 1e-310}, {3, 1e-320}, {0x1p100, 0x1.8p-974}};
+    static const int steps[] = {2, 3, 4, 7, 20, 25, 64, 99, 256};
+    uint64_t seed = 7;
+    for (int i = 0; i < 400; i++) {
+        double a = ldexp(1 + fabs(exact_random_unit(&seed)), exact_random_int(&seed, 200) - 100),
+               c[300] = {0};
+        double root = ldexp(1 + fabs(exact_random_unit(&seed)), -1022 - exact_random_int(&seed, 53));
+        if (a < 1) a = 1 / a;
+        double b = i < 3 ? known[i][1] : a * root;
+        int k = i < 3 ? 20 : steps[exact_random_int(&seed, 9)],
+            m = i % 4 == 3 ? exact_random_int(&seed, 4) : 0;
+        c[m] = i % 2 ? b : -b, c[m + k] = i < 3 ? known[i][0] : a;
+        int roots = c[m] < 0 && k % 2 == 0 ? 2 : k % 2, zero = m > 0, above = c[m] < 0;
+        check_power(c, m + k, -INFINITY, INFINITY, roots + zero);
+        check_power(c, m + k, 0, 1, above + zero);
+        check_power(c, m + k, 0x1p-1074, 1e300, above);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_known),   cmocka_unit_test(test_far),
-        cmocka_unit_test(test_form),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_random),  cmocka_unit_test(test_known),
+        cmocka_unit_test(test_far),     cmocka_unit_test(test_form),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_powers_of_subnormals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 #include "../poly/value.h"
 #include "algsurf/isolate.h"
 #include "decide.h"
+#include "exact.h"
 #include "kernel.h"
 #include "power.h"
 #include "quarters.h"
@@ -58,7 +59,7 @@ static int narrow(const algsurf_i_coefficients *p, const algsurf_bracket *b, alg
     algsurf_refined_root found;
     if (algsurf_i_refine_bracket(p, b->lo, b->hi, &found) != ALGSURF_OK) return 0;
     double lo = found.lo, hi = found.hi, between;
-    while (lo < hi && (between = nextafter(lo, hi)) < hi) {
+    while ((between = algsurf_exact_between(lo, hi)) < hi) {
         int sign = algsurf_i_sign_at(p, between);
         if (sign == ALGSURF_SIGN_UNKNOWN) return 0;
         if (sign != -b->sign) lo = between;
@@ -142,7 +143,9 @@ static algsurf_status find_itself(question q, algsurf_real_root *roots, int *cou
     return ALGSURF_OK;
 }
 
-/* Roots of q in p(t) = t^m q(t^k) become those of p; returns 0 where that will not do. */
+/* Roots of q in p(t) = t^m q(t^k) become those of p; returns 0 where that will not do.  Ends of q's that are
+ * neighbours are near in proportion only where they are normal numbers: p's may still have doubles between.
+ */
 static ALGSURF_NOINLINE int from_power(const algsurf_i_power *w, const algsurf_i_coefficients *p, double lo,
                                        double hi, algsurf_real_root *roots, int *count) {
     algsurf_bracket b[ALGSURF_MAX_POLY_DEGREE];
@@ -152,9 +155,12 @@ static ALGSURF_NOINLINE int from_power(const algsurf_i_power *w, const algsurf_i
                                  .sign = roots[i].sign,
                                  .multiplicity = roots[i].multiplicity};
     if (!algsurf_i_power_roots(w, p->c, lo, hi, b, count)) return 0;
-    for (int i = 0; i < *count; i++)
-        roots[i] =
-            (algsurf_real_root){nearer(p, b[i].lo, b[i].hi), b[i].lo, b[i].hi, b[i].multiplicity, b[i].sign};
+    for (int i = 0; i < *count; i++) {
+        int multiplicity = b[i].multiplicity, final = !(algsurf_exact_between(b[i].lo, b[i].hi) < b[i].hi);
+        roots[i] = (algsurf_real_root){nearer(p, b[i].lo, b[i].hi), b[i].lo, b[i].hi, 1, b[i].sign};
+        if (!final && !narrow(p, b + i, roots + i)) return 0;
+        roots[i].multiplicity = multiplicity;
+    }
     return 1;
 }
 
