@@ -1,9 +1,9 @@
 /* first.c - many polynomials: checked, solved side by side, and what stays undecided one by one.
  *
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
- * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
- * radius for each coefficient or in integers.  So are polynomials in intervals with an infinite end, which
- * the packets find unsound (centred_template.h). */
+ * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone (line.c,
+ * isolate.c).  So are polynomials in intervals with an infinite end, which the packets find unsound
+ * (centred_template.h). */
 #include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
@@ -15,6 +15,7 @@
 #include "coefficients.h"
 #include "decide.h"
 #include "kernel.h"
+#include "line.h"
 #include "../base/options.h"
 #include "../poly/table.h"
 
@@ -93,7 +94,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
     double lo = begin_of(polys, i), hi = end_of(polys, i);
     algsurf_i_coefficients p = {c, polys->radii.at ? r : NULL, polys->degree};
-    algsurf_real_root first;
+    algsurf_real_root first[ALGSURF_MAX_POLY_DEGREE];
     algsurf_status status = ALGSURF_OK;
     int found = 0, zero = 1;
     algsurf_i_table_row(&polys->coefficients, p.degree, i, c);
@@ -105,9 +106,10 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     } else if (zero) {
         where = finite_point(lo, hi);
     } else {
-        status = algsurf_i_first_root(c, p.degree, lo, hi, &first, &found);
+        const algsurf_i_line line = {{c, NULL, p.degree}, lo, hi, ALGSURF_I_FIRST, 1, NULL, 0};
+        status = algsurf_i_line_solve(&line, first, &found);
         if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-        if (found) where = first.root;
+        if (found) where = first->root;
     }
     if (root) root[i] = where;
     return status;
@@ -161,10 +163,13 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
 static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    int room = p->degree > 0 ? p->degree : 1, found = 0;
+    const algsurf_i_line line = {
+        {c, NULL, p->degree}, begin_of(p, i), end_of(p, i), ALGSURF_I_ALL, 1, NULL, 0};
+    int room = p->degree > 0 ? p->degree : 1, found = 0, zero = 1;
     algsurf_i_table_row(&p->coefficients, p->degree, i, c);
+    for (int k = 0; k <= p->degree; k++) zero = zero && c[k] == 0;
     algsurf_status status =
-        algsurf_i_real_roots(c, p->degree, begin_of(p, i), end_of(p, i), roots + i * (size_t)room, &found);
+        zero ? ALGSURF_E_ZERO : algsurf_i_line_solve(&line, roots + i * (size_t)room, &found);
     count[i] = status == ALGSURF_OK ? found : (int)status;
     return status;
 }
