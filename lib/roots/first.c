@@ -8,6 +8,7 @@
 #include "algsurf/batch.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "algsurf/isolate.h"
@@ -88,15 +89,29 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     return status;
 }
 
+/* The first root; room for all of them is allocated where the stack has none. */
+static ALGSURF_NOINLINE algsurf_status solve_exact(const algsurf_i_coefficients *p, double lo, double hi,
+                                                   unsigned char *state, double *where) {
+    const algsurf_i_line line = {{p->c, NULL, p->degree}, lo, hi, ALGSURF_I_FIRST, 1, NULL, 0};
+    algsurf_real_root few[ALGSURF_MAX_DEGREE], *roots = few;
+    int found = 0;
+    if (p->degree > ALGSURF_MAX_DEGREE && !(roots = malloc((size_t)p->degree * sizeof *roots)))
+        return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = algsurf_i_line_solve(&line, roots, &found);
+    if (status == ALGSURF_OK) *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
+    if (status == ALGSURF_OK && found) *where = roots->root;
+    if (roots != few) free(roots);
+    return status;
+}
+
 /* One polynomial alone: OK or E_NO_MEMORY, and then it stays undecided. */
 static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
     double lo = begin_of(polys, i), hi = end_of(polys, i);
     algsurf_i_coefficients p = {c, polys->radii.at ? r : NULL, polys->degree};
-    algsurf_real_root first[ALGSURF_MAX_POLY_DEGREE];
     algsurf_status status = ALGSURF_OK;
-    int found = 0, zero = 1;
+    int zero = 1;
     algsurf_i_table_row(&polys->coefficients, p.degree, i, c);
     for (int k = 0; k <= p.degree; k++) zero = zero && c[k] == 0;
     state[i] = ALGSURF_FIRST_ROOT_UNDECIDED;
@@ -106,10 +121,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     } else if (zero) {
         where = finite_point(lo, hi);
     } else {
-        const algsurf_i_line line = {{c, NULL, p.degree}, lo, hi, ALGSURF_I_FIRST, 1, NULL, 0};
-        status = algsurf_i_line_solve(&line, first, &found);
-        if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-        if (found) where = first->root;
+        status = solve_exact(&p, lo, hi, state + i, &where);
     }
     if (root) root[i] = where;
     return status;

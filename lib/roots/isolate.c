@@ -17,18 +17,22 @@
 #include "line.h"
 #include "walk.h"
 
-/* Room for a polynomial's roots: on the stack, or, beyond the degrees that doubles decide, allocated. */
-typedef struct room {
-    algsurf_bracket few[ALGSURF_MAX_DEGREE + 1], *b;
-    algsurf_real_root few_roots[ALGSURF_MAX_DEGREE + 1], *roots;
-} room;
+/* What is found: roots of an exact polynomial, or brackets of a set.  On the stack, or, beyond the degrees
+ * that doubles decide, allocated. */
+typedef union place {
+    algsurf_real_root root;
+    algsurf_bracket bracket;
+} place;
 
 typedef struct task {
     algsurf_i_coefficients p;
     double lo, hi;
     int wanted;
     const algsurf_i_watch *watch; /* null: nobody looks */
-    algsurf_bracket *b;
+    place few[ALGSURF_MAX_DEGREE + 1];
+    void *room;
+    algsurf_bracket *b;       /* of a set, else null */
+    algsurf_real_root *roots; /* of an exact polynomial, else null */
     int count, capacity;
 } task;
 
@@ -46,20 +50,16 @@ static algsurf_status solve_set(task *t) {
     return status;
 }
 
-static algsurf_status solve_exact(task *t, algsurf_real_root *roots) {
+static algsurf_status solve_exact(task *t) {
     const algsurf_i_line line = {{t->p.c, NULL, t->p.degree}, t->lo, t->hi, t->wanted, 0, t->watch, 0};
-    algsurf_status status = algsurf_i_line_solve(&line, roots, &t->count);
-    for (int i = 0; i < t->count && t->wanted != ALGSURF_I_NUMBER; i++) {
-        const algsurf_real_root *r = roots + i;
-        int exact = r->lo == r->hi;
-        t->b[i] = (algsurf_bracket){r->lo,
-                                    r->hi,
-                                    exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED,
-                                    exact ? 0 : r->sign,
-                                    r->multiplicity,
-                                    ALGSURF_OK};
-    }
-    return status;
+    return algsurf_i_line_solve(&line, t->roots = t->room, &t->count);
+}
+
+static algsurf_bracket bracket_at(const task *t, int i) {
+    if (t->b) return t->b[i];
+    const algsurf_real_root *r = t->roots + i;
+    int exact = r->lo == r->hi, kind = exact ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
+    return (algsurf_bracket){r->lo, r->hi, kind, exact ? 0 : r->sign, r->multiplicity, ALGSURF_OK};
 }
 
 static void all_undecided(task *t) {
@@ -92,41 +92,42 @@ static int has_radii(const task *t) {
     return 0;
 }
 
-static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t, algsurf_real_root *roots) {
+static ALGSURF_NOINLINE algsurf_status check_and_isolate(task *t) {
     algsurf_status status = check(t->p.c, t->p.r, t->p.degree, t->lo, t->hi);
     if (status != ALGSURF_OK) return status;
     int radii = has_radii(t), whole = t->lo == -HUGE_VAL && t->hi == HUGE_VAL;
     if (t->wanted == ALGSURF_I_NUMBER && (radii || !whole)) t->wanted = ALGSURF_I_ALL;
-    if (!radii) return solve_exact(t, roots);
+    if (!radii) return solve_exact(t);
+    t->b = t->room;
     while (t->p.c[t->p.degree] == 0 && t->p.r[t->p.degree] == 0) t->p.degree--;
     if (!may_vanish(&t->p)) return solve_set(t);
     all_undecided(t);
     return ALGSURF_OK;
 }
 
-/* The roots that are certain. */
-static int number_of(const task *t) {
-    int number = 0;
-    if (t->wanted == ALGSURF_I_NUMBER) return t->count;
-    for (int i = 0; i < t->count; i++) number += t->b[i].kind != ALGSURF_BRACKET_UNDECIDED;
-    return number;
-}
-
-/* Runs the search into `all`; the first undecided reason is the status. */
-static algsurf_status run(const double *c, const double *r, int degree, double lo, double hi, int wanted,
-                          algsurf_observer *observer, room *all, int *count) {
-    const algsurf_i_watch watch = {.observer = observer};
-    task t = {{c, r, degree}, lo, hi, wanted, observer ? &watch : NULL, all->b, 0, degree > 0 ? degree : 1};
+/* The first undecided reason is the status. */
+static algsurf_status run(task *t) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = check_and_isolate(&t, all->roots);
+    algsurf_status status = check_and_isolate(t);
     algsurf_fpenv_leave(&saved);
-    if (status != ALGSURF_OK) return status;
-    *count = wanted == ALGSURF_I_NUMBER ? number_of(&t) : t.count;
-    if (t.wanted == ALGSURF_I_NUMBER) return ALGSURF_OK;
-    for (int i = 0; i < t.count; i++)
-        if (t.b[i].status != ALGSURF_OK) return t.b[i].status;
-    return ALGSURF_OK;
+    for (int i = 0; status == ALGSURF_OK && t->b && i < t->count; i++) status = t->b[i].status;
+    return status;
+}
+
+static int begin(task *t, const double *c, const double *r, int degree, double lo, double hi, int wanted,
+                 const algsurf_i_watch *watch) {
+    int many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
+    t->p = (algsurf_i_coefficients){c, r, degree};
+    t->lo = lo, t->hi = hi, t->wanted = wanted;
+    t->watch = watch && watch->observer ? watch : NULL;
+    t->b = NULL, t->roots = NULL, t->count = 0, t->capacity = degree > 0 ? degree : 1;
+    t->room = many ? malloc((size_t)degree * sizeof *t->few) : t->few;
+    return t->room != NULL;
+}
+
+static void end(task *t) {
+    if (t->room != t->few) free(t->room);
 }
 
 static int read_options(const algsurf_isolate_options *given, algsurf_observer **observer) {
@@ -138,57 +139,47 @@ static int read_options(const algsurf_isolate_options *given, algsurf_observer *
     return algsurf_i_observer_is_good(known.observer);
 }
 
-static int make_room(room *r, int degree) {
-    r->b = r->few, r->roots = r->few_roots;
-    if (degree <= ALGSURF_MAX_DEGREE || degree > ALGSURF_MAX_POLY_DEGREE) return 1;
-    r->b = malloc((size_t)degree * (sizeof *r->b + sizeof *r->roots));
-    r->roots = (algsurf_real_root *)(void *)(r->b + degree);
-    return r->b != NULL;
-}
-
-static void free_room(room *r) {
-    if (r->b != r->few) free(r->b);
-}
-
 algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo, double hi,
                                      const algsurf_isolate_options *options, algsurf_bracket *bracket,
                                      int *found) {
-    room all;
-    algsurf_observer *observer;
-    int count = 0;
-    if (!bracket || !found || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
-    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(c, r, degree, lo, hi, ALGSURF_I_FIRST, observer, &all, &count);
-    if (status >= 0) *found = count;
-    if (status >= 0 && count) *bracket = all.b[0];
-    free_room(&all);
+    task t;
+    algsurf_i_watch watch = {.observer = NULL};
+    if (!bracket || !found || !read_options(options, &watch.observer)) return ALGSURF_E_ARGUMENT;
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_FIRST, &watch)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(&t);
+    if (status >= 0) *found = t.count;
+    if (status >= 0 && t.count) *bracket = bracket_at(&t, 0);
+    end(&t);
     return status;
 }
 
 algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo, double hi,
                                    const algsurf_isolate_options *options, algsurf_bracket *brackets,
                                    int capacity, int *count) {
-    room all;
-    algsurf_observer *observer;
-    int n = 0;
-    if (!brackets || !count || capacity < 0 || !read_options(options, &observer)) return ALGSURF_E_ARGUMENT;
-    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(c, r, degree, lo, hi, ALGSURF_I_ALL, observer, &all, &n);
-    if (status >= 0 && n > capacity) status = ALGSURF_E_ARGUMENT;
-    if (status >= 0) {
-        memcpy(brackets, all.b, (size_t)n * sizeof *brackets);
-        *count = n;
-    }
-    free_room(&all);
+    task t;
+    algsurf_i_watch watch = {.observer = NULL};
+    if (!brackets || !count || capacity < 0 || !read_options(options, &watch.observer))
+        return ALGSURF_E_ARGUMENT;
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_ALL, &watch)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(&t);
+    if (status >= 0 && t.count > capacity) status = ALGSURF_E_ARGUMENT;
+    for (int i = 0; status >= 0 && i < t.count; i++) brackets[i] = bracket_at(&t, i);
+    if (status >= 0) *count = t.count;
+    end(&t);
     return status;
 }
 
+/* The roots that are certain. */
 algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo, double hi,
                                    int *count) {
-    room all;
+    task t;
+    int undecided = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    if (!make_room(&all, degree)) return ALGSURF_E_NO_MEMORY;
-    algsurf_status status = run(c, r, degree, lo, hi, ALGSURF_I_NUMBER, NULL, &all, count);
-    free_room(&all);
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_NUMBER, NULL)) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = run(&t);
+    for (int i = 0; status >= 0 && t.b && i < t.count; i++)
+        undecided += t.b[i].kind == ALGSURF_BRACKET_UNDECIDED;
+    if (status >= 0) *count = t.count - undecided;
+    end(&t);
     return status;
 }

@@ -162,30 +162,32 @@ static ALGSURF_NOINLINE int at_once(const algsurf_i_line *line, int level, algsu
     return 1;
 }
 
+/* p: what doubles know.  Returns whether that is all; else *rest is where the rest begins. */
+static ALGSURF_NOINLINE int in_doubles(const algsurf_i_line *line, const algsurf_i_coefficients *p, int level,
+                                       int most, algsurf_real_root *roots, int *count, double *rest) {
+    algsurf_bracket b[ALGSURF_MAX_DEGREE];
+    int found = 0, done = algsurf_i_walk(p, line->lo, line->hi, level, most, b, &found, line->watch);
+    *count = take(line, p, b, found, roots);
+    if (*count == most || (done && *count == found)) return 1;
+    *rest = *count < found ? b[*count].lo : found ? b[found - 1].hi : line->lo;
+    return 0;
+}
+
 /* p: what doubles know, of a degree they can take; or null. */
 static ALGSURF_NOINLINE algsurf_status by_walk(const algsurf_i_line *line, const algsurf_i_coefficients *p,
                                                int level, algsurf_real_root *roots, int *count) {
-    algsurf_bracket b[ALGSURF_MAX_DEGREE];
-    int most = line->wanted == ALGSURF_I_FIRST ? 1 : line->p.degree, found = 0, taken = 0, more = 0;
-    double rest = line->lo, end = line->hi;
-    if (p) {
-        int done = algsurf_i_walk(p, line->lo, line->hi, level, most, b, &found, line->watch);
-        *count = taken = take(line, p, b, found, roots);
-        if (taken == most || (done && taken == found)) return ALGSURF_OK;
-        rest = taken < found ? b[taken].lo : found ? b[found - 1].hi : rest;
-    }
-    if (line->p.c && line->p.c[0] != 0) {
-        const algsurf_i_coefficients exact = doubles_of(line);
-        algsurf_i_cut_near(&exact, &rest, &end);
-        if (rest > end) return ALGSURF_OK;
-    }
+    const algsurf_i_coefficients exact = doubles_of(line);
+    int most = line->wanted == ALGSURF_I_FIRST ? 1 : line->p.degree, taken = 0;
+    double lo = line->lo, hi = line->hi;
+    if (p && in_doubles(line, p, level, most, roots, &taken, &lo)) return *count = taken, ALGSURF_OK;
+    if (exact.c && exact.c[0] != 0) algsurf_i_cut_near(&exact, &lo, &hi);
+    *count = taken;
+    if (lo > hi) return ALGSURF_OK;
     algsurf_status status =
-        algsurf_i_decide(&line->p, rest, end, line->refined, roots + taken, most - taken, &more, line->watch);
-    *count = taken + more;
-    if (line->refined && line->p.c) {
-        const algsurf_i_coefficients exact = doubles_of(line);
-        for (int i = taken; i < *count; i++) roots[i].root = nearer(&exact, roots[i].lo, roots[i].hi);
-    }
+        algsurf_i_decide(&line->p, lo, hi, line->refined, roots + taken, most - taken, count, line->watch);
+    *count += taken;
+    for (int i = taken; line->refined && exact.c && i < *count; i++)
+        roots[i].root = nearer(&exact, roots[i].lo, roots[i].hi);
     return status;
 }
 
