@@ -70,23 +70,23 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
+    mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = normal[i];
+    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
 }
 
 /* The bracket's hit; 0: it is undecided. */
 static int make_hit(single_ray *s, algsurf_hit *to) {
-    const guess nowhere = {.known = no_lane()};
     int wide = s->how && s->how->absolute_tolerance > 0; /* what is asked for is to be seen */
     lanes v;
     lanes_hit hit;
     if (s->how)
         v = all_lanes(refine_single(s));
     else
-        refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
+        refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, 1, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;
     if (any(s->k.undecided) || wide) {
         s->k.undecided = no_lane();
@@ -103,15 +103,16 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     return 1;
 }
 
-/* The first bracket, as solve_rays_n finds it. */
+/* The first bracket, as solve_rays finds it. */
 static void first_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     if (!s->job->surface->nodes) {
         s->from_powers = 1;
         decide_from_powers(s->job, &s->line, &s->k, n);
         return;
     }
-    FOR_DEGREE(n, decide_from_nodes(s->job, &s->line, &s->k, N, N < MOST_NODES ? N + 1 : BLOCK_OF_NODES))
+    decide_from_nodes(s->job, &s->line, &s->k, n);
     for (int j = 1; j <= n; j++) s->k.e[j] = s->k.e[0];
 }
 
@@ -119,9 +120,10 @@ static void first_bracket(single_ray *s) {
 static void next_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
     lanes from = s->k.at.q;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     for (;;) {
         next(&s->k, n, from);
-        isolate_known_often(&s->k, n);
+        isolate_known(&s->k, n);
         if (!any(s->k.undecided) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);
