@@ -201,7 +201,7 @@ static int count_inside(const complex_query *q, const algsurf_i_region *region, 
     part.t_min = t.lo, part.t_max = t.hi;
     if (!algsurf_i_has_points(t.lo, t.hi)) return 0;
     algsurf_status status =
-        algsurf_i_exact_roots(q->surface, region, &part, NULL, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, NULL,
+        algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, NULL,
                               roots, ALGSURF_MAX_DEGREE, &count);
     return status == ALGSURF_OK ? count : -1;
 }

@@ -6,8 +6,9 @@
  *
  * Bounds.  With 2^(B_k - 1) <= |c_k| <= 2^(B_k), every root of p is |u| < 2^(1 + max over k < n of
  * (B_k - B_n + 1) / (n - k)) (Fujiwara 1916: twice the largest |c_k / c_n|^(1/(n-k))); and likewise its
- * inverse, from the coefficients in reverse.  No root is at the bound: with M = 2^m >= |c_k / c_n|^(1/(n-k)) for
- * all k and |u| = 2M the other terms are at most (1/2 + 1/4 + .. + 2^-n) |c_n u^n| together, less than that one.
+ * inverse, from the coefficients in reverse.  No root is at the bound: with M = 2^m >= |c_k / c_n|^(1/(n-k))
+ * for all k and |u| = 2M the other terms are at most (1/2 + 1/4 + .. + 2^-n) |c_n u^n| together, less than
+ * that one.
  *
  * Annuli without roots.  If for all 2^e <= |u| <= 2^(e+1), on one side of 0, a term is larger than all those
  * of the other sign together, there is none.  |c_k u^k| <= 2^(B_k - B_m + 1) |u|^(k-m) |c_m u^m|, where
@@ -138,7 +139,8 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
 static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
     double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
     double far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
-    return side > 0 ? far < s->lo || near > s->hi : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
+    return side > 0 ? far < s->lo || near > s->hi
+                    : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
 }
 
 static int sign_of_term(const algsurf_exact_pieces *s, int k, int side) {
