@@ -37,15 +37,24 @@ INLINE void set_coefficients_of_one(const algsurf_i_rays_job *job, const chord_l
     for (int j = 0; j <= n; j++) k->b[j] = all_lanes(b[j]);
 }
 
+#define NODE_DEGREES(statement)                                                                              \
+    DEGREES_2_TO_4(statement)                                                                                \
+    FOR_ONE_DEGREE(6, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement)
+
+APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line, lanes *b, int n) {
+    if (n > ALGSURF_MAX_NODE_DEGREE) __builtin_unreachable();
+    FOR_DEGREES(COMMON_DEGREES, n, coefficients_from_nodes(s, line->middle, line->half, b, N),
+                NODE_DEGREES(coefficients_from_nodes(s, line->middle, line->half, b, N)))
+}
+
 /* b from nodes, and one radius for all of them. */
-INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
-                             int block) {
+INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     const algsurf_surface *s = job->surface;
     lanes x[3];
     if (LANES == 2 && job->of_one)
         set_coefficients_of_one(job, line, k, n);
     else
-        coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
+        coefficients_of_many(s, line, k->b, n);
     for (int i = 0; i < 3; i++) {
         lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
         x[i] = s->stride[i] == 2 ? reach * reach : reach;
@@ -124,10 +133,9 @@ APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, p
     close(k, n, again.hit, &again.at);
 }
 
-INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
-                              int block) {
+INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     mask opened = k->open;
-    set_coefficients(job, line, k, n, block);
+    set_coefficients(job, line, k, n);
     solve_chords(job, k, n, 0);
     mask again = opened & k->undecided;
     if (any(again)) decide_again(job, line, k, again, n);
@@ -202,7 +210,7 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
 
 /* Answers the lanes `given`, but those that it returns. */
 INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
-                        const algsurf_i_rays_hits *hits, int n, int block) {
+                        const algsurf_i_rays_hits *hits, int n) {
     packet k;
     algsurf_i_watch watch;
     lanes_hit hit = {.t = all_lanes(0)};
@@ -216,15 +224,16 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
         chord_line line;
         set_chords(job, r, middle, half, &line, &k);
         mask opened = k.open;
-        if (block)
-            decide_from_nodes(job, &line, &k, n, block);
+        if (job->surface->nodes)
+            decide_from_nodes(job, &line, &k, n);
         else
             decide_from_powers(job, &line, &k, n);
-        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !block);
+        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
         if (!job->any && any(k.hit)) {
             lanes v;
             refine(&k, n, ROOT_ERROR, &v);
-            find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
+            find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi,
+                      hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
         }
     }
     unsigned answered = bits(given & ~going);
@@ -235,9 +244,9 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
     return going;
 }
 
-INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
-                         int block) {
-    if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : MOST_DEGREE)) __builtin_unreachable();
+APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
+    const int n = job->surface->node_degree;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     double scale = ldexp(1, -job->surface->unit);
     waiting list = {.count = 0};
     places w;
@@ -257,38 +266,8 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
         clip_rays(job, &w, &r, scale);
         begin_far(job, &w, &r, &f);
         if (w.listed) resume(&list, &w, &r, &f);
-        mask going = solve_lanes(job, &w, &r, &f, given, hits, n, block);
+        mask going = solve_lanes(job, &w, &r, &f, given, hits, n);
         if (any(going)) put(&list, &w, &f, bits(going));
-    }
-}
-
-APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
-    int n = job->surface->node_degree;
-    if (!job->surface->nodes) {
-        solve_rays_n(job, count, hits, n, 0);
-        return;
-    }
-    switch (COMMON_DEGREES ? n : 0) {
-    case 2:
-        solve_rays_n(job, count, hits, 2, 3);
-        break;
-    case 3:
-        solve_rays_n(job, count, hits, 3, 4);
-        break;
-    case 4:
-        solve_rays_n(job, count, hits, 4, 5);
-        break;
-    case 6:
-        solve_rays_n(job, count, hits, 6, 7);
-        break;
-    case 8:
-        solve_rays_n(job, count, hits, 8, 9);
-        break;
-    case 10:
-        solve_rays_n(job, count, hits, 10, 11);
-        break;
-    default:
-        solve_rays_n(job, count, hits, n, BLOCK_OF_NODES);
     }
 }
 

@@ -71,9 +71,11 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
+    mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = normal[i];
+    for (int i = 0; i < 3; i++)
+        hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
 }
 
 /* The bracket's hit; 0: it is undecided. */
@@ -86,7 +88,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, 1, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;
     if (any(s->k.undecided) || wide) {
         s->k.undecided = no_lane();
@@ -109,9 +111,10 @@ static int next_piece(single_ray *s, mask before, mask behind) {
     return any(s->ray.open);
 }
 
-/* The first bracket in a piece, as solve_rays_n finds it; returns whether a piece before it comes first. */
+/* The first bracket in a piece, as solve_rays finds it; returns whether a piece before it comes first. */
 static int first_bracket(single_ray *s) {
     int n = s->job->surface->node_degree, own = !s->job->surface->nodes;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     s->middle = 0.5 * s->ray.near + 0.5 * s->ray.far;
     s->half = 0.5 * s->ray.far - 0.5 * s->ray.near;
     s->from_powers = own;
@@ -125,7 +128,7 @@ static int first_bracket(single_ray *s) {
     if (own)
         decide_from_powers(s->job, &s->line, &s->k, n);
     else
-        FOR_DEGREE(n, decide_from_nodes(s->job, &s->line, &s->k, N, N < MOST_NODES ? N + 1 : BLOCK_OF_NODES))
+        decide_from_nodes(s->job, &s->line, &s->k, n);
     if (any(which)) look_beyond(&s->k, n, own, &s->ends);
     if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, &s->k, n, &s->ends);
     for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
@@ -137,9 +140,10 @@ static int first_bracket(single_ray *s) {
 static void next_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
     lanes from = s->k.at.q;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     for (;;) {
         next(&s->k, n, from);
-        isolate_known_often(&s->k, n);
+        isolate_known(&s->k, n);
         if (!any(s->k.undecided) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);

@@ -12,17 +12,17 @@
  * multiples of 2^-20 they make every difference above exact.
  *
  * Their matrix therefore amplifies rounding more and more.  Powers of v need no values: the Bernstein
- * coefficients of v^k are means of numbers +1 and -1, at most 1 in magnitude (set_powers).
+ * coefficients of v^k are means of numbers +1 and -1, at most 1 in magnitude (poly/basis.c).
  *
  * A polynomial of degree n also is one of degree n+1.  The packet code is faster for the degrees it was
  * compiled for one by one, so that 5, 7 and 9 are treated as 6, 8 and 10. */
 #include "../base/arithmetic.h"
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 #include "impl.h"
 #include "../base/elementary.h"
+#include "../poly/basis.h"
 
 static void set_nodes(double *node, int n) {
     for (int i = 0; 2 * i <= n; i++) {
@@ -49,23 +49,6 @@ static void set_column(const double *node, double *column, int n, int i) {
         column[j] = c[j] / (binomial * below);
         binomial = binomial * (n - j) / (j + 1);
     }
-}
-
-/* Coefficient j of v^k over [-1,1]: the mean of the products of k out of j factors +1 and n-j factors -1.
- * The sums are whole numbers, at most C(64,32) < 2^61. */
-static void set_powers(double *matrix, int n) {
-    int64_t choose[ALGSURF_MAX_DEGREE + 1][ALGSURF_MAX_DEGREE + 1] = {{0}};
-    for (int a = 0; a <= n; a++) {
-        choose[a][0] = 1;
-        for (int b = 1; b <= a; b++) choose[a][b] = choose[a - 1][b - 1] + choose[a - 1][b];
-    }
-    for (int j = 0; j <= n; j++)
-        for (int k = 0; k <= n; k++) {
-            int64_t sum = 0;
-            for (int l = k > n - j ? k - n + j : 0; l <= j && l <= k; l++)
-                sum += ((k - l) % 2 ? -1 : 1) * choose[j][l] * choose[n - j][k - l];
-            matrix[j * (n + 1) + k] = (double)sum / (double)choose[n][k];
-        }
 }
 
 static void set_nodes_and_matrix(algsurf_surface *s) {
@@ -110,7 +93,7 @@ static int is_beyond(const double *c, int n, double t, int side) {
 /* See impl.h.  Where P's highest terms have both signs the surface goes to infinity, and lines have roots at
  * all distances; where they are 0 in some directions, complex ones: then it is worth to look further, as long
  * as doubles allow it. */
-static double size_of(const algsurf_surface *s) {
+static double spread_of(const algsurf_surface *s) {
     double c[ALGSURF_MAX_DEGREE + 1], size = 0x1p-4;
     int signs = 0;
     for (int number = 0; number < 13; number++) { /* of 27 directions, 0 and the opposite ones left out */
@@ -146,9 +129,9 @@ int algsurf_i_surface_set_tables(algsurf_surface *s) {
     if (!s->tables) return 0;
     s->node_degree = n;
     s->from_powers = s->tables;
-    set_powers(s->from_powers, n);
+    algsurf_i_power_basis(s->from_powers, n);
     s->most_reach = algsurf_i_exp2(280.0 / n);
-    s->size = size_of(s);
+    s->spread = spread_of(s);
     set_degrees_in(s);
     if (with_nodes) {
         s->to_bernstein = s->tables + side * side;

@@ -1,4 +1,4 @@
-/* equation_sine.c - see equation_sine.h.
+/* sine.c - sine and cosine of constants, and pi, to double-double; see poly.h.
  *
  * x = k pi/2 + r with k the nearest whole number to x / (pi/2), so |r| < 0.7855 and |k| <= 64; then Taylor's
  * series of sine or cosine at r, which alternates and decreases: what is left out is less than its first
@@ -13,7 +13,7 @@
  * is off by changes the sine by no more.
  */
 #include "../base/arithmetic.h"
-#include "equation_sine.h"
+#include "poly.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
-/* equation.c - a surface from an equation as text: constants in, coefficients out.
+/* surface.c - a surface from an equation as text: constants in, coefficients out.
  *
- * The constants are checked and sorted, the parser (equation_parse.h) computes the polynomial left
+ * The constants are checked, the parser (parse.h) computes the polynomial left
  * minus right in double-double, each coefficient is rounded once, and the surface is made of them.
  */
 #include "../base/arithmetic.h"
@@ -8,10 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "equation_letter.h"
-#include "equation_parse.h"
+#include "parse.h"
 #include "../base/fpenv.h"
-#include "impl.h"
+#include "../surface/impl.h"
 
 /* What rounding a coefficient to the double a changed, or its computation may have, as a part of a. */
 static double relative_rounding(const algsurf_i_monomial *m, double a) {
@@ -44,59 +43,34 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
     return status;
 }
 
-static int compare_names(const void *left, const void *right) {
-    const algsurf_constant *const *a = left, *const *b = right;
-    return algsurf_i_name_order((*a)->name, strlen((*a)->name), (*b)->name, strlen((*b)->name));
-}
-
 static int reserved(const char *name) {
     return (strlen(name) == 1 && strchr("xyz", name[0])) || strcmp(name, "sqrt") == 0;
 }
 
-/* Checks the constants and sorts pointers to them by name; *sorted is to be freed. */
-static algsurf_status sort_constants(const algsurf_constant *constants, size_t count,
-                                     const algsurf_constant ***sorted) {
+static algsurf_status check_constants(const algsurf_constant *constants, size_t count) {
     for (size_t c = 0; c < count; c++) {
         const char *name = constants[c].name;
-        if (!name || algsurf_i_name_length(name) == 0 || name[algsurf_i_name_length(name)] != '\0' ||
-            reserved(name)) {
-            return ALGSURF_E_ARGUMENT;
-        }
+        size_t length = name ? algsurf_i_name_length(name) : 0;
+        if (length == 0 || name[length] != '\0' || reserved(name)) return ALGSURF_E_ARGUMENT;
         if (!isfinite(constants[c].value)) return ALGSURF_E_NOT_FINITE;
     }
-    const algsurf_constant **names = malloc((count ? count : 1) * sizeof *names);
-    if (!names) return ALGSURF_E_NO_MEMORY;
-    for (size_t c = 0; c < count; c++) names[c] = &constants[c];
-    qsort(names, count, sizeof *names, compare_names);
-    for (size_t c = 1; c < count; c++) {
-        if (compare_names(&names[c - 1], &names[c]) == 0) {
-            free(names);
-            return ALGSURF_E_ARGUMENT;
-        }
-    }
-    *sorted = names;
     return ALGSURF_OK;
 }
 
 static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
-    algsurf_i_tripoly value;
+    algsurf_i_value value;
     if (!algsurf_i_parse_equation(p, &value)) return p->status;
-    algsurf_status status = to_surface(&value, p->at, surface, &p->error);
-    algsurf_i_tripoly_free(&value);
+    algsurf_status status = to_surface(&value.p, p->at, surface, &p->error);
+    algsurf_i_value_free(&value);
     return status;
 }
 
 static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
                                             size_t count, algsurf_surface **surface) {
-    algsurf_status status = sort_constants(constants, count, &p->constants);
-    if (status != ALGSURF_OK) return status;
-    p->constant_count = count;
-    for (size_t c = 0; c < count; c++) {
-        size_t parts = algsurf_i_name_parts(constants[c].name, strlen(constants[c].name));
-        if (parts > p->longest) p->longest = parts;
-    }
-    status = parse(p, surface);
-    free(p->constants);
+    algsurf_status status = check_constants(constants, count);
+    if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, constants, count);
+    if (status == ALGSURF_OK) status = parse(p, surface);
+    algsurf_i_names_free(&p->names);
     return status;
 }
 
@@ -111,7 +85,7 @@ algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_con
     algsurf_fpenv_leave(&saved);
     if (error && p.error.message) {
         *error = p.error;
-        error->length = p.unknown ? p.unknown : algsurf_i_wrong_length(text + error->offset);
+        if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);
     }
     return status;
 }

@@ -1,34 +1,37 @@
-/* equation_refuse.c - see equation_refuse.h. */
+/* refuse.c - why an equation is refused; see parse.h. */
 #include "../base/arithmetic.h"
-#include "equation_refuse.h"
-
 #include <string.h>
 
-#include "equation_letter.h"
-#include "equation_name.h"
-#include "equation_steps.h"
+#include "number.h"
+#include "parse.h"
 
 typedef algsurf_i_parser parser;
+
+int algsurf_i_parse_fail(parser *p, algsurf_status status, size_t offset, const char *message) {
+    p->status = status;
+    p->error = (algsurf_parse_error){offset, 0, message};
+    return 0;
+}
+
+int algsurf_i_parse_refuse(parser *p, size_t offset, const char *message) {
+    return algsurf_i_parse_fail(p, ALGSURF_E_SYNTAX, offset, message);
+}
+
+/* Functions that people know and that are no polynomials; words that join equations, or say more about one.
+ */
+static const char FUNCTIONS[] =
+    "sin cos tan cot sec csc asin acos atan sinh cosh tanh exp log ln abs sgn sign min max "
+    "mod floor ceil cbrt";
+static const char JOINING[] = "and or where with for if AND OR";
 
 /* ---- names ---- */
 
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
-static int is_word(const char *name, size_t length, const char *word) {
-    return strlen(word) == length && strncmp(word, name, length) == 0;
-}
-
 static const char NO_FUNCTION[] = "no function of this name is known";
 
-/* Words that people join equations with, or say more about one with. */
-static int is_joining(const char *name, size_t length) {
-    static const char *const words[] = {"and", "or", "where", "with", "for", "if", "AND", "OR"};
-    for (size_t w = 0; w < sizeof words / sizeof *words; w++)
-        if (is_word(name, length, words[w])) return 1;
-    return 0;
-}
-
-static const char INDEX[] = "the coordinates are x, y and z, no index; constants may be named a or a_1";
+#define INDEX "the coordinates are x, y and z, no index; constants may be named a or a_1"
+#define A_NUMBER "a number behind a factor: write x^2 for a power, 2x or x*2 for a product"
 
 /* The part of a name that has no value, and what stands around it. */
 typedef struct part {
@@ -66,9 +69,9 @@ static int is_call(const char *text, size_t letters) {
 static const char *meaning(const char *name, size_t length, size_t known, const part *without, size_t *from) {
     const char *end = name + length;
     *from = 0;
-    if (is_joining(name, length)) return "one equation at a time";
-    if (algsurf_i_is_function(name, length) ||
-        algsurf_i_is_function(name + without->begin, without->end - without->begin))
+    if (algsurf_i_listed(JOINING, name, length)) return "one equation at a time";
+    if (algsurf_i_listed(FUNCTIONS, name, length) ||
+        algsurf_i_listed(FUNCTIONS, name + without->begin, without->end - without->begin))
         return ALGSURF_I_NOT_POLYNOMIAL;
     if (strncmp(name, "sqrt", strlen("sqrt")) == 0) return "expected '(' behind sqrt";
     *from = without->before;
@@ -81,64 +84,62 @@ static const char *meaning(const char *name, size_t length, size_t known, const 
     if (!without->letters) return is_call(end, 1) ? NO_FUNCTION : NULL;
     *from = without->begin;
     if (without->end != length) return NULL;
-    if (is_word(name + without->begin, length - without->begin, "pow") && *end == '(')
+    if (algsurf_i_listed("pow", name + without->begin, length - without->begin) && *end == '(')
         return "no function here: write x^2 for a power";
     if (is_call(end, algsurf_i_name_parts(name + without->begin, length - without->begin)))
         return NO_FUNCTION;
     return NULL;
 }
 
-int algsurf_i_refuse_name(parser *p, const char *name, size_t length, size_t known) {
+int algsurf_i_refuse_name(parser *p, size_t length, size_t known) {
+    const char *name = p->text + p->at;
     part without = part_without_value(name, length, known);
     size_t from;
     const char *why = meaning(name, length, known, &without, &from);
     if (why) return algsurf_i_parse_refuse(p, p->at + from, why);
     if (!without.letters) without.begin = 0, without.end = length; /* no product of letters */
-    p->unknown = without.end - without.begin;
-    return algsurf_i_parse_fail(p, ALGSURF_E_NAME, p->at + without.begin, "not x, y or z: it needs a value");
+    (void)algsurf_i_parse_fail(p, ALGSURF_E_NAME, p->at + without.begin, "not x, y or z: it needs a value");
+    p->error.length = without.end - without.begin;
+    return 0;
 }
 
 /* ---- signs ---- */
 
-static int number_follows(const char *text) {
-    return is_digit(text[0]) || (text[0] == '.' && is_digit(text[1]));
-}
-
-/* What is said about a command of LaTeX that stands where it has no meaning. */
-static const char *about_command(const char *text) {
-    if (algsurf_i_is_function(text + 1, algsurf_i_command_length(text) - 1)) return ALGSURF_I_NOT_POLYNOMIAL;
-    return "this command of LaTeX is not understood";
-}
+/* What is said about signs wherever they have no meaning. */
+static const struct {
+    int kind;
+    const char *message;
+} meaningless[] = {
+    {'|', "not a polynomial: an absolute value; an equation with |a| squared may do"},
+    {'!', "not a polynomial: a factorial"},
+    {ALGSURF_I_TOKEN_INEQUALITY, "expected '=': a surface is where both sides are equal"},
+    {ALGSURF_I_TOKEN_SUPERSCRIPT, "an exponent with nothing before it to raise"},
+    {ALGSURF_I_TOKEN_SUBSCRIPT, INDEX},
+    {ALGSURF_I_TOKEN_QUARTERS, A_NUMBER},
+    {ALGSURF_I_TOKEN_COMMAND, "this command of LaTeX is not understood"},
+};
 
 static const char *about_token(const parser *p, const char *expected) {
     const char *text = p->text + p->at;
-    switch (p->token.kind) {
-    case '|':
-        return "not a polynomial: an absolute value; an equation with |a| squared may do";
-    case ALGSURF_I_TOKEN_INEQUALITY:
-        return "expected '=': a surface is where both sides are equal";
-    case ALGSURF_I_TOKEN_SUPERSCRIPT:
-        return "an exponent with nothing before it to raise";
-    case ALGSURF_I_TOKEN_COMMAND:
-        return about_command(text);
-    case ',':
-        return p->depth > 0 || is_digit(text[1]) ? "a decimal point is written '.'"
-                                                 : "one equation at a time";
-    case ALGSURF_I_TOKEN_SUBSCRIPT:
-        return INDEX;
-    case '!':
-        return "not a polynomial: a factorial";
-    case ')':
-    case ']':
-    case '}':
-        return p->depth == 0 ? "a closing bracket without an opening one" : expected;
-    default:
-        return number_follows(text) || p->token.kind == ALGSURF_I_TOKEN_QUARTERS
-                   ? "a number behind a factor: write x^2 for a power, 2x or x*2 for a product"
-                   : expected;
-    }
+    int c = p->token.kind;
+    if (c == ',' && (p->depth > 0 || is_digit(text[1]))) return "a decimal point is written '.'";
+    if (c == ',') return "one equation at a time";
+    if ((c == ')' || c == ']' || c == '}') && p->depth == 0)
+        return "a closing bracket without an opening one";
+    if (c == ALGSURF_I_TOKEN_COMMAND && algsurf_i_listed(FUNCTIONS, text + 1, p->token.width - 1))
+        return ALGSURF_I_NOT_POLYNOMIAL;
+    for (size_t m = 0; m < sizeof meaningless / sizeof *meaningless; m++)
+        if (meaningless[m].kind == c) return meaningless[m].message;
+    return algsurf_i_number_follows(text) ? A_NUMBER : expected;
 }
 
 int algsurf_i_refuse_token(parser *p, const char *expected) {
     return algsurf_i_parse_refuse(p, p->at, about_token(p, expected));
+}
+
+size_t algsurf_i_wrong_length(const char *text) {
+    size_t length = algsurf_i_name_length(text);
+    algsurf_i_number number;
+    if (length > 0 || algsurf_i_read_number(text, &length, &number) != ALGSURF_I_NO_NUMBER) return length;
+    return algsurf_i_token_at(text).width;
 }

@@ -1,4 +1,4 @@
-/* equation_poly.h - polynomials in x, y, z with double-double coefficients of unlimited range, for
+/* poly.h - polynomials in x, y, z with double-double coefficients of unlimited range, for
  * the equation parser: the values its expressions take.
  *
  * A coefficient is (v + d) 2^(256 e) with |d| <= err: a double-double, a bound on its error, and an
@@ -42,19 +42,35 @@ algsurf_status algsurf_i_tripoly_make(algsurf_i_monomial m, algsurf_i_tripoly *o
 void algsurf_i_tripoly_free(algsurf_i_tripoly *p);
 void algsurf_i_tripoly_negate(algsurf_i_tripoly *p);
 int algsurf_i_tripoly_degree(const algsurf_i_tripoly *p);      /* total; 0 for the zero polynomial */
+size_t algsurf_i_tripoly_most_terms(int degree);               /* of that degree */
 int algsurf_i_tripoly_is_constant(const algsurf_i_tripoly *p); /* the zero polynomial is */
 algsurf_status algsurf_i_tripoly_add(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
                                      algsurf_i_tripoly *out);
 
-/* The degrees of a and b must add up to at most 64.  Cost: one step for each pair of monomials. */
+/* The degrees of a and b must add up to at most 64.  Cost: O(log) of the smaller number of monomials, for
+ * each pair of monomials. */
 algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
                                           algsurf_i_tripoly *out);
+
+/* base^n, 0 <= n <= 64, and the degree at most 64, by the binomial theorem for the first monomial and the
+ * rest: each power of the rest is made once, and for independent monomials they are as large as the result
+ * all together. */
+algsurf_status algsurf_i_tripoly_raise(const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out);
 
 /* a / b in place, b a constant, not zero. */
 algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_monomial *b);
 
+/* *m *= by; the range is not checked. */
+void algsurf_i_monomial_multiply(algsurf_i_monomial *m, const algsurf_i_monomial *by);
+
 /* The square root of a constant >= 0. */
 algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m);
+
+/* sine.c.  sin(m + quarters pi/2), m a constant with |m| <= the limit, in radians, 0 <= quarters <= 3; and
+ * pi. */
+#define ALGSURF_I_SINE_LIMIT 100
+algsurf_i_monomial algsurf_i_monomial_sine(const algsurf_i_monomial *m, int quarters);
+algsurf_i_monomial algsurf_i_monomial_pi(void);
 
 /* A sum of many polynomials: partial sums whose lengths at least halve from one to the next, so that
  * each monomial is copied O(log) times.  A polynomial has less than 2^16 monomials: 16 parts that are
@@ -67,8 +83,8 @@ typedef struct algsurf_i_sum {
 
 /* Adds p and takes it over, also on failure. */
 algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p);
-/* Moves the total to *out and empties the sum, also on failure. */
-algsurf_status algsurf_i_sum_total(algsurf_i_sum *sum, algsurf_i_tripoly *out);
+/* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
+algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out);
 void algsurf_i_sum_free(algsurf_i_sum *sum);
 
 #endif

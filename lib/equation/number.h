@@ -1,4 +1,4 @@
-/* equation_number.h - reading a number exactly, whatever the locale. */
+/* number.h - reading a number exactly, whatever the locale. */
 #ifndef ALGSURF_EQUATION_NUMBER_H
 #define ALGSURF_EQUATION_NUMBER_H
 #include <stddef.h>
