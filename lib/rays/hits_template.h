@@ -9,8 +9,6 @@
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
-#define LITTLE_STEP 0x1p-32 /* likewise: the gradient where the last one begins is the hit's */
-
 /* What becomes of the lanes' hits, with the caller's t. */
 typedef struct lanes_hit {
     lanes t, t_lo, t_hi, position[3], normal[3];
@@ -85,9 +83,9 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
 }
 
 /* P's gradient may be off by (4 n + 8) u S_i, S its scheme on magnitudes (surface/eval.c).  Where that leaves
- * less than ALGSURF_I_CLEAR asks for, or the last step is not short, the normal is NaN, and found apart
- * (normal.h).  S_i is at most n L^(n-1) times the coefficients' size, L = max(1, |x|); or, S being convex, at
- * most (S(|x| + d) - S(|x|)) / d in each coordinate, for d along all of them. */
+ * less than ALGSURF_I_CLEAR asks for, or the last step is one that only rounding explains, the normal is NaN,
+ * and found apart (normal.h).  S_i is at most n L^(n-1) times the coefficients' size, L = max(1, |x|); or, S
+ * being convex, at most (S(|x| + d) - S(|x|)) / d in each coordinate, for d along all of them. */
 #define CLEAR(s) (ALGSURF_I_CLEAR * (4 * (s)->degree + 8) * 0x1p-53)
 
 APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes gradient) {
@@ -112,7 +110,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
                       int ends, int normals, packet *k, lanes_hit *hit) {
     const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
-    lanes length = 2 * half * (c->q - c->p), far = LONGEST_LAST_STEP * length, little = LITTLE_STEP * length;
+    lanes length = 2 * half * (c->q - c->p), little = LONGEST_LAST_STEP * length, far = little;
     if (watch_of(k)) {
         const lanes begin[3] = {far, t, low};
         tell_last_step(job->surface, r, k, begin);
