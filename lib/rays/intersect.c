@@ -5,6 +5,7 @@
 #include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -139,7 +140,8 @@ static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, 
     algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
                                                    q->options.observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
-        double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
+        double lo = range[i].lo, hi = range[i].hi,
+               middle = fmax(fmin(0.5 * lo + 0.5 * hi, DBL_MAX), -DBL_MAX);
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
         if (range[i].side)
             make_hit(q, ray, &root, hits + i);

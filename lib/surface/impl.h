@@ -52,6 +52,10 @@ struct algsurf_surface {
     double *tables, *from_powers, *nodes, *to_bernstein;
     double amplification; /* the largest sum of |entries| of to_bernstein for one coefficient */
     double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
+    /* For rays without ends.  Along a line through the origin the roots that are not far out have real parts
+     * up to about this, in natural units: where to look first, no bound. */
+    double breadth;
+    unsigned char degree_in[8]; /* P's degree in those coordinates whose bits, 1, 2, 4, are set */
 };
 
 /* Rounding of values at nodes counts amplification times, which doubles with each degree, that of powers
