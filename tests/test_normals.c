@@ -257,7 +257,7 @@ static void far_out(void **state) {
         check_ray(&b, &ray, &extent, "two balls", &judged);
     }
     drop(&b);
-    if (judged.hits < 2000 || judged.sharp < judged.hits * 9 / 10)
+    if (judged.hits < 2000 || judged.sharp < judged.hits * 3 / 4)
         fail_msg("%d hits, %d sharp", judged.hits, judged.sharp);
 }
 
@@ -352,7 +352,7 @@ static void scaled(void **state) {
         }
         drop(&b);
     }
-    if (judged.hits < 1000 || judged.sharp < judged.hits * 9 / 10)
+    if (judged.hits < 1000 || judged.sharp < judged.hits * 3 / 4)
         fail_msg("%d hits, %d sharp", judged.hits, judged.sharp);
 }
 
