@@ -137,7 +137,8 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
 static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
     double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
     double far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
-    return side > 0 ? far < s->lo || near > s->hi : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
+    return side > 0 ? far < s->lo || near > s->hi
+                    : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
 }
 
 static int sign_of_term(const algsurf_exact_pieces *s, int k, int side) {
@@ -152,16 +153,19 @@ static int leave_out(const algsurf_exact_pieces *s, int side, int e) {
     int least = s->least - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
     for (int k = 0; k <= s->degree; k++)
         if (c[k].sign && (m < 0 || c[k].bits + at * k > c[m].bits + at * m)) m = k;
-    double sum = 0;
     for (int k = 0; k <= s->degree; k++) {
         if (sign_of_term(s, k, side) != -sign_of_term(s, m, side)) continue;
         int excess = c[k].bits - c[m].bits + spare, bound;
-        sum += ldexp(c[k].part / c[m].part, c[k].exponent - c[m].exponent + (k > m ? at + 1 : at) * (k - m));
         if (k < m && (bound = ceiling_of_quotient(excess, m - k)) > least) least = bound;
         if (k > m && (bound = -ceiling_of_quotient(excess, k - m) - 1) < most) most = bound;
     }
-    if (at < least || at > most) return sum < 1 - 0x1p-30 ? e + side : e;
-    return s->unit + (side > 0 ? most + 1 : least - 1);
+    if (at >= least && at <= most) return s->unit + (side > 0 ? most + 1 : least - 1);
+    double sum = 0;
+    for (int k = 0; k <= s->degree; k++)
+        if (sign_of_term(s, k, side) == -sign_of_term(s, m, side))
+            sum +=
+                ldexp(c[k].part / c[m].part, c[k].exponent - c[m].exponent + (k > m ? at + 1 : at) * (k - m));
+    return sum < 1 - 0x1p-30 ? e + side : e;
 }
 
 /* The next piece in units of powers of two. */
