@@ -28,9 +28,10 @@ enum { WIDTH = 64, HEIGHT = 48, SPARE = 8, OUTPUTS = 10 };
 static const uint64_t seed = 20240611;
 static const char *const kernel_names[3] = {"baseline", "avx2", "avx512"};
 
-/* What a kernel writes: t, position, normal, direction. */
+/* What a kernel writes: t, position, normal, direction; and whether the root was found. */
 typedef struct batch {
     double at[OUTPUTS][WIDTH + SPARE];
+    uint8_t sure[WIDTH + SPARE];
 } batch;
 
 /* A row of a picture of a surface. */
@@ -100,7 +101,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[7], out->at[8], out->at[9]},
                                {{NULL}, {NULL}, {NULL}}};
     const algsurf_i_point_job job = {s->surface, &s->job, NULL};
-    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, &points);
+    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, NULL, out->sure, &points);
 }
 
 static void get(const batch *b, int entry, int first, double v[3]) {
@@ -134,7 +135,13 @@ static int check_entry(const stage *s, int pixel, double depth, const batch *out
     double length = algsurf_length(along), rise = fabs(algsurf_dot(g, along)) / length, doubt = 0, z = depth;
     double step = -value / (view->size * algsurf_dot(gradient, along));
     if (fabs(fabs(step) / 0x1p-16 - 1) < 0.01) return 0;
-    if (fabs(step) <= 0x1p-16) z += step, doubt = 64 * value_bound / rise;
+    if (fabs(step) > 0x1p-16) { /* another root may be as near */
+        assert_int_equal(out->sure[entry], 0);
+        return 1;
+    }
+    if (fabs(step) < 0x1p-27) assert_int_equal(out->sure[entry], 1);
+    if (!out->sure[entry]) return 1;
+    z += step, doubt = 64 * value_bound / rise;
     (void)algsurf_unit(gradient, unit);
     for (int i = 0; i < 3; i++) {
         here[i] = ldexp(x[i] + (z - depth) * view->size * along[i], s->surface->unit);

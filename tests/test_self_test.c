@@ -107,14 +107,12 @@ enum part {
     HITS,
     STATES,
     ONE_RAY,
-    ROW,
-    LEAVES,
+    PIXELS,
     TILES,
     SHEETS,
     POINTS,
     COLOURS,
     STARTS,
-    LIGHTS,
     SHADOW_RAYS,
     COMPLEX_ROW,
     COMPLEX_POINTS,
@@ -213,37 +211,24 @@ static void break_ray(void) {
 static void break_picture(void);
 TABLE(picture)
 
-static void wrong_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                      uint8_t *state) {
-    real_picture->solve_row(job, pixels, depth, state);
-    for (int i = 0; i < pixels->count; i++)
-        if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
-}
-
-static void wrong_leaves(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
+static void wrong_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
                          uint8_t *state) {
-    real_picture->solve_leaves(job, leaves, depth, state);
-    for (int i = 0; i < leaves->count; i++)
+    real_picture->solve_pixels(job, pixels, depth, state);
+    for (int i = 0; i < pixels->count; i++)
         if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
 }
 
 static void wrong_tiles(algsurf_i_tile_job *job) {
     int before = job->tile_count;
     real_picture->search_tiles(job);
-    for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0;
+    for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0, job->tiles[i].low = 1;
 }
 
-static int wrong_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
-                              int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    int all = real_picture->sheet_points(job, pixel, depth, count, sheets, points);
-    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+static int wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
+    int all = real_picture->points(job, pixel, depth, count, sheets, sure, points);
+    for (int i = 0; i < count && !sheets == (broken == POINTS); i++) points->t[i] = other(points->t[i]);
     return all;
-}
-
-static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                         const algsurf_i_points *points) {
-    real_picture->points(job, pixel, depth, count, points);
-    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
 }
 
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {
@@ -253,19 +238,18 @@ static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int e
     return corrections;
 }
 
-static void wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
-                                 const int *pixel, const double *re, const double *im, int count,
-                                 const algsurf_i_points *points) {
-    real_picture->complex_points(job, surface, pixel, re, im, count, points);
+static int wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
+                                const int *pixel, const double *re, const double *im, int count,
+                                uint8_t *sure, const algsurf_i_points *points) {
+    int all = real_picture->complex_points(job, surface, pixel, re, im, count, sure, points);
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+    return all;
 }
 
 static void break_picture(void) {
-    if (broken == ROW) wrong_picture.solve_row = wrong_row;
-    if (broken == LEAVES) wrong_picture.solve_leaves = wrong_leaves;
+    if (broken == PIXELS) wrong_picture.solve_pixels = wrong_pixels;
     if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
-    if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
-    if (broken == POINTS) wrong_picture.points = wrong_points;
+    if (broken == SHEETS || broken == POINTS) wrong_picture.points = wrong_points;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
     if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
 }
@@ -293,22 +277,15 @@ static void wrong_starts(const algsurf_i_points *points, int first, int count, d
     for (int i = 0; i < count; i++) starts->facing[2][i] = -starts->facing[2][i];
 }
 
-static void wrong_lights(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how) {
-    real_shadow->see_light(job, starts, how);
-    for (int i = 0; i < starts->count; i++)
-        if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
-}
-
 static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                              const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                              const algsurf_i_solids *solids, int from, int rays,
                               algsurf_i_undecided *undecided) {
-    real_shadow->see_rays(job, starts, solids, how, from, rays, undecided);
+    real_shadow->see_rays(job, starts, solids, from, rays, undecided);
     for (int i = 0; i < starts->count; i++) *starts->seen[i] *= 0.5;
 }
 
 static void break_shadow(void) {
     if (broken == STARTS) wrong_shadow.lift = wrong_starts;
-    if (broken == LIGHTS) wrong_shadow.see_light = wrong_lights;
     if (broken == SHADOW_RAYS) wrong_shadow.see_rays = wrong_shadow_rays;
 }
 

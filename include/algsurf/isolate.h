@@ -133,8 +133,8 @@ ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r,
 
 /* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii.  With radii the
  * status may be positive, as that of algsurf_isolate_all; roots in undecided entries are not counted then.
- * Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of that if the signs of
- * coefficients, a discriminant or a short Sturm chain give the number.  40 KiB of stack.  Since 1.0. */
+ * Errors: as above.  Cost: as above; on the whole line, without radii, less than that up to degree 24,
+ * and up to degree 3 as little as a discriminant costs.  44 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
 

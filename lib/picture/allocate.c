@@ -34,10 +34,11 @@ typedef struct sizes {
     size_t width, side;    /* of a row; degree + 1 */
     size_t dense;          /* samples of a row: as many as are taken together */
     size_t lights, shares; /* where there are shadows; shares of light: one more */
-    size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
+    size_t taylor;         /* of shadow rays: 1, or 0 */
     size_t places;         /* leaves of a band */
     size_t thin;           /* of a search for what is thin */
-    int cells;             /* 1: there are tiles, of a band or of single pixels */
+    int beams;             /* 1: there are tiles, of a band or of single pixels */
+    int lanes;             /* 1: pixels of real space are solved side by side */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
 } sizes;
@@ -52,10 +53,10 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
                    .thin = picture->thin ? algsurf_i_thin_memory() : 0,
-                   .cells = tiles || (real && picture->selective),
+                   .beams = tiles || (real && picture->selective),
+                   .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
                    .planes = &picture->planes};
@@ -88,6 +89,7 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->colour = take_floats(a, 3 * s->width);
     line->bytes = take(a, s->width, sizeof *line->bytes);
     line->depth = take_doubles(a, s->width);
+    line->sure = take_bytes(a, s->width);
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
     line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
@@ -121,27 +123,23 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->square = take_doubles(a, s->side * s->side);
     t->thin = take_bytes(a, s->thin);
     t->from = take_doubles(a, s->width + 2 * s->places);
-    t->to = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
     t->runs_row = -1;
     t->run = take_ints(a, s->width);
+    t->list_low = take_doubles(a, s->width);
     t->pixel_low = take_doubles(a, s->width);
-    t->pixel_high = take_doubles(a, s->width);
-    t->leaf_low = take_doubles(a, s->width);
-    t->leaf_high = take_doubles(a, s->width);
-    t->leaf_depth = take_doubles(a, s->width);
-    t->leaf = take_ints(a, s->dense * s->width);
-    t->sure = take_bytes(a, s->width);
-    t->leaf_state = take_bytes(a, s->width);
+    t->pixel_depth = take_doubles(a, s->width);
+    t->pixel = take_ints(a, s->dense * s->width);
+    t->pixel_state = take_bytes(a, s->width);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {
     lay_out_line(a, s, &worker->line);
     if (selective) lay_out_middles(a, s, &worker->middles);
-    if (s->cells) lay_out_tiling(a, s, &worker->tiling);
+    if (s->lanes) lay_out_tiling(a, s, &worker->tiling);
     worker->predictor.x = take_doubles(a, s->roots * s->width);
     worker->predictor.y = take_doubles(a, s->roots * s->width);
 }
@@ -161,13 +159,11 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
 
 static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
     lay_out_frame(a, s, &packets->frame);
-    packets->beams = s->cells && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
+    packets->beams = s->beams && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
                          ? take_doubles(a, s->side * s->side * s->side)
                          : NULL;
-    packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;
     packets->taylor = s->taylor > 0 ? take(a, 1, sizeof *packets->taylor) : NULL;
     algsurf_i_frame_form elsewhere; /* while there are none yet */
-    for (size_t i = 0; i < s->fans; i++) lay_out_frame(a, s, a->base ? &packets->fans[i].frame : &elsewhere);
     if (s->taylor > 0) lay_out_frame(a, s, a->base ? &packets->taylor->frame : &elsewhere);
 }
 

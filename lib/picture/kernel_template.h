@@ -1,20 +1,17 @@
 /* kernel_template.h - the packet code of pictures, except that of colours and shadows, as one kernel. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
-#define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#define COMMON_DEGREES DEGREES_PAY /* in WebAssembly, too */
 #define WATCHED 0
 #include "kernel.h"
-#include "leaves_template.h"
-#include "points_template.h"
-#include "row_template.h"
-#include "tiles_template.h"
 #include "complex_template.h"
+#include "pixels_template.h"
+#include "points_template.h"
+#include "tiles_template.h"
 
-const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
-                                                            .solve_leaves = solve_leaves,
+const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_pixels = solve_pixels,
                                                             .search_tiles = search_tiles,
                                                             .points = find_points,
-                                                            .sheet_points = find_sheet_points,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};
 

@@ -19,7 +19,7 @@ static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band,
                    const algsurf_i_cells *f, const algsurf_i_line *line, algsurf_i_tiling *t) {
     int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0, begin, end;
     const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    algsurf_i_range_within_bounds(picture, row + 0.5, row + 0.5, 1, &begin, &end);
+    (void)algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
     if (begin < line->begin) begin = line->begin;
     if (end > line->end) end = line->end;
     for (int x = begin; x < end; x++) {
@@ -29,17 +29,16 @@ static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band,
         if (line->wanted && !line->wanted[x]) continue;
         for (int i = 0; i < line->dense; i++) {
             t->at[count] = x * f->across + f->x + i;
-            t->leaf_depth[count] = 1;
             t->from[count++] = tiled ? band->tiles[number - 1].low : -1;
         }
     }
     return count;
 }
 
-/* Where the line has a point of a sample, or -1, in t->leaf. */
+/* Where the line has a point of a sample, or -1, in t->pixel. */
 static void number_points(const algsurf_i_line *line, algsurf_i_tiling *t) {
-    for (int x = line->dense * line->begin; x < line->dense * line->end; x++) t->leaf[x] = -1;
-    for (int i = 0; i < line->count; i++) t->leaf[line->pixel[i]] = i;
+    for (int x = line->dense * line->begin; x < line->dense * line->end; x++) t->pixel[x] = -1;
+    for (int i = 0; i < line->count; i++) t->pixel[line->pixel[i]] = i;
 }
 
 /* Of depth along the ray, for a t of 1. */
@@ -154,14 +153,13 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     if (count > 0) count = algsurf_i_search_cells(&f, 1, count, 1, t);
     for (int i = 0; i < count; i++) { /* there may be something beside the pixel */
         t->from[i] = -1;
-        t->leaf_depth[i] = 1;
     }
     if (count > 0) count = algsurf_i_search_cells(&f, 2, count, 1, t);
     if (count == 0) return;
     number_points(line, t);
     double h = p->per_slope * f.pixel;
     for (int i = 0; i < count; i++) {
-        int x = line->dense > 1 ? t->at[i] : t->at[i] / f.across, point = t->leaf[x];
+        int x = line->dense > 1 ? t->at[i] : t->at[i] / f.across, point = t->pixel[x];
         algsurf_ray ray;
         sample at = {picture, algsurf_i_place_of(line, x, sx), row + sy, 1.0 / f.across, tally};
         algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, at.x, at.y, &ray);
@@ -171,8 +169,8 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
                                   .u = p->origin[0] + p->per_slope * ((t->at[i] + 0.5 + f.offset) * f.pixel),
                                   .h = h + copysign(ALGSURF_I_WIDER, h),
                                   .from = t->from[i],
-                                  .to = t->leaf_depth[i],
-                                  .within = t->leaf_low[i],
+                                  .to = 1,
+                                  .within = t->pixel_low[i],
                                   .look_beside = look_beside,
                                   .looker = &at};
         if (point >= 0 && is_hit(&at, line->state[x])) {

@@ -5,6 +5,10 @@
 #include "intersect_impl.h"
 #include "region.h"
 
+/* The unit 2^unit of t that suits a chord; of one without ends, about the way from the origin to the
+ * surface. */
+int algsurf_i_exact_unit(const algsurf_surface *surface, const algsurf_ray *ray, double t_min, double t_max);
+
 /* Roots of P along a checked ray in [t_min, t_max] and in the region, both as they are given, in increasing
  * order: the first (`want` FIRST), all, or, for ANY, one of which only that it exists is known.  At most
  * `capacity` are written, the surface's degree, at least 1, always suffices.  A ray in the surface has one

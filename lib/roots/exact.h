@@ -131,4 +131,6 @@ int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int deg
 /* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
 uint64_t algsurf_exact_order_of(double x);
 double algsurf_exact_double_at(uint64_t order);
+/* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
+double algsurf_exact_between(double lo, double hi);
 #endif

@@ -1,0 +1,208 @@
+/* pixels.c - the points of a row, by what its tiles are.
+ *
+ * Pixels of empty tiles miss.  Those of sheets have a root in the sheet, found by Newton's method from the
+ * tile's series and proved to be it (algsurf_i_tile).  Those of leaves, and all pixels where there are no
+ * tiles, are solved side by side from the depth on that is known (pixels_template.h).  What is undecided
+ * then goes ray by ray (undecided.c). */
+#include "../base/arithmetic.h"
+#include "impl.h"
+#include "solve.h"
+#include "tiling.h"
+
+#include <string.h>
+
+/* Pixels on their way to points of a sheet, seen at eta from its middle. */
+static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta, double sx,
+                      algsurf_i_line *line, algsurf_i_tiling *t) {
+    const double *c = tile->depth;
+    double at_zero = c[0] + eta * (c[2] + eta * (c[5] + eta * c[9]));
+    double slope = c[1] + eta * (c[4] + eta * c[8]), bend = c[3] + eta * c[7], third = c[6];
+    double middle = tile->x, inverse = tile->inverse;
+    int *restrict pixel = line->pixel + line->count;
+    double *restrict depth = line->depth + line->count, *restrict low = t->low + line->count;
+    double *restrict high = t->high + line->count, *restrict enough = t->enough + line->count;
+    for (int i = 0; i < end - first; i++) {
+        double xi = (first + i + sx - middle) * inverse;
+        pixel[i] = first + i;
+        depth[i] = at_zero + xi * (slope + xi * (bend + xi * third));
+        low[i] = tile->low;
+        high[i] = tile->high;
+        enough[i] = tile->enough;
+    }
+    line->count += end - first;
+    memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
+}
+
+/* A pixel without a root on its chord before a depth. */
+static void add_pixel(algsurf_i_tiling *t, int x, double low) {
+    t->pixel[t->pixels] = x;
+    t->pixel_low[t->pixels++] = low;
+}
+
+static void set_ways(const algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
+    if (line->way)
+        memset(line->way + line->dense * first, side + (int)way, (size_t)(line->dense * (end - first)));
+}
+
+/* The pixels from first to end - 1 of one tile. */
+static void collect_tile(const algsurf_i_tile *tile, int first, int end, double y, double sx,
+                         algsurf_i_line *line, algsurf_i_tiling *t) {
+    double eta = (y - tile->y) * tile->inverse;
+    int is_sheet = tile->enough > 0;
+    set_ways(line, first, end, (int)(2 / tile->inverse), is_sheet ? ALGSURF_WAY_SHEET : ALGSURF_WAY_ROW);
+    if (is_sheet && !line->wanted) {
+        add_sheet(tile, first, end, eta, sx, line, t);
+        return;
+    }
+    for (int x = first; x < end; x++) {
+        if (line->wanted && !line->wanted[x]) continue;
+        if (is_sheet)
+            add_sheet(tile, x, x + 1, eta, sx, line, t);
+        else
+            add_pixel(t, x, tile->low);
+    }
+}
+
+/* The samples of the listed pixels. */
+static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+    const algsurf_i_line *line = &worker->line;
+    algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_band *band = picture->tiled && line->way ? algsurf_i_band_of(picture, row, 1, t) : NULL;
+    const int dense = line->dense, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
+    t->pixels = 0;
+    for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
+        const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
+        set_ways(line, x, x + 1, number > 0 ? (int)(2 / band->tiles[number - 1].inverse) : 0,
+                 ALGSURF_WAY_ROW);
+        for (int k = dense * x; k < dense * (x + 1); k++) add_pixel(t, k, t->list_low[i]);
+    }
+}
+
+/* The row's pixels, by what their tiles are. */
+static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band, double y, double sx,
+                    algsurf_i_worker *worker) {
+    int width = picture->width, places = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
+    const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
+    worker->tiling.pixels = 0;
+    memset(worker->line.state + worker->line.begin, ALGSURF_LANE_MISS,
+           (size_t)(worker->line.end - worker->line.begin));
+    for (int first = 0, end; first < places; first = end) {
+        for (end = first + 1; end < places && cell[end] == cell[first];) end++;
+        int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
+        if (cell[first] < 0)
+            set_ways(&worker->line, x, x_end, -cell[first], ALGSURF_WAY_EMPTY);
+        else
+            collect_tile(band->tiles + cell[first] - 1, x, x_end, y, sx, &worker->line, &worker->tiling);
+    }
+}
+
+/* The row's pixels, all of them between the depths of what is shown; returns whether some are undecided:
+ * those beyond the bounds of forms. */
+static int collect_all(const algsurf_i_picture *picture, double y, algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    int begin, end, misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, &begin, &end);
+    worker->tiling.pixels = 0;
+    algsurf_i_begin_states(line, misses);
+    for (int x = begin; x < end; x++)
+        if (!line->wanted || line->wanted[x]) add_pixel(&worker->tiling, x, -1);
+    return !misses;
+}
+
+/* The line's points, which are on sheets; returns whether some are undecided. */
+static int find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
+                       algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_sheets sheets = {t->low, t->high, t->enough};
+    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, 0);
+    return !picture->code->points(job, line->pixel, line->depth, line->count, &sheets, line->sure, &points) &&
+           algsurf_i_drop_unsure(line, 0);
+}
+
+/* Depths of the listed pixels that are hit, after the line's points; returns whether some are undecided. */
+static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
+                        algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low};
+    int undecided = 0;
+    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state);
+    for (int i = 0; i < t->pixels; i++) {
+        int x = t->pixel[i];
+        line->state[x] = t->pixel_state[i];
+        undecided |= t->pixel_state[i] == ALGSURF_LANE_UNDECIDED;
+        if (t->pixel_state[i] != ALGSURF_LANE_HIT) continue;
+        line->pixel[line->count] = x;
+        line->depth[line->count++] = t->pixel_depth[i];
+    }
+    return undecided;
+}
+
+/* The points of the listed pixels, after the line's; returns whether some are undecided. */
+static int find_pixels(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
+                       algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    const int before = line->count;
+    double begun = algsurf_i_render_clock(picture);
+    algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
+    double expanded = algsurf_i_render_clock(picture);
+    int undecided = solve_pixels(picture, job->row, worker);
+    double solved = algsurf_i_render_clock(picture);
+    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, before);
+    if (!picture->code->points(job, line->pixel + before, line->depth + before, line->count - before, NULL,
+                               line->sure + before, &points))
+        undecided |= algsurf_i_drop_unsure(line, before);
+    tally->expand_s += expanded - begun;
+    tally->solve_s += solved - expanded;
+    tally->point_s += algsurf_i_render_clock(picture) - solved;
+    return undecided;
+}
+
+algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    algsurf_i_row_job job;
+    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
+    double begun = algsurf_i_render_clock(picture);
+    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
+    int undecided = 0;
+    tally->rays += (uint64_t)line->wanted_count;
+    algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
+    if (band)
+        collect(picture, band, row + sy, sx, worker);
+    else
+        undecided = collect_all(picture, row + sy, worker);
+    if (band) tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.pixels);
+    double collected = algsurf_i_render_clock(picture);
+    tally->solve_s += collected - begun;
+    if (line->count > 0) {
+        undecided |= find_sheets(picture, &points, worker);
+        tally->sheet_rays += (uint64_t)line->count;
+        tally->point_s += algsurf_i_render_clock(picture) - collected;
+    }
+    if (worker->tiling.pixels > 0) undecided |= find_pixels(picture, &points, worker, tally);
+    tally->hits += (uint64_t)line->count;
+    if (!undecided) return ALGSURF_OK;
+    double left = algsurf_i_render_clock(picture);
+    algsurf_status status =
+        algsurf_i_solve_undecided(picture, row + sy, sx, line->begin, line->end, line, tally);
+    tally->solve_s += algsurf_i_render_clock(picture) - left;
+    return status;
+}
+
+int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
+                           algsurf_i_tally *tally) {
+    algsurf_i_line *line = &worker->line;
+    const int before = line->count, dense = line->dense;
+    algsurf_i_row_job job;
+    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
+    tally->rays += (uint64_t)(dense * line->wanted_count);
+    algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
+    job.offset = 0.5 - 0.5 * picture->width * dense;
+    job.pixel /= dense;
+    collect_listed(picture, row, worker);
+    int undecided = find_pixels(picture, &points, worker, tally);
+    tally->hits += (uint64_t)(line->count - before);
+    return undecided;
+}

@@ -1,0 +1,98 @@
+/* pixels_template.h - the first roots along the rays of some pixels of a row, LANES at once: coefficients by
+ * Horner's rule in u, Descartes' walk (roots/packet_template.h), the root.
+ *
+ * Each lane has a range of depth of its own: its chord, cut to what is known of its root.  P along the ray is
+ * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring
+ * to Bernstein coefficients over the range; surface/view.c counts the roundings.
+ *
+ * Ends.  Where it is known that no root lies before a depth inside the chord, the range begins there, and a
+ * root in it counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in
+ * units of its length: where |P| at that end of the range exceeds what it can change by within blur, no root
+ * is between.  In both cases the end need not be looked at again. */
+#ifndef ALGSURF_PIXELS_TEMPLATE_H
+#define ALGSURF_PIXELS_TEMPLATE_H
+#include "../poly/triangle_template.h"
+#include "sight_template.h"
+
+#define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
+
+/* Depths between which a packet is searched. */
+typedef struct depth_range {
+    lanes lo, length;
+} depth_range;
+
+INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_range *r, packet *p, int n) {
+    lanes c[ALGSURF_MAX_VIEW_DEGREE + 1];
+    powers_at(job, u, c, n);
+    lanes half = 0.5 * r->length;
+    shift_and_scale(c, n, r->lo + half, half);
+    powers_to_bernstein(job->basis, n + 1, c, p->b, n);
+    p->e[0] = radius_at(job, u, n);
+}
+
+APART void expand_pixels(const algsurf_i_row_job *job, const lanes *u, const depth_range *r, packet *p,
+                         int n){FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))}
+
+/* The whole range is searched.  after: it begins inside the chord. */
+INLINE void set_ends(packet *k, lanes blur, mask after, int n) {
+    k->blur = blur;
+    lanes margin = k->e[0] + end_error(k, n);
+    after |= less(margin, absolute(k->b[0]));
+    mask before = less(margin, absolute(k->b[n]));
+    k->start = choose(after, all_lanes(-1), all_lanes(0));
+    k->stop = choose(before, all_lanes(2), all_lanes(1));
+}
+
+/* LANES pixels whose rays have no root on their chords before low. */
+INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, packet *k,
+                         lanes *z, int n) {
+    const sight s = sight_at(job, pixel);
+    depth_range r;
+    chord c = clip(job, &s, all_lanes(job->near), &k->open);
+    lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
+    k->watch = NULL;
+    k->undecided = c.undecided;
+    k->hit = no_lane();
+    r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
+    lanes hi = smaller(-floor40(-(c.far + gap)), all_lanes(1));
+    k->open &= less(r.lo, hi);
+    if (!any(k->open)) return;
+    r.lo = choose(k->open, r.lo, all_lanes(-1));
+    r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
+    expand_pixels(job, &s.u, &r, k, n);
+    begin(k, n, 0);
+    leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
+    k->open &= ~k->s.none;
+    if (!any(k->open)) return;
+    bound_errors(k, n, 0);
+    set_ends(k, 2 * sure / r.length, less(c.near + sure, low), n);
+    isolate(k, n);
+    if (!any(k->hit)) return;
+    refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
+    *z = r.lo + r.length * *z;
+}
+
+/* What was found of so many lanes, at most. */
+INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
+    unsigned hits = bits(k->hit), undecided = bits(k->undecided);
+    for (int l = 0; l < LANES && l < count; l++) {
+        state[l] =
+            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
+    }
+    for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
+}
+
+static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
+                         uint8_t *state) {
+    int n = job->row->degree;
+    if (n < 1) __builtin_unreachable();
+    for (int i = 0; i < p->count; i += LANES) {
+        int count = p->count - i;
+        packet k;
+        lanes z = all_lanes(0);
+        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count), &k, &z, n);
+        store_solved(&k, z, count, depth + i, state + i);
+    }
+}
+
+#endif
