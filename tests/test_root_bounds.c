@@ -36,7 +36,7 @@ static void reached(void **state) {
             algsurf_memory_begin(&memory, block, 4096, 0);
             for (int k = 0; k <= n; k++) c[reverse ? n - k : k] = k < n ? -ldexp(1, n - k) : 1;
             assert_true(algsurf_exact_from_doubles(&memory, c, n, 0, &p));
-            algsurf_exact_pieces_begin(&s, &p, &p, 1, 0, -HUGE_VAL, HUGE_VAL);
+            assert_true(algsurf_exact_pieces_begin(&s, &memory, &p, 0, -HUGE_VAL, HUGE_VAL));
             assert_int_equal(reverse ? s.least : s.most, reverse ? -2 : 2);
             assert_int_equal(sign_at(c, n, reverse ? -2 : 2), 1);
             assert_int_equal(sign_at(c, n, reverse ? -1 : 1), -1);

@@ -6,8 +6,9 @@
  *
  * Bounds.  With 2^(B_k - 1) <= |c_k| <= 2^(B_k), every root of p is |u| < 2^(1 + max over k < n of
  * (B_k - B_n + 1) / (n - k)) (Fujiwara 1916: twice the largest |c_k / c_n|^(1/(n-k))); and likewise its
- * inverse, from the coefficients in reverse.  No root is at the bound: with M = 2^m >= |c_k / c_n|^(1/(n-k)) for
- * all k and |u| = 2M the other terms are at most (1/2 + 1/4 + .. + 2^-n) |c_n u^n| together, less than that one.
+ * inverse, from the coefficients in reverse.  No root is at the bound: with M = 2^m >= |c_k / c_n|^(1/(n-k))
+ * for all k and |u| = 2M the other terms are at most (1/2 + 1/4 + .. + 2^-n) |c_n u^n| together, less than
+ * that one.
  *
  * Annuli without roots.  If for all 2^e <= |u| <= 2^(e+1), on one side of 0, a term is larger than all those
  * of the other sign together, there is none.  |c_k u^k| <= 2^(B_k - B_m + 1) |u|^(k-m) |c_m u^m|, where
@@ -95,8 +96,7 @@ static int fits_one_piece(algsurf_exact_pieces *s) {
     if (s->most - s->least > NOT_FAR || s->size[0].sign == 0) return 0;
     if (n >= CUT_FROM) {
         int mean = s->unit + ceiling_of_quotient(s->size[0].bits - s->size[n].bits, n);
-        s->least = mean < s->least ? s->least : mean > s->most ? s->most : mean;
-        s->inner = 1;
+        s->inner = mean < s->least ? s->least : mean > s->most ? s->most : mean;
         return 0;
     }
     if (s->most > 1023 || s->most < -1074) return s->most > 1023 && bounded;
@@ -129,6 +129,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
     find_root_bounds(s);
     int beyond = isfinite(farthest) ? ilogb(fmax(farthest, 0x1p-1074)) + 1 : s->most; /* 2^beyond > all |t| */
     if (beyond < s->most) s->most = beyond > s->least ? beyond : s->least;
+    s->inner = s->least;
     s->scattered = !fits_one_piece(s);
     algsurf_exact_pieces_again(s);
     return 1;
@@ -136,7 +137,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
 
 /* Is [2^e, 2^(e+1)], or the innermost piece, on this side of 0, outside of [lo,hi]? */
 static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
-    double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
+    double near = e < s->inner || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
     double far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
     return side > 0 ? far < s->lo || near > s->hi
                     : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
@@ -151,7 +152,7 @@ static int sign_of_term(const algsurf_exact_pieces *s, int k, int side) {
 static int leave_out(const algsurf_exact_pieces *s, int side, int e) {
     const algsurf_exact_size *c = s->size;
     int m = -1, spare = algsurf_limb_bits((algsurf_limb)s->degree) + 1, at = e - s->unit;
-    int least = s->least - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
+    int least = s->inner - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
     for (int k = 0; k <= s->degree; k++)
         if (c[k].sign && (m < 0 || c[k].bits + at * k > c[m].bits + at * m)) m = k;
     for (int k = 0; k <= s->degree; k++) {
@@ -172,17 +173,18 @@ static int leave_out(const algsurf_exact_pieces *s, int side, int e) {
 /* The next piece in units of powers of two. */
 static int next_scattered(algsurf_exact_pieces *s, algsurf_exact_piece *piece) {
     for (;;) {
-        if (s->side < 0 && s->exponent < s->least - s->inner) {
+        int innermost = s->inner - (s->inner > s->least);
+        if (s->side < 0 && s->exponent < innermost) {
             s->side = 1;
-            s->exponent = s->least - s->inner;
+            s->exponent = innermost;
             if (s->size[0].sign == 0) return ALGSURF_EXACT_ZERO;
         }
-        int side = s->side, e = s->exponent, innermost = e < s->least;
+        int side = s->side, e = s->exponent, about = e < s->inner; /* about 0 */
         if (side > 0 && e >= s->most) return ALGSURF_EXACT_NO_PIECE;
-        if (!innermost && (s->exponent = leave_out(s, side, e)) != e) continue;
+        if (!about && (s->exponent = leave_out(s, side, e)) != e) continue;
         s->exponent += side;
         if (is_outside(s, side, e)) continue;
-        *piece = (algsurf_exact_piece){.unit = e + innermost, .at = side > 0 ? 1 - innermost : innermost - 2};
+        *piece = (algsurf_exact_piece){.unit = e + about, .at = side > 0 ? 1 - about : about - 2};
         return ALGSURF_EXACT_PIECE;
     }
 }
