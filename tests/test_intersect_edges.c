@@ -344,7 +344,7 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     algsurf_ray ray = beside;
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
-    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, NULL, ALGSURF_WANT_ALL,
+    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL,
                                            ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
                      ALGSURF_OK);
     qsort(roots, (size_t)count, sizeof *roots, in_order);

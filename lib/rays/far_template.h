@@ -64,7 +64,7 @@ INLINE void set_piece(const far_rays *f, ray_lanes *r) {
  * ray's; and twice as far as where the ray begins or ends, if that is beyond. */
 APART void begin_pieces(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f) {
     const algsurf_surface *s = job->surface;
-    const lanes *d = r->direction, size = all_lanes(s->breadth * s->breadth);
+    const lanes *d = r->direction, size = all_lanes(s->spread * s->spread);
     lanes square = dot(d, d), x[3];
     f->first = r->near;
     f->last = r->far;
@@ -86,7 +86,7 @@ APART void begin_pieces(const algsurf_i_rays_job *job, const places *w, ray_lane
 
 /* Sets r to the first piece of lanes that are long. */
 INLINE void begin_far(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f) {
-    f->far = r->open & ~less(0.5 * r->far - 0.5 * r->near, all_lanes(LONG * job->surface->breadth));
+    f->far = r->open & ~less(0.5 * r->far - 0.5 * r->near, all_lanes(LONG * job->surface->spread));
     if (any(f->far)) begin_pieces(job, w, r, f);
 }
 

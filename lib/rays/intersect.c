@@ -123,11 +123,10 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
 
 /* Exact coefficients: all is decided. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
-                                                  const algsurf_i_exact_eye *eye, algsurf_i_want want,
-                                                  algsurf_hit *hits, int *count) {
+                                                  algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, eye, want, q->memory_limit,
+    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, want, q->memory_limit,
                                                   q->options.observer, roots, most, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q, ray, roots + i, hits + i);
     return status;
@@ -174,29 +173,29 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
 }
 
 /* The hits of a ray that lanes left undecided. */
-static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                             algsurf_i_want want, algsurf_hit *hits, int *count) {
+static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want,
+                             algsurf_hit *hits, int *count) {
     algsurf_status status = ALGSURF_OK;
     if (q->options.tier == ALGSURF_TIER_BOUNDED)
         hit_undecided(&q->region, ray, hits, count);
     else if (q->surface->error > 0)
         status = hits_in_ranges(q, ray, hits, count);
     else
-        status = hits_exact(q, ray, eye, want, hits, count);
+        status = hits_exact(q, ray, want, hits, count);
     if (status != ALGSURF_OK) return status;
     settle_undecided(q->options.undecided_as, hits, count);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
-                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact) {
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
+                                         uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
     int count = q->has_method ? hits_in_lane(q, ray, 1, found) : -1;
     if (count < 0) {
         *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
-        status = decide(q, ray, eye, ALGSURF_WANT_FIRST, found, &count);
+        status = decide(q, ray, ALGSURF_WANT_FIRST, found, &count);
     }
     if (status != ALGSURF_OK) return status;
     if (count)
@@ -210,7 +209,7 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
 static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
                                int *count) {
     *count = hits_in_lane(q, ray, q->surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK : decide(q, ray, NULL, ALGSURF_WANT_ALL, found, count);
+    return *count >= 0 ? ALGSURF_OK : decide(q, ray, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -244,7 +243,7 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    algsurf_status status = decide(q, ray, NULL, ALGSURF_WANT_ANY, found, &count);
+    algsurf_status status = decide(q, ray, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
     for (int i = 0; i < count; i++)

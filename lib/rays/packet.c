@@ -174,44 +174,11 @@ static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
         if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
 
-enum { SHARED_BY = 8, EYE_WORDS = 1024 }; /* rays that pay for an eye; its memory before any is allocated */
-
-/* Do SHARED_BY or more rays that are left alone begin at the same point? */
-static int share_origin(const algsurf_ray_packet *rays, const unsigned char *state) {
-    size_t count = 0, first = 0;
-    for (size_t i = 0; i < rays->count; i++) {
-        if (!left_alone(rays, state, i)) continue;
-        if (count++ == 0) first = i;
-        for (int k = 0; k < 3; k++)
-            if (rays->origin[k][i] != rays->origin[k][first]) return 0;
-    }
-    return count >= SHARED_BY;
-}
-
-/* P about the rays' common origin, if that makes forms cheaper: it fills a sparse surface. */
-static const algsurf_i_exact_eye *make_eye(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                                           const unsigned char *state, algsurf_memory *m,
-                                           algsurf_i_exact_eye *eye) {
-    size_t first = 0;
-    if (q->options.tier == ALGSURF_TIER_BOUNDED || q->surface->error > 0 || !share_origin(rays, state))
-        return NULL;
-    while (!left_alone(rays, state, first)) first++;
-    const double origin[3] = {rays->origin[0][first], rays->origin[1][first], rays->origin[2][first]};
-    if (!algsurf_i_exact_eye_make(m, q->surface, origin, eye)) return NULL;
-    return eye->count <= 3 * q->surface->term_count ? eye : NULL;
-}
-
 /* The rays that packets leave undecided, one by one; and what packets do not write. */
 static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const algsurf_ray_packet *rays,
                                               const algsurf_i_rays_hits *hits,
                                               const algsurf_hit_packet *known, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
-    algsurf_limb block[EYE_WORDS];
-    algsurf_memory memory;
-    algsurf_i_exact_eye eye;
-    algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    const algsurf_i_exact_eye *shared = make_eye(q, rays, hits->state, &memory, &eye);
     for (size_t i = 0; i < rays->count; i++) {
         if (!left_alone(rays, hits->state, i)) {
             set_simple(rays, known, i);
@@ -220,7 +187,7 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
         }
         algsurf_ray ray = ray_of(rays, i);
         algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(q, &ray, shared, &hit, exact);
+        algsurf_status one = algsurf_i_intersect_first(q, &ray, &hit, exact);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -228,7 +195,6 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
         store_hit(hits, i, &hit);
         if (known->multiplicity) known->multiplicity[i] = hit.multiplicity;
     }
-    algsurf_memory_release(&memory, begin);
     return status;
 }
 
@@ -270,7 +236,7 @@ static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surfa
     algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
     unsigned char state = solve_one(&q, ray, &found);
-    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, NULL, hit, &exact);
+    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, hit, &exact);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;

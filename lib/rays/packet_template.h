@@ -210,13 +210,11 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
 
 /* Answers the lanes `given`, but those that it returns. */
 INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
-                        const algsurf_i_rays_hits *hits) {
-    const int n = job->surface->node_degree, own = !job->surface->nodes;
+                        const algsurf_i_rays_hits *hits, int n) {
     packet k;
     algsurf_i_watch watch;
     lanes_hit hit = {.t = all_lanes(0)};
     mask going = no_lane();
-    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     lanes middle = 0.5 * r->near + 0.5 * r->far, half = 0.5 * r->far - 0.5 * r->near;
     k.watch = watch_chord(job, r, &watch);
     k.open = r->open;
@@ -226,11 +224,11 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
         chord_line line;
         set_chords(job, r, middle, half, &line, &k);
         mask opened = k.open;
-        if (own)
-            decide_from_powers(job, &line, &k, n);
-        else
+        if (job->surface->nodes)
             decide_from_nodes(job, &line, &k, n);
-        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, own);
+        else
+            decide_from_powers(job, &line, &k, n);
+        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
         if (!job->any && any(k.hit)) {
             lanes v;
             refine(&k, n, ROOT_ERROR, &v);
@@ -247,6 +245,8 @@ INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lane
 }
 
 APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
+    const int n = job->surface->node_degree;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     double scale = ldexp(1, -job->surface->unit);
     waiting list = {.count = 0};
     places w;
@@ -266,7 +266,7 @@ APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf
         clip_rays(job, &w, &r, scale);
         begin_far(job, &w, &r, &f);
         if (w.listed) resume(&list, &w, &r, &f);
-        mask going = solve_lanes(job, &w, &r, &f, given, hits);
+        mask going = solve_lanes(job, &w, &r, &f, given, hits, n);
         if (any(going)) put(&list, &w, &f, bits(going));
     }
 }

@@ -71,7 +71,7 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
-    mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
+    mask none = unclear(s->job->surface, x[0], normal, all_lanes(0), s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
     for (int i = 0; i < 3; i++)

@@ -54,7 +54,7 @@ struct algsurf_surface {
     double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
     /* For rays without ends.  Along a line through the origin the roots that are not far out have real parts
      * up to about this, in natural units: where to look first, no bound. */
-    double breadth;
+    double spread;
     unsigned char degree_in[8]; /* P's degree in those coordinates whose bits, 1, 2, 4, are set */
 };
 

@@ -93,7 +93,7 @@ static int is_beyond(const double *c, int n, double t, int side) {
 /* See impl.h.  Where P's highest terms have both signs the surface goes to infinity, and lines have roots at
  * all distances; where they are 0 in some directions, complex ones: then it is worth to look further, as long
  * as doubles allow it. */
-static double breadth_of(const algsurf_surface *s) {
+static double spread_of(const algsurf_surface *s) {
     double c[ALGSURF_MAX_DEGREE + 1], size = 0x1p-4;
     int signs = 0;
     for (int number = 0; number < 13; number++) { /* of 27 directions, 0 and the opposite ones left out */
@@ -131,7 +131,7 @@ int algsurf_i_surface_set_tables(algsurf_surface *s) {
     s->from_powers = s->tables;
     algsurf_i_power_basis(s->from_powers, n);
     s->most_reach = algsurf_i_exp2(280.0 / n);
-    s->breadth = breadth_of(s);
+    s->spread = spread_of(s);
     set_degrees_in(s);
     if (with_nodes) {
         s->to_bernstein = s->tables + side * side;
