@@ -54,7 +54,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
-                   .thin = picture->thin ? algsurf_i_thin_memory() : 0,
+                   .thin = 0,
                    .cells = tiles || (real && picture->selective),
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,

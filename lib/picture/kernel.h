@@ -131,6 +131,12 @@ typedef struct algsurf_i_complex_job {
     uint8_t *state;
 } algsurf_i_complex_job;
 
+/* What is thin beside rays of a row. */
+typedef struct algsurf_i_thin_job {
+    double side;  /* of a pixel, in u and v */
+    double large; /* |P| of nothing thin */
+} algsurf_i_thin_job;
+
 typedef struct algsurf_i_picture_kernel {
     /* depth[i], state[i] of pixel i: the first root along its ray. */
     void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
@@ -149,6 +155,9 @@ typedef struct algsurf_i_picture_kernel {
     /* The same from where the root of a sheet may be; returns whether it is for all. */
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
+    /* depth[i]: of what is thin beside ray i between its two depths; HUGE_VAL: there is nothing. */
+    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_thin_job *thin,
+                      const algsurf_i_leaves *rays, double *depth);
     /* solve_row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

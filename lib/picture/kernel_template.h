@@ -7,6 +7,7 @@
 #include "leaves_template.h"
 #include "points_template.h"
 #include "row_template.h"
+#include "thin_template.h"
 #include "tiles_template.h"
 #include "complex_template.h"
 
@@ -15,6 +16,7 @@ const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_r
                                                             .search_tiles = search_tiles,
                                                             .points = find_points,
                                                             .sheet_points = find_sheet_points,
+                                                            .find_thin = find_thin,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};
 

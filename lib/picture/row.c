@@ -14,7 +14,7 @@
 #include "packets.h"
 #include "shadow.h"
 #include "srgb.h"
-#include "thin_row.h"
+#include "thin.h"
 #include "tiling.h"
 
 #include <math.h>

@@ -1,0 +1,377 @@
+/* thin_template.h - what is thin beside rays: points without width, lines without sheets, needles narrower
+ * than a pixel.
+ *
+ * Such a thing is a critical point of P beside the ray, at which P is 0 or has the other sign.  So along the
+ * part of a ray that is before its hit, or all of its chord:
+ * 1. Places of least |P|: where the differences of P's Bernstein coefficients over a part of the ray show that
+ *    |P| falls and then grows, and some coefficient is not large; parts are halved until that happens once.
+ * 2. From there Newton's method on P's gradient, with the exact second derivatives: in the directions in
+ *    which P is curved towards 0 (eigenvectors, with P's sign) and which need a step of MOST_PIXELS at most.
+ *    Where P is like a power of the distance, r^m, a step goes 1/(m-1) of the way, and P is (m-1)/m of the
+ *    gradient times the step: so the whole way is known, and gone if that makes P TIMES as small as the step
+ *    does.  Along one direction that is not curved, as of a line, on to where the pixel's middle column or
+ *    row passes: a line is one pixel wide.
+ * 3. Thin, if that ends in the pixel, within the chord, where P is 0 up to rounding or has the other sign.
+ * It is an outline, and not thin,
+ * - if P has the other sign, too, as far behind that point as the ray is before it: the edge of something
+ *   wide, as where y^2 + x^3 = 0 is viewed from x > 0;
+ * - if P is curved the other way in another direction, a NARROW-th as much at least: a cone, whose inside is
+ *   wide next to its tip;
+ * - if it is 0 and curved in one direction alone: a double sheet, which rays beside this one hit.
+ * What is large: a step s in a direction with curvature l changes the gradient by l s.  So |P| <= sum g_i s_i
+ * <= sum |l_i| s_i^2, where the s_i are MOST_PIXELS at most; and the |l_i| add up to sum m (m-1) |q_ijk| at
+ * most, m = i + j + k, in the view's unit.
+ *
+ * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere. */
+#ifndef ALGSURF_THIN_TEMPLATE_H
+#define ALGSURF_THIN_TEMPLATE_H
+#include "leaves_template.h"
+#include "points_template.h"
+
+#define MOST_PIXELS 2  /* of a step */
+#define NARROW 16
+#define TIMES 10
+#define TO_ONE_SIDE 0x1p-10 /* pixels: so that what is in the middle between pixels is in one of them */
+#define NEWTON_ROUNDS 10
+#define PART_TURNS 200 /* parts of a ray */
+
+/* ---- P about a point ---- */
+
+/* P's Taylor expansion about LANES points, up to the second order; the sum of the sizes of its terms there. */
+typedef struct expansion {
+    lanes v, x, y, z, xx, xy, yy, xz, yz, zz, size;
+} expansion;
+
+INLINE void add_row_of_x(const double *c, int length, lanes x, lanes y, expansion *p) {
+    lanes v = all_lanes(0), d = v, dd = v, size = v;
+    for (int i = length - 1; i >= 0; i--) {
+        dd = dd * x + d;
+        d = d * x + v;
+        v = v * x + all_lanes(c[i]);
+        size = size * absolute(x) + all_lanes(fabs(c[i]));
+    }
+    p->yy = p->yy * y + p->y;
+    p->xy = p->xy * y + p->x;
+    p->y = p->y * y + p->v;
+    p->xx = p->xx * y + dd;
+    p->x = p->x * y + d;
+    p->v = p->v * y + v;
+    p->size = p->size * absolute(y) + size;
+}
+
+static expansion expand_about(const algsurf_surface *s, const lanes at[3]) {
+    const lanes z = at[2], zero = all_lanes(0);
+    const expansion nothing = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+    expansion p = nothing;
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_row *row = s->rows + s->levels[k].first;
+        expansion q = nothing;
+        for (int j = s->levels[k].count - 1; j >= 0; j--)
+            add_row_of_x(s->coef + row[j].first, row[j].length, at[0], at[1], &q);
+        p.zz = p.zz * z + p.z;
+        p.xz = p.xz * z + p.x;
+        p.yz = p.yz * z + p.y;
+        p.z = p.z * z + p.v;
+        p.v = p.v * z + q.v;
+        p.x = p.x * z + q.x, p.y = p.y * z + q.y;
+        p.xx = p.xx * z + q.xx, p.xy = p.xy * z + q.xy, p.yy = p.yy * z + q.yy;
+        p.size = p.size * absolute(z) + q.size;
+    }
+    return p;
+}
+
+/* Jacobi's rotation that makes a_pq zero; v[i] becomes the i-th eigenvector. */
+INLINE void rotate(lanes a[3][3], lanes v[3][3], int p, int q) {
+    lanes zero = all_lanes(0), one = all_lanes(1);
+    mask some = less(zero, absolute(a[p][q]));
+    lanes ratio = 0.5 * (a[q][q] - a[p][p]) / choose(some, a[p][q], one);
+    lanes t = 1 / (absolute(ratio) + root(ratio * ratio + 1));
+    t = choose(some, choose(less(ratio, zero), -t, t), zero);
+    lanes c = 1 / root(t * t + 1), s = t * c;
+    for (int k = 0; k < 3; k++) {
+        lanes x = a[k][p], y = a[k][q];
+        a[k][p] = c * x - s * y;
+        a[k][q] = s * x + c * y;
+    }
+    for (int k = 0; k < 3; k++) {
+        lanes x = a[p][k], y = a[q][k], e = v[p][k], f = v[q][k];
+        a[p][k] = c * x - s * y;
+        a[q][k] = s * x + c * y;
+        v[p][k] = c * e - s * f;
+        v[q][k] = s * e + c * f;
+    }
+}
+
+/* The second derivatives' eigenvalues and eigenvectors. */
+static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
+    lanes a[3][3] = {{2 * p->xx, p->xy, p->xz}, {p->xy, 2 * p->yy, p->yz}, {p->xz, p->yz, 2 * p->zz}};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) v[i][k] = all_lanes(i == k);
+    for (int sweep = 0; sweep < 5; sweep++) {
+        rotate(a, v, 0, 1);
+        rotate(a, v, 0, 2);
+        rotate(a, v, 1, 2);
+    }
+    for (int i = 0; i < 3; i++) l[i] = a[i][i];
+}
+
+/* ---- beside a ray ---- */
+
+/* A packet of rays, and from where on they are looked at. */
+typedef struct beside {
+    const algsurf_i_point_job *job;
+    sight s;
+    lanes near, far; /* depths of the chord */
+    double side;     /* of a pixel, in u and v */
+} beside;
+
+/* Where a point is viewed: in pixels from the ray, to the right and up; its depth; a pixel's size there. */
+typedef struct viewed {
+    lanes across[2], depth, pixel;
+} viewed;
+
+INLINE viewed look_at(const beside *b, const lanes at[3]) {
+    const algsurf_i_view *view = b->job->row->view;
+    const lanes middle[2] = {b->s.u, b->s.v};
+    lanes place[3];
+    viewed p;
+    for (int k = 0; k < 3; k++) {
+        place[k] = all_lanes(0);
+        for (int i = 0; i < 3; i++) place[k] += (at[i] - view->centre[i]) * all_lanes(view->axis[k][i]);
+        place[k] *= all_lanes(1 / view->size);
+    }
+    lanes shrunk = 1 + all_lanes(view->alpha) * place[2];
+    p.depth = place[2];
+    p.pixel = shrunk * all_lanes(view->size * b->side);
+    for (int k = 0; k < 2; k++)
+        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) * all_lanes(1 / b->side);
+    return p;
+}
+
+/* How far a step along v, of one pixel, goes across: in pixels. */
+INLINE void look_along(const beside *b, const lanes v[3], lanes across[2]) {
+    const algsurf_i_view *view = b->job->row->view;
+    const lanes slope[2] = {b->s.a, b->s.b};
+    lanes part[3];
+    for (int k = 0; k < 3; k++) {
+        part[k] = all_lanes(0);
+        for (int i = 0; i < 3; i++) part[k] += v[i] * all_lanes(view->axis[k][i]);
+    }
+    for (int k = 0; k < 2; k++) across[k] = part[k] - slope[k] * part[2];
+}
+
+INLINE lanes value_at(const beside *b, const lanes at[3], const lanes step[3], lanes times) {
+    lanes place[PAIR][3];
+    for (int i = 0; i < 3; i++) place[0][i] = at[i] + times * step[i];
+    return surface_jets(b->job->surface, place, 1).v[0];
+}
+
+/* Newton's step: see the head. */
+typedef struct newton_step {
+    lanes step[3], falls; /* the gradient along it, times -1 */
+    lanes taken;          /* so many directions, */
+    lanes left[3];        /* and the last one of the others */
+    lanes axis[3][3], curved[3]; /* directions, and how much P is curved away from 0 in them */
+} newton_step;
+
+INLINE newton_step step_of(const expansion *p, lanes sign, lanes pixel) {
+    const lanes g[3] = {p->x, p->y, p->z}, zero = all_lanes(0);
+    lanes l[3];
+    newton_step n = {.step = {zero, zero, zero}, .falls = zero, .taken = zero, .left = {zero, zero, zero}};
+    find_axes(p, l, n.axis);
+    lanes least = 0x1p-46 * larger(larger(absolute(l[0]), absolute(l[1])), absolute(l[2]));
+    for (int i = 0; i < 3; i++) {
+        lanes slope = dot(g, n.axis[i]), curved = sign * l[i];
+        mask take = less(least, curved) & at_most(absolute(slope), MOST_PIXELS * pixel * curved);
+        lanes step = choose(take, -slope / choose(take, l[i], all_lanes(1)), zero);
+        for (int k = 0; k < 3; k++) {
+            n.step[k] += step * n.axis[i][k];
+            n.left[k] = choose(take, n.left[k], n.axis[i][k]);
+        }
+        n.falls -= sign * slope * step;
+        n.taken += choose(take, all_lanes(1), zero);
+        n.curved[i] = curved;
+    }
+    return n;
+}
+
+/* How many times the step: see the head. */
+INLINE lanes lengthen(const beside *b, const newton_step *n, const lanes at[3], lanes value, mask on) {
+    lanes one = all_lanes(1), share = value / n->falls;
+    mask longer = on & less(all_lanes(0.55), share) & less(share, all_lanes(0.97));
+    lanes times = choose(longer, share / (1 - share), one);
+    if (!any(longer)) return one;
+    lanes there = value_at(b, at, n->step, one), further = value_at(b, at, n->step, times);
+    return choose(less(TIMES * absolute(further), absolute(there)), times, one);
+}
+
+/* Along the direction that is left, if it is one, to where the pixel's middle column or row passes. */
+INLINE void follow_line(const beside *b, const newton_step *n, lanes at[3]) {
+    lanes across[2];
+    viewed p = look_at(b, at);
+    look_along(b, n->left, across);
+    mask flat = at_most(absolute(across[1]), absolute(across[0]));
+    lanes along = choose(flat, across[0], across[1]), off = choose(flat, p.across[0], p.across[1]);
+    mask slanted = less(all_lanes(0x1p-7), absolute(along)) & at_most(all_lanes(2), n->taken) & less(n->taken, all_lanes(3));
+    lanes by = choose(slanted, off / choose(slanted, along, all_lanes(1)), all_lanes(0)) * p.pixel;
+    for (int k = 0; k < 3; k++) at[k] -= by * n->left[k];
+}
+
+/* Is P 0 around a point of it, as far as doubles tell, on a sheet? */
+static mask is_sheet(const beside *b, const newton_step *n, const lanes at[3], lanes sign, lanes pixel, double rounding) {
+    mask flat[3], sheet;
+    for (int i = 0; i < 3; i++) {
+        lanes to[3];
+        for (int k = 0; k < 3; k++) to[k] = at[k] + 0.25 * pixel * n->axis[i][k];
+        const expansion p = expand_about(b->job->surface, to);
+        const newton_step back = step_of(&p, sign, pixel);
+        flat[i] = at_most(absolute(value_at(b, to, back.step, all_lanes(1))), rounding * p.size);
+    }
+    sheet = (flat[0] & flat[1]) | (flat[0] & flat[2]) | (flat[1] & flat[2]);
+    return sheet;
+}
+
+/* Is what was found, where P has that value, narrow in two directions at least? */
+INLINE mask is_narrow(const beside *b, const newton_step *n, const lanes at[3], lanes value, lanes error, lanes sign, lanes pixel, double rounding, mask open) {
+    lanes zero = all_lanes(0), most = zero, back = zero, directions = zero;
+    for (int i = 0; i < 3; i++) {
+        most = larger(most, n->curved[i]);
+        back = larger(back, -n->curved[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        directions += choose(at_most(0x1p-8 * most, n->curved[i]) & at_most(-value, 2 * pixel * pixel * n->curved[i]), all_lanes(1), zero);
+    mask narrow = at_most(all_lanes(2), directions), open_sheet = open & ~narrow & at_most(-error, value);
+    if (any(open_sheet)) narrow |= open_sheet & ~is_sheet(b, n, at, sign, pixel, rounding);
+    return narrow & at_most(NARROW * back, most);
+}
+
+/* Is there something thin beside the rays at points of theirs?  Then it is at *depth. */
+static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth) {
+    const lanes zero = all_lanes(0);
+    const double rounding = 16 * (b->job->surface->degree + 1) * 0x1p-53;
+    lanes at[3] = {start[0], start[1], start[2]};
+    expansion p = expand_about(b->job->surface, at);
+    lanes sign = choose(less(p.v, zero), all_lanes(-1), all_lanes(1)), first = absolute(p.v);
+    lanes pixel = look_at(b, at).pixel;
+    mask found = no_lane();
+    for (int round = 0; any(open) && round < NEWTON_ROUNDS; round++) {
+        newton_step n = step_of(&p, sign, pixel);
+        lanes value = sign * p.v, error = rounding * p.size, moved = zero, to[3], behind[3];
+        if (round == 0) open &= at_most(value, n.falls + 2 * error);
+        lanes times = lengthen(b, &n, at, value, open);
+        for (int k = 0; k < 3; k++) to[k] = at[k] + times * n.step[k];
+        follow_line(b, &n, to);
+        for (int k = 0; k < 3; k++) {
+            moved = larger(moved, absolute(to[k] - at[k]));
+            at[k] = choose(open, to[k], at[k]);
+        }
+        p = expand_about(b->job->surface, at);
+        const viewed s = look_at(b, at);
+        lanes off = larger(absolute(s.across[0] + TO_ONE_SIDE), absolute(s.across[1] + TO_ONE_SIDE));
+        open &= at_most(off, all_lanes(MOST_PIXELS));
+        mask ends = open & at_most(moved, round < NEWTON_ROUNDS - 1 ? 0x1p-6 * pixel : all_lanes(HUGE_VAL));
+        open &= ~ends;
+        error = 4 * rounding * p.size;
+        value = sign * p.v;
+        ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far);
+        ends &= at_most(value, 0x1p-10 * first + error);
+        if (!any(ends)) continue;
+        for (int k = 0; k < 3; k++) behind[k] = at[k] - start[k];
+        ends &= at_most(-0x1p-4 * first - error, sign * value_at(b, at, behind, all_lanes(1)));
+        ends &= is_narrow(b, &n, at, value, error, sign, pixel, rounding, ends);
+        *depth = choose(ends, s.depth, *depth);
+        found |= ends;
+    }
+    return found;
+}
+
+/* ---- along a ray ---- */
+
+/* Of parts of rays, with P positive: is there a place of least P, or several, where it is not large? */
+typedef struct dips {
+    mask some, one;
+} dips;
+
+INLINE dips dips_of(const lanes *w, lanes large, int n) {
+    mask fell = no_lane(), rose = fell, some = fell, more = fell;
+    lanes least = w[0];
+    for (int j = 1; j <= n; j++) {
+        mask falls = less(w[j], w[j - 1]), rises = less(w[j - 1], w[j]);
+        least = smaller(least, w[j]);
+        some |= fell & rises;
+        more |= rose & falls;
+        fell |= falls;
+        rose |= rises;
+    }
+    some &= at_most(least, large);
+    return (dips){some, some & ~more};
+}
+
+/* |P| above which there is nothing thin beside rays of the row. */
+INLINE lanes large_value(const packet *k, double large) { return large + k->e[0]; }
+
+/* LANES rays. */
+INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_job *thin, lanes pixel, lanes low, lanes high,
+                          int inside, lanes *depth, int n) {
+    const algsurf_i_row_job *job = points->row;
+    const guess unknown = {low, low, no_lane()};
+    const row_rays rows = rays_of_row(points);
+    beside b = {.job = points, .s = sight_at(job, pixel), .side = thin->side};
+    packet k;
+    mask open, wait = no_lane();
+    const chord c = clip(job, &b.s, all_lanes(job->near), &open);
+    b.near = c.near, b.far = c.far;
+    lanes lo = larger(c.near, low), hi = smaller(c.far, high), zero = all_lanes(0), one = all_lanes(1);
+    open = (less(lo, hi)) & less(numbered(), all_lanes(inside));
+    if (!any(open)) return;
+    lo = choose(open, lo, all_lanes(-1));
+    leaf_range r = {lo, choose(open, hi, one) - lo};
+    expand_leaves(job, b.s.u, &r, &k, n);
+    take_sign(k.b, n, open);
+    lanes large = thin->large + k.e[0], from = zero, length = one;
+    cell *part = &k.at;
+    for (int turn = 0; any(open) && turn < PART_TURNS; turn++) {
+        lanes left[MOST_DEGREE + 1], w[MOST_DEGREE + 1];
+        for (int j = 0; j <= n; j++) w[j] = k.b[j];
+        if (any(open & less(zero, from))) split_shares(w, left, n, from, 1 - from);
+        lanes to = from + length;
+        split_shares(w, left, n, length, 1 - to);
+        const dips d = dips_of(left, large, n);
+        mask here = open & ~wait, small = at_most(length * r.length, all_lanes(thin->side));
+        mask place = here & d.some & (d.one | small), halve = here & d.some & ~place, on = here & ~halve;
+        for (int j = 0; j < n; j++) part->w[j] = choose(place, left[j] - left[j + 1], part->w[j]);
+        part->p = choose(place, from, part->p);
+        part->q = choose(place, to, part->q);
+        wait |= place;
+        from = choose(on, to, from);
+        length = choose(halve, 0.5 * length, length);
+        lanes pairs = from / (2 * length), whole = (pairs + 0x1.8p52) - 0x1.8p52;
+        length = choose(on & at_most(pairs, whole) & at_most(whole, pairs), 2 * length, length);
+        open &= less(from, one) | wait;
+        if (!any(wait) || any(open & ~wait)) continue;
+        lanes z = zero, at[3];
+        k.hit = wait, k.watch = NULL;
+        refine(&k, n - 1, &unknown, 0x1p-4 * thin->side, &z);
+        z = lo + r.length * z;
+        const packet_rays ray = rays_of_packet(&rows, pixel, z);
+        for (int i = 0; i < 3; i++) at[i] = ray.foot[i] + ray.z * ray.along[i];
+        mask found = is_thin(&b, at, wait, &z);
+        *depth = choose(found, z, *depth);
+        open &= ~found & less(from, one);
+        wait = no_lane();
+    }
+}
+
+static void find_thin(const algsurf_i_point_job *job, const algsurf_i_thin_job *thin, const algsurf_i_leaves *rays, double *depth) {
+    const int n = job->row->row->degree;
+    if (n < 2) return;
+    for (int i = 0; i < rays->count; i += LANES) {
+        const int count = rays->count - i;
+        lanes found = all_lanes(HUGE_VAL);
+        search_rays(job, thin, load_some_integers(rays->at + i, count), load_some(rays->low + i, count),
+                      load_some(rays->high + i, count), count, &found, n);
+        store_some(depth + i, found, count);
+    }
+}
+
+#endif
