@@ -36,7 +36,6 @@ typedef struct sizes {
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
     size_t places;         /* leaves of a band */
-    size_t thin;           /* of a search for what is thin */
     int cells;             /* 1: there are tiles, of a band or of single pixels */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
@@ -54,7 +53,6 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
-                   .thin = 0,
                    .cells = tiles || (real && picture->selective),
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
@@ -119,7 +117,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     }
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
-    t->thin = take_bytes(a, s->thin);
     t->from = take_doubles(a, s->width + 2 * s->places);
     t->to = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);
@@ -136,6 +133,7 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->leaf = take_ints(a, s->dense * s->width);
     t->sure = take_bytes(a, s->width);
     t->leaf_state = take_bytes(a, s->width);
+    t->leaf_thin = take_bytes(a, s->width);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {

@@ -29,6 +29,9 @@ typedef struct algsurf_i_row_job {
     double plane_room; /* added to their offsets */
     double near;       /* depth of the eye; the ray begins there */
     double tolerance;  /* wanted error of the depth; 0: all that the coefficients tell */
+    /* what is thin: of a pixel the side in u and v; what belongs to a hit before it; |P| of nothing thin, or 0
+     * if nothing is looked for */
+    double thin_side, thin_before, thin_large;
 } algsurf_i_row_job;
 
 /* Pixels of a row that follow `first`. */
@@ -42,6 +45,7 @@ typedef struct algsurf_i_leaves {
     int count;
     const int *at;
     const double *low, *high;
+    uint8_t *thin; /* receives whether there may be something thin; or null */
 } algsurf_i_leaves;
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
@@ -131,12 +135,6 @@ typedef struct algsurf_i_complex_job {
     uint8_t *state;
 } algsurf_i_complex_job;
 
-/* What is thin beside rays of a row. */
-typedef struct algsurf_i_thin_job {
-    double side;  /* of a pixel, in u and v */
-    double large; /* |P| of nothing thin */
-} algsurf_i_thin_job;
-
 typedef struct algsurf_i_picture_kernel {
     /* depth[i], state[i] of pixel i: the first root along its ray. */
     void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
@@ -156,8 +154,7 @@ typedef struct algsurf_i_picture_kernel {
     int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, const algsurf_i_points *points);
     /* depth[i]: of what is thin beside ray i between its two depths; HUGE_VAL: there is nothing. */
-    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_thin_job *thin,
-                      const algsurf_i_leaves *rays, double *depth);
+    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_leaves *rays, double *depth);
     /* solve_row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

@@ -61,35 +61,70 @@ INLINE void set_ends(packet *k, lanes blur, mask after, mask before, int n) {
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
+/* Of parts of rays, with P positive: is there a place of least P, or several, where it is not large? */
+typedef struct dips {
+    mask some, one;
+} dips;
+
+INLINE dips dips_of(const lanes *w, lanes large, int n) {
+    mask fell = no_lane(), rose = fell, some = fell, more = fell;
+    lanes least = w[0];
+    for (int j = 1; j <= n; j++) {
+        mask falls = less(w[j], w[j - 1]), rises = less(w[j - 1], w[j]);
+        least = smaller(least, w[j]);
+        some |= fell & rises;
+        more |= rose & falls;
+        fell |= falls;
+        rose |= rises;
+    }
+    some &= at_most(least, large);
+    return (dips){some, some & ~more};
+}
+
+/* Is there such a place before the hits of a packet, or anywhere where there are none?  z: of hits. */
+INLINE mask dips_before(const algsurf_i_row_job *job, const packet *k, lanes z, lanes length, int n) {
+    lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], zero = all_lanes(0);
+    const mask negative_first = less(k->b[0], zero);
+    for (int j = 0; j <= n; j++) w[j] = choose(negative_first, -k->b[j], k->b[j]);
+    lanes end = choose(k->hit, larger(z - job->thin_before / length, zero), all_lanes(1));
+    if (any(k->hit)) {
+        split_shares(w, left, n, end, 1 - end);
+        for (int j = 0; j <= n; j++) w[j] = left[j];
+    }
+    return dips_of(w, job->thin_large + k->e[0], n).some;
+}
+
 #define LEAF_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
 
-/* LANES leaves. */
+/* LANES leaves; *thin: is there a place where something thin may be? */
 INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
-                              lanes *z, int n) {
+                              lanes *z, mask *thin, int n) {
     const sight s = sight_at(job, pixel);
     const guess unknown = {low, low, no_lane()};
     leaf_range r;
     chord c = clip(job, &s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + LEAF_ROUNDING;
     k->watch = NULL;
-    k->undecided = c.undecided;
+    *thin = k->undecided = c.undecided;
     k->hit = no_lane();
     r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
     lanes hi = smaller(-floor40(-smaller(c.far + gap, high)), all_lanes(1));
     k->open &= less(r.lo, hi);
     if (!any(k->open)) return;
+    const mask all = k->open;
     r.lo = choose(k->open, r.lo, all_lanes(-1));
     r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
     expand_leaves(job, s.u, &r, k, n);
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
-    if (!any(k->open)) return;
-    bound_errors(k, n, 0);
-    set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
-    isolate(k, n, NULL);
-    if (!any(k->hit)) return;
-    refine(k, n, &unknown, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
+    if (any(k->open)) {
+        bound_errors(k, n, 0);
+        set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
+        isolate(k, n, NULL);
+        if (any(k->hit)) refine(k, n, &unknown, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
+    }
+    if (job->thin_large > 0) *thin = k->undecided | (all & dips_before(job, k, *z, r.length, n));
     *z = r.lo + r.length * *z;
 }
 
@@ -99,10 +134,13 @@ INLINE void solve_leaves_n(const algsurf_i_row_job *job, const algsurf_i_leaves 
     for (int i = 0; i < p->count; i += LANES) {
         int count = p->count - i;
         packet k;
+        mask thin;
         lanes z = all_lanes(0);
         solve_leaf_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count),
-                          load_some(p->high + i, count), &k, &z, n);
+                          load_some(p->high + i, count), &k, &z, &thin, n);
         store_solved(&k, z, count, depth + i, state + i);
+        const unsigned which = bits(thin);
+        for (int l = 0; p->thin && l < LANES && l < count; l++) p->thin[i + l] = which >> l & 1;
     }
 }
 

@@ -28,7 +28,10 @@ algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
                                .planes = p->view_planes,
                                .plane_count = p->plane_count,
                                .near = p->near,
-                               .tolerance = p->tolerance};
+                               .tolerance = p->tolerance,
+                               .thin_side = p->thin_side,
+                               .thin_before = 4 * p->thin_side,
+                               .thin_large = p->thin_large};
 }
 
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,

@@ -8,8 +8,6 @@
 #include "srgb.h"
 #include "thin.h"
 
-#define BEFORE 4 /* pixels' sides: what is less far in front of a hit belongs to it */
-
 /* Of depth along the ray, for a t of 1. */
 static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *ray) {
     const algsurf_i_view *view = &picture->packets->frame.view;
@@ -35,6 +33,7 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
+/* In every direction second derivatives are at most that, for |x|, |y|, |z| <= 1. */
 static double second_sizes(const algsurf_i_frame_form *frame) {
     int side = frame->degree + 1;
     double sum = 0;
@@ -45,23 +44,45 @@ static double second_sizes(const algsurf_i_frame_form *frame) {
     return sum;
 }
 
-/* The pixels of leaves, or all where there are no tiles. */
-static int collect(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
-                   const algsurf_i_line *line, algsurf_i_tiling *t) {
-    int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF, count = 0, begin, end;
-    const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    algsurf_i_range_within_bounds(picture, row + 0.5, row + 0.5, 1, &begin, &end);
-    if (begin < line->begin) begin = line->begin;
-    if (end > line->end) end = line->end;
-    for (int x = begin; x < end; x++) {
-        int number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
-        if (band && (number <= 0 || band->tiles[number - 1].enough > 0)) continue;
-        if (line->wanted && !line->wanted[x]) continue;
-        t->leaf[count] = x;
-        t->leaf_low[count] = band ? band->tiles[number - 1].low : -1;
-        t->leaf_high[count++] = band ? band->tiles[number - 1].high : 1;
+void algsurf_i_prepare_thin(const algsurf_i_picture *picture) {
+    algsurf_i_packets *p = picture->packets;
+    double side = fabs(p->per_slope) * p->pixel / (picture->selective ? 1 : picture->scene->antialias);
+    double step = 2 * side * (1 + fabs(p->frame.view.alpha));
+    p->thin_side = side;
+    p->thin_large = step * step * second_sizes(&p->frame);
+}
+
+void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t) {
+    t->thin_count = 0;
+    if (!(job->thin_large > 0)) return;
+    for (int i = 0; i < t->leaves; i++) {
+        if (!t->leaf_thin[i]) continue;
+        int to = t->thin_count++, is_hit = t->leaf_state[i] == ALGSURF_LANE_HIT;
+        t->leaf[to] = t->leaf[i];
+        t->leaf_low[to] = t->leaf_low[i];
+        t->leaf_high[to] = is_hit ? fmin(t->leaf_high[i], t->leaf_depth[i] - job->thin_before) : t->leaf_high[i];
+        t->leaf_thin[to] = !is_hit;
     }
-    return count;
+}
+
+static int point_of(const algsurf_i_line *line, int x) {
+    int i = line->count - 1;
+    while (i >= 0 && line->pixel[i] != x) i--;
+    return i;
+}
+
+/* Pixels that were solved alone, and hit: by then there is a hit. */
+static void end_at_hits(const algsurf_i_picture *picture, double sx, double y, const algsurf_i_line *line, algsurf_i_tiling *t) {
+    const algsurf_i_packets *p = picture->packets;
+    const int surely = picture->scene->intersect.undecided_as != ALGSURF_AS_HIT;
+    for (int i = 0; i < t->thin_count; i++) {
+        int x = t->leaf[i];
+        algsurf_ray ray;
+        if (!t->leaf_thin[i] || line->state[x] != ALGSURF_HIT || !surely) continue;
+        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, y, &ray);
+        double depth = p->near + line->points.t[point_of(line, x)] * depth_per_t(picture, &ray);
+        t->leaf_high[i] = fmin(t->leaf_high[i], depth - 4 * p->thin_side);
+    }
 }
 
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
@@ -69,39 +90,19 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_packets *p = picture->packets;
-    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
-    int count = collect(picture, band, row, line, t);
-    if (count == 0) return;
     algsurf_i_row_job job;
+    if (t->thin_count == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    algsurf_i_row_expand(&p->frame, worker->form.v, &worker->form);
-    job.pixel /= line->across;
-    double side = fabs(job.du * job.pixel), bend = 2 * side * (1 + fabs(p->frame.view.alpha));
-    (void)bend;
-    job.pixel *= line->across;
-    const algsurf_i_thin_job thin = {.side = side, .large = bend * bend * second_sizes(&p->frame)};
-    for (int i = 0; i < line->count; i++) {
-        algsurf_ray ray;
-        if (line->state[line->pixel[i]] != ALGSURF_HIT) continue;
-        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, line->pixel[i] + sx,
-                             row + sy, &ray);
-        line->depth[line->pixel[i]] = p->near + line->points.t[i] * depth_per_t(picture, &ray) - BEFORE * side;
-    }
-    for (int i = 0; i < count; i++) {
-        int x = t->leaf[i];
-        if (line->state[x] == ALGSURF_HIT && t->leaf_high[i] > line->depth[x]) t->leaf_high[i] = line->depth[x];
-    }
+    end_at_hits(picture, sx, row + sy, line, t);
     const algsurf_i_point_job points = {picture->scene->surface, &job, NULL};
-    const algsurf_i_leaves rays = {count, t->leaf, t->leaf_low, t->leaf_high};
-    picture->code->find_thin(&points, &thin, &rays, t->leaf_depth);
-    for (int i = 0; i < count; i++) {
-        int x = t->leaf[i], point = -1;
+    const algsurf_i_leaves rays = {t->thin_count, t->leaf, t->leaf_low, t->leaf_high, NULL};
+    picture->code->find_thin(&points, &rays, t->leaf_depth);
+    for (int i = 0; i < t->thin_count; i++) {
+        int x = t->leaf[i];
         algsurf_ray ray;
         if (!(t->leaf_depth[i] < HUGE_VAL)) continue;
-        for (int k = 0; k < line->count; k++)
-            if (line->pixel[k] == x) point = k;
         algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
-        show(picture, x, (t->leaf_depth[i] - p->near) / depth_per_t(picture, &ray), &ray, line, point);
+        show(picture, x, (t->leaf_depth[i] - p->near) / depth_per_t(picture, &ray), &ray, line, point_of(line, x));
         tally->thin++;
     }
 }

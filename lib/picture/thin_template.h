@@ -287,36 +287,13 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
 
 /* ---- along a ray ---- */
 
-/* Of parts of rays, with P positive: is there a place of least P, or several, where it is not large? */
-typedef struct dips {
-    mask some, one;
-} dips;
-
-INLINE dips dips_of(const lanes *w, lanes large, int n) {
-    mask fell = no_lane(), rose = fell, some = fell, more = fell;
-    lanes least = w[0];
-    for (int j = 1; j <= n; j++) {
-        mask falls = less(w[j], w[j - 1]), rises = less(w[j - 1], w[j]);
-        least = smaller(least, w[j]);
-        some |= fell & rises;
-        more |= rose & falls;
-        fell |= falls;
-        rose |= rises;
-    }
-    some &= at_most(least, large);
-    return (dips){some, some & ~more};
-}
-
-/* |P| above which there is nothing thin beside rays of the row. */
-INLINE lanes large_value(const packet *k, double large) { return large + k->e[0]; }
-
 /* LANES rays. */
-INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_job *thin, lanes pixel, lanes low, lanes high,
+INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes low, lanes high,
                           int inside, lanes *depth, int n) {
     const algsurf_i_row_job *job = points->row;
     const guess unknown = {low, low, no_lane()};
     const row_rays rows = rays_of_row(points);
-    beside b = {.job = points, .s = sight_at(job, pixel), .side = thin->side};
+    beside b = {.job = points, .s = sight_at(job, pixel), .side = job->thin_side};
     packet k;
     mask open, wait = no_lane();
     const chord c = clip(job, &b.s, all_lanes(job->near), &open);
@@ -328,7 +305,7 @@ INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_
     leaf_range r = {lo, choose(open, hi, one) - lo};
     expand_leaves(job, b.s.u, &r, &k, n);
     take_sign(k.b, n, open);
-    lanes large = thin->large + k.e[0], from = zero, length = one;
+    lanes large = job->thin_large + k.e[0], from = zero, length = one;
     cell *part = &k.at;
     for (int turn = 0; any(open) && turn < PART_TURNS; turn++) {
         lanes left[MOST_DEGREE + 1], w[MOST_DEGREE + 1];
@@ -337,7 +314,7 @@ INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_
         lanes to = from + length;
         split_shares(w, left, n, length, 1 - to);
         const dips d = dips_of(left, large, n);
-        mask here = open & ~wait, small = at_most(length * r.length, all_lanes(thin->side));
+        mask here = open & ~wait, small = at_most(length * r.length, all_lanes(job->thin_side));
         mask place = here & d.some & (d.one | small), halve = here & d.some & ~place, on = here & ~halve;
         for (int j = 0; j < n; j++) part->w[j] = choose(place, left[j] - left[j + 1], part->w[j]);
         part->p = choose(place, from, part->p);
@@ -351,7 +328,7 @@ INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_
         if (!any(wait) || any(open & ~wait)) continue;
         lanes z = zero, at[3];
         k.hit = wait, k.watch = NULL;
-        refine(&k, n - 1, &unknown, 0x1p-4 * thin->side, &z);
+        refine(&k, n - 1, &unknown, 0x1p-4 * job->thin_side, &z);
         z = lo + r.length * z;
         const packet_rays ray = rays_of_packet(&rows, pixel, z);
         for (int i = 0; i < 3; i++) at[i] = ray.foot[i] + ray.z * ray.along[i];
@@ -362,13 +339,13 @@ INLINE void search_rays(const algsurf_i_point_job *points, const algsurf_i_thin_
     }
 }
 
-static void find_thin(const algsurf_i_point_job *job, const algsurf_i_thin_job *thin, const algsurf_i_leaves *rays, double *depth) {
+static void find_thin(const algsurf_i_point_job *job, const algsurf_i_leaves *rays, double *depth) {
     const int n = job->row->row->degree;
     if (n < 2) return;
     for (int i = 0; i < rays->count; i += LANES) {
         const int count = rays->count - i;
         lanes found = all_lanes(HUGE_VAL);
-        search_rays(job, thin, load_some_integers(rays->at + i, count), load_some(rays->low + i, count),
+        search_rays(job, load_some_integers(rays->at + i, count), load_some(rays->low + i, count),
                       load_some(rays->high + i, count), count, &found, n);
         store_some(depth + i, found, count);
     }

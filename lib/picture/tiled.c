@@ -7,6 +7,7 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "packets.h"
+#include "thin.h"
 #include "tiling.h"
 
 #include <string.h>
@@ -137,8 +138,8 @@ static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_
 static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_leaves leaves = {t->leaves, t->leaf, t->leaf_low, t->leaf_high};
+    algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_leaves leaves = {t->leaves, t->leaf, t->leaf_low, t->leaf_high, t->leaf_thin};
     int undecided = 0;
     algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
     picture->code->solve_leaves(job, &leaves, t->leaf_depth, t->leaf_state);
@@ -150,6 +151,7 @@ static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_jo
         line->pixel[line->count] = x;
         line->depth[line->count++] = t->leaf_depth[i];
     }
+    algsurf_i_list_thin(job, t);
     return undecided;
 }
 
@@ -207,6 +209,7 @@ int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy
     algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
     job.offset = 0.5 - 0.5 * picture->width * dense;
     job.pixel /= dense;
+    job.thin_large = 0;
     collect_listed(picture, row, worker);
     int undecided = solve_leaves(picture, &job, worker);
     double solved = algsurf_i_render_clock(picture);

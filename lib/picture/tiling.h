@@ -29,7 +29,6 @@ typedef struct algsurf_i_tiling {
     algsurf_i_band band[2]; /* band b is at b % 2 */
     algsurf_i_beam_row beam;
     double *square; /* (degree+1)^2 */
-    void *thin;     /* algsurf_i_thin_memory() bytes, where what is thin is drawn */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
     double *to;
@@ -42,7 +41,8 @@ typedef struct algsurf_i_tiling {
     /* and the pixels of leaves */
     int leaves, *leaf;
     double *leaf_low, *leaf_high, *leaf_depth;
-    uint8_t *leaf_state;
+    uint8_t *leaf_state, *leaf_thin;
+    int thin_count; /* of leaves, those that are in front of the others, now: where something thin may be */
 } algsurf_i_tiling;
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
