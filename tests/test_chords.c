@@ -1,6 +1,6 @@
 /* test_chords.c - the ends of a row's chords are off by less than their blur, over rationals.
  *
- * Two attacks on lib/picture/row_template.h.  Lines: u, v and the slopes anywhere within the bounds of forms,
+ * Two attacks on lib/picture/sight_template.h.  Lines: u, v and the slopes anywhere within the bounds of forms,
  * extents and planes about them; the line is exact, so that only the chord's own rounding is judged.
  * Pictures: cameras, extents and planes as a caller sets them; the chord judged is that of the ray that
  * algsurf_camera_ray gives, so that the view's noise is part of it.  Both look for what is hard: rays that
@@ -17,6 +17,7 @@
  *   nothing undecided about the edge of a sphere, along a face, along a plane: both
  *   a chord surely empty from inside < edge on: both
  *   no edge at all; ends that are told apart however close they are: lines
+ *   rays clear of what is shown from |x| = 0.9 on: pictures
  * Not caught: PARALLEL = 2^-52.  Blur grows instead, and hardly a line with much noise is so parallel.
  *
  *     test_chords [lines [pictures [seed]]]
@@ -31,10 +32,11 @@
 #include "picture/impl.h"
 #include "base/vec.h"
 #include "simd/baseline.h"
-#include "picture/row_template.h"
+#include "picture/sight_template.h"
 
 static long line_count = 20000, picture_count = 1500;
 static uint64_t first_seed = 20261125;
+static long clear_count; /* rays that need no chord */
 
 static double uniform(uint64_t *seed, double lo, double hi) {
     return lo + (hi - lo) * 0.5 * (1 + exact_random_unit(seed));
@@ -500,42 +502,53 @@ static void chord_of_ray(const test_view *v, const algsurf_i_view *view, int uni
     mpq_clears(w, c, n, z0, z1, NULL);
 }
 
-/* As algsurf_i_begin_row: are the rays from `begin` to `end` within the bounds of forms? */
-static int is_within(const algsurf_i_row_job *job, int begin, int end) {
-    double u = fmax(fabs(job->u0 + job->du * ((begin + job->offset) * job->pixel)),
-                    fabs(job->u0 + job->du * ((end + job->offset) * job->pixel)));
-    return u * (1 + fabs(job->view->alpha)) + fabs(job->view->beta[0]) < 4 &&
-           fabs(job->row->v) + fabs(job->slope) < 4;
+/* The ray through a pixel's middle: its exact chord, in depths, and what is computed of it. */
+static void check_pixel(const test_view *v, const algsurf_i_picture *picture, const algsurf_i_row_job *job, int i,
+                        int y) {
+    static int shown;
+    algsurf_ray ray;
+    exact_line x;
+    mask open;
+    double error;
+    init_line(&x);
+    assert_int_equal(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5, &ray), ALGSURF_OK);
+    chord_of_ray(v, job->view, picture->scene->surface->unit, &ray, &x);
+    const sight s = sight_at(job, all_lanes(i));
+    const chord c = clip(job, &s, all_lanes(job->near), &open);
+    int kind = judge(&c, open, &x, v->extent.kind == ALGSURF_EXTENT_BOX, v->plane_count, &error);
+    if (kind <= OFF && shown++ < 5)
+        print_message("seed %llu, view %ld, pixel %d %d %s: %g of blur %a, noise %a\n",
+                      (unsigned long long)first_seed, v->number, i, y, kind_names[kind], error, c.blur[0],
+                      job->view->noise);
+    clear_line(&x);
 }
 
-static void check_row(const test_view *v, const algsurf_i_picture *picture, int y) {
-    static int shown;
+/* A ray that is said to miss since it stays clear of the view's ball; whichever place in the pixel it has. */
+static void check_clear(const test_view *v, uint64_t *seed, int i, int y) {
+    double sx = exact_random_int(seed, 2) ? 0 : 1, sy = exact_random_int(seed, 2) ? 0 : 1;
+    algsurf_ray ray, part;
+    int meets;
+    assert_int_equal(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray), ALGSURF_OK);
+    /* all that lies within the rounding of a chord counts as inside: so a miss is one */
+    assert_int_equal(algsurf_region_clip(&v->extent, NULL, 0, &ray, &part, &meets), ALGSURF_OK);
+    if (meets)
+        print_message("seed %llu, view %ld: pixel %d %d is not clear\n", (unsigned long long)first_seed,
+                      v->number, i, y);
+    assert_false(meets);
+    clear_count++;
+}
+
+static void check_row(const test_view *v, const algsurf_i_picture *picture, uint64_t *seed, int y) {
     algsurf_i_row_form form;
     algsurf_i_row_job job;
-    int begin, end, unit = picture->scene->surface->unit;
+    int begin, end, clear = algsurf_i_pixels_within_bounds(picture, y, y + 1, 1, &begin, &end);
     algsurf_i_make_row(picture, y + 0.5, 0.5, &form, &job);
-    algsurf_i_packets_range(&job, COLUMNS, &begin, &end);
-    if (!is_within(&job, begin, end)) return;
-    for (int i = begin; i < end; i++) {
-        algsurf_ray ray;
-        exact_line x;
-        mask open;
-        double error;
-        init_line(&x);
-        assert_int_equal(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5, &ray), ALGSURF_OK);
-        chord_of_ray(v, job.view, unit, &ray, &x);
-        const sight s = sight_at(&job, all_lanes(i));
-        const chord c = clip(&job, &s, all_lanes(job.near), &open);
-        int kind = judge(&c, open, &x, v->extent.kind == ALGSURF_EXTENT_BOX, v->plane_count, &error);
-        if (kind <= OFF && shown++ < 5)
-            print_message("seed %llu, view %ld, pixel %d %d %s: %g of blur %a, noise %a\n",
-                          (unsigned long long)first_seed, v->number, i, y, kind_names[kind], error, c.blur[0],
-                          job.view->noise);
-        clear_line(&x);
-    }
+    for (int i = begin; i < end; i++) check_pixel(v, picture, &job, i, y);
+    for (int i = 0; clear && i < COLUMNS; i++)
+        if (i < begin || i >= end) check_clear(v, seed, i, y);
 }
 
-static int check_view(const test_view *v) {
+static int check_view(const test_view *v, uint64_t *seed) {
     const algsurf_term terms[2] = {{2, 0, 0, 1}, {0, 0, 0, -v->extent.size[0] * v->extent.size[0]}};
     static algsurf_i_packets packets;
     algsurf_surface *surface = NULL;
@@ -550,7 +563,7 @@ static int check_view(const test_view *v) {
     algsurf_i_picture picture = {.scene = scene, .width = COLUMNS, .height = ROWS, .packets = &packets};
     algsurf_i_scene_ball(scene, centre, &picture.lighting.radius);
     int suits = algsurf_i_packets_geometry(&picture, &packets);
-    for (int y = 0; suits && y < ROWS; y++) check_row(v, &picture, y);
+    for (int y = 0; suits && y < ROWS; y++) check_row(v, &picture, seed, y);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
     return suits;
@@ -564,18 +577,19 @@ static void pictures_within_blur(void **state) {
     for (long i = 0; i < picture_count; i++) {
         test_view v = {.number = i};
         random_view(&v, &seed);
-        suited += check_view(&v);
+        suited += check_view(&v, &seed);
     }
     print_message("%ld of %ld pictures are for packets\n", suited, picture_count);
     report("pictures");
+    print_message("%ld pixels are clear of what is shown\n", clear_count);
     assert_true(2 * suited > picture_count);
+    assert_true(clear_count > picture_count);
 }
 
 int main(int argc, char **argv) {
     if (argc > 1) line_count = strtol(argv[1], NULL, 10);
     if (argc > 2) picture_count = strtol(argv[2], NULL, 10);
     if (argc > 3) first_seed = strtoull(argv[3], NULL, 10);
-    (void)solve_row; /* of the template: not what is tested here */
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_within_rounding),
         cmocka_unit_test(pictures_within_blur),

@@ -107,8 +107,7 @@ enum part {
     HITS,
     STATES,
     ONE_RAY,
-    ROW,
-    LEAVES,
+    PIXELS,
     TILES,
     SHEETS,
     POINTS,
@@ -213,17 +212,10 @@ static void break_ray(void) {
 static void break_picture(void);
 TABLE(picture)
 
-static void wrong_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                      uint8_t *state) {
-    real_picture->solve_row(job, pixels, depth, state);
-    for (int i = 0; i < pixels->count; i++)
-        if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
-}
-
-static void wrong_leaves(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
+static void wrong_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
                          uint8_t *state) {
-    real_picture->solve_leaves(job, leaves, depth, state);
-    for (int i = 0; i < leaves->count; i++)
+    real_picture->solve_pixels(job, pixels, depth, state);
+    for (int i = 0; i < pixels->count; i++)
         if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
 }
 
@@ -233,17 +225,11 @@ static void wrong_tiles(algsurf_i_tile_job *job) {
     for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0;
 }
 
-static int wrong_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth,
-                              int count, const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    int all = real_picture->sheet_points(job, pixel, depth, count, sheets, points);
-    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+static int wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                        const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
+    int all = real_picture->points(job, pixel, depth, count, sheets, sure, points);
+    for (int i = 0; i < count && !sheets == (broken == POINTS); i++) points->t[i] = other(points->t[i]);
     return all;
-}
-
-static void wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                         const algsurf_i_points *points) {
-    real_picture->points(job, pixel, depth, count, points);
-    for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
 }
 
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {
@@ -253,19 +239,18 @@ static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int e
     return corrections;
 }
 
-static void wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
-                                 const int *pixel, const double *re, const double *im, int count,
-                                 const algsurf_i_points *points) {
-    real_picture->complex_points(job, surface, pixel, re, im, count, points);
+static int wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
+                                const int *pixel, const double *re, const double *im, int count, uint8_t *sure,
+                                const algsurf_i_points *points) {
+    int all = real_picture->complex_points(job, surface, pixel, re, im, count, sure, points);
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
+    return all;
 }
 
 static void break_picture(void) {
-    if (broken == ROW) wrong_picture.solve_row = wrong_row;
-    if (broken == LEAVES) wrong_picture.solve_leaves = wrong_leaves;
+    if (broken == PIXELS) wrong_picture.solve_pixels = wrong_pixels;
     if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
-    if (broken == SHEETS) wrong_picture.sheet_points = wrong_sheet_points;
-    if (broken == POINTS) wrong_picture.points = wrong_points;
+    if (broken == SHEETS || broken == POINTS) wrong_picture.points = wrong_points;
     if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
     if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
 }

@@ -4,7 +4,6 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "srgb.h"
-#include "thin.h"
 #include "shadow_rays.h"
 
 #include <stdlib.h>
@@ -36,7 +35,8 @@ typedef struct sizes {
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
     size_t places;         /* leaves of a band */
-    int cells;             /* 1: there are tiles, of a band or of single pixels */
+    int beams;             /* 1: there are tiles, of a band or of single pixels */
+    int lanes;             /* 1: pixels of real space are solved side by side */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
 } sizes;
@@ -45,7 +45,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
     const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled || picture->thin, real = picture->packets && !picture->scene->complex;
+    const int tiles = picture->tiled, real = picture->packets && !picture->scene->complex;
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
@@ -53,7 +53,8 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
-                   .cells = tiles || (real && picture->selective),
+                   .beams = tiles || (real && picture->selective),
+                   .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
                    .planes = &picture->planes};
@@ -86,6 +87,7 @@ static void lay_out_line(arena *a, const sizes *s, algsurf_i_line *line) {
     line->colour = take_floats(a, 3 * s->width);
     line->bytes = take(a, s->width, sizeof *line->bytes);
     line->depth = take_doubles(a, s->width);
+    line->sure = take_bytes(a, s->width);
     line->imaginary = s->roots > 0 ? take_doubles(a, s->width) : NULL;
     line->visible = take_doubles(a, s->shares * s->width);
     line->rays = s->shares > 0 ? take(a, 1, sizeof *line->rays) : NULL;
@@ -125,21 +127,20 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->enough = take_doubles(a, s->width);
     t->runs_row = -1;
     t->run = take_ints(a, s->width);
+    t->list_low = take_doubles(a, s->width);
+    t->list_high = take_doubles(a, s->width);
     t->pixel_low = take_doubles(a, s->width);
     t->pixel_high = take_doubles(a, s->width);
-    t->leaf_low = take_doubles(a, s->width);
-    t->leaf_high = take_doubles(a, s->width);
-    t->leaf_depth = take_doubles(a, s->width);
-    t->leaf = take_ints(a, s->dense * s->width);
-    t->sure = take_bytes(a, s->width);
-    t->leaf_state = take_bytes(a, s->width);
-    t->leaf_thin = take_bytes(a, s->width);
+    t->pixel_depth = take_doubles(a, s->width);
+    t->pixel = take_ints(a, s->dense * s->width);
+    t->pixel_state = take_bytes(a, s->width);
+    t->pixel_thin = take_bytes(a, s->width);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {
     lay_out_line(a, s, &worker->line);
     if (selective) lay_out_middles(a, s, &worker->middles);
-    if (s->cells) lay_out_tiling(a, s, &worker->tiling);
+    if (s->lanes) lay_out_tiling(a, s, &worker->tiling);
     worker->predictor.x = take_doubles(a, s->roots * s->width);
     worker->predictor.y = take_doubles(a, s->roots * s->width);
 }
@@ -159,7 +160,7 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
 
 static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
     lay_out_frame(a, s, &packets->frame);
-    packets->beams = s->cells && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
+    packets->beams = s->beams && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
                          ? take_doubles(a, s->side * s->side * s->side)
                          : NULL;
     packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;

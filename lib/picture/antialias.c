@@ -103,7 +103,7 @@ static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band
     for (int i = 0; i < count; i++) {
         const algsurf_i_tile *leaf = band->tiles + cell[t->at[i] / ALGSURF_I_LEAF] - 1;
         t->from[i] = leaf->low;
-        t->leaf_depth[i] = leaf->high;
+        t->pixel_depth[i] = leaf->high;
     }
     return count;
 }
@@ -115,13 +115,14 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
     algsurf_i_tiling *t = &worker->tiling;
     algsurf_i_line *line = &worker->line;
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
-    if (!algsurf_i_has_cells(picture, row + 0.5))
+    int begin, end;
+    if (!algsurf_i_has_cells(picture, row, &begin, &end))
         return list_apart(picture, row, 0, picture->width, &worker->middles, line->list);
     int count = band ? list_in_leaves(picture, band, row, worker)
-                     : list_apart(picture, row, 0, picture->width, &worker->middles, t->at);
+                     : list_apart(picture, row, begin, end, &worker->middles, t->at);
     for (int i = 0; !band && i < count; i++) {
         t->from[i] = -1;
-        t->leaf_depth[i] = 1;
+        t->pixel_depth[i] = 1;
     }
     if (count == 0) return 0;
     algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
@@ -129,8 +130,8 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
     count = algsurf_i_search_cells(&pixels, 1, count, 0, t);
     for (int i = 0; i < count; i++) {
         line->list[i] = t->at[i];
-        t->pixel_low[i] = t->from[i];
-        t->pixel_high[i] = t->leaf_depth[i];
+        t->list_low[i] = t->from[i];
+        t->list_high[i] = t->pixel_depth[i];
     }
     return count;
 }

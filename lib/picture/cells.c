@@ -5,6 +5,11 @@
 
 #include <math.h>
 
+int algsurf_i_has_cells(const algsurf_i_picture *picture, int row, int *begin, int *end) {
+    return picture->packets && picture->packets->beams &&
+           algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, begin, end);
+}
+
 algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across, int row, double sx,
                                    double sy) {
     const algsurf_i_packets *p = picture->packets;
@@ -33,8 +38,8 @@ int algsurf_i_search_cells(const algsurf_i_cells *f, int size, int count, int th
                               .count = count,
                               .at = t->at,
                               .from = t->from,
-                              .to = t->leaf_depth,
-                              .within = thin ? t->leaf_low : NULL,
+                              .to = t->pixel_depth,
+                              .within = thin ? t->pixel_low : NULL,
                               .noise = p->frame.value_error};
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
                               fabs(h) + ALGSURF_I_WIDER, t->square, &t->beam);

@@ -2,7 +2,7 @@
 #ifndef ALGSURF_CELLS_H
 #define ALGSURF_CELLS_H
 #include "kernel.h"
-#include "packets.h"
+#include "geometry.h"
 #include "tiling.h"
 
 /* The cells about the samples of a pass are the pixels of a picture with as many times more pixels. */
@@ -14,12 +14,16 @@ typedef struct algsurf_i_cells {
     algsurf_i_row_job rays;
 } algsurf_i_cells;
 
+/* Are there forms for tiles as small as the row's pixels?  Those begin <= x < end are within their bounds then,
+ * and the rays of all others miss. */
+int algsurf_i_has_cells(const algsurf_i_picture *picture, int row, int *begin, int *end);
+
 algsurf_i_cells algsurf_i_cells_of(const algsurf_i_picture *picture, int across, int row, double sx,
                                    double sy);
 
 /* Tiles of `size` cells about those of t->at, where each ray has its first root between t->from and
- * t->leaf_depth, or none: those that are neither empty nor sheets are left in the lists, with what is known
- * then.  thin: 1, leaf_low tells of them as algsurf_i_tile_job.within.  Returns how many. */
+ * t->pixel_depth, or none: those that are neither empty nor sheets are left in the lists, with what is known
+ * then.  thin: 1, pixel_low tells of them as algsurf_i_tile_job.within.  Returns how many. */
 int algsurf_i_search_cells(const algsurf_i_cells *cells, int size, int count, int thin, algsurf_i_tiling *t);
 
 #endif

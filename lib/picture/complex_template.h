@@ -22,7 +22,7 @@
 #define ALGSURF_PICTURE_COMPLEX_TEMPLATE_H
 #include "../complex/lanes_template.h"
 #include "points_template.h"
-#include "row_template.h"
+#include "sight_template.h"
 
 #define OFF_AXIS 0x1p-10 /* a fraction of a pixel: real roots that become a pair have to leave the axis */
 #define MARGIN_OF_ENDS 0x1p-44 /* of the distance from the eye: where a single ray may clip otherwise */
@@ -44,28 +44,11 @@ INLINE void add_imaginary(const algsurf_i_complex_job *job, lanes scale, polynom
 }
 
 INLINE void set_polynomials(const algsurf_i_complex_job *job, const sight *s, int n, polynomials *p) {
-    const algsurf_i_row_job *row = job->row;
-    const algsurf_i_view *view = row->view;
-    for (int k = 0; k <= n; k++) {
-        const double *c = row->row->c + k * row->row->stride;
-        lanes sum = all_lanes(c[n]);
-        for (int m = n - 1; m >= 0; m--) sum = sum * s->u + c[m];
-        p->re[k] = sum;
-        p->im[k] = all_lanes(0);
-    }
-    lanes x = absolute(s->u) + absolute(view->alpha * s->u) + (fabs(view->beta[0]) + view->noise);
-    p->spread = all_lanes(0);
-    for (int i = n; i >= 0; i--) p->spread = p->spread * x + row->row->radius[i];
+    powers_at(job->row, s->u, p->re, n);
+    for (int k = 0; k <= n; k++) p->im[k] = all_lanes(0);
+    p->spread = radius_at(job->row, s->u, n);
     p->real = job->top < 0;
-    if (!p->real) add_imaginary(job, view->size * root(s->a * s->a + (1 + s->b * s->b)), p);
-}
-
-INLINE sight sight_of(const algsurf_i_row_job *row, int x, int end) {
-    lanes pixel = smaller(x + numbered(), all_lanes(end - 1));
-    sight s = {.v = all_lanes(row->row->v), .b = all_lanes(row->slope)};
-    s.u = row->u0 + row->du * ((pixel + row->offset) * row->pixel);
-    s.a = row->view->alpha * s.u + row->view->beta[0];
-    return s;
+    if (!p->real) add_imaginary(job, job->row->view->size * root(s->a * s->a + (1 + s->b * s->b)), p);
 }
 
 /* The roots of the row above, moved off the axis; where there are none, cold ones. */
@@ -127,7 +110,7 @@ INLINE int solve_open(const algsurf_i_complex_job *job, const sight *s, const ch
 
 /* The pixels from x on; returns the number of corrections. */
 INLINE int solve_complex_packet(const algsurf_i_complex_job *job, int x, int count, int end, int n) {
-    sight s = sight_of(job->row, x, end);
+    sight s = sight_at(job->row, smaller(x + numbered(), all_lanes(end - 1)));
     mask open, given = less(numbered(), all_lanes(count));
     chord c = clip(job->row, &s, all_lanes(job->row->near), &open);
     complex_depths d = {no_lane(), c.undecided, all_lanes(0), all_lanes(0)};
@@ -212,10 +195,10 @@ INLINE void add_imaginary_value(const algsurf_i_complex_job *job, complex_lanes 
     slope->re -= d.im * scale, slope->im += d.re * scale;
 }
 
-/* Entries from `first` on. */
-INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_surface *surface,
-                                const row_rays *s, const int *pixel, const double *re, const double *im,
-                                const algsurf_i_points *points, int first, int count) {
+/* Entries from `first` on; tells which of them have their root, and returns whether all have. */
+INLINE int find_complex_packet(const algsurf_i_complex_job *job, const algsurf_surface *surface,
+                               const row_rays *s, const int *pixel, const double *re, const double *im,
+                               uint8_t *sure, const algsurf_i_points *points, int first, int count) {
     packet_rays ray =
         rays_of_packet(s, load_some_integers(pixel + first, count), load_some(re + first, count));
     complex_lanes z = {ray.z, s->size * load_some(im + first, count)}, x[3], slope;
@@ -236,8 +219,8 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
     complex_lanes step = quotient(p.v, slope);
     mask near = at_most(step.re * step.re + step.im * step.im,
                         all_lanes(FARTHEST_STEP * FARTHEST_STEP * s->size * s->size));
-    z.re -= choose(near, step.re, all_lanes(0));
-    z.im -= choose(near, step.im, all_lanes(0));
+    z.re -= step.re;
+    z.im -= step.im;
     lanes front = z.re - s->near, far = root(front * front + z.im * z.im);
     /* far + near without cancellation */
     ray.z = choose(less(all_lanes(0), front), z.re + z.im * z.im / (far + front), far + s->near);
@@ -253,16 +236,19 @@ INLINE void find_complex_packet(const algsurf_i_complex_job *job, const algsurf_
     }
     finish_packet(s, &ray, ray.z, normal, job->colours, points, first, count);
     store_some(points->t + first, far * length * s->unit, count);
+    return tell_sure(near, sure, first, count);
 }
 
-static void find_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
-                                const int *pixel, const double *re, const double *im, int count,
-                                const algsurf_i_points *points) {
+static int find_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
+                               const int *pixel, const double *re, const double *im, int count, uint8_t *sure,
+                               const algsurf_i_points *points) {
     const algsurf_i_point_job row = {.surface = surface, .row = job->row};
     const row_rays s = rays_of_row(&row);
+    int all = 1;
     for (int first = 0; first < count; first += LANES)
-        find_complex_packet(job, surface, &s, pixel, re, im, points, first,
-                            count - first < LANES ? count - first : LANES);
+        all &= find_complex_packet(job, surface, &s, pixel, re, im, sure, points, first,
+                                   count - first < LANES ? count - first : LANES);
+    return all;
 }
 
 #endif

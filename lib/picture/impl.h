@@ -10,7 +10,7 @@
 #include "complex_impl.h"
 #include "kernel.h"
 #include "line.h"
-#include "packets.h"
+#include "geometry.h"
 #include "scene_impl.h"
 #include "shadow.h"
 #include "tally.h"

@@ -34,19 +34,14 @@ typedef struct algsurf_i_row_job {
     double thin_side, thin_before, thin_large;
 } algsurf_i_row_job;
 
-/* Pixels of a row that follow `first`. */
-typedef struct algsurf_i_pixels {
-    int first, count;
-} algsurf_i_pixels;
-
 /* Pixels of a row, any: the first root of each ray, if there is one on its chord, is between `low` and
  * `high`. */
-typedef struct algsurf_i_leaves {
+typedef struct algsurf_i_pixels {
     int count;
     const int *at;
     const double *low, *high;
     uint8_t *thin; /* receives whether there may be something thin; or null */
-} algsurf_i_leaves;
+} algsurf_i_pixels;
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
 
@@ -118,7 +113,6 @@ typedef struct algsurf_i_point_job {
 /* What algsurf_i_tile tells of the sheet of each entry. */
 typedef struct algsurf_i_sheets {
     const double *low, *high, *enough;
-    uint8_t *sure; /* 1: the root of the sheet was found */
 } algsurf_i_sheets;
 
 /* A row in complex space.  Arrays have an entry for each pixel of the row; root i of pixel x is at
@@ -136,31 +130,27 @@ typedef struct algsurf_i_complex_job {
 } algsurf_i_complex_job;
 
 typedef struct algsurf_i_picture_kernel {
-    /* depth[i], state[i] of pixel i: the first root along its ray. */
-    void (*solve_row)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                      uint8_t *state);
-    /* depth[i], state[i] of leaf i. */
-    void (*solve_leaves)(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
+    /* depth[i], state[i] of pixel i of those: the first root along its ray. */
+    void (*solve_pixels)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
                          uint8_t *state);
     /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
      * are leaves. */
     void (*search_tiles)(algsurf_i_tile_job *job);
-    /* Entry i of points from depth[i] at pixel[i]: after one Newton step on P itself, t along the unit ray
-     * from the eye, position, unit normal (0 at a singular point), unit direction, in the caller's units;
-     * looks.  Position and direction, normal, looks may be null: they are not asked for. */
-    void (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                   const algsurf_i_points *points);
-    /* The same from where the root of a sheet may be; returns whether it is for all. */
-    int (*sheet_points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                        const algsurf_i_sheets *sheets, const algsurf_i_points *points);
-    /* depth[i]: of what is thin beside ray i between its two depths; HUGE_VAL: there is nothing. */
-    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_leaves *rays, double *depth);
-    /* solve_row in complex space; returns how many corrections of roots it took. */
+    /* Entry i of points from depth[i] at pixel[i], which is on its sheet, if there are sheets: after Newton
+     * steps on P itself, t along the unit ray from the eye, position, unit normal (0 at a singular point),
+     * unit direction, in the caller's units; looks.  Position and direction, normal, looks may be null: they
+     * are not asked for.  sure[i]: the root was found; returns whether all were. */
+    int (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                  const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points);
+    /* depth[i]: of what is thin beside ray i, between its two depths; HUGE_VAL: there is nothing. */
+    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_pixels *rays, double *depth);
+    /* The pixels begin .. end-1 of a row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the
      * normal. */
-    void (*complex_points)(const algsurf_i_complex_job *job, const algsurf_surface *surface, const int *pixel,
-                           const double *re, const double *im, int count, const algsurf_i_points *points);
+    int (*complex_points)(const algsurf_i_complex_job *job, const algsurf_surface *surface, const int *pixel,
+                          const double *re, const double *im, int count, uint8_t *sure,
+                          const algsurf_i_points *points);
 } algsurf_i_picture_kernel;
 
 extern const algsurf_i_picture_kernel algsurf_i_picture_avx512, algsurf_i_picture_avx2,

@@ -4,18 +4,15 @@
 #define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
 #define WATCHED 0
 #include "kernel.h"
-#include "leaves_template.h"
+#include "complex_template.h"
+#include "pixels_template.h"
 #include "points_template.h"
-#include "row_template.h"
 #include "thin_template.h"
 #include "tiles_template.h"
-#include "complex_template.h"
 
-const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_row = solve_row,
-                                                            .solve_leaves = solve_leaves,
+const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_pixels = solve_pixels,
                                                             .search_tiles = search_tiles,
                                                             .points = find_points,
-                                                            .sheet_points = find_sheet_points,
                                                             .find_thin = find_thin,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};

@@ -45,6 +45,7 @@ typedef struct algsurf_i_line {
     double *visible;                    /* light_count + 1 for each point, in full quality */
     struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
     double *depth;                      /* of each entry: where packets found it */
+    uint8_t *sure;                      /* of each entry: kernels have found its point */
     double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
     uint8_t *state; /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */
     uint8_t *way;   /* of each sample: as algsurf_picture.way; null: it is not asked for */
@@ -87,9 +88,21 @@ static inline void algsurf_i_add_sample(const algsurf_i_shown *shown, int x, dou
     shown->nearest[x] = first || t < shown->nearest[x] ? t : shown->nearest[x];
 }
 
+/* The states of the row's samples, one a pixel, before it is solved: those wanted miss, or are undecided. */
+static inline void algsurf_i_begin_states(const algsurf_i_line *line, int misses) {
+    memset(line->state + line->begin, misses ? ALGSURF_LANE_MISS : ALGSURF_LANE_UNDECIDED,
+           (size_t)(line->end - line->begin));
+    for (int x = line->begin; line->wanted && !misses && x < line->end; x++)
+        if (!line->wanted[x]) line->state[x] = ALGSURF_LANE_MISS;
+}
+
 /* The line's points from `first` on, as kernels are to find them. */
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
                                           int first);
+
+/* Points from `first` on that were not found, as line->sure tells, leave the line: their samples are undecided.
+ * Returns 1. */
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
 
 /* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and
  * counts it. */

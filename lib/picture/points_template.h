@@ -1,20 +1,21 @@
 /* points_template.h - from the depths of hits to points of the surface: Newton steps along the ray on P
  * itself, seldom more than one, position, normal; and, where colours are asked for, what these depend on.
  *
- * Steps.  The constants below do not decide what is hit.  Rows have proved their roots, and tell_sheets
+ * Steps.  The constants below do not decide what is hit: pixels have proved their roots, and on_sheets
  * proves, whatever the steps were, that a sheet's root is within 2^-16 of where the last step began.  They
  * decide how accurate t is: it may be off by what rounding of the ray, of t and of P can cause, and 2^-36 of
  * the radius (algsurf_picture.t).  A step s leaves c s^2 to second order, where c = |P''| / (2 |P'|) along
- * the ray.  Lengths are in the view's unit.
- * - LAST_STEP is a bound: longer steps are never the last one, unless rounds run out.  Let M be the sum of
- *   the sizes of P's terms for |x|, |y|, |z| <= 1 (surface/view.c).  For slopes up to 1, |P''| <= n (n-1) M,
- *   and a step of 2^-26 leaves n (n-1) 2^-53 M / |P'| at most.  P's rounding is bounded by 16 (n+1) 2^-53 M
- *   and can move the root by that over |P'|: by more, up to degree 17, and by 0.7 times as much in degree 24.
+ * the ray.  Lengths are in the view's unit.  An entry whose last step is too long, or leaves too much, has not
+ * found its root: its ray is solved by itself, from numbers of its own.
+ * - LAST_STEP is a bound: longer steps are never the last one.  Let M be the sum of the sizes of P's terms for
+ *   |x|, |y|, |z| <= 1 (surface/view.c).  For slopes up to 1, |P''| <= n (n-1) M, and a step of 2^-26 leaves
+ *   n (n-1) 2^-53 M / |P'| at most.  P's rounding is bounded by 16 (n+1) 2^-53 M and can move the root by that
+ *   over |P'|: by more, up to degree 17, and by 0.7 times as much in degree 24.
  * - FARTHEST_STEP is a choice.  Let R be the row's radius, which bounds its rounding and noise.  The depth
  *   that a row gives is off by ENOUGH + R / |P'| at most, to first order, or by what tolerance the caller has
- *   set.  So where a step is longer than 2^-16, R / |P'| is about as long: the row's depth is kept, as no
- *   step tells more.
- * - FARTHEST_ON_SHEET is a choice that costs time only: where a step is longer, the pixel is left to its row.
+ *   set.  So where a step is longer than 2^-16, R / |P'| is about as long, and doubles of the row tell little
+ *   of where the root is.
+ * - FARTHEST_ON_SHEET is a choice that costs time only.
  * - LEFT_OVER and STEP_BEFORE are choices.  If a step s follows r, then c is about s / r^2, and s leaves s
  *   (s/r)^2.  On a sheet that is to be below 2^-52, since depths begin far off there and t is to be the same
  *   from any of them, but for its last bits.  No step comes before the first one; 2^-20 in its place makes
@@ -22,8 +23,7 @@
  *   accuracy down to what LAST_STEP ensures.
  * - MOST_ROUNDS is measured, in 30 views of each named surface (test_render_tiles 30 7).  Of 7.6 million
  *   points of rows none took a second step; the first was below 2^-28.  Of 53 million of sheets 73 % took a
- *   second one, 3 % a third, 0.07 % a fourth; 258 points were left to their rows.  In a row the fourth step
- *   is the last, whatever it leaves. */
+ *   second one, 3 % a third, 0.07 % a fourth; 258 points were left to rays of their own. */
 #ifndef ALGSURF_POINTS_TEMPLATE_H
 #define ALGSURF_POINTS_TEMPLATE_H
 #include <string.h>
@@ -99,21 +99,19 @@ INLINE mask leaves_much(const row_rays *s, lanes step, lanes before) {
            less(all_lanes(LEFT_OVER * s->size), absolute(step * ratio * ratio));
 }
 
-/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z, and does the last step leave little?  Returns
- * whether that holds for all. */
-INLINE int tell_sheets(const row_rays *s, const packet_rays *r, lanes value, mask much,
-                       const algsurf_i_sheets *sheets, int first, int count) {
+/* Is the root of each pixel's sheet within ALGSURF_I_NEAR of z? */
+INLINE mask on_sheets(const row_rays *s, const packet_rays *r, lanes value, const algsurf_i_sheets *sheets,
+                      int first, int count) {
     lanes z = r->z * all_lanes(1 / s->size);
-    mask sure = ~much & at_most(absolute(value), load_some(sheets->enough + first, count)) &
-                less(load_some(sheets->low + first, count), z) &
-                less(z, load_some(sheets->high + first, count));
-    unsigned which = bits(sure), all = (1u << (count < LANES ? count : LANES)) - 1;
-    if ((which & all) == all) {
-        memset(sheets->sure + first, 1, (size_t)(count < LANES ? count : LANES));
-        return 1;
-    }
-    for (int l = 0; l < LANES && l < count; l++) sheets->sure[first + l] = which >> l & 1;
-    return 0;
+    return at_most(absolute(value), load_some(sheets->enough + first, count)) &
+           less(load_some(sheets->low + first, count), z) & less(z, load_some(sheets->high + first, count));
+}
+
+/* Tells which entries from `first` on have their root; returns whether all have. */
+INLINE int tell_sure(mask found, uint8_t *sure, int first, int count) {
+    unsigned which = bits(found), all = (1u << (count < LANES ? count : LANES)) - 1;
+    for (int l = 0; l < LANES && l < count; l++) sure[first + l] = which >> l & 1;
+    return (which & all) == all;
 }
 
 /* What colours of points depend on: position, normal, direction along an axis. */
@@ -145,11 +143,11 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
     }
 }
 
-/* Entries from `first` on: so many packets, the last one of `count` entries.  Of sheets, if there are some:
- * sets what was found to be the root, and returns whether all were. */
+/* Entries from `first` on: so many packets, the last one of `count` entries.  Tells which of them have their
+ * root, and returns whether all have. */
 INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const int *pixel,
-                        const double *depth, const algsurf_i_sheets *sheets, const algsurf_i_points *points,
-                        int first, int packets, int count) {
+                        const double *depth, const algsurf_i_sheets *sheets, uint8_t *sure,
+                        const algsurf_i_points *points, int first, int packets, int count) {
     packet_rays r[PAIR];
     lanes at[PAIR][3], step[PAIR], before[PAIR];
     mask much[PAIR];
@@ -168,8 +166,7 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
         for (int w = 0; w < packets; w++) {
             mask lost;
             step[w] = step_to(&r[w], &p, w, s->size * (sheets ? FARTHEST_ON_SHEET : FARTHEST_STEP), &lost);
-            much[w] = leaves_much(s, step[w], before[w]);
-            if (sheets) much[w] |= lost;
+            much[w] = lost | leaves_much(s, step[w], before[w]);
             more |= much[w];
         }
         if (round == MOST_ROUNDS || !any(more)) break;
@@ -181,31 +178,29 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
     for (int w = 0; w < packets; w++) {
         const int from = first + w * LANES;
         lanes normal[3] = {p.x[w], p.y[w], p.z[w]};
-        if (sheets) all &= tell_sheets(s, &r[w], p.v[w], much[w], sheets, from, count);
+        mask found = ~much[w];
+        if (sheets) found &= on_sheets(s, &r[w], p.v[w], sheets, from, count);
+        all &= tell_sure(found, sure, from, count);
         finish_packet(s, &r[w], r[w].z + step[w], normal, job->colours, points, from, count);
     }
     return all;
 }
 
 INLINE int find_all(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                    const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
+                    const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
     const row_rays s = rays_of_row(job);
     int first = 0, all = 1;
     for (; first + PAIR * LANES <= count; first += PAIR * LANES)
-        all &= find_packets(job, &s, pixel, depth, sheets, points, first, PAIR, LANES);
+        all &= find_packets(job, &s, pixel, depth, sheets, sure, points, first, PAIR, LANES);
     for (; first < count; first += LANES)
-        all &= find_packets(job, &s, pixel, depth, sheets, points, first, 1, count - first);
+        all &= find_packets(job, &s, pixel, depth, sheets, sure, points, first, 1, count - first);
     return all;
 }
 
-static void find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                        const algsurf_i_points *points) {
-    (void)find_all(job, pixel, depth, count, NULL, points);
-}
-
-static int find_sheet_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                             const algsurf_i_sheets *sheets, const algsurf_i_points *points) {
-    return find_all(job, pixel, depth, count, sheets, points);
+static int find_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
+                       const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
+    return sheets ? find_all(job, pixel, depth, count, sheets, sure, points)
+                  : find_all(job, pixel, depth, count, NULL, sure, points);
 }
 
 #endif

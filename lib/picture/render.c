@@ -1,7 +1,8 @@
 /* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "packets.h"
+#include "thin.h"
+#include "geometry.h"
 #include "shadow.h"
 #include "srgb.h"
 #include "tiling.h"
@@ -84,8 +85,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
-    picture->thin = picture->packets && scene->thin && !scene->complex &&
-                    scene->surface->degree <= ALGSURF_MAX_BEAM_DEGREE;
+    picture->thin = picture->packets && scene->thin && !scene->complex;
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -131,6 +131,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->packets = NULL;
         picture->tiled = picture->thin = 0;
     }
+    if (picture->thin) algsurf_i_prepare_thin(picture);
     if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)

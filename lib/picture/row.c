@@ -9,9 +9,10 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
 #include "antialias.h"
+#include "cells.h"
 #include "impl.h"
 #include "line.h"
-#include "packets.h"
+#include "solve.h"
 #include "shadow.h"
 #include "srgb.h"
 #include "thin.h"
@@ -55,6 +56,32 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
     }
     if (line->colours)
         algsurf_i_set_look(line->colours, hit->position, hit->normal, ray->direction, i, &points->looks);
+}
+
+static void move_point(const algsurf_i_points *p, int from, int to) {
+    p->t[to] = p->t[from];
+    for (int k = 0; k < 3; k++) {
+        p->position[k][to] = p->position[k][from];
+        p->normal[k][to] = p->normal[k][from];
+        p->direction[k][to] = p->direction[k][from];
+        p->looks.place[k][to] = p->looks.place[k][from];
+        p->looks.normal[k][to] = p->looks.normal[k][from];
+        p->looks.direction[k][to] = p->looks.direction[k][from];
+    }
+}
+
+int algsurf_i_drop_unsure(algsurf_i_line *line, int first) {
+    int kept = first;
+    for (int i = first; i < line->count; i++) {
+        if (!line->sure[i]) {
+            line->state[line->pixel[i]] = ALGSURF_LANE_UNDECIDED;
+            continue;
+        }
+        if (kept < i) move_point(&line->points, i, kept);
+        line->pixel[kept++] = line->pixel[i];
+    }
+    line->count = kept;
+    return 1;
 }
 
 /* Shadows need to know places exactly. */
@@ -194,11 +221,12 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     if (line->way)
         memset(line->way + line->dense * line->begin, ALGSURF_WAY_ROW,
                (size_t)(line->dense * (line->end - line->begin)));
-    algsurf_status status = picture->packets ? algsurf_i_render_packets(picture, row, sx, sy, worker, tally)
-                                             : algsurf_i_render_rays(picture, row, sx, sy, line, tally);
+    algsurf_status status = !picture->packets ? algsurf_i_solve_rays(picture, row, sx, sy, line, tally)
+                            : picture->scene->complex
+                                ? algsurf_i_solve_complex_row(picture, row, sx, sy, worker, tally)
+                                : algsurf_i_solve_row(picture, row, sx, sy, worker, tally);
     if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
-    if (status == ALGSURF_OK && picture->thin && picture->packets &&
-        !(picture->selective && line->across > 1))
+    if (status == ALGSURF_OK && picture->thin && !(picture->selective && line->across > 1))
         algsurf_i_add_thin(picture, row, sx, sy, worker, tally);
     return status;
 }
@@ -305,7 +333,7 @@ static algsurf_status render_samples_row(const algsurf_i_picture *picture, int r
     if (status != ALGSURF_OK) return status;
     line->sample = j * n;
     double y = row + (j + 0.5) / n;
-    int undecided = algsurf_i_render_listed(picture, row, (j + 0.5) / n, worker, tally);
+    int undecided = algsurf_i_solve_listed(picture, row, (j + 0.5) / n, worker, tally);
     if (undecided) {
         status = add_coloured(picture, row, 1, line, tally);
         if (status == ALGSURF_OK)
@@ -354,7 +382,7 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->as_bytes = 0;
     if (status == ALGSURF_OK && line->wanted_count > 0) {
         algsurf_i_begin_shown(&line->shown, picture->width);
-        int dense = picture->selective && algsurf_i_has_cells(picture, row + 0.5);
+        int begin, end, dense = picture->selective && algsurf_i_has_cells(picture, row, &begin, &end);
         status =
             dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);
     }

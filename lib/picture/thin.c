@@ -53,15 +53,15 @@ void algsurf_i_prepare_thin(const algsurf_i_picture *picture) {
 }
 
 void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t) {
-    t->thin_count = 0;
+    t->thin = 0;
     if (!(job->thin_large > 0)) return;
-    for (int i = 0; i < t->leaves; i++) {
-        if (!t->leaf_thin[i]) continue;
-        int to = t->thin_count++, is_hit = t->leaf_state[i] == ALGSURF_LANE_HIT;
-        t->leaf[to] = t->leaf[i];
-        t->leaf_low[to] = t->leaf_low[i];
-        t->leaf_high[to] = is_hit ? fmin(t->leaf_high[i], t->leaf_depth[i] - job->thin_before) : t->leaf_high[i];
-        t->leaf_thin[to] = !is_hit;
+    for (int i = 0; i < t->pixels; i++) {
+        if (!t->pixel_thin[i]) continue;
+        int to = t->thin++, is_hit = t->pixel_state[i] == ALGSURF_LANE_HIT;
+        t->pixel[to] = t->pixel[i];
+        t->pixel_low[to] = t->pixel_low[i];
+        t->pixel_high[to] = is_hit ? fmin(t->pixel_high[i], t->pixel_depth[i] - job->thin_before) : t->pixel_high[i];
+        t->pixel_thin[to] = !is_hit;
     }
 }
 
@@ -75,13 +75,13 @@ static int point_of(const algsurf_i_line *line, int x) {
 static void end_at_hits(const algsurf_i_picture *picture, double sx, double y, const algsurf_i_line *line, algsurf_i_tiling *t) {
     const algsurf_i_packets *p = picture->packets;
     const int surely = picture->scene->intersect.undecided_as != ALGSURF_AS_HIT;
-    for (int i = 0; i < t->thin_count; i++) {
-        int x = t->leaf[i];
+    for (int i = 0; i < t->thin; i++) {
+        int x = t->pixel[i];
         algsurf_ray ray;
-        if (!t->leaf_thin[i] || line->state[x] != ALGSURF_HIT || !surely) continue;
+        if (!t->pixel_thin[i] || line->state[x] != ALGSURF_HIT || !surely) continue;
         algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, y, &ray);
         double depth = p->near + line->points.t[point_of(line, x)] * depth_per_t(picture, &ray);
-        t->leaf_high[i] = fmin(t->leaf_high[i], depth - 4 * p->thin_side);
+        t->pixel_high[i] = fmin(t->pixel_high[i], depth - 4 * p->thin_side);
     }
 }
 
@@ -91,18 +91,18 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_packets *p = picture->packets;
     algsurf_i_row_job job;
-    if (t->thin_count == 0) return;
+    if (t->thin == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     end_at_hits(picture, sx, row + sy, line, t);
     const algsurf_i_point_job points = {picture->scene->surface, &job, NULL};
-    const algsurf_i_leaves rays = {t->thin_count, t->leaf, t->leaf_low, t->leaf_high, NULL};
-    picture->code->find_thin(&points, &rays, t->leaf_depth);
-    for (int i = 0; i < t->thin_count; i++) {
-        int x = t->leaf[i];
+    const algsurf_i_pixels rays = {t->thin, t->pixel, t->pixel_low, t->pixel_high, NULL};
+    picture->code->find_thin(&points, &rays, t->pixel_depth);
+    for (int i = 0; i < t->thin; i++) {
+        int x = t->pixel[i];
         algsurf_ray ray;
-        if (!(t->leaf_depth[i] < HUGE_VAL)) continue;
+        if (!(t->pixel_depth[i] < HUGE_VAL)) continue;
         algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
-        show(picture, x, (t->leaf_depth[i] - p->near) / depth_per_t(picture, &ray), &ray, line, point_of(line, x));
+        show(picture, x, (t->pixel_depth[i] - p->near) / depth_per_t(picture, &ray), &ray, line, point_of(line, x));
         tally->thin++;
     }
 }

@@ -11,7 +11,7 @@ typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
 /* Sets how small and how large things are for which thin ones are looked for. */
 void algsurf_i_prepare_thin(const algsurf_i_picture *picture);
 
-/* Of the leaves of a row, which are solved, those beside which there may be something thin become the first
+/* Of the pixels of a row that are solved those beside which there may be something thin become the first
  * ones, with the depths between which it may be. */
 void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t);
 

@@ -25,7 +25,7 @@
  * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere. */
 #ifndef ALGSURF_THIN_TEMPLATE_H
 #define ALGSURF_THIN_TEMPLATE_H
-#include "leaves_template.h"
+#include "pixels_template.h"
 #include "points_template.h"
 
 #define MOST_PIXELS 2  /* of a step */
@@ -291,7 +291,6 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
 INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes low, lanes high,
                           int inside, lanes *depth, int n) {
     const algsurf_i_row_job *job = points->row;
-    const guess unknown = {low, low, no_lane()};
     const row_rays rows = rays_of_row(points);
     beside b = {.job = points, .s = sight_at(job, pixel), .side = job->thin_side};
     packet k;
@@ -302,8 +301,8 @@ INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes lo
     open = (less(lo, hi)) & less(numbered(), all_lanes(inside));
     if (!any(open)) return;
     lo = choose(open, lo, all_lanes(-1));
-    leaf_range r = {lo, choose(open, hi, one) - lo};
-    expand_leaves(job, b.s.u, &r, &k, n);
+    depth_range r = {lo, choose(open, hi, one) - lo};
+    expand_pixels(job, &b.s.u, &r, &k, n);
     take_sign(k.b, n, open);
     lanes large = job->thin_large + k.e[0], from = zero, length = one;
     cell *part = &k.at;
@@ -328,7 +327,7 @@ INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes lo
         if (!any(wait) || any(open & ~wait)) continue;
         lanes z = zero, at[3];
         k.hit = wait, k.watch = NULL;
-        refine(&k, n - 1, &unknown, 0x1p-4 * job->thin_side, &z);
+        refine(&k, n - 1, 0x1p-4 * job->thin_side, &z);
         z = lo + r.length * z;
         const packet_rays ray = rays_of_packet(&rows, pixel, z);
         for (int i = 0; i < 3; i++) at[i] = ray.foot[i] + ray.z * ray.along[i];
@@ -339,7 +338,7 @@ INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes lo
     }
 }
 
-static void find_thin(const algsurf_i_point_job *job, const algsurf_i_leaves *rays, double *depth) {
+static void find_thin(const algsurf_i_point_job *job, const algsurf_i_pixels *rays, double *depth) {
     const int n = job->row->row->degree;
     if (n < 2) return;
     for (int i = 0; i < rays->count; i += LANES) {

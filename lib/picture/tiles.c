@@ -7,10 +7,9 @@
  * of the fourth order in its size, and of the third of its ends.
  *
  * Tiles pay where pixels are many for what there is to be seen: an outline as long as the degree squared,
- * over pixels.  Rows of pixels are as fast at FEW and faster beyond. */
+ * over pixels.  Pixels alone are as fast at FEW and faster beyond. */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "packets.h"
 #include "tiling.h"
 
 #include <math.h>
@@ -101,17 +100,10 @@ static algsurf_i_tile_counts count_tiles(const algsurf_i_tile_job *job, uint64_t
     return counts;
 }
 
-/* Sets which tiles of the band, with a pixel about each, are within the bounds of forms. */
-static void set_bounds(const algsurf_i_picture *picture, algsurf_i_band *band) {
-    const int tile = ALGSURF_I_TILES, y = band->number * tile;
-    algsurf_i_range_within_bounds(picture, y, y + tile, tile + 1, &band->begin, &band->end);
-    band->begin = (band->begin + tile - 1) / tile * tile;
-    if (band->end < picture->width) band->end = band->end / tile * tile;
-    if (band->end < band->begin) band->end = band->begin;
-}
-
 static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, algsurf_i_band *band) {
     const algsurf_i_row_job rays = algsurf_i_any_row(picture);
+    const int places = stride_of(picture) * LEVELS_ROWS;
+    for (int i = 0; i < places; i++) band->cell[i] = -ALGSURF_I_TILES;
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
                               .noise = picture->packets->frame.value_error,
@@ -147,12 +139,13 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
     algsurf_i_band *band = &tiling->band[number % 2];
     if (band->number != number) {
         band->number = number;
-        set_bounds(picture, band);
+        band->whole = algsurf_i_pixels_within_bounds(picture, number * ALGSURF_I_TILES,
+                                                     (number + 1) * ALGSURF_I_TILES, ALGSURF_I_TILES,
+                                                     &band->begin, &band->end);
         band->counts = (algsurf_i_tile_counts){0};
         band->searched = 0;
     }
-    int some = band->begin < band->end, whole = band->begin == 0 && band->end == picture->width;
-    if (!some || (all && !whole)) return NULL;
+    if (all ? !band->whole : band->begin >= band->end) return NULL;
     if (!band->searched) search_band(picture, tiling, band);
     band->searched = 1;
     return band;

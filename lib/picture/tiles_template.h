@@ -41,7 +41,7 @@
 #ifndef ALGSURF_TILES_TEMPLATE_H
 #define ALGSURF_TILES_TEMPLATE_H
 #include "kernel.h"
-#include "row_template.h"
+#include "sight_template.h"
 #include "search_template.h"
 
 #define ORDER ALGSURF_I_BEAM_ORDER

@@ -1,7 +1,7 @@
 /* tiling.h - the tiles of a picture, a band of rows at a time.
  *
  * A tile is searched as one (tiles_template.h): all its rays miss, or each sees the same sheet of the
- * surface, or it is quartered.  What is left, leaves, is solved ray by ray. */
+ * surface, or it is quartered.  The pixels of what is left, leaves, are solved side by side (pixels.c). */
 #ifndef ALGSURF_TILING_H
 #define ALGSURF_TILING_H
 #include "kernel.h"
@@ -10,14 +10,15 @@
 
 typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
-typedef struct algsurf_i_packets algsurf_i_packets; /* packets.h */
+typedef struct algsurf_i_packets algsurf_i_packets; /* geometry.h */
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 
 /* The tiles of a band of rows. */
 typedef struct algsurf_i_band {
     int number;     /* its rows begin at number ALGSURF_I_TILES; -1: none yet */
-    int begin, end; /* pixels of a row that have tiles: those whose rays are within the bounds of forms */
+    int begin, end; /* pixels of a row that have tiles: those whose rays are within the bounds of forms; */
+    int whole;      /* 1: all others miss */
     int searched;   /* 1: what follows is there */
     algsurf_i_tile_counts counts;
     int *cell; /* as in algsurf_i_tile_job */
@@ -34,36 +35,26 @@ typedef struct algsurf_i_tiling {
     double *to;
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
-    uint8_t *sure;
     int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
     /* of those that get all their samples, between which depths each ray's first root is; */
-    double *pixel_low, *pixel_high;
-    /* and the pixels of leaves */
-    int leaves, *leaf;
-    double *leaf_low, *leaf_high, *leaf_depth;
-    uint8_t *leaf_state, *leaf_thin;
-    int thin_count; /* of leaves, those that are in front of the others, now: where something thin may be */
+    double *list_low, *list_high;
+    /* and the pixels that are solved side by side, in the order of the row */
+    int pixels, *pixel;
+    double *pixel_low, *pixel_high, *pixel_depth;
+    uint8_t *pixel_state, *pixel_thin;
+    int thin; /* so many of them, then the first ones: where something thin may be */
 } algsurf_i_tiling;
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
 
-/* The tiles of the band that the row lies in; null: there are none, or, if they are to be of `all` its
- * pixels, not of all. */
+/* The tiles of the band that the row lies in; null: there are none, or, if they are to tell of `all` its
+ * pixels, they do not. */
 const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int row, int all,
                                         algsurf_i_tiling *tiling);
 
 /* Counts the band that the row lies in, if it is the first row of it that is drawn. */
 void algsurf_i_count_tiles(const algsurf_i_picture *picture, int row, const algsurf_i_tiling *tiling,
                            algsurf_i_tally *tally);
-
-/* As algsurf_i_render_packets, for a row of a band that has tiles. */
-algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
-                                      double sx, double sy, algsurf_i_worker *worker, algsurf_i_tally *tally);
-
-/* The samples of the line's listed pixels that are side by side, sy below the row's upper end: adds those
- * found to the line's points; returns whether some are undecided. */
-int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
-                            algsurf_i_tally *tally);
 
 #endif

@@ -7,15 +7,15 @@
  * Noise.  A pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Noise bounds how far that
  * ray is, in each of x, y, z, from the one that is computed with, and how far u, v and the slopes of the
  * latter are from exact ones.  Let s be the largest |p| + |q| of the picture and o = |e_x| + |e_y|.
- * - The rounded ray: x + sx rounds to 2 u s, as x may be twice as large as the distance from the picture's
- *   centre; two more roundings give p.  The direction, of length L before it is made a unit, is off by
- *   u (2 |p| + 2 |q| + 2 L) more, L <= 1 + |p| + |q|.  That is u (2 + 8 s) in all, and at the far end of the
- *   extent D + 1 times as much.
- * - Computing with it: D p takes seven roundings (the pixel's place two, two factors, D two, the sum), which
- *   with those of e_x come to 7 u s D + 3 u o.  The slope alpha u + beta inherits that, divided by D; alpha
- *   takes three roundings, beta five, the slope itself two: u (5 s + 11 o / D).  Together, at the far end,
- *   u (7 s (D + 1) + 5 s) + u o (3 + 14 / D).
- * - A parallel ray's direction is exact.  Its origin is off by u (|eye| + 7 s), its u by u (6 s + 3 o); s and
+ * - The rounded ray: x + sx, or (x + 1/2) / n of n samples side by side, rounds to 2 u s, as x may be twice as
+ *   large as the distance from the picture's centre; two more roundings give p.  The direction, of length L
+ *   before it is made a unit, is off by u (2 |p| + 2 |q| + 2 L) more, L <= 1 + |p| + |q|.  That is
+ *   u (2 + 8 s) in all, and at the far end of the extent D + 1 times as much.
+ * - Computing with it: D p takes eight roundings (the pixel's place two, a third where samples are side by
+ *   side, two factors, D two, the sum), which with those of e_x come to 8 u s D + 3 u o.  The slope alpha u +
+ *   beta inherits that, divided by D; alpha takes three roundings, beta five, the slope itself two:
+ *   u (5 s + 11 o / D).  Together, at the far end, u (8 s (D + 1) + 5 s) + u o (3 + 14 / D).
+ * - A parallel ray's direction is exact.  Its origin is off by u (|eye| + 7 s), its u by u (7 s + 3 o); s and
  *   the eye in the view's unit.
  * noise_of rounds these up.  All else is what is left when the eye is put together again from its rounded
  * coordinates, measured. */
@@ -27,7 +27,7 @@
 #include "../rays/planes.h"
 #include "complex_impl.h"
 #include "impl.h"
-#include "packets.h"
+#include "geometry.h"
 #include "../base/vec.h"
 
 /* A centre of the extent and a distance of the eye in natural units: 1 if both are exact. */
@@ -61,7 +61,7 @@ static double noise_of(const algsurf_i_packets *p, const double eye[3], const do
                        double slopes) {
     double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
     if (!p->orthographic)
-        return ALGSURF_U * ((4 + 20 * slopes) * (distance + 1) + offset * (8 + 16 / distance));
+        return ALGSURF_U * ((4 + 24 * slopes) * (distance + 1) + offset * (8 + 16 / distance));
     return ALGSURF_U *
            (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2 * p->per_slope * slopes + 2));
 }

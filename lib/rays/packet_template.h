@@ -99,7 +99,7 @@ INLINE void solve_chords(const algsurf_i_rays_job *job, packet *k, int n, int ow
     if (own)
         isolate_known(k, n);
     else
-        isolate(k, n, NULL);
+        isolate(k, n);
 }
 
 /* By powers, with a radius for each coefficient. */
@@ -171,7 +171,6 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
 INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
                          int block) {
     if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : MOST_DEGREE)) __builtin_unreachable();
-    const guess nowhere = {.known = no_lane()};
     double scale = ldexp(1, -job->surface->unit);
     for (size_t at = 0; at < count; at += LANES) {
         packet k;
@@ -196,7 +195,7 @@ INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algs
                 decide_from_powers(job, &line, &k, n);
             if (!job->any && any(k.hit)) {
                 lanes v;
-                refine(&k, n, &nowhere, ROOT_ERROR, &v);
+                refine(&k, n, ROOT_ERROR, &v);
                 find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
             }
         }

@@ -77,14 +77,13 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
 
 /* The bracket's hit; 0: it is undecided. */
 static int make_hit(single_ray *s, algsurf_hit *to) {
-    const guess nowhere = {.known = no_lane()};
     int wide = s->how && s->how->absolute_tolerance > 0; /* what is asked for is to be seen */
     lanes v;
     lanes_hit hit;
     if (s->how)
         v = all_lanes(refine_single(s));
     else
-        refine(&s->k, s->job->surface->node_degree, &nowhere, ROOT_ERROR, &v);
+        refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
     find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;

@@ -9,7 +9,6 @@
 #include "../simd/degrees.h"
 #include "descartes_template.h"
 
-#define CLOSE_TO_END 0x1p-10 /* no cuts where they tell, for split() */
 #define SHORT_STEP 0x1p-14   /* of an iteration: longer ones do not tell what is missing */
 
 /* What is known of LANES polynomials, and what was found. */
@@ -84,43 +83,11 @@ INLINE void cut_to_ends(packet *k, int n, int own, mask across, const algsurf_i_
     k->stop = choose(at_stop, all_lanes(2), k->stop);
 }
 
-#define MOST_CUTS 4
-
-/* The places that a polynomial without roots was cut at to show it. */
-typedef struct cuts {
-    int count; /* more than MOST_CUTS: too many to be kept */
-    double at[MOST_CUTS];
-} cuts;
-
-INLINE void add_cut(cuts *c, double at) {
-    if (c->count < MOST_CUTS) c->at[c->count] = at;
-    c->count++;
-}
-
-/* Open lanes that have no root, as the same cuts show, are closed. */
-INLINE void reuse_cuts_n(packet *k, int n, const cuts *c) {
-    lanes left[MOST_DEGREE + 1], right[MOST_DEGREE + 1], error = k->e[0];
-    mask empty = k->open;
-    double from = 0;
-    for (int j = 0; j <= n; j++) right[j] = k->b[j];
-    take_sign(right, n, k->open);
-    for (int i = 0; i < c->count; i++) {
-        split(right, left, n, all_lanes(c->at[i] - from), all_lanes(1 - c->at[i]));
-        from = c->at[i];
-        error += k->cut_error;
-        empty &= count_signs(left, &error, n, 0).none;
-        if (!any(empty)) return;
-    }
-    k->open &= ~(empty & count_signs(right, &error, n, 0).none);
-}
-
-/* The first bracket of each open lane, from its cell on; and the cuts of the last lane, if that is open. */
-INLINE void isolate_n(packet *k, int n, int own, cuts *last, const algsurf_i_watch *watch) {
+/* The first bracket of each open lane, from its cell on. */
+INLINE void isolate_n(packet *k, int n, int own, const algsurf_i_watch *watch) {
     cell *c = &k->at;
-    int kept = last && bits(k->open) >> (LANES - 1) & 1, turn = 0;
-    if (kept) last->count = 0;
+    int turn = 0;
     while (any(k->open)) {
-        double reached = c->p[LANES - 1];
         mask one = k->open & k->s.one;
         mask inside = one & at_most(k->start + k->blur, c->p) & at_most(c->q, k->stop - k->blur);
         k->hit |= inside;
@@ -138,16 +105,8 @@ INLINE void isolate_n(packet *k, int n, int own, cuts *last, const algsurf_i_wat
             leave_undecided(k, divide(c, n, own, k->cut_error, k->open, k->start, k->blur, k->stop, turn++,
                                       &k->s, watch));
         }
-        if (kept && c->p[LANES - 1] > reached) add_cut(last, c->p[LANES - 1]);
     }
-    if (kept && c->limit[LANES - 1] < 1) add_cut(last, c->limit[LANES - 1]);
 }
-
-/* Where the first root is expected: `near` it, within `reach`. */
-typedef struct guess {
-    lanes near, reach;
-    mask known;
-} guess;
 
 /* A polynomial at a point: its value, slope and half its second derivative. */
 typedef struct jet {
@@ -190,47 +149,13 @@ INLINE void close(packet *k, int n, mask found, const cell *part) {
     k->open &= ~found;
 }
 
-/* Open lanes whose first root is where it is expected: one variation up to a little beyond it, and none
- * before `start`; or none up to a little before it, and one from there.  They are closed as hits. */
-INLINE void follow_n(packet *k, int n, const guess *g) {
-    lanes right[MOST_DEGREE + 1], error = k->e[0] + k->cut_error;
-    lanes zero = all_lanes(0), end = floor40(g->near + g->reach);
-    cell part = {.p = zero, .side = (words)zero};
-    mask tried = k->open & g->known & less(end, k->stop - k->blur) & less(k->start + k->blur, end);
-    tried &= less(end, all_lanes(1 - CLOSE_TO_END)) & less(error, absolute(k->b[0]));
-    if (!any(tried)) return;
-    for (int j = 0; j <= n; j++) right[j] = k->b[j];
-    part.side = take_sign(right, n, tried);
-    part.q = end = choose(tried, end, all_lanes(0.5));
-    split(right, part.w, n, end, 1 - end);
-    mask found = tried & count_signs(part.w, &error, n, 0).one;
-    if (any(found)) {
-        lanes x = choose(found, k->start / end, zero);
-        found &= less(error + k->cut_error + end_error(k, n), jet_at(part.w, n, x).f);
-        close(k, n, found, &part);
-    }
-    lanes begin = floor40(g->near - g->reach);
-    tried &= ~found & less(k->start + k->blur, begin);
-    if (!any(tried)) return;
-    part.p = begin = choose(tried, begin, 0.5 * end);
-    error += k->cut_error;
-    for (int j = 0; j <= n; j++) right[j] = part.w[j];
-    split(right, part.w, n, begin, end - begin);
-    tried &= count_signs(part.w, &error, n, 0).none & less(error, right[0]);
-    tried &= count_signs(right, &error, n, 0).one;
-    for (int j = 0; j <= n; j++) part.w[j] = right[j];
-    close(k, n, tried, &part);
-}
-
 /* The roots of the hits as numbers in [0,1]: Chebyshev's iteration (Traub, Iterative Methods for the Solution
- * of Equations, 1964, 5.1) from where the root is expected, or the control polygon has it, kept between lo
- * and hi.  With the Newton step s and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is
- * about 2 s r^2: it ends when twice that is below tolerance, and r so small that it tells that. */
-INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const algsurf_i_watch *watch) {
+ * of Equations, 1964, 5.1) from where the control polygon has the root, kept between lo and hi.  With the
+ * Newton step s and r = s f''/(2 f') it goes on by s (1 + r), and what is missing then is about 2 s r^2: it
+ * ends when twice that is below tolerance, and r so small that it tells that. */
+INLINE lanes refine_n(packet *k, int n, double tolerance, const algsurf_i_watch *watch) {
     const cell *c = &k->at;
-    lanes width = c->q - c->p, lo = all_lanes(0), hi = all_lanes(1);
-    lanes x = polygon_root(c->w, n), expected = (g->near - c->p) / width;
-    x = choose(g->known & less(lo, expected) & less(expected, hi), expected, x);
+    lanes width = c->q - c->p, lo = all_lanes(0), hi = all_lanes(1), x = polygon_root(c->w, n);
     mask moving = k->hit;
     for (int round = 0; any(moving); round++) {
         jet at = jet_at(c->w, n, x);
@@ -258,22 +183,18 @@ INLINE lanes refine_n(packet *k, int n, const guess *g, double tolerance, const 
 
 /* ---- the steps, compiled for the most common degrees and for all others ---- */
 
-APART void follow(packet *k, int n, const guess *g){FOR_DEGREE(n, follow_n(k, N, g))}
-
-APART void reuse_cuts(packet *k, int n, const cuts *c){FOR_DEGREE(n, reuse_cuts_n(k, N, c))}
-
 /* The same steps, for whoever watches. */
 APART void isolate_watched(packet *k, int n, int own) {
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
     if (own)
-        isolate_n(k, n, 1, NULL, k->watch);
+        isolate_n(k, n, 1, k->watch);
     else
-        isolate_n(k, n, 0, NULL, k->watch);
+        isolate_n(k, n, 0, k->watch);
 }
 
-APART void refine_watched(packet *k, int n, const guess *g, double tolerance, lanes *at) {
+APART void refine_watched(packet *k, int n, double tolerance, lanes *at) {
     if (n < 1 || n > ALGSURF_MAX_DEGREE) __builtin_unreachable();
-    *at = refine_n(k, n, g, tolerance, k->watch);
+    *at = refine_n(k, n, tolerance, k->watch);
 }
 
 /* Single rays and polynomials, which may be watched, go in packets of two; the includer may say that none is
@@ -284,11 +205,11 @@ APART void refine_watched(packet *k, int n, const guess *g, double tolerance, la
 INLINE const algsurf_i_watch *watch_of(const packet *k) { return WATCHED ? k->watch : NULL; }
 
 /* One radius. */
-APART void isolate(packet *k, int n, cuts *last) {
+APART void isolate(packet *k, int n) {
     if (watch_of(k))
         isolate_watched(k, n, 0);
     else
-        FOR_DEGREE(n, isolate_n(k, N, 0, last, NULL))
+        FOR_DEGREE(n, isolate_n(k, N, 0, NULL))
 }
 
 /* Radii of their own. */
@@ -297,7 +218,7 @@ APART void isolate_known(packet *k, int n) {
     if (watch_of(k))
         isolate_watched(k, n, 1);
     else
-        isolate_n(k, n, 1, NULL, NULL);
+        isolate_n(k, n, 1, NULL);
 }
 
 /* The same, compiled for common degrees: for single rays and polynomials, which are all that they do. */
@@ -305,14 +226,14 @@ APART void isolate_known_often(packet *k, int n) {
     if (watch_of(k))
         isolate_watched(k, n, 1);
     else
-        FOR_DEGREE(n, isolate_n(k, N, 1, NULL, NULL))
+        FOR_DEGREE(n, isolate_n(k, N, 1, NULL))
 }
 
-APART void refine(packet *k, int n, const guess *g, double tolerance, lanes *at) {
+APART void refine(packet *k, int n, double tolerance, lanes *at) {
     if (watch_of(k))
-        refine_watched(k, n, g, tolerance, at);
+        refine_watched(k, n, tolerance, at);
     else
-        FOR_DEGREE(n, *at = refine_n(k, N, g, tolerance, NULL))
+        FOR_DEGREE(n, *at = refine_n(k, N, tolerance, NULL))
 }
 
 #endif

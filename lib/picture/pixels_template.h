@@ -1,25 +1,27 @@
-/* leaves_template.h - the pixels of leaves: the first root along the ray of each.
+/* pixels_template.h - the first roots along the rays of some pixels of a row, LANES at once: coefficients by
+ * Horner's rule in u, Descartes' walk (roots/packet_template.h), the root.
  *
- * They are few, and neighbours in a packet may be far apart in depth.  So each lane has a
- * range of depth of its own: its chord, cut to what its tile has left open.  P along the ray is made in
- * powers of depth by Horner's rule in u, then brought to Bernstein's basis over the range as it is for a
- * segment of a row: on its way a term meets no more roundings than there (surface/view.c).
+ * Each lane has a range of depth of its own: its chord, cut to what is known of its root.  P along the ray is
+ * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring
+ * to Bernstein coefficients over the range; surface/view.c counts the roundings.
  *
- * Ends.  Where the tile leaves open less than the chord, the range is inside the chord, and a root in it
- * counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in units of its
- * length: where |P| at that end of the range exceeds what it can change by within blur, no root is between.
- * In both cases the end need not be looked at again. */
-#ifndef ALGSURF_LEAVES_TEMPLATE_H
-#define ALGSURF_LEAVES_TEMPLATE_H
-#include "row_template.h"
+ * Ends.  Where the root is known to lie between depths that leave less than the chord, the range is inside
+ * the chord, and a root in it counts.  Else it holds the chord's end and is longer than the chord by less
+ * than `blur`, in units of its length: where |P| at that end of the range exceeds what it can change by
+ * within blur, no root is between.  In both cases the end need not be looked at again. */
+#ifndef ALGSURF_PIXELS_TEMPLATE_H
+#define ALGSURF_PIXELS_TEMPLATE_H
+#include "sight_template.h"
+
+#define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
 
 /* Depths between which a packet is searched. */
-typedef struct leaf_range {
+typedef struct depth_range {
     lanes lo, length;
-} leaf_range;
+} depth_range;
 
 /* Powers of depth to coefficients over the range. */
-INLINE void range_to_bernstein(const double *basis, const leaf_range *r, lanes *c, lanes *b, int n) {
+INLINE void range_to_bernstein(const double *basis, const depth_range *r, lanes *c, lanes *b, int n) {
     lanes half = 0.5 * r->length, middle = r->lo + half, power = all_lanes(1);
     UNROLLED
     for (int i = 0; i < n; i++) {
@@ -40,15 +42,16 @@ INLINE void range_to_bernstein(const double *basis, const leaf_range *r, lanes *
     }
 }
 
-INLINE void expand_leaves(const algsurf_i_row_job *job, lanes u, const leaf_range *r, packet *p, int n) {
-    lanes c[ALGSURF_MAX_BEAM_DEGREE + 1];
-    for (int k = 0; k <= n; k++) {
-        const double *row = job->row->c + k * job->row->stride;
-        c[k] = all_lanes(row[n]);
-        for (int m = n - 1; m >= 0; m--) c[k] = c[k] * u + all_lanes(row[m]);
-    }
+INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_range *r, packet *p, int n) {
+    lanes c[ALGSURF_MAX_VIEW_DEGREE + 1];
+    powers_at(job, u, c, n);
     range_to_bernstein(job->basis, r, c, p->b, n);
     p->e[0] = radius_at(job, u, n);
+}
+
+APART void expand_pixels(const algsurf_i_row_job *job, const lanes *u, const depth_range *r, packet *p,
+                         int n) {
+    FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))
 }
 
 /* The whole range is searched.  after, before: it begins, or ends, inside the chord. */
@@ -84,26 +87,22 @@ INLINE dips dips_of(const lanes *w, lanes large, int n) {
 /* Is there such a place before the hits of a packet, or anywhere where there are none?  z: of hits. */
 INLINE mask dips_before(const algsurf_i_row_job *job, const packet *k, lanes z, lanes length, int n) {
     lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], zero = all_lanes(0);
-    const mask negative_first = less(k->b[0], zero);
-    for (int j = 0; j <= n; j++) w[j] = choose(negative_first, -k->b[j], k->b[j]);
+    const mask turned = less(k->b[0], zero);
+    for (int j = 0; j <= n; j++) w[j] = choose(turned, -k->b[j], k->b[j]);
+    if (!any(k->hit)) return dips_of(w, job->thin_large + k->e[0], n).some;
     lanes end = choose(k->hit, larger(z - job->thin_before / length, zero), all_lanes(1));
-    if (any(k->hit)) {
-        split_shares(w, left, n, end, 1 - end);
-        for (int j = 0; j <= n; j++) w[j] = left[j];
-    }
-    return dips_of(w, job->thin_large + k->e[0], n).some;
+    split_shares(w, left, n, end, 1 - end);
+    return dips_of(left, job->thin_large + k->e[0], n).some;
 }
 
-#define LEAF_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
-
-/* LANES leaves; *thin: is there a place where something thin may be? */
-INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
-                              lanes *z, mask *thin, int n) {
+/* LANES pixels whose first roots, if there are any on their chords, are between low and high.
+ * *thin: beside which there may be something thin. */
+INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
+                         lanes *z, mask *thin, int n) {
     const sight s = sight_at(job, pixel);
-    const guess unknown = {low, low, no_lane()};
-    leaf_range r;
+    depth_range r;
     chord c = clip(job, &s, all_lanes(job->near), &k->open);
-    lanes gap = 2 * c.blur, sure = gap + LEAF_ROUNDING;
+    lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
     k->watch = NULL;
     *thin = k->undecided = c.undecided;
     k->hit = no_lane();
@@ -114,39 +113,45 @@ INLINE void solve_leaf_packet(const algsurf_i_row_job *job, lanes pixel, lanes l
     const mask all = k->open;
     r.lo = choose(k->open, r.lo, all_lanes(-1));
     r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
-    expand_leaves(job, s.u, &r, k, n);
+    expand_pixels(job, &s.u, &r, k, n);
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
     if (any(k->open)) {
         bound_errors(k, n, 0);
         set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
-        isolate(k, n, NULL);
-        if (any(k->hit)) refine(k, n, &unknown, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
+        isolate(k, n);
+        if (any(k->hit)) refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
     }
     if (job->thin_large > 0) *thin = k->undecided | (all & dips_before(job, k, *z, r.length, n));
     *z = r.lo + r.length * *z;
 }
 
-INLINE void solve_leaves_n(const algsurf_i_row_job *job, const algsurf_i_leaves *p, double *depth,
-                           uint8_t *state, int n) {
+/* What was found of so many lanes, at most. */
+INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
+    unsigned hits = bits(k->hit), undecided = bits(k->undecided);
+    for (int l = 0; l < LANES && l < count; l++) {
+        state[l] =
+            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
+    }
+    for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
+}
+
+static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
+                         uint8_t *state) {
+    int n = job->row->degree;
     if (n < 1) __builtin_unreachable();
     for (int i = 0; i < p->count; i += LANES) {
         int count = p->count - i;
         packet k;
         mask thin;
         lanes z = all_lanes(0);
-        solve_leaf_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count),
-                          load_some(p->high + i, count), &k, &z, &thin, n);
+        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count),
+                     load_some(p->high + i, count), &k, &z, &thin, n);
         store_solved(&k, z, count, depth + i, state + i);
         const unsigned which = bits(thin);
         for (int l = 0; p->thin && l < LANES && l < count; l++) p->thin[i + l] = which >> l & 1;
     }
-}
-
-static void solve_leaves(const algsurf_i_row_job *job, const algsurf_i_leaves *leaves, double *depth,
-                         uint8_t *state) {
-    FOR_DEGREE(job->row->degree, solve_leaves_n(job, leaves, depth, state, N))
 }
 
 #endif

@@ -1,16 +1,12 @@
-/* row_template.h - the pixels of a row: the chord inside the extent, as planes cut it, coefficients by
- * Horner's rule in u, and the first root (roots/packet_template.h).
- *
- * Pixels come in segments.  Their chords have a range of depth in common, and Bernstein coefficients over it
- * are made once a segment, as polynomials in u: they have fewer variations of sign than those over all
- * depths, so that most rays that miss show it at once.
+/* sight_template.h - the lines of sight of a row's pixels: the chord inside the extent, as planes cut it, and
+ * how much the coefficients along them are off.
  *
  * Ends of chords.  An end is computed for a line of sight: for u, v and the slopes a, b as they are rounded.
  * It stands for the end on the pixel's ray.  So it has two errors: rounding, and the view's noise N, by which
  * points of the ray and of the line differ at most in each of x, y, z.  Both are less than the chord's blur,
  * which is made of
  *     e = 2^-44 + 4 N,  divided by the sine where the line meets the extent or a plane at a slant.
- * What is shown has |X| <= 1; |u| + |a| < 4 and |v| + |b| < 4 (packets.c); N < 2^-22 (view.c).
+ * What is shown has |X| <= 1; |u| + |a| < 4 and |v| + |b| < 4 (geometry.c); N < 2^-22 (view.c).
  * Hence |(u,v)| < 5.7, s = 1 + a^2 + b^2 < 33, and the root of s is below 5.75.  Roundings are counted in
  * 2^-53, to first order: 2^-44 has 512 of them.  Beside the end of a ray's chord, sqrt(3) N away, there is a
  * point of the line; N of that is in depth.
@@ -39,8 +35,8 @@
  * In tiles r is up to 7; what that adds is taken in by 4 blur and a slack of 2^-22 (tiles_template.h).  Ends
  * are compared with rationals by tests/test_chords.c: their error is at most 0.11 blur in pictures, and 0.01
  * blur for lines without noise. */
-#ifndef ALGSURF_ROW_TEMPLATE_H
-#define ALGSURF_ROW_TEMPLATE_H
+#ifndef ALGSURF_SIGHT_TEMPLATE_H
+#define ALGSURF_SIGHT_TEMPLATE_H
 #include "kernel.h"
 #define MOST_DEGREE ALGSURF_MAX_VIEW_DEGREE
 #include "../roots/packet_template.h"
@@ -138,44 +134,6 @@ INLINE chord clip(const algsurf_i_row_job *job, const sight *s, lanes near, mask
     return c;
 }
 
-#define BLOCK 8    /* pixels that share a guess, whatever the number of lanes */
-#define SEGMENT 64 /* pixels that share a range of depth */
-
-/* A range of depth, z = lo + length tau, and the Bernstein coefficients b_j = sum_m b[j ALGSURF_ROW_STRIDE +
- * m] u^m. */
-typedef struct segment {
-    double lo, length;
-    sight sights[SEGMENT / LANES];
-    chord chords[SEGMENT / LANES];
-    mask open[SEGMENT / LANES];
-    scalar b[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE];
-} segment;
-
-/* Taylor shift to the middle, scaling, change of basis; for LANES powers of u at a time. */
-INLINE void expand_segment(const algsurf_i_row_job *job, segment *s, int n) {
-    double half = 0.5 * s->length, middle = s->lo + half;
-    for (int m = 0; m <= n; m += LANES) {
-        lanes c[ALGSURF_MAX_VIEW_DEGREE + 1], power = all_lanes(1);
-        for (int k = 0; k <= n; k++) c[k] = load(job->row->c + k * job->row->stride + m);
-        for (int i = 0; i < n; i++)
-            for (int k = n - 1; k >= i; k--) c[k] += all_lanes(middle) * c[k + 1];
-        for (int k = 1; k <= n; k++) {
-            power *= all_lanes(half);
-            c[k] *= power;
-        }
-        for (int j = 0; j <= n; j++) {
-            lanes b = c[0];
-            for (int k = 1; k <= n; k++) b += all_lanes(job->basis[j * (n + 1) + k]) * c[k];
-            __builtin_memcpy(s->b + j * ALGSURF_ROW_STRIDE + m, &b, sizeof b);
-        }
-    }
-}
-
-/* The LANES of them from i on; the last one is repeated behind the end. */
-INLINE lanes pixels_from(const algsurf_i_pixels *p, int i) {
-    return smaller(all_lanes(p->first + i) + numbered(), all_lanes(p->first + p->count - 1));
-}
-
 INLINE sight sight_at(const algsurf_i_row_job *job, lanes pixel) {
     lanes place = (pixel + all_lanes(job->offset)) * all_lanes(job->pixel);
     lanes u = all_lanes(job->u0) + all_lanes(job->du) * place;
@@ -185,168 +143,22 @@ INLINE sight sight_at(const algsurf_i_row_job *job, lanes pixel) {
                    .b = all_lanes(job->slope)};
 }
 
-/* Lines of sight of pixels from i on, chords and their range; returns 0 when there are no chords. */
-INLINE int begin_segment(const algsurf_i_row_job *job, const algsurf_i_pixels *p, int first, segment *s) {
-    lanes lo = all_lanes(1), hi = all_lanes(-1);
-    for (int i = 0; i < SEGMENT / LANES && first + i * LANES < p->count; i++) {
-        sight *at = s->sights + i;
-        *at = sight_at(job, pixels_from(p, first + i * LANES));
-        s->chords[i] = clip(job, at, all_lanes(job->near), s->open + i);
-        lanes blur = 2 * s->chords[i].blur;
-        lo = choose(s->open[i], smaller(lo, s->chords[i].near - blur), lo);
-        hi = choose(s->open[i], larger(hi, s->chords[i].far + blur), hi);
+/* P along lines of sight at u, in powers of depth. */
+INLINE void powers_at(const algsurf_i_row_job *job, lanes u, lanes *c, int n) {
+    for (int k = 0; k <= n; k++) {
+        const double *row = job->row->c + k * job->row->stride;
+        c[k] = all_lanes(row[n]);
+        for (int m = n - 1; m >= 0; m--) c[k] = c[k] * u + all_lanes(row[m]);
     }
-    double least = 1, most = -1;
-    for (int l = 0; l < LANES; l++) {
-        least = lo[l] < least ? lo[l] : least;
-        most = hi[l] > most ? hi[l] : most;
-    }
-    s->lo = least < -1 ? -1 : least;
-    s->length = (most > 1 ? 1 : most) - s->lo;
-    return least < most;
 }
 
-/* What the coefficients of rays at u are off by at most. */
+/* What they are off by at most, taken together, for |z| <= 1. */
 INLINE lanes radius_at(const algsurf_i_row_job *job, lanes u, int n) {
     lanes x = absolute(u) + absolute(all_lanes(job->view->alpha) * u) +
               all_lanes(fabs(job->view->beta[0]) + job->view->noise);
     lanes radius = all_lanes(0);
     for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(job->row->radius[i]);
     return radius;
-}
-
-INLINE void coefficients(const algsurf_i_row_job *job, const segment *s, lanes u, packet *k, int n) {
-    for (int j = 0; j <= n; j++) {
-        const scalar *c = s->b + j * ALGSURF_ROW_STRIDE;
-        lanes sum = all_lanes(c[n]);
-        for (int m = n - 1; m >= 0; m--) sum = sum * u + all_lanes(c[m]);
-        k->b[j] = sum;
-    }
-    k->e[0] = radius_at(job, u, n);
-}
-
-/* What of the segment's range is the chord. */
-INLINE void search_chord(const segment *s, const chord *c, packet *k) {
-    lanes scale = all_lanes(1 / s->length), lo = all_lanes(s->lo), blur = c->blur * scale + 0x1p-50;
-    k->start = larger(floor40((c->near - lo) * scale - blur), all_lanes(0));
-    k->stop = smaller(-floor40(-(c->far - lo) * scale - blur), all_lanes(1));
-    k->blur = 2 * blur + 0x1p-39;
-}
-
-/* What the pixels before tell: the depths of the last three of a block, if all were hit, and the depths at
- * which the last one was cut to show that it has none. */
-typedef struct predictor {
-    double last, step, bend;
-    int known;
-    cuts empty;
-} predictor;
-
-INLINE void set_predictor(predictor *t, const double *depth, const uint8_t *state, int end) {
-    const double *d = depth + end - 3;
-    const uint8_t *s = state + end - 3;
-    t->known = (s[0] & s[1] & s[2]) == ALGSURF_LANE_HIT;
-    if (!t->known) return;
-    t->last = d[2];
-    t->step = d[2] - d[1];
-    t->bend = d[2] - 2 * d[1] + d[0];
-}
-
-/* A parabola through them, for the pixels that come next, wrong by its next difference: taken to be some
- * bends at most. */
-INLINE guess guess_from(const predictor *t, const segment *s, int ahead) {
-    guess g;
-    lanes far = all_lanes(ahead + 1) + numbered(), scale = all_lanes(1 / s->length);
-    lanes bend = all_lanes(t->bend), last = all_lanes(t->last);
-    g.near = (last + far * all_lanes(t->step) + 0.5 * far * (far + 1) * bend - all_lanes(s->lo)) * scale;
-    g.reach = all_lanes(0x1p-6 + 32 * fabs(t->bend)) * scale;
-    g.known = less(all_lanes(0), all_lanes(t->known));
-    return g;
-}
-
-/* The places of cuts between depth and the range of a segment. */
-INLINE void cuts_in_segment(const segment *s, const cuts *depths, cuts *c) {
-    c->count = 0;
-    for (int i = 0; i < depths->count && i < MOST_CUTS; i++) {
-        lanes at = floor40(all_lanes((depths->at[i] - s->lo) / s->length));
-        if (at[0] > CLOSE_TO_END && at[0] < 1 - CLOSE_TO_END) c->at[c->count++] = at[0];
-    }
-}
-
-/* What was found of so many lanes, at most. */
-INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
-    unsigned hits = bits(k->hit), undecided = bits(k->undecided);
-    for (int l = 0; l < LANES && l < count; l++) {
-        state[l] =
-            (uint8_t)(ALGSURF_LANE_HIT * (hits >> l & 1) + ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-    }
-    for (int l = 0; hits && l < LANES && l < count; l++) depth[l] = z[l];
-}
-
-/* The pixels from number x on, packet i of the segment; the cuts of its last pixel go to cut. */
-INLINE void solve_packet(const algsurf_i_row_job *job, const segment *s, int i, const predictor *t, int x,
-                         int end, double *depth, uint8_t *state, cuts *cut, int n) {
-    double tolerance = (job->tolerance > ENOUGH ? job->tolerance : ENOUGH) / s->length;
-    lanes z = all_lanes(0);
-    packet k;
-    k.watch = NULL;
-    k.open = s->open[i];
-    k.undecided = s->chords[i].undecided;
-    k.hit = no_lane();
-    cut->count = 0;
-    if (any(k.open)) {
-        coefficients(job, s, s->sights[i].u, &k, n);
-        begin(&k, n, 0);
-        leave_undecided(&k, ~ends_known(k.b, k.e, n, 0, all_lanes(0)));
-        k.open &= ~k.s.none;
-    }
-    int last_open = bits(k.open) >> (LANES - 1) & 1;
-    if (any(k.open)) {
-        guess g = guess_from(t, s, i * LANES % BLOCK);
-        search_chord(s, s->chords + i, &k);
-        bound_errors(&k, n, 0);
-        if (t->known) {
-            follow(&k, n, &g);
-        } else if (t->empty.count > 0 && t->empty.count <= MOST_CUTS) {
-            cuts_in_segment(s, &t->empty, cut);
-            reuse_cuts(&k, n, cut);
-        }
-        if (any(k.open)) isolate(&k, n, cut);
-        if (any(k.hit)) {
-            refine(&k, n, &g, tolerance, &z);
-            z = all_lanes(s->lo) + all_lanes(s->length) * z;
-        }
-        for (int j = 0; j < cut->count && j < MOST_CUTS; j++) cut->at[j] = s->lo + s->length * cut->at[j];
-    }
-    if (!last_open) cut->count = 0;
-    store_solved(&k, z, end - x, depth + x, state + x);
-}
-
-INLINE void solve_row_n(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
-                        uint8_t *state, int n) {
-    if (n < 1) __builtin_unreachable();
-    predictor t = {0};
-    for (int first = 0; first < p->count; first += SEGMENT) {
-        segment s;
-        cuts cut = {0};
-        int stop = first + SEGMENT < p->count ? first + SEGMENT : p->count;
-        if (begin_segment(job, p, first, &s)) {
-            expand_segment(job, &s, n);
-        } else {
-            s.length = 1;
-        }
-        for (int i = 0; first + i * LANES < stop; i++) {
-            int at = first + i * LANES;
-            solve_packet(job, &s, i, &t, at, stop, depth, state, &cut, n);
-            if ((i + 1) * LANES % BLOCK > 0 || at + LANES > stop) continue; /* a short block */
-            set_predictor(&t, depth, state, at + LANES);
-            t.empty = cut;
-        }
-    }
-}
-
-static void solve_row(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                      uint8_t *state) {
-    FOR_DEGREE(job->row->degree, solve_row_n(job, pixels, depth, state, N))
 }
 
 #endif

@@ -1,12 +1,12 @@
-/* tiled.c - the points of a row whose tiles are known.
+/* pixels.c - the points of a row, by what its tiles are.
  *
  * Pixels of empty tiles miss.  Those of sheets have a root in the sheet, found by Newton's method from the
- * tile's series and proved to be it (algsurf_i_tile); the few where that fails, and the pixels of leaves, are
- * solved as rays of a row, from the depth on before which their tile has nothing.  What is undecided then
- * goes the way of all rows. */
+ * tile's series and proved to be it (algsurf_i_tile).  Those of leaves, and all pixels where there are no
+ * tiles, are solved side by side between the depths that are known (pixels_template.h).  What is undecided
+ * then goes ray by ray (undecided.c). */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "packets.h"
+#include "solve.h"
 #include "thin.h"
 #include "tiling.h"
 
@@ -34,10 +34,11 @@ static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta
     memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
 }
 
-static void add_leaf(algsurf_i_tiling *t, int x, double low, double high) {
-    t->leaf[t->leaves] = x;
-    t->leaf_low[t->leaves] = low;
-    t->leaf_high[t->leaves++] = high;
+/* A pixel whose first root is between two depths, if there is one on its chord. */
+static void add_pixel(algsurf_i_tiling *t, int x, double low, double high) {
+    t->pixel[t->pixels] = x;
+    t->pixel_low[t->pixels] = low;
+    t->pixel_high[t->pixels++] = high;
 }
 
 static void set_ways(const algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
@@ -60,7 +61,7 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
         if (is_sheet)
             add_sheet(tile, x, x + 1, eta, sx, line, t);
         else
-            add_leaf(t, x, tile->low, tile->high);
+            add_pixel(t, x, tile->low, tile->high);
     }
 }
 
@@ -71,12 +72,12 @@ static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_
     const algsurf_i_band *band = picture->tiled && line->way ? algsurf_i_band_of(picture, row, 1, t) : NULL;
     const int dense = line->dense, places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     const int first = row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
-    t->leaves = 0;
+    t->pixels = 0;
     for (int i = line->listed; i < line->listed + line->wanted_count; i++) {
         const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
         set_ways(line, x, x + 1, number > 0 ? (int)(2 / band->tiles[number - 1].inverse) : 0,
                  ALGSURF_WAY_ROW);
-        for (int k = dense * x; k < dense * (x + 1); k++) add_leaf(t, k, t->pixel_low[i], t->pixel_high[i]);
+        for (int k = dense * x; k < dense * (x + 1); k++) add_pixel(t, k, t->list_low[i], t->list_high[i]);
     }
 }
 
@@ -85,7 +86,9 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
                     algsurf_i_worker *worker) {
     int width = picture->width, places = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     const int *cell = band->cell + ((int)y - band->number * ALGSURF_I_TILES) / ALGSURF_I_LEAF * places;
-    worker->tiling.leaves = 0;
+    worker->tiling.pixels = 0;
+    memset(worker->line.state + worker->line.begin, ALGSURF_LANE_MISS,
+           (size_t)(worker->line.end - worker->line.begin));
     for (int first = 0, end; first < places; first = end) {
         for (end = first + 1; end < places && cell[end] == cell[first];) end++;
         int x = first * ALGSURF_I_LEAF, x_end = end * ALGSURF_I_LEAF < width ? end * ALGSURF_I_LEAF : width;
@@ -96,127 +99,115 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
     }
 }
 
-static void move_point(const algsurf_i_points *p, int from, int to) {
-    p->t[to] = p->t[from];
-    for (int k = 0; k < 3; k++) {
-        p->position[k][to] = p->position[k][from];
-        p->normal[k][to] = p->normal[k][from];
-        p->direction[k][to] = p->direction[k][from];
-        p->looks.place[k][to] = p->looks.place[k][from];
-        p->looks.normal[k][to] = p->looks.normal[k][from];
-        p->looks.direction[k][to] = p->looks.direction[k][from];
-    }
-}
-
-/* Pixels whose root was not found become leaves. */
-static void keep_sure(algsurf_i_line *line, algsurf_i_tiling *t) {
-    int kept = 0;
-    for (int i = 0; i < line->count; i++) {
-        int x = line->pixel[i];
-        if (!t->sure[i]) {
-            add_leaf(t, x, t->low[i], t->high[i]);
-            if (line->way) line->way[x] += ALGSURF_WAY_ROW - ALGSURF_WAY_SHEET;
-            continue;
-        }
-        if (kept < i) move_point(&line->points, i, kept);
-        line->pixel[kept++] = x;
-    }
-    line->count = kept;
-}
-
-static void find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
-                        algsurf_i_worker *worker) {
+/* The row's pixels, all of them between the depths of what is shown; returns whether some are undecided: those
+ * beyond the bounds of forms. */
+static int collect_all(const algsurf_i_picture *picture, double y, algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
-    algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_sheets sheets = {t->low, t->high, t->enough, t->sure};
+    int begin, end, misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, &begin, &end);
+    worker->tiling.pixels = 0;
+    algsurf_i_begin_states(line, misses);
+    for (int x = begin; x < end; x++)
+        if (!line->wanted || line->wanted[x]) add_pixel(&worker->tiling, x, -1, 1);
+    return !misses;
+}
+
+/* The line's points, which are on sheets; returns whether some are undecided. */
+static int find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
+                       algsurf_i_worker *worker) {
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_i_sheets sheets = {t->low, t->high, t->enough};
     const algsurf_i_points points = algsurf_i_points_to_find(picture, line, 0);
-    if (!picture->code->sheet_points(job, line->pixel, line->depth, line->count, &sheets, &points))
-        keep_sure(line, t);
+    return !picture->code->points(job, line->pixel, line->depth, line->count, &sheets, line->sure, &points) &&
+           algsurf_i_drop_unsure(line, 0);
 }
 
-/* Depths of the leaves' pixels that are hit, after the line's points; returns whether some are undecided. */
-static int solve_leaves(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
+/* Depths of the listed pixels that are hit, after the line's points; returns whether some are undecided. */
+static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_leaves leaves = {t->leaves, t->leaf, t->leaf_low, t->leaf_high, t->leaf_thin};
+    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low, t->pixel_high, t->pixel_thin};
     int undecided = 0;
-    algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
-    picture->code->solve_leaves(job, &leaves, t->leaf_depth, t->leaf_state);
-    for (int i = 0; i < t->leaves; i++) {
-        int x = t->leaf[i];
-        line->state[x] = t->leaf_state[i];
-        undecided |= t->leaf_state[i] == ALGSURF_LANE_UNDECIDED;
-        if (t->leaf_state[i] != ALGSURF_LANE_HIT) continue;
+    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state);
+    for (int i = 0; i < t->pixels; i++) {
+        int x = t->pixel[i];
+        line->state[x] = t->pixel_state[i];
+        undecided |= t->pixel_state[i] == ALGSURF_LANE_UNDECIDED;
+        if (t->pixel_state[i] != ALGSURF_LANE_HIT) continue;
         line->pixel[line->count] = x;
-        line->depth[line->count++] = t->leaf_depth[i];
+        line->depth[line->count++] = t->pixel_depth[i];
     }
     algsurf_i_list_thin(job, t);
     return undecided;
 }
 
-/* The points of leaves, after the line's. */
-static algsurf_status find_leaves(const algsurf_i_picture *picture, double y, double sx,
-                                  const algsurf_i_point_job *job, algsurf_i_worker *worker,
-                                  algsurf_i_tally *tally) {
+/* The points of the listed pixels, after the line's; returns whether some are undecided. */
+static int find_pixels(const algsurf_i_picture *picture, const algsurf_i_point_job *job,
+                       algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
+    const int before = line->count;
     double begun = algsurf_i_render_clock(picture);
-    int sheets = line->count, undecided = solve_leaves(picture, job->row, worker);
+    algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
+    double expanded = algsurf_i_render_clock(picture);
+    int undecided = solve_pixels(picture, job->row, worker);
     double solved = algsurf_i_render_clock(picture);
-    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, sheets);
-    picture->code->points(job, line->pixel + sheets, line->depth + sheets, line->count - sheets, &points);
-    tally->hits += (uint64_t)(line->count - sheets);
-    double pointed = algsurf_i_render_clock(picture);
-    algsurf_status status = ALGSURF_OK;
-    if (undecided) status = algsurf_i_solve_undecided(picture, y, sx, line->begin, line->end, line, tally);
-    tally->point_s += pointed - solved;
-    tally->solve_s += (solved - begun) + (algsurf_i_render_clock(picture) - pointed);
-    return status;
+    const algsurf_i_points points = algsurf_i_points_to_find(picture, line, before);
+    if (!picture->code->points(job, line->pixel + before, line->depth + before, line->count - before, NULL,
+                               line->sure + before, &points))
+        undecided |= algsurf_i_drop_unsure(line, before);
+    tally->expand_s += expanded - begun;
+    tally->solve_s += solved - expanded;
+    tally->point_s += algsurf_i_render_clock(picture) - solved;
+    return undecided;
 }
 
-algsurf_status algsurf_i_render_tiled(const algsurf_i_picture *picture, const algsurf_i_band *band, int row,
-                                      double sx, double sy, algsurf_i_worker *worker,
-                                      algsurf_i_tally *tally) {
+algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                   algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
     double begun = algsurf_i_render_clock(picture);
+    const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
+    int undecided = 0;
+    worker->tiling.thin = 0;
     tally->rays += (uint64_t)line->wanted_count;
-    memset(line->state + line->begin, ALGSURF_LANE_MISS, (size_t)(line->end - line->begin));
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    collect(picture, band, row + sy, sx, worker);
-    tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.leaves);
+    if (band)
+        collect(picture, band, row + sy, sx, worker);
+    else
+        undecided = collect_all(picture, row + sy, worker);
+    if (band) tally->empty_rays += (uint64_t)(line->wanted_count - line->count - worker->tiling.pixels);
     double collected = algsurf_i_render_clock(picture);
     tally->solve_s += collected - begun;
     if (line->count > 0) {
-        find_sheets(picture, &points, worker);
+        undecided |= find_sheets(picture, &points, worker);
+        tally->sheet_rays += (uint64_t)line->count;
         tally->point_s += algsurf_i_render_clock(picture) - collected;
     }
-    tally->sheet_rays += (uint64_t)line->count;
+    if (worker->tiling.pixels > 0) undecided |= find_pixels(picture, &points, worker, tally);
     tally->hits += (uint64_t)line->count;
-    return worker->tiling.leaves > 0 ? find_leaves(picture, row + sy, sx, &points, worker, tally)
-                                     : ALGSURF_OK;
+    if (!undecided) return ALGSURF_OK;
+    double left = algsurf_i_render_clock(picture);
+    algsurf_status status =
+        algsurf_i_solve_undecided(picture, row + sy, sx, line->begin, line->end, line, tally);
+    tally->solve_s += algsurf_i_render_clock(picture) - left;
+    return status;
 }
 
-int algsurf_i_render_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
-                            algsurf_i_tally *tally) {
+int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
+                           algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
     const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
-    double begun = algsurf_i_render_clock(picture);
     tally->rays += (uint64_t)(dense * line->wanted_count);
     algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
     job.offset = 0.5 - 0.5 * picture->width * dense;
     job.pixel /= dense;
     job.thin_large = 0;
     collect_listed(picture, row, worker);
-    int undecided = solve_leaves(picture, &job, worker);
-    double solved = algsurf_i_render_clock(picture);
-    const algsurf_i_points found = algsurf_i_points_to_find(picture, line, before);
-    picture->code->points(&points, line->pixel + before, line->depth + before, line->count - before, &found);
+    int undecided = find_pixels(picture, &points, worker, tally);
     tally->hits += (uint64_t)(line->count - before);
-    tally->solve_s += solved - begun;
-    tally->point_s += algsurf_i_render_clock(picture) - solved;
     return undecided;
 }
