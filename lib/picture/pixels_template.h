@@ -84,15 +84,43 @@ INLINE dips dips_of(const lanes *w, lanes large, int n) {
     return (dips){some, some & ~more};
 }
 
+/* Above which |P| is large where lines of sight are at depth z. */
+INLINE lanes large_at(const algsurf_i_row_job *job, const sight *s, lanes z, int n) {
+    lanes x = s->u + z * s->a, y = s->v + z * s->b, r = root(x * x + (y * y + z * z)), sum = all_lanes(0);
+    for (int m = n; m >= 2; m--) sum = sum * r + all_lanes(job->thin_bends[m]);
+    return sum;
+}
+
+/* About the least P of what dips once, and where that is: the vertex of a parabola. */
+INLINE lanes bottom_of(const lanes *w, int n, lanes *place) {
+    lanes before = w[1] - w[0], after = before, j_before = all_lanes(0);
+    for (int j = 1; j < n; j++) {
+        lanes step = w[j + 1] - w[j];
+        mask here = less(before, all_lanes(0)) & at_most(after, all_lanes(0));
+        before = choose(here, after, before);
+        after = choose(here, step, after);
+        j_before = choose(here, all_lanes(j - 1), j_before);
+    }
+    lanes x = (j_before + before / (before - after)) * all_lanes(n > 1 ? 1.0 / (n - 1) : 1);
+    const jet at = jet_at(w, n, x);
+    *place = x;
+    return at.f - 0.25 * at.slope * at.slope / at.bend;
+}
+
 /* Is there such a place before the hits of a packet, or anywhere where there are none?  z: of hits. */
-INLINE mask dips_before(const algsurf_i_row_job *job, const packet *k, lanes z, lanes length, int n) {
-    lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], zero = all_lanes(0);
+INLINE mask dips_before(const algsurf_i_row_job *job, const sight *s, const depth_range *r, const packet *k, lanes z, int n) {
+    lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], zero = all_lanes(0), end = all_lanes(1), place;
     const mask turned = less(k->b[0], zero);
     for (int j = 0; j <= n; j++) w[j] = choose(turned, -k->b[j], k->b[j]);
-    if (!any(k->hit)) return dips_of(w, job->thin_large + k->e[0], n).some;
-    lanes end = choose(k->hit, larger(z - job->thin_before / length, zero), all_lanes(1));
-    split_shares(w, left, n, end, 1 - end);
-    return dips_of(left, job->thin_large + k->e[0], n).some;
+    if (any(k->hit)) {
+        end = choose(k->hit, larger(z - job->thin_before / r->length, zero), end);
+        split_shares(w, left, n, end, 1 - end);
+        for (int j = 0; j <= n; j++) w[j] = left[j];
+    }
+    const dips d = dips_of(w, job->thin_large + k->e[0], n);
+    if (!any(d.some)) return d.some;
+    lanes least = bottom_of(w, n, &place);
+    return d.some & ~(d.one & less(k->e[0] + large_at(job, s, r->lo + r->length * end * place, n), least));
 }
 
 /* LANES pixels whose first roots, if there are any on their chords, are between low and high.
@@ -123,7 +151,7 @@ INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, l
         isolate(k, n);
         if (any(k->hit)) refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
     }
-    if (job->thin_large > 0) *thin = k->undecided | (all & dips_before(job, k, *z, r.length, n));
+    if (job->thin_large > 0) *thin = k->undecided | (all & dips_before(job, &s, &r, k, *z, n));
     *z = r.lo + r.length * *z;
 }
 

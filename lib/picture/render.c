@@ -131,7 +131,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->packets = NULL;
         picture->tiled = picture->thin = 0;
     }
-    if (picture->thin) algsurf_i_prepare_thin(picture);
+    if (picture->thin) algsurf_i_prepare_thin(picture->packets, picture->selective ? 1 : picture->scene->antialias);
     if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)

@@ -33,23 +33,31 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
-/* In every direction second derivatives are at most that, for |x|, |y|, |z| <= 1. */
-static double second_sizes(const algsurf_i_frame_form *frame) {
-    int side = frame->degree + 1;
-    double sum = 0;
-    for (int i = 0; i < side; i++)
-        for (int j = 0; i + j < side; j++)
-            for (int k = 0; i + j + k < side; k++)
-                sum += (i + j + k) * (i + j + k - 1) * fabs(frame->q[(i * side + j) * side + k]);
-    return sum;
+/* The largest x^i y^j z^k on the unit sphere. */
+static double largest(int i, int j, int k) {
+    double square = 1, m = i + j + k;
+    for (int l = 0; l < i; l++) square *= i / m;
+    for (int l = 0; l < j; l++) square *= j / m;
+    for (int l = 0; l < k; l++) square *= k / m;
+    return sqrt(square);
 }
 
-void algsurf_i_prepare_thin(const algsurf_i_picture *picture) {
-    algsurf_i_packets *p = picture->packets;
-    double side = fabs(p->per_slope) * p->pixel / (picture->selective ? 1 : picture->scene->antialias);
-    double step = 2 * side * (1 + fabs(p->frame.view.alpha));
-    p->thin_side = side;
-    p->thin_large = step * step * second_sizes(&p->frame);
+/* Of a form of degree m that is at most M on the unit sphere, second derivatives are at most m (m-1) M r^(m-2)
+ * in every direction (Banach). */
+void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
+    const int side = p->frame.degree + 1;
+    p->thin_side = fabs(p->per_slope) * p->pixel / across;
+    double pixel = p->thin_side * (1 + fabs(p->frame.view.alpha));
+    for (int m = 0; m < side; m++) p->thin_bends[m] = 0;
+    for (int i = 0; i < side; i++)
+        for (int j = 0; i + j < side; j++)
+            for (int k = 0; i + j + k < side; k++) {
+                const int m = i + j + k;
+                double bend = m > 1 ? m * (m - 1) * (pixel * pixel) * largest(i, j, k) : 0;
+                p->thin_bends[m] += bend * fabs(p->frame.q[(i * side + j) * side + k]);
+            }
+    p->thin_large = 0;
+    for (int m = 2; m < side; m++) p->thin_large += p->thin_bends[m];
 }
 
 void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t) {

@@ -9,7 +9,7 @@ typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
 
 /* Sets how small and how large things are for which thin ones are looked for. */
-void algsurf_i_prepare_thin(const algsurf_i_picture *picture);
+void algsurf_i_prepare_thin(algsurf_i_packets *packets, int across);
 
 /* Of the pixels of a row that are solved those beside which there may be something thin become the first
  * ones, with the depths between which it may be. */
