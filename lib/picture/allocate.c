@@ -35,6 +35,7 @@ typedef struct sizes {
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
     size_t places;         /* leaves of a band */
+    size_t dips;           /* of a row */
     int beams;             /* 1: there are tiles, of a band or of single pixels */
     int lanes;             /* 1: pixels of real space are solved side by side */
     size_t roots;          /* in complex space */
@@ -54,6 +55,7 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
                    .beams = tiles || (real && picture->selective),
+                   .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
                    .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
@@ -134,7 +136,9 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->pixel_depth = take_doubles(a, s->width);
     t->pixel = take_ints(a, s->dense * s->width);
     t->pixel_state = take_bytes(a, s->width);
-    t->pixel_thin = take_bytes(a, s->width);
+    t->dips.at = take_ints(a, s->dips);
+    t->dips.depth = take_doubles(a, s->dips);
+    t->thin = take_doubles(a, s->dips);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {

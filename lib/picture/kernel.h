@@ -41,8 +41,16 @@ typedef struct algsurf_i_pixels {
     int count;
     const int *at;
     const double *low, *high;
-    uint8_t *thin; /* receives whether there may be something thin; or null */
 } algsurf_i_pixels;
+
+/* Places before the hits of a row, or anywhere along rays that miss, where |P| is least, and not large: the
+ * pixels, from the left, and the depths, which increase in each. */
+typedef struct algsurf_i_dips {
+    int count, *at;
+    double *depth;
+} algsurf_i_dips;
+
+#define ALGSURF_I_MOST_DIPS 4 /* of a pixel */
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
 
@@ -131,9 +139,9 @@ typedef struct algsurf_i_complex_job {
 } algsurf_i_complex_job;
 
 typedef struct algsurf_i_picture_kernel {
-    /* depth[i], state[i] of pixel i of those: the first root along its ray. */
+    /* depth[i], state[i] of pixel i of those: the first root along its ray.  dips: receives those; or null. */
     void (*solve_pixels)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                         uint8_t *state);
+                         uint8_t *state, algsurf_i_dips *dips);
     /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
      * are leaves. */
     void (*search_tiles)(algsurf_i_tile_job *job);
@@ -143,8 +151,8 @@ typedef struct algsurf_i_picture_kernel {
      * are not asked for.  sure[i]: the root was found; returns whether all were. */
     int (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                   const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points);
-    /* depth[i]: of what is thin beside ray i, between its two depths; HUGE_VAL: there is nothing. */
-    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_pixels *rays, double *depth);
+    /* depth[i]: of what is thin beside a ray, found from dip i; HUGE_VAL: there is nothing. */
+    void (*find_thin)(const algsurf_i_point_job *job, const algsurf_i_dips *dips, double *depth);
     /* The pixels begin .. end-1 of a row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

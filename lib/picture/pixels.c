@@ -7,7 +7,6 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "solve.h"
-#include "thin.h"
 #include "tiling.h"
 
 #include <string.h>
@@ -127,9 +126,10 @@ static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_jo
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low, t->pixel_high, t->pixel_thin};
+    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low, t->pixel_high};
     int undecided = 0;
-    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state);
+    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state,
+                                picture->thin && line->dense == 1 ? &t->dips : NULL);
     for (int i = 0; i < t->pixels; i++) {
         int x = t->pixel[i];
         line->state[x] = t->pixel_state[i];
@@ -138,7 +138,6 @@ static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_jo
         line->pixel[line->count] = x;
         line->depth[line->count++] = t->pixel_depth[i];
     }
-    algsurf_i_list_thin(job, t);
     return undecided;
 }
 
@@ -170,7 +169,7 @@ algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, do
     double begun = algsurf_i_render_clock(picture);
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     int undecided = 0;
-    worker->tiling.thin = 0;
+    worker->tiling.dips.count = 0;
     tally->rays += (uint64_t)line->wanted_count;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     if (band)
@@ -205,7 +204,6 @@ int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy,
     algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
     job.offset = 0.5 - 0.5 * picture->width * dense;
     job.pixel /= dense;
-    job.thin_large = 0;
     collect_listed(picture, row, worker);
     int undecided = find_pixels(picture, &points, worker, tally);
     tally->hits += (uint64_t)(line->count - before);

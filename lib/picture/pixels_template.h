@@ -11,14 +11,10 @@
  * within blur, no root is between.  In both cases the end need not be looked at again. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
+#include "dips_template.h"
 #include "sight_template.h"
 
 #define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
-
-/* Depths between which a packet is searched. */
-typedef struct depth_range {
-    lanes lo, length;
-} depth_range;
 
 /* Powers of depth to coefficients over the range. */
 INLINE void range_to_bernstein(const double *basis, const depth_range *r, lanes *c, lanes *b, int n) {
@@ -64,95 +60,33 @@ INLINE void set_ends(packet *k, lanes blur, mask after, mask before, int n) {
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-/* Of parts of rays, with P positive: is there a place of least P, or several, where it is not large? */
-typedef struct dips {
-    mask some, one;
-} dips;
-
-INLINE dips dips_of(const lanes *w, lanes large, int n) {
-    mask fell = no_lane(), rose = fell, some = fell, more = fell;
-    lanes least = w[0];
-    for (int j = 1; j <= n; j++) {
-        mask falls = less(w[j], w[j - 1]), rises = less(w[j - 1], w[j]);
-        least = smaller(least, w[j]);
-        some |= fell & rises;
-        more |= rose & falls;
-        fell |= falls;
-        rose |= rises;
-    }
-    some &= at_most(least, large);
-    return (dips){some, some & ~more};
-}
-
-/* Above which |P| is large where lines of sight are at depth z. */
-INLINE lanes large_at(const algsurf_i_row_job *job, const sight *s, lanes z, int n) {
-    lanes x = s->u + z * s->a, y = s->v + z * s->b, r = root(x * x + (y * y + z * z)), sum = all_lanes(0);
-    for (int m = n; m >= 2; m--) sum = sum * r + all_lanes(job->thin_bends[m]);
-    return sum;
-}
-
-/* About the least P of what dips once, and where that is: the vertex of a parabola. */
-INLINE lanes bottom_of(const lanes *w, int n, lanes *place) {
-    lanes before = w[1] - w[0], after = before, j_before = all_lanes(0);
-    for (int j = 1; j < n; j++) {
-        lanes step = w[j + 1] - w[j];
-        mask here = less(before, all_lanes(0)) & at_most(after, all_lanes(0));
-        before = choose(here, after, before);
-        after = choose(here, step, after);
-        j_before = choose(here, all_lanes(j - 1), j_before);
-    }
-    lanes x = (j_before + before / (before - after)) * all_lanes(n > 1 ? 1.0 / (n - 1) : 1);
-    const jet at = jet_at(w, n, x);
-    *place = x;
-    return at.f - 0.25 * at.slope * at.slope / at.bend;
-}
-
-/* Is there such a place before the hits of a packet, or anywhere where there are none?  z: of hits. */
-INLINE mask dips_before(const algsurf_i_row_job *job, const sight *s, const depth_range *r, const packet *k, lanes z, int n) {
-    lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], zero = all_lanes(0), end = all_lanes(1), place;
-    const mask turned = less(k->b[0], zero);
-    for (int j = 0; j <= n; j++) w[j] = choose(turned, -k->b[j], k->b[j]);
-    if (any(k->hit)) {
-        end = choose(k->hit, larger(z - job->thin_before / r->length, zero), end);
-        split_shares(w, left, n, end, 1 - end);
-        for (int j = 0; j <= n; j++) w[j] = left[j];
-    }
-    const dips d = dips_of(w, job->thin_large + k->e[0], n);
-    if (!any(d.some)) return d.some;
-    lanes least = bottom_of(w, n, &place);
-    return d.some & ~(d.one & less(k->e[0] + large_at(job, s, r->lo + r->length * end * place, n), least));
-}
-
-/* LANES pixels whose first roots, if there are any on their chords, are between low and high.
- * *thin: beside which there may be something thin. */
-INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, lanes high, packet *k,
-                         lanes *z, mask *thin, int n) {
-    const sight s = sight_at(job, pixel);
-    depth_range r;
-    chord c = clip(job, &s, all_lanes(job->near), &k->open);
+/* LANES pixels whose first roots, if there are any on their chords, are between low and high; the ranges they
+ * are looked for in, and where there are some. */
+INLINE mask solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low, lanes high, packet *k,
+                         depth_range *r, lanes *z, int n) {
+    chord c = clip(job, s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
     k->watch = NULL;
-    *thin = k->undecided = c.undecided;
+    k->undecided = c.undecided;
     k->hit = no_lane();
-    r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
+    r->lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
     lanes hi = smaller(-floor40(-smaller(c.far + gap, high)), all_lanes(1));
-    k->open &= less(r.lo, hi);
-    if (!any(k->open)) return;
-    const mask all = k->open;
-    r.lo = choose(k->open, r.lo, all_lanes(-1));
-    r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
-    expand_pixels(job, &s.u, &r, k, n);
+    const mask open = k->open &= less(r->lo, hi);
+    if (!any(open)) return open;
+    r->lo = choose(open, r->lo, all_lanes(-1));
+    r->length = choose(open, hi, all_lanes(1)) - r->lo;
+    expand_pixels(job, &s->u, r, k, n);
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
-    if (any(k->open)) {
-        bound_errors(k, n, 0);
-        set_ends(k, 2 * sure / r.length, less(c.near + sure, low), less(high, c.far - sure), n);
-        isolate(k, n);
-        if (any(k->hit)) refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
-    }
-    if (job->thin_large > 0) *thin = k->undecided | (all & dips_before(job, &s, &r, k, *z, n));
-    *z = r.lo + r.length * *z;
+    if (!any(k->open)) return open;
+    bound_errors(k, n, 0);
+    set_ends(k, 2 * sure / r->length, less(c.near + sure, low), less(high, c.far - sure), n);
+    isolate(k, n);
+    if (!any(k->hit)) return open;
+    refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
+    *z = r->lo + r->length * *z;
+    return open;
 }
 
 /* What was found of so many lanes, at most. */
@@ -166,19 +100,19 @@ INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uin
 }
 
 static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
-                         uint8_t *state) {
+                         uint8_t *state, algsurf_i_dips *dips) {
     int n = job->row->degree;
     if (n < 1) __builtin_unreachable();
     for (int i = 0; i < p->count; i += LANES) {
         int count = p->count - i;
         packet k;
-        mask thin;
+        depth_range r;
         lanes z = all_lanes(0);
-        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count),
-                     load_some(p->high + i, count), &k, &z, &thin, n);
+        const sight s = sight_at(job, load_some_integers(p->at + i, count));
+        mask open = solve_packet(job, &s, load_some(p->low + i, count), load_some(p->high + i, count), &k, &r, &z, n);
         store_solved(&k, z, count, depth + i, state + i);
-        const unsigned which = bits(thin);
-        for (int l = 0; p->thin && l < LANES && l < count; l++) p->thin[i + l] = which >> l & 1;
+        open &= less(numbered(), all_lanes(count));
+        if (dips && n > 1 && any(open)) add_dips(job, &s, &r, &k, z, open, p->at + i, dips, n);
     }
 }
 

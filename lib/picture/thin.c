@@ -60,57 +60,33 @@ void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
     for (int m = 2; m < side; m++) p->thin_large += p->thin_bends[m];
 }
 
-void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t) {
-    t->thin = 0;
-    if (!(job->thin_large > 0)) return;
-    for (int i = 0; i < t->pixels; i++) {
-        if (!t->pixel_thin[i]) continue;
-        int to = t->thin++, is_hit = t->pixel_state[i] == ALGSURF_LANE_HIT;
-        t->pixel[to] = t->pixel[i];
-        t->pixel_low[to] = t->pixel_low[i];
-        t->pixel_high[to] = is_hit ? fmin(t->pixel_high[i], t->pixel_depth[i] - job->thin_before) : t->pixel_high[i];
-        t->pixel_thin[to] = !is_hit;
-    }
-}
-
 static int point_of(const algsurf_i_line *line, int x) {
     int i = line->count - 1;
     while (i >= 0 && line->pixel[i] != x) i--;
     return i;
 }
 
-/* Pixels that were solved alone, and hit: by then there is a hit. */
-static void end_at_hits(const algsurf_i_picture *picture, double sx, double y, const algsurf_i_line *line, algsurf_i_tiling *t) {
-    const algsurf_i_packets *p = picture->packets;
-    const int surely = picture->scene->intersect.undecided_as != ALGSURF_AS_HIT;
-    for (int i = 0; i < t->thin; i++) {
-        int x = t->pixel[i];
-        algsurf_ray ray;
-        if (!t->pixel_thin[i] || line->state[x] != ALGSURF_HIT || !surely) continue;
-        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, y, &ray);
-        double depth = p->near + line->points.t[point_of(line, x)] * depth_per_t(picture, &ray);
-        t->pixel_high[i] = fmin(t->pixel_high[i], depth - 4 * p->thin_side);
-    }
-}
-
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
-    algsurf_i_line *line = &worker->line;
-    algsurf_i_tiling *t = &worker->tiling;
+    const algsurf_scene *scene = picture->scene;
     const algsurf_i_packets *p = picture->packets;
+    algsurf_i_line *line = &worker->line;
+    const algsurf_i_dips *dips = &worker->tiling.dips;
+    const double *depth = worker->tiling.thin;
     algsurf_i_row_job job;
-    if (t->thin == 0) return;
+    if (dips->count == 0) return;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
-    end_at_hits(picture, sx, row + sy, line, t);
-    const algsurf_i_point_job points = {picture->scene->surface, &job, NULL};
-    const algsurf_i_pixels rays = {t->thin, t->pixel, t->pixel_low, t->pixel_high, NULL};
-    picture->code->find_thin(&points, &rays, t->pixel_depth);
-    for (int i = 0; i < t->thin; i++) {
-        int x = t->pixel[i];
+    const algsurf_i_point_job points = {scene->surface, &job, NULL};
+    picture->code->find_thin(&points, dips, worker->tiling.thin);
+    for (int i = 0; i < dips->count; i++) {
+        const int x = dips->at[i], is_hit = line->state[x] == ALGSURF_HIT && scene->intersect.undecided_as != ALGSURF_AS_HIT;
+        if (!(depth[i] < HUGE_VAL) || line->state[x] == ALGSURF_THIN) continue;
         algsurf_ray ray;
-        if (!(t->pixel_depth[i] < HUGE_VAL)) continue;
-        algsurf_i_camera_ray(&picture->scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
-        show(picture, x, (t->pixel_depth[i] - p->near) / depth_per_t(picture, &ray), &ray, line, point_of(line, x));
+        algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);
+        double per_t = depth_per_t(picture, &ray);
+        int point = point_of(line, x);
+        if (is_hit && depth[i] > p->near + line->points.t[point] * per_t - job.thin_before) continue;
+        show(picture, x, (depth[i] - p->near) / per_t, &ray, line, point);
         tally->thin++;
     }
 }

@@ -11,10 +11,6 @@ typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
 /* Sets how small and how large things are for which thin ones are looked for. */
 void algsurf_i_prepare_thin(algsurf_i_packets *packets, int across);
 
-/* Of the pixels of a row that are solved those beside which there may be something thin become the first
- * ones, with the depths between which it may be. */
-void algsurf_i_list_thin(const algsurf_i_row_job *job, algsurf_i_tiling *t);
-
 /* Adds to the line, whose points have their colours, what is thin beside the pixels' rays. */
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally);

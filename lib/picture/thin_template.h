@@ -25,15 +25,14 @@
  * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere. */
 #ifndef ALGSURF_THIN_TEMPLATE_H
 #define ALGSURF_THIN_TEMPLATE_H
-#include "pixels_template.h"
 #include "points_template.h"
+#include "sight_template.h"
 
 #define MOST_PIXELS 2  /* of a step */
 #define NARROW 16
 #define TIMES 10
 #define TO_ONE_SIDE 0x1p-10 /* pixels: so that what is in the middle between pixels is in one of them */
 #define NEWTON_ROUNDS 10
-#define PART_TURNS 200 /* parts of a ray */
 
 /* ---- P about a point ---- */
 
@@ -122,7 +121,6 @@ typedef struct beside {
     const algsurf_i_point_job *job;
     sight s;
     lanes near, far; /* depths of the chord */
-    double side;     /* of a pixel, in u and v */
 } beside;
 
 /* Where a point is viewed: in pixels from the ray, to the right and up; its depth; a pixel's size there. */
@@ -142,9 +140,9 @@ INLINE viewed look_at(const beside *b, const lanes at[3]) {
     }
     lanes shrunk = 1 + all_lanes(view->alpha) * place[2];
     p.depth = place[2];
-    p.pixel = shrunk * all_lanes(view->size * b->side);
+    p.pixel = shrunk * all_lanes(view->size * b->job->row->thin_side);
     for (int k = 0; k < 2; k++)
-        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) * all_lanes(1 / b->side);
+        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) * all_lanes(1 / b->job->row->thin_side);
     return p;
 }
 
@@ -285,68 +283,21 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
     return found;
 }
 
-/* ---- along a ray ---- */
-
-/* LANES rays. */
-INLINE void search_rays(const algsurf_i_point_job *points, lanes pixel, lanes low, lanes high,
-                          int inside, lanes *depth, int n) {
+/* depth[i]: that of what is thin, of dip i; HUGE_VAL, there is nothing. */
+static void find_thin(const algsurf_i_point_job *points, const algsurf_i_dips *dips, double *depth) {
     const algsurf_i_row_job *job = points->row;
     const row_rays rows = rays_of_row(points);
-    beside b = {.job = points, .s = sight_at(job, pixel), .side = job->thin_side};
-    packet k;
-    mask open, wait = no_lane();
-    const chord c = clip(job, &b.s, all_lanes(job->near), &open);
-    b.near = c.near, b.far = c.far;
-    lanes lo = larger(c.near, low), hi = smaller(c.far, high), zero = all_lanes(0), one = all_lanes(1);
-    open = (less(lo, hi)) & less(numbered(), all_lanes(inside));
-    if (!any(open)) return;
-    lo = choose(open, lo, all_lanes(-1));
-    depth_range r = {lo, choose(open, hi, one) - lo};
-    expand_pixels(job, &b.s.u, &r, &k, n);
-    take_sign(k.b, n, open);
-    lanes large = job->thin_large + k.e[0], from = zero, length = one;
-    cell *part = &k.at;
-    for (int turn = 0; any(open) && turn < PART_TURNS; turn++) {
-        lanes left[MOST_DEGREE + 1], w[MOST_DEGREE + 1];
-        for (int j = 0; j <= n; j++) w[j] = k.b[j];
-        if (any(open & less(zero, from))) split_shares(w, left, n, from, 1 - from);
-        lanes to = from + length;
-        split_shares(w, left, n, length, 1 - to);
-        const dips d = dips_of(left, large, n);
-        mask here = open & ~wait, small = at_most(length * r.length, all_lanes(job->thin_side));
-        mask place = here & d.some & (d.one | small), halve = here & d.some & ~place, on = here & ~halve;
-        for (int j = 0; j < n; j++) part->w[j] = choose(place, left[j] - left[j + 1], part->w[j]);
-        part->p = choose(place, from, part->p);
-        part->q = choose(place, to, part->q);
-        wait |= place;
-        from = choose(on, to, from);
-        length = choose(halve, 0.5 * length, length);
-        lanes pairs = from / (2 * length), whole = (pairs + 0x1.8p52) - 0x1.8p52;
-        length = choose(on & at_most(pairs, whole) & at_most(whole, pairs), 2 * length, length);
-        open &= less(from, one) | wait;
-        if (!any(wait) || any(open & ~wait)) continue;
-        lanes z = zero, at[3];
-        k.hit = wait, k.watch = NULL;
-        refine(&k, n - 1, 0x1p-4 * job->thin_side, &z);
-        z = lo + r.length * z;
+    for (int i = 0; i < dips->count; i += LANES) {
+        const int count = dips->count - i;
+        lanes pixel = load_some_integers(dips->at + i, count), z = load_some(dips->depth + i, count), start[3];
+        beside b = {.job = points, .s = sight_at(job, pixel)};
+        mask open;
+        const chord c = clip(job, &b.s, all_lanes(job->near), &open);
         const packet_rays ray = rays_of_packet(&rows, pixel, z);
-        for (int i = 0; i < 3; i++) at[i] = ray.foot[i] + ray.z * ray.along[i];
-        mask found = is_thin(&b, at, wait, &z);
-        *depth = choose(found, z, *depth);
-        open &= ~found & less(from, one);
-        wait = no_lane();
-    }
-}
-
-static void find_thin(const algsurf_i_point_job *job, const algsurf_i_pixels *rays, double *depth) {
-    const int n = job->row->row->degree;
-    if (n < 2) return;
-    for (int i = 0; i < rays->count; i += LANES) {
-        const int count = rays->count - i;
-        lanes found = all_lanes(HUGE_VAL);
-        search_rays(job, load_some_integers(rays->at + i, count), load_some(rays->low + i, count),
-                      load_some(rays->high + i, count), count, &found, n);
-        store_some(depth + i, found, count);
+        b.near = c.near, b.far = c.far;
+        for (int k = 0; k < 3; k++) start[k] = ray.foot[k] + ray.z * ray.along[k];
+        mask found = is_thin(&b, start, open & less(numbered(), all_lanes(count)), &z);
+        store_some(depth + i, choose(found, z, all_lanes(HUGE_VAL)), count);
     }
 }
 

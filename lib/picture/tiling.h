@@ -41,8 +41,9 @@ typedef struct algsurf_i_tiling {
     /* and the pixels that are solved side by side, in the order of the row */
     int pixels, *pixel;
     double *pixel_low, *pixel_high, *pixel_depth;
-    uint8_t *pixel_state, *pixel_thin;
-    int thin; /* so many of them, then the first ones: where something thin may be */
+    uint8_t *pixel_state;
+    algsurf_i_dips dips; /* of these; */
+    double *thin;        /* depths of what is thin */
 } algsurf_i_tiling;
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
