@@ -30,20 +30,21 @@ INLINE lanes large_at(const algsurf_i_row_job *job, const sight *s, lanes z, int
 }
 
 /* Parts of rays, with P positive: where P may fall and then grow, and not be large; where it does so once at
- * most, and then where, as the control polygon has it. */
+ * most, and then where, as the control polygon has it; the largest coefficient. */
 typedef struct falls {
     mask some, one;
-    lanes place;
+    lanes place, most;
 } falls;
 
 INLINE falls falls_of(const lanes *w, lanes large, int n) {
     const lanes zero = all_lanes(0);
     mask fell = no_lane(), rose = fell, some = fell, more = fell;
-    lanes least = w[0], before = all_lanes(-1), after = zero, last = zero, place = zero;
+    lanes least = w[0], most = absolute(w[0]), before = all_lanes(-1), after = zero, last = zero, place = zero;
     for (int j = 1; j <= n; j++) {
         lanes step = w[j] - w[j - 1];
         mask down = less(step, zero), up = less(zero, step), here = up & fell & ~rose;
         least = smaller(least, w[j]);
+        most = larger(most, absolute(w[j]));
         before = choose(here, last, before);
         after = choose(here, step, after);
         place = choose(here, all_lanes(j - 2), place);
@@ -54,7 +55,7 @@ INLINE falls falls_of(const lanes *w, lanes large, int n) {
         rose |= up & fell;
     }
     place = (place + before / (before - after)) * all_lanes(n > 1 ? 1.0 / (n - 1) : 1);
-    return (falls){some & at_most(least, large), ~more, place};
+    return (falls){some & at_most(least, large), ~more, place, most};
 }
 
 /* Where P is least in a part, from a place near it: *least, and how far it is from there. */
@@ -70,40 +71,49 @@ INLINE lanes least_near(const lanes *w, int n, lanes place, lanes *least, lanes 
 }
 
 /* Of solved rays, in front of their hits z, or all along the ranges of those that are open.  at: the pixels. */
-APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z, mask open,
-                     const int *at, algsurf_i_dips *dips, int n) {
+APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z,
+                    mask open, const int *at, algsurf_i_dips *dips, int n) {
     const lanes zero = all_lanes(0), one = all_lanes(1), large = job->thin_large + k->e[0];
-    lanes from = zero, length = one, end = choose(k->hit, (z - job->thin_before - r->lo) / r->length, one);
-    int turn = 0, found[LANES] = {0};
-    take_sign(k->b, n, open);
+    lanes from = zero, size = one, cut[MOST_DEGREE + 1];
+    lanes end = choose(k->hit, (z - job->thin_before - r->lo) / r->length, one);
+    int found[LANES] = {0};
     open &= less(zero, end);
-    while (any(open) && turn++ < DIP_TURNS) {
-        lanes w[MOST_DEGREE + 1], left[MOST_DEGREE + 1], least, off, to = smaller(from + length, end);
+    take_sign(k->b, n, open);
+    if (any(open & less(end, one))) {
+        split_shares(k->b, cut, n, end, 1 - end);
+        for (int j = 0; j <= n; j++) k->b[j] = cut[j];
+    }
+    const lanes length = r->length * end;
+    for (int turn = 0; any(open) && turn < DIP_TURNS; turn++) {
+        lanes w[MOST_DEGREE + 1], to = from + size;
         for (int j = 0; j <= n; j++) w[j] = k->b[j];
-        if (any(open & less(zero, from))) split_shares(w, left, n, from, 1 - from);
+        if (any(open & less(zero, from))) split_shares(w, cut, n, from, 1 - from);
         if (any(open & less(to, one))) {
-            split_shares(w, left, n, to - from, 1 - to);
-            for (int j = 0; j <= n; j++) w[j] = left[j];
+            split_shares(w, cut, n, size, 1 - to);
+            for (int j = 0; j <= n; j++) w[j] = cut[j];
         }
         const falls f = falls_of(w, large, n);
         mask some = open & f.some, on = open & ~some;
         if (any(some)) {
-            lanes pixel = job->thin_side / (r->length * (to - from));
-            lanes place = from + (to - from) * least_near(w, n, f.place, &least, &off), depth = r->lo + r->length * place;
-            mask known = (f.one & at_most(off, 0.25 * pixel)) | at_most(one, pixel);
-            mask dip = some & known & at_most(least, k->e[0] + large_at(job, s, depth, n));
+            lanes pixel = job->thin_side / (length * size), least, off, place = f.place;
+            mask flat = at_most(f.most, k->e[0]);
+            place = choose(flat, all_lanes(0.5), least_near(w, n, place, &least, &off));
+            lanes depth = r->lo + length * (from + size * place);
+            mask known = (f.one & at_most(off, 0.25 * pixel)) | at_most(one, pixel) | flat;
+            mask dip = some & known & (flat | at_most(least, k->e[0] + large_at(job, s, depth, n)));
             on |= some & known;
-            for (int l = 0; any(dip) && l < LANES; l++) {
-                if (!(bits(dip) >> l & 1) || found[l]++ == MOST_DIPS) continue;
+            const unsigned which = bits(dip);
+            for (int l = 0; which >> l && l < LANES; l++) {
+                if (!(which >> l & 1) || found[l]++ == ALGSURF_I_MOST_DIPS) continue;
                 dips->at[dips->count] = at[l];
                 dips->depth[dips->count++] = depth[l];
             }
         }
         from = choose(on, to, from);
-        length = choose(on, length, 0.5 * length);
-        lanes pairs = from / (2 * length), whole = (pairs + 0x1.8p52) - 0x1.8p52;
-        length = choose(on & at_most(pairs, whole) & at_most(whole, pairs), 2 * length, length);
-        open &= less(from, end);
+        size = choose(on, size, 0.5 * size);
+        lanes pairs = from / (2 * size), whole = (pairs + 0x1.8p52) - 0x1.8p52;
+        size = choose(on & at_most(pairs, whole) & at_most(whole, pairs), 2 * size, size);
+        open &= less(from, one);
     }
 }
 

@@ -71,7 +71,7 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     const algsurf_scene *scene = picture->scene;
     const algsurf_i_packets *p = picture->packets;
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_dips *dips = &worker->tiling.dips;
+    algsurf_i_dips *dips = &worker->tiling.dips;
     const double *depth = worker->tiling.thin;
     algsurf_i_row_job job;
     if (dips->count == 0) return;

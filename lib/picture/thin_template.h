@@ -107,6 +107,8 @@ static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) v[i][k] = all_lanes(i == k);
     for (int sweep = 0; sweep < 5; sweep++) {
+        lanes off = absolute(a[0][1]) + absolute(a[0][2]) + absolute(a[1][2]);
+        if (!any(less(0x1p-80 * (absolute(a[0][0]) + absolute(a[1][1]) + absolute(a[2][2])), off))) break;
         rotate(a, v, 0, 1);
         rotate(a, v, 0, 2);
         rotate(a, v, 1, 2);
@@ -115,6 +117,9 @@ static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
 }
 
 /* ---- beside a ray ---- */
+
+/* P's rounding error, as a share of the sizes of its terms. */
+INLINE double rounding_of(const algsurf_i_point_job *job) { return 16 * (job->surface->degree + 1) * 0x1p-53; }
 
 /* A packet of rays, and from where on they are looked at. */
 typedef struct beside {
@@ -246,7 +251,7 @@ INLINE mask is_narrow(const beside *b, const newton_step *n, const lanes at[3], 
 /* Is there something thin beside the rays at points of theirs?  Then it is at *depth. */
 static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth) {
     const lanes zero = all_lanes(0);
-    const double rounding = 16 * (b->job->surface->degree + 1) * 0x1p-53;
+    const double rounding = rounding_of(b->job);
     lanes at[3] = {start[0], start[1], start[2]};
     expansion p = expand_about(b->job->surface, at);
     lanes sign = choose(less(p.v, zero), all_lanes(-1), all_lanes(1)), first = absolute(p.v);
@@ -283,21 +288,50 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
     return found;
 }
 
-/* depth[i]: that of what is thin, of dip i; HUGE_VAL, there is nothing. */
-static void find_thin(const algsurf_i_point_job *points, const algsurf_i_dips *dips, double *depth) {
-    const algsurf_i_row_job *job = points->row;
-    const row_rays rows = rays_of_row(points);
+/* Dips i, i+1 ..: their rays, and where those are; returns which there are. */
+INLINE mask take_dips(const algsurf_i_point_job *points, const row_rays *rows, const algsurf_i_dips *dips, int i, beside *b, lanes at[3]) {
+    const int count = dips->count - i;
+    const lanes pixel = load_some_integers(dips->at + i, count), z = load_some(dips->depth + i, count);
+    const packet_rays ray = rays_of_packet(rows, pixel, z);
+    mask open;
+    b->job = points;
+    b->s = sight_at(points->row, pixel);
+    const chord c = clip(points->row, &b->s, all_lanes(points->row->near), &open);
+    b->near = c.near, b->far = c.far;
+    for (int k = 0; k < 3; k++) at[k] = ray.foot[k] + ray.z * ray.along[k];
+    return open & less(numbered(), all_lanes(count));
+}
+
+/* Keeps the dips where P may be 0 in the pixel. */
+static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, algsurf_i_dips *dips) {
+    int kept = 0;
     for (int i = 0; i < dips->count; i += LANES) {
-        const int count = dips->count - i;
-        lanes pixel = load_some_integers(dips->at + i, count), z = load_some(dips->depth + i, count), start[3];
-        beside b = {.job = points, .s = sight_at(job, pixel)};
-        mask open;
-        const chord c = clip(job, &b.s, all_lanes(job->near), &open);
-        const packet_rays ray = rays_of_packet(&rows, pixel, z);
-        b.near = c.near, b.far = c.far;
-        for (int k = 0; k < 3; k++) start[k] = ray.foot[k] + ray.z * ray.along[k];
-        mask found = is_thin(&b, start, open & less(numbered(), all_lanes(count)), &z);
-        store_some(depth + i, choose(found, z, all_lanes(HUGE_VAL)), count);
+        beside b;
+        lanes at[3];
+        mask open = take_dips(points, rows, dips, i, &b, at);
+        const expansion p = expand_about(points->surface, at);
+        const lanes pixel = look_at(&b, at).pixel, g[3] = {p.x, p.y, p.z};
+        lanes bends = 4 * (p.xx * p.xx + p.yy * p.yy + p.zz * p.zz) + 2 * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz);
+        lanes value = absolute(p.v) - rounding_of(points) * p.size;
+        const unsigned which = bits(open & at_most(value, pixel * pixel * root(bends)) & at_most(value, pixel * root(dot(g, g))));
+        for (int l = 0; which >> l && l < LANES; l++) {
+            if (!(which >> l & 1)) continue;
+            dips->at[kept] = dips->at[i + l];
+            dips->depth[kept++] = dips->depth[i + l];
+        }
+    }
+    dips->count = kept;
+}
+
+/* depth[i]: that of what is thin, of dip i of those that are kept; HUGE_VAL, there is nothing. */
+static void find_thin(const algsurf_i_point_job *points, algsurf_i_dips *dips, double *depth) {
+    const row_rays rows = rays_of_row(points);
+    keep_small(points, &rows, dips);
+    for (int i = 0; i < dips->count; i += LANES) {
+        beside b;
+        lanes at[3], z = all_lanes(0);
+        mask open = take_dips(points, &rows, dips, i, &b, at), found = is_thin(&b, at, open, &z);
+        store_some(depth + i, choose(found, z, all_lanes(HUGE_VAL)), dips->count - i);
     }
 }
 
