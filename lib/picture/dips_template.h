@@ -73,7 +73,8 @@ INLINE lanes least_near(const lanes *w, int n, lanes place, lanes *least, lanes 
 /* Of solved rays, in front of their hits z, or all along the ranges of those that are open.  at: the pixels. */
 APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z,
                     mask open, const int *at, algsurf_i_dips *dips, int n) {
-    const lanes zero = all_lanes(0), one = all_lanes(1), large = job->thin_large + k->e[0];
+    if (n < 2 || n > MOST_DEGREE) __builtin_unreachable();
+    const lanes zero = all_lanes(0), one = all_lanes(1);
     lanes from = zero, size = one, cut[MOST_DEGREE + 1];
     lanes end = choose(k->hit, (z - job->thin_before - r->lo) / r->length, one);
     int found[LANES] = {0};
@@ -92,13 +93,14 @@ APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_ra
             split_shares(w, cut, n, size, 1 - to);
             for (int j = 0; j <= n; j++) w[j] = cut[j];
         }
-        const falls f = falls_of(w, large, n);
+        const lanes large = larger(large_at(job, s, r->lo + length * from, n), large_at(job, s, r->lo + length * to, n));
+        const falls f = falls_of(w, k->e[0] + large, n);
         mask some = open & f.some, on = open & ~some;
-        if (any(some)) {
-            lanes pixel = job->thin_side / (length * size), least, off, place = f.place;
-            mask flat = at_most(f.most, k->e[0]);
-            place = choose(flat, all_lanes(0.5), least_near(w, n, place, &least, &off));
-            lanes depth = r->lo + length * (from + size * place);
+        const lanes pixel = job->thin_side / (length * size);
+        const mask flat = at_most(f.most, k->e[0]), ready = some & (f.one | at_most(one, pixel) | flat);
+        if (any(ready)) {
+            lanes least, off, place = least_near(w, n, f.place, &least, &off);
+            lanes depth = r->lo + length * (from + size * choose(flat, all_lanes(0.5), place));
             mask known = (f.one & at_most(off, 0.25 * pixel)) | at_most(one, pixel) | flat;
             mask dip = some & known & (flat | at_most(least, k->e[0] + large_at(job, s, depth, n)));
             on |= some & known;

@@ -28,7 +28,6 @@ algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
                                .tolerance = p->tolerance,
                                .thin_side = p->thin_side,
                                .thin_before = 4 * p->thin_side,
-                               .thin_large = p->thin_large,
                                .thin_bends = p->thin_bends};
 }
 

@@ -29,9 +29,9 @@ typedef struct algsurf_i_row_job {
     double plane_room; /* added to their offsets */
     double near;       /* depth of the eye; the ray begins there */
     double tolerance;  /* wanted error of the depth; 0: all that the coefficients tell */
-    /* what is thin: of a pixel the side in u and v; what belongs to a hit before it; |P| of nothing thin, or 0
-     * if nothing is looked for: sum over m of thin_bends[m] r^(m-2), r from the view's centre, and for r = 1 */
-    double thin_side, thin_before, thin_large;
+    /* what is thin: of a pixel the side in u and v; what belongs to a hit before it; |P| is large, at r from
+     * the view's centre, beyond sum thin_bends[m] r^(m-2), m >= 2 */
+    double thin_side, thin_before;
     const double *thin_bends;
 } algsurf_i_row_job;
 

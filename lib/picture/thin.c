@@ -33,31 +33,35 @@ static void show(const algsurf_i_picture *picture, int x, double t, const algsur
     }
 }
 
-/* The largest x^i y^j z^k on the unit sphere. */
-static double largest(int i, int j, int k) {
-    double square = 1, m = i + j + k;
-    for (int l = 0; l < i; l++) square *= i / m;
-    for (int l = 0; l < j; l++) square *= j / m;
-    for (int l = 0; l < k; l++) square *= k / m;
-    return sqrt(square);
+/* Adds what P's terms of each degree are at most in a direction, but for the length of that: to `most`. */
+static void look_in(const algsurf_i_frame_form *frame, const double d[3], double *most) {
+    const int n = frame->degree, side = n + 1;
+    double sum[ALGSURF_MAX_VIEW_DEGREE + 1] = {0}, size = 1, length = algsurf_length(d), x = 1;
+    for (int i = 0; i <= n; i++, x *= d[0]) {
+        double y = x;
+        for (int j = 0; i + j <= n; j++, y *= d[1]) {
+            const double *q = frame->q + (i * side + j) * side;
+            double z = y;
+            for (int k = 0; i + j + k <= n; k++, z *= d[2]) sum[i + j + k] += q[k] * z;
+        }
+    }
+    for (int m = 0; m <= n; m++, size *= length) most[m] = fmax(most[m], fabs(sum[m]) / size);
 }
 
-/* Of a form of degree m that is at most M on the unit sphere, second derivatives are at most m (m-1) M r^(m-2)
- * in every direction (Banach). */
+/* The largest of them in 3 n^2 directions, through a lattice on the faces of a cube, are taken for the largest
+ * of all. */
 void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
-    const int side = p->frame.degree + 1;
+    const int n = p->frame.degree;
+    double most[ALGSURF_MAX_VIEW_DEGREE + 1] = {0};
     p->thin_side = fabs(p->per_slope) * p->pixel / across;
     double pixel = p->thin_side * (1 + fabs(p->frame.view.alpha));
-    for (int m = 0; m < side; m++) p->thin_bends[m] = 0;
-    for (int i = 0; i < side; i++)
-        for (int j = 0; i + j < side; j++)
-            for (int k = 0; i + j + k < side; k++) {
-                const int m = i + j + k;
-                double bend = m > 1 ? m * (m - 1) * (pixel * pixel) * largest(i, j, k) : 0;
-                p->thin_bends[m] += bend * fabs(p->frame.q[(i * side + j) * side + k]);
-            }
-    p->thin_large = 0;
-    for (int m = 2; m < side; m++) p->thin_large += p->thin_bends[m];
+    for (int i = 0; i < n * n; i++) {
+        const double a = (2 * (i % n) + 1.0) / n - 1, b = (2 * (i / n) + 1.0) / n - 1;
+        look_in(&p->frame, (const double[]){1, a, b}, most);
+        look_in(&p->frame, (const double[]){b, 1, a}, most);
+        look_in(&p->frame, (const double[]){a, b, 1}, most);
+    }
+    for (int m = 0; m <= n; m++) p->thin_bends[m] = m * (m - 1) * (pixel * pixel) * most[m];
 }
 
 static int point_of(const algsurf_i_line *line, int x) {

@@ -139,7 +139,6 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
         view->axis[2][i] = camera->forward[i];
     }
     view->size = ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
-    p->thin_large = 0;
     p->orthographic = camera->orthographic;
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
