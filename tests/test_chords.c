@@ -1,7 +1,7 @@
 /* test_chords.c - the ends of a row's chords are off by less than their blur, over rationals.
  *
- * Two attacks on lib/picture/sight_template.h.  Lines: u, v and the slopes anywhere within the bounds of forms,
- * extents and planes about them; the line is exact, so that only the chord's own rounding is judged.
+ * Two attacks on lib/picture/sight_template.h.  Lines: u, v and the slopes anywhere within the bounds of
+ * forms, extents and planes about them; the line is exact, so that only the chord's own rounding is judged.
  * Pictures: cameras, extents and planes as a caller sets them; the chord judged is that of the ray that
  * algsurf_camera_ray gives, so that the view's noise is part of it.  Both look for what is hard: rays that
  * all but touch the sphere, go past an edge or a corner of a box, go along its faces or along a plane, wide
@@ -17,7 +17,7 @@
  *   nothing undecided about the edge of a sphere, along a face, along a plane: both
  *   a chord surely empty from inside < edge on: both
  *   no edge at all; ends that are told apart however close they are: lines
- *   rays clear of what is shown from |x| = 0.9 on: pictures
+ *   rays clear of what is shown with CLEAR = 0.9: pictures
  * Not caught: PARALLEL = 2^-52.  Blur grows instead, and hardly a line with much noise is so parallel.
  *
  *     test_chords [lines [pictures [seed]]]
@@ -503,8 +503,8 @@ static void chord_of_ray(const test_view *v, const algsurf_i_view *view, int uni
 }
 
 /* The ray through a pixel's middle: its exact chord, in depths, and what is computed of it. */
-static void check_pixel(const test_view *v, const algsurf_i_picture *picture, const algsurf_i_row_job *job, int i,
-                        int y) {
+static void check_pixel(const test_view *v, const algsurf_i_picture *picture, const algsurf_i_row_job *job,
+                        int i, int y) {
     static int shown;
     algsurf_ray ray;
     exact_line x;

@@ -628,14 +628,65 @@ static void bad_scene(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
+/* Across a steep ramp numbers of the row tell little of where its root is: t is that of the pixel's own ray.
+ */
+static void steep_ramps(void **state) {
+    (void)state;
+    for (int power = 6; power <= 16; power++)
+        for (int zoom = 4; zoom <= 10; zoom++) {
+            enum { SIDE = 5 };
+            const algsurf_term terms[] = {{0, 0, 2, pow(10, power)}, {0, 1, 0, 1}, {0, 0, 0, -0.1}};
+            const algsurf_camera camera = {.eye = {0.5, -3, 0},
+                                           .right = {0.8, 0, 0.6},
+                                           .up = {-0.6, 0, 0.8},
+                                           .forward = {0, 1, 0},
+                                           .half_height = pow(10, -zoom),
+                                           .orthographic = 1};
+            const algsurf_extent unit_ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1}};
+            algsurf_surface *surface = NULL;
+            algsurf_scene *scene = NULL;
+            double t[SIDE * SIDE];
+            unsigned char states[SIDE * SIDE];
+            assert_int_equal(algsurf_surface_from_terms(terms, 3, &surface), ALGSURF_OK);
+            assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+            assert_int_equal(algsurf_scene_set_extent(scene, &unit_ball), ALGSURF_OK);
+            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+            const algsurf_render_options options = {.size = sizeof options, .width = SIDE, .height = SIDE};
+            const algsurf_picture planes = {.size = sizeof planes, .t = t, .state = states};
+            assert_int_equal(algsurf_render(scene, &options, &planes, NULL), ALGSURF_OK);
+            for (int i = 0; i < SIDE * SIDE; i++) {
+                algsurf_ray ray;
+                algsurf_hit hit;
+                assert_int_equal(
+                    algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray),
+                    ALGSURF_OK);
+                assert_int_equal(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit), ALGSURF_OK);
+                assert_int_equal(states[i], hit.state);
+                double slope = 2 * pow(10, power) * fabs(hit.position[2]); /* of t, across the ray */
+                if (hit.state == ALGSURF_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))
+                    fail_msg("10^%d z^2, half height 10^-%d, pixel %d: t %a, by itself %a", power, zoom, i,
+                             t[i], hit.t);
+            }
+            algsurf_scene_free(scene);
+            algsurf_surface_free(surface);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pixel_by_pixel),    cmocka_unit_test(preview_depth),
-        cmocka_unit_test(shadows),           cmocka_unit_test(penumbra),
-        cmocka_unit_test(spread_light),      cmocka_unit_test(spread_evenly),
-        cmocka_unit_test(openness),          cmocka_unit_test(lighting_of_scenes),
-        cmocka_unit_test(touching_is_drawn), cmocka_unit_test(far_eye),
-        cmocka_unit_test(defaults),          cmocka_unit_test(bad_scene),
+        cmocka_unit_test(steep_ramps),
+        cmocka_unit_test(pixel_by_pixel),
+        cmocka_unit_test(preview_depth),
+        cmocka_unit_test(shadows),
+        cmocka_unit_test(penumbra),
+        cmocka_unit_test(spread_light),
+        cmocka_unit_test(spread_evenly),
+        cmocka_unit_test(openness),
+        cmocka_unit_test(lighting_of_scenes),
+        cmocka_unit_test(touching_is_drawn),
+        cmocka_unit_test(far_eye),
+        cmocka_unit_test(defaults),
+        cmocka_unit_test(bad_scene),
     };
     return cmocka_run_group_tests_name("render", tests, NULL, NULL);
 }

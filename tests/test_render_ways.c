@@ -153,8 +153,9 @@ static void check_counts(const algsurf_scene *scene, const algsurf_surface *surf
     for (int side = 2 * SMALLEST; side <= LARGEST; side *= 2)
         for (int y = 0; y < HEIGHT; y += side)
             for (int x = 0; x < WIDTH; x += side) quartered += side_of(&d, x, y) < side;
-    assert_int_equal(d.stats.tiles, searched);
-    assert_int_equal(d.stats.empty_tiles, empty);
+    /* the largest tiles are not searched where all rays stay clear of what is shown */
+    assert_true(d.stats.tiles <= searched && d.stats.tiles > searched / 2);
+    assert_int_equal(empty - d.stats.empty_tiles, searched - d.stats.tiles);
     assert_int_equal(d.stats.sheet_tiles, sheets);
     assert_int_equal(d.stats.leaf_tiles, searched - quartered - empty - sheets);
     assert_int_equal(d.stats.empty_rays, count(&d, ALGSURF_WAY_EMPTY, -1));

@@ -113,7 +113,6 @@ enum part {
     POINTS,
     COLOURS,
     STARTS,
-    LIGHTS,
     SHADOW_RAYS,
     COMPLEX_ROW,
     COMPLEX_POINTS,
@@ -222,7 +221,7 @@ static void wrong_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
 static void wrong_tiles(algsurf_i_tile_job *job) {
     int before = job->tile_count;
     real_picture->search_tiles(job);
-    for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0;
+    for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0, job->tiles[i].low = 1;
 }
 
 static int wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
@@ -240,8 +239,8 @@ static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int e
 }
 
 static int wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
-                                const int *pixel, const double *re, const double *im, int count, uint8_t *sure,
-                                const algsurf_i_points *points) {
+                                const int *pixel, const double *re, const double *im, int count,
+                                uint8_t *sure, const algsurf_i_points *points) {
     int all = real_picture->complex_points(job, surface, pixel, re, im, count, sure, points);
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
     return all;
@@ -278,22 +277,15 @@ static void wrong_starts(const algsurf_i_points *points, int first, int count, d
     for (int i = 0; i < count; i++) starts->facing[2][i] = -starts->facing[2][i];
 }
 
-static void wrong_lights(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how) {
-    real_shadow->see_light(job, starts, how);
-    for (int i = 0; i < starts->count; i++)
-        if (how[i] == ALGSURF_I_LIT) how[i] = ALGSURF_I_DARK;
-}
-
 static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                              const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
+                              const algsurf_i_solids *solids, int from, int rays,
                               algsurf_i_undecided *undecided) {
-    real_shadow->see_rays(job, starts, solids, how, from, rays, undecided);
+    real_shadow->see_rays(job, starts, solids, from, rays, undecided);
     for (int i = 0; i < starts->count; i++) *starts->seen[i] *= 0.5;
 }
 
 static void break_shadow(void) {
     if (broken == STARTS) wrong_shadow.lift = wrong_starts;
-    if (broken == LIGHTS) wrong_shadow.see_light = wrong_lights;
     if (broken == SHADOW_RAYS) wrong_shadow.see_rays = wrong_shadow_rays;
 }
 

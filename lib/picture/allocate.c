@@ -33,7 +33,7 @@ typedef struct sizes {
     size_t width, side;    /* of a row; degree + 1 */
     size_t dense;          /* samples of a row: as many as are taken together */
     size_t lights, shares; /* where there are shadows; shares of light: one more */
-    size_t fans, taylor;   /* forms for shadow rays: fans of lights; 1, or 0 */
+    size_t taylor;         /* of shadow rays: 1, or 0 */
     size_t places;         /* leaves of a band */
     size_t dips;           /* of a row */
     int beams;             /* 1: there are tiles, of a band or of single pixels */
@@ -52,7 +52,6 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .fans = picture->packets && degree <= ALGSURF_MAX_FAN_DEGREE ? lights : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
                    .beams = tiles || (real && picture->selective),
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
@@ -122,7 +121,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
     t->from = take_doubles(a, s->width + 2 * s->places);
-    t->to = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
@@ -130,9 +128,7 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->runs_row = -1;
     t->run = take_ints(a, s->width);
     t->list_low = take_doubles(a, s->width);
-    t->list_high = take_doubles(a, s->width);
     t->pixel_low = take_doubles(a, s->width);
-    t->pixel_high = take_doubles(a, s->width);
     t->pixel_depth = take_doubles(a, s->width);
     t->pixel = take_ints(a, s->dense * s->width);
     t->pixel_state = take_bytes(a, s->width);
@@ -167,10 +163,8 @@ static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets
     packets->beams = s->beams && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
                          ? take_doubles(a, s->side * s->side * s->side)
                          : NULL;
-    packets->fans = s->fans > 0 ? take(a, s->fans, sizeof *packets->fans) : NULL;
     packets->taylor = s->taylor > 0 ? take(a, 1, sizeof *packets->taylor) : NULL;
     algsurf_i_frame_form elsewhere; /* while there are none yet */
-    for (size_t i = 0; i < s->fans; i++) lay_out_frame(a, s, a->base ? &packets->fans[i].frame : &elsewhere);
     if (s->taylor > 0) lay_out_frame(a, s, a->base ? &packets->taylor->frame : &elsewhere);
 }
 

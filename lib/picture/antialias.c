@@ -100,17 +100,13 @@ static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band
     t->runs_row = row / ALGSURF_I_LEAF;
     for (int i = 0; i < t->runs; i++)
         count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, t->at + count);
-    for (int i = 0; i < count; i++) {
-        const algsurf_i_tile *leaf = band->tiles + cell[t->at[i] / ALGSURF_I_LEAF] - 1;
-        t->from[i] = leaf->low;
-        t->pixel_depth[i] = leaf->high;
-    }
+    for (int i = 0; i < count; i++) t->from[i] = band->tiles[cell[t->at[i] / ALGSURF_I_LEAF] - 1].low;
     return count;
 }
 
 /* Lists the pixels that show another colour than a neighbour and have an edge in them, as far as a proof does
  * not tell otherwise: pixels of empty tiles and of sheets have none, nor have those that are such tiles
- * themselves.  Of the others it is known between which depths their rays have their first roots. */
+ * themselves.  Of the others it is known up to which depth their rays have no root. */
 static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     algsurf_i_tiling *t = &worker->tiling;
     algsurf_i_line *line = &worker->line;
@@ -120,18 +116,13 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
         return list_apart(picture, row, 0, picture->width, &worker->middles, line->list);
     int count = band ? list_in_leaves(picture, band, row, worker)
                      : list_apart(picture, row, begin, end, &worker->middles, t->at);
-    for (int i = 0; !band && i < count; i++) {
-        t->from[i] = -1;
-        t->pixel_depth[i] = 1;
-    }
+    for (int i = 0; !band && i < count; i++) t->from[i] = -1;
     if (count == 0) return 0;
-    algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
-    pixels.share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
-    count = algsurf_i_search_cells(&pixels, 1, count, 0, t);
+    const double share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
+    count = algsurf_i_search_cells(picture, row, share, count, t);
     for (int i = 0; i < count; i++) {
         line->list[i] = t->at[i];
         t->list_low[i] = t->from[i];
-        t->list_high[i] = t->pixel_depth[i];
     }
     return count;
 }

@@ -55,8 +55,8 @@ static void end_row(const algsurf_i_picture *picture, int row, int begin, int en
     worker->predictor.row = row;
 }
 
-/* The row's form and job, and the pixels begin <= x < end that are within the bounds of forms; *misses: do all
- * others surely miss? */
+/* The row's form and job, and the pixels begin <= x < end that are within the bounds of forms; *misses: do
+ * all others surely miss? */
 static int begin_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_worker *worker,
                      algsurf_i_row_job *job, int *begin, int *end) {
     algsurf_i_make_row(picture, y, sx, &worker->form, job);
@@ -117,8 +117,8 @@ static algsurf_status solve_undecided(const algsurf_i_picture *picture, double y
 }
 
 /* Depths and states of the wanted pixels, in runs. */
-static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_complex_job *job, int begin, int end,
-                         const uint8_t *wanted, algsurf_i_tally *tally) {
+static void solve_wanted(const algsurf_i_picture *picture, const algsurf_i_complex_job *job, int begin,
+                         int end, const uint8_t *wanted, algsurf_i_tally *tally) {
     for (int x = begin, last; x < end; x = last) {
         for (last = x + 1; last < end && wanted && wanted[last] == wanted[x];) last++;
         if (!wanted) last = end;
@@ -140,8 +140,8 @@ static void find_points(const algsurf_i_picture *picture, const algsurf_i_comple
                         algsurf_i_line *line) {
     algsurf_i_points wanted = line->points;
     if (!line->colours) wanted.looks = (algsurf_i_looks){{NULL}, {NULL}, {NULL}};
-    if (!picture->code->complex_points(job, picture->scene->surface, line->pixel, line->depth, line->imaginary,
-                                       line->count, line->sure, &wanted))
+    if (!picture->code->complex_points(job, picture->scene->surface, line->pixel, line->depth,
+                                       line->imaginary, line->count, line->sure, &wanted))
         (void)algsurf_i_drop_unsure(line, 0);
 }
 

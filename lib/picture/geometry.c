@@ -1,10 +1,14 @@
-/* geometry.c - the rays of a row as a job for kernels, and which of them its forms are for.
+/* geometry.c - the rays of a row as a job for kernels, and which of them need to be looked at.
  *
- * Misses.  A ray's point at depth z has x = u + z (alpha u + beta), and |z| <= 1 in the ball of radius 1 about
- * what is shown.  So |x| >= |u| (1 - |alpha|) - |beta| there: where that exceeds 1, the ray misses.  The same
- * holds for y.  On one side of the picture u changes one way from pixel to pixel, and so, for |alpha| < 1,
- * the pixels beyond one that misses miss, too.  CLEAR covers the view's noise, which is below 2^-22, and all
- * roundings here. */
+ * Clear rays.  A line of sight has the squared distance (u^2 + v^2 + (u b - v a)^2) / (1 + a^2 + b^2) from
+ * the view's centre, with a = alpha u + beta_0, b = alpha v + beta_1: so it misses the ball of radius 1, in
+ * which all is that is shown, if g(u) = u^2 + v^2 + (u b - v a)^2 - c (1 + a^2 + b^2) > 0,   c = 1. In the
+ * plane of x and z alone, where the ball is a disc, g(u) = u^2 - c (1 + a^2) tells the same of all v. As u b
+ * - v a = u beta_1 - v beta_0, both are quadratic in u, and convex where their leading coefficient is
+ * positive.  Then, if g(u) > 0 on one side of the vertex, it is so for all u further out.
+ *     c = CLEAR is larger than 1 by 2^-10, which covers the view's noise, below 2^-22, and the roundings of
+ * u, v and g: for |v|, |beta| <= 4 these are below 2^-40 (1 + u^2) where g is convex, and g has to exceed
+ * SURE (1 + u^2). */
 #include "../base/arithmetic.h"
 #include "geometry.h"
 
@@ -46,37 +50,74 @@ void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, a
  * depths of what is shown, |z| <= 1 (sight_template.h); a little less is used. */
 #define BOUND (4 - 0x1p-10)
 #define CLEAR (1 + 0x1p-10)
+#define SURE 0x1p-30
 
-/* Do rays at w, one of u and v, surely miss?  beta: the view's for that axis. */
-static int is_clear(double w, double alpha, double beta) {
-    return fabs(w) * (1 - fabs(alpha)) - fabs(beta) > CLEAR;
+/* g(u) = square u^2 - 2 half u + rest. */
+typedef struct clearance {
+    double square, half, rest;
+} clearance;
+
+/* Of rays at v; or of all v, in the plane of the axis of u and z. */
+static clearance clearance_at(const algsurf_i_view *view, double v) {
+    double alpha = view->alpha, x = view->beta[0], y = view->beta[1], b = alpha * v + y;
+    return (clearance){1 + y * y - CLEAR * alpha * alpha, x * (y * v + CLEAR * alpha),
+                       v * v * (1 + x * x) - CLEAR * (1 + x * x + b * b)};
 }
 
-/* Do all rays between two heights surely miss? */
-static int are_clear(const algsurf_i_packets *p, double v0, double v1) {
-    const algsurf_i_view *view = &p->frame.view;
-    return (v0 > 0) == (v1 > 0) && is_clear(v0, view->alpha, view->beta[1]) &&
-           is_clear(v1, view->alpha, view->beta[1]);
+static clearance clearance_across(const algsurf_i_view *view, int axis) {
+    double alpha = view->alpha, beta = view->beta[axis];
+    return (clearance){1 - CLEAR * alpha * alpha, CLEAR * alpha * beta, -CLEAR * (1 + beta * beta)};
+}
+
+/* Are the ray at u and all further out, on the side of larger u (1) or smaller (-1), clear? */
+static int is_clear(const clearance *g, double u, int side) {
+    double slope = g->square * u - g->half;
+    return g->square > SURE && side * slope > 0 && (slope - g->half) * u + g->rest > SURE * (1 + u * u);
+}
+
+/* Pixels side by side: position X, counted from the picture's edge, is at u = middle + per (X - half). */
+typedef struct pixel_line {
+    double middle, per, half;
+    int count;
+} pixel_line;
+
+/* From the first edge (side -1) or the last one (1) on: the last multiple of `step` up to which all is surely
+ * clear, by halving; or the edge itself. */
+static int clear_up_to(const pixel_line *l, const clearance *g, int side, int step) {
+    int edge = side < 0 ? 0 : l->count, clear = 0, open = (l->count + step - 1) / step;
+    while (open - clear > 1) {
+        int steps = (clear + open) / 2, position = side < 0 ? steps * step : (l->count / step - steps) * step;
+        if (is_clear(g, l->middle + l->per * (position - l->half), l->per > 0 ? side : -side))
+            clear = steps;
+        else
+            open = steps;
+    }
+    return clear == 0 ? edge : side < 0 ? clear * step : (l->count / step - clear) * step;
 }
 
 int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int step,
                                    int *begin, int *end) {
     const algsurf_i_packets *p = picture->packets;
     const algsurf_i_view *view = &p->frame.view;
-    double spread = 1 + fabs(view->alpha), half = 0.5 * picture->width, per = p->per_slope * p->pixel;
-    double v0 = p->origin[1] + per * (0.5 * picture->height - top);
-    double v1 = p->origin[1] + per * (0.5 * picture->height - bottom);
+    const double spread = 1 + fabs(view->alpha), per = p->per_slope * p->pixel,
+                 middle = 0.5 * picture->height;
+    const double v0 = p->origin[1] + per * (middle - top), v1 = p->origin[1] + per * (middle - bottom);
+    const pixel_line line = {p->origin[0], per, 0.5 * picture->width, picture->width};
+    const clearance rows = clearance_across(view, 1);
+    const clearance pixels = top < bottom ? clearance_across(view, 0) : clearance_at(view, v0);
     *begin = *end = 0;
-    if (are_clear(p, v0, v1)) return 1;
+    if (!(fabs(view->beta[0]) < BOUND && fabs(view->beta[1]) < BOUND)) return 0;
+    if ((is_clear(&rows, v0, 1) && is_clear(&rows, v1, 1)) ||
+        (is_clear(&rows, v0, -1) && is_clear(&rows, v1, -1)))
+        return 1;
     if (!(fmax(fabs(v0), fabs(v1)) * spread + fabs(view->beta[1]) < BOUND)) return 0;
-    /* what is so many pixels or less from the middle is within them */
+    int first = clear_up_to(&line, &pixels, -1, step), last = clear_up_to(&line, &pixels, 1, step);
+    if (first >= last) return 1;
+    /* what is so many pixels or less from the middle is within the bounds */
     double room = ((BOUND - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / fabs(per);
-    double whole = step * ceil((double)picture->width / step);
-    double first = step * ceil(fmax(half - room, 0) / step), last = step * floor(fmin(half + room, whole) / step);
-    if (!(first < last)) return 0;
-    *begin = (int)first;
-    *end = (int)fmin(last, picture->width);
-    double u0 = p->origin[0] + per * (*begin - half), u1 = p->origin[0] + per * (*end - half);
-    return (*begin == 0 || (per * u0 < 0 && is_clear(u0, view->alpha, view->beta[0]))) &&
-           (*end == picture->width || (per * u1 > 0 && is_clear(u1, view->alpha, view->beta[0])));
+    double least = step * ceil((line.half - room) / step), most = step * floor((line.half + room) / step);
+    if (!(fmax(least, first) < fmin(most, last))) return 0;
+    *begin = (int)fmax(least, first);
+    *end = (int)fmin(most, last);
+    return *begin == first && *end == last;
 }

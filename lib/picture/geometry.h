@@ -18,8 +18,7 @@ typedef struct algsurf_i_packets {
     int plane_count;
     double thin_side, thin_bends[ALGSURF_MAX_VIEW_DEGREE + 1]; /* as in algsurf_i_row_job */
     double *beams;            /* in a tiled picture: algsurf_i_beam_expand's g */
-    algsurf_i_fan *fans;      /* where shadows are drawn: of each light; or null */
-    algsurf_i_taylor *taylor; /* there: for single rays; or null */
+    algsurf_i_taylor *taylor; /* where shadows are drawn; or null */
     /* complex space: as in algsurf_i_complex_job */
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];

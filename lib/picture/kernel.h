@@ -35,12 +35,11 @@ typedef struct algsurf_i_row_job {
     const double *thin_bends;
 } algsurf_i_row_job;
 
-/* Pixels of a row, any: the first root of each ray, if there is one on its chord, is between `low` and
- * `high`. */
+/* Pixels of a row, any: no ray has a root on its chord before the depth `low`. */
 typedef struct algsurf_i_pixels {
     int count;
     const int *at;
-    const double *low, *high;
+    const double *low;
 } algsurf_i_pixels;
 
 /* Places before the hits of a row, or anywhere along rays that miss, where |P| is least, and not large: the
@@ -60,8 +59,7 @@ typedef struct algsurf_i_dips {
 
 /* A tile of pixels that is not empty.  A sheet: along each ray through it there is one root with low < z <
  * high in the view's unit, none before, and P is monotone between; where |P| <= enough it is ALGSURF_I_NEAR
- * at most to the root.  A leaf: enough = 0, the first root of each ray, if there is one, has low <= z <=
- * high, as far as chords allow. */
+ * at most to the root.  A leaf: enough = 0, no ray has a root on its chord before low. */
 typedef struct algsurf_i_tile {
     double x, y, inverse;           /* its middle in pixels, one over half its side */
     double depth[ALGSURF_I_SERIES]; /* of a sheet, about: of 1, xi, eta, xi^2, xi eta, eta^2, xi^3 .. */
@@ -76,9 +74,7 @@ typedef struct algsurf_i_tile_job {
     const algsurf_i_beam_row *beam;
     int y, size;    /* of the first pixels; a power of two */
     int count, *at; /* the tiles' first pixels, */
-    double *from;   /* the first root of each ray on its chord, if there is one, is between these depths */
-    double *to;
-    double *within; /* receives a depth on each chord of the tiles that are left; 2: none is known; or null */
+    double *from;   /* no ray has a root on its chord before this depth */
     double noise;   /* bound on rounding of P as the points' kernel evaluates it */
     int *cell;      /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is empty,
                        -side, as the caller has set it; null: tiles are not kept, and those of any size

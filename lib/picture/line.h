@@ -100,8 +100,8 @@ static inline void algsurf_i_begin_states(const algsurf_i_line *line, int misses
 algsurf_i_points algsurf_i_points_to_find(const algsurf_i_picture *picture, const algsurf_i_line *line,
                                           int first);
 
-/* Points from `first` on that were not found, as line->sure tells, leave the line: their samples are undecided.
- * Returns 1. */
+/* Points from `first` on that were not found, as line->sure tells, leave the line: their samples are
+ * undecided. Returns 1. */
 int algsurf_i_drop_unsure(algsurf_i_line *line, int first);
 
 /* Appends a single ray's hit at pixel x to the line's points, if it is one, sets its state and way, and

@@ -2,7 +2,7 @@
  *
  * Pixels of empty tiles miss.  Those of sheets have a root in the sheet, found by Newton's method from the
  * tile's series and proved to be it (algsurf_i_tile).  Those of leaves, and all pixels where there are no
- * tiles, are solved side by side between the depths that are known (pixels_template.h).  What is undecided
+ * tiles, are solved side by side from the depth on that is known (pixels_template.h).  What is undecided
  * then goes ray by ray (undecided.c). */
 #include "../base/arithmetic.h"
 #include "impl.h"
@@ -33,11 +33,10 @@ static void add_sheet(const algsurf_i_tile *tile, int first, int end, double eta
     memset(line->state + first, ALGSURF_LANE_HIT, (size_t)(end - first));
 }
 
-/* A pixel whose first root is between two depths, if there is one on its chord. */
-static void add_pixel(algsurf_i_tiling *t, int x, double low, double high) {
+/* A pixel without a root on its chord before a depth. */
+static void add_pixel(algsurf_i_tiling *t, int x, double low) {
     t->pixel[t->pixels] = x;
-    t->pixel_low[t->pixels] = low;
-    t->pixel_high[t->pixels++] = high;
+    t->pixel_low[t->pixels++] = low;
 }
 
 static void set_ways(const algsurf_i_line *line, int first, int end, int side, algsurf_way way) {
@@ -60,11 +59,11 @@ static void collect_tile(const algsurf_i_tile *tile, int first, int end, double 
         if (is_sheet)
             add_sheet(tile, x, x + 1, eta, sx, line, t);
         else
-            add_pixel(t, x, tile->low, tile->high);
+            add_pixel(t, x, tile->low);
     }
 }
 
-/* The samples of the listed pixels: their depths are known to be between two. */
+/* The samples of the listed pixels. */
 static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     const algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
@@ -76,7 +75,7 @@ static void collect_listed(const algsurf_i_picture *picture, int row, algsurf_i_
         const int x = line->list[i], number = band ? band->cell[first + x / ALGSURF_I_LEAF] : 0;
         set_ways(line, x, x + 1, number > 0 ? (int)(2 / band->tiles[number - 1].inverse) : 0,
                  ALGSURF_WAY_ROW);
-        for (int k = dense * x; k < dense * (x + 1); k++) add_pixel(t, k, t->list_low[i], t->list_high[i]);
+        for (int k = dense * x; k < dense * (x + 1); k++) add_pixel(t, k, t->list_low[i]);
     }
 }
 
@@ -98,15 +97,15 @@ static void collect(const algsurf_i_picture *picture, const algsurf_i_band *band
     }
 }
 
-/* The row's pixels, all of them between the depths of what is shown; returns whether some are undecided: those
- * beyond the bounds of forms. */
+/* The row's pixels, all of them between the depths of what is shown; returns whether some are undecided:
+ * those beyond the bounds of forms. */
 static int collect_all(const algsurf_i_picture *picture, double y, algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     int begin, end, misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, &begin, &end);
     worker->tiling.pixels = 0;
     algsurf_i_begin_states(line, misses);
     for (int x = begin; x < end; x++)
-        if (!line->wanted || line->wanted[x]) add_pixel(&worker->tiling, x, -1, 1);
+        if (!line->wanted || line->wanted[x]) add_pixel(&worker->tiling, x, -1);
     return !misses;
 }
 
@@ -126,7 +125,7 @@ static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_jo
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_tiling *t = &worker->tiling;
-    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low, t->pixel_high};
+    const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low};
     int undecided = 0;
     picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state,
                                 picture->thin && line->dense == 1 ? &t->dips : NULL);

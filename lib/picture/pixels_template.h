@@ -5,10 +5,10 @@
  * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring
  * to Bernstein coefficients over the range; surface/view.c counts the roundings.
  *
- * Ends.  Where the root is known to lie between depths that leave less than the chord, the range is inside
- * the chord, and a root in it counts.  Else it holds the chord's end and is longer than the chord by less
- * than `blur`, in units of its length: where |P| at that end of the range exceeds what it can change by
- * within blur, no root is between.  In both cases the end need not be looked at again. */
+ * Ends.  Where it is known that no root lies before a depth inside the chord, the range begins there, and a
+ * root in it counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in
+ * units of its length: where |P| at that end of the range exceeds what it can change by within blur, no root
+ * is between.  In both cases the end need not be looked at again. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "dips_template.h"
@@ -46,47 +46,45 @@ INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_r
 }
 
 APART void expand_pixels(const algsurf_i_row_job *job, const lanes *u, const depth_range *r, packet *p,
-                         int n) {
-    FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))
-}
+                         int n){FOR_DEGREE(n, expand_pixels_n(job, *u, r, p, N))}
 
-/* The whole range is searched.  after, before: it begins, or ends, inside the chord. */
-INLINE void set_ends(packet *k, lanes blur, mask after, mask before, int n) {
+/* The whole range is searched.  after: it begins inside the chord. */
+INLINE void set_ends(packet *k, lanes blur, mask after, int n) {
     k->blur = blur;
     lanes margin = k->e[0] + end_error(k, n);
     after |= less(margin, absolute(k->b[0]));
-    before |= less(margin, absolute(k->b[n]));
+    mask before = less(margin, absolute(k->b[n]));
     k->start = choose(after, all_lanes(-1), all_lanes(0));
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-/* LANES pixels whose first roots, if there are any on their chords, are between low and high; the ranges they
- * are looked for in, and where there are some. */
-INLINE mask solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low, lanes high, packet *k,
-                         depth_range *r, lanes *z, int n) {
+/* LANES pixels whose rays have no root on their chords before low.  Returns those that have chords behind it,
+ * and these with their errors as ranges. */
+INLINE mask solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low, packet *k, depth_range *r,
+                         lanes *z, int n) {
     chord c = clip(job, s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
     k->watch = NULL;
     k->undecided = c.undecided;
     k->hit = no_lane();
     r->lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
-    lanes hi = smaller(-floor40(-smaller(c.far + gap, high)), all_lanes(1));
-    const mask open = k->open &= less(r->lo, hi);
-    if (!any(open)) return open;
-    r->lo = choose(open, r->lo, all_lanes(-1));
-    r->length = choose(open, hi, all_lanes(1)) - r->lo;
+    lanes hi = smaller(-floor40(-(c.far + gap)), all_lanes(1));
+    const mask searched = k->open &= less(r->lo, hi);
+    if (!any(searched)) return searched;
+    r->lo = choose(searched, r->lo, all_lanes(-1));
+    r->length = choose(searched, hi, all_lanes(1)) - r->lo;
     expand_pixels(job, &s->u, r, k, n);
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
-    if (!any(k->open)) return open;
+    if (!any(k->open)) return searched;
     bound_errors(k, n, 0);
-    set_ends(k, 2 * sure / r->length, less(c.near + sure, low), less(high, c.far - sure), n);
+    set_ends(k, 2 * sure / r->length, less(c.near + sure, low), n);
     isolate(k, n);
-    if (!any(k->hit)) return open;
+    if (!any(k->hit)) return searched;
     refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
     *z = r->lo + r->length * *z;
-    return open;
+    return searched;
 }
 
 /* What was found of so many lanes, at most. */
@@ -109,10 +107,10 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         depth_range r;
         lanes z = all_lanes(0);
         const sight s = sight_at(job, load_some_integers(p->at + i, count));
-        mask open = solve_packet(job, &s, load_some(p->low + i, count), load_some(p->high + i, count), &k, &r, &z, n);
+        mask searched = solve_packet(job, &s, load_some(p->low + i, count), &k, &r, &z, n);
         store_solved(&k, z, count, depth + i, state + i);
-        open &= less(numbered(), all_lanes(count));
-        if (dips && n > 1 && any(open)) add_dips(job, &s, &r, &k, z, open, p->at + i, dips, n);
+        searched &= less(numbered(), all_lanes(count));
+        if (dips && n > 1 && any(searched)) add_dips(job, &s, &r, &k, z, searched, p->at + i, dips, n);
     }
 }
 

@@ -5,12 +5,12 @@
  * proves, whatever the steps were, that a sheet's root is within 2^-16 of where the last step began.  They
  * decide how accurate t is: it may be off by what rounding of the ray, of t and of P can cause, and 2^-36 of
  * the radius (algsurf_picture.t).  A step s leaves c s^2 to second order, where c = |P''| / (2 |P'|) along
- * the ray.  Lengths are in the view's unit.  An entry whose last step is too long, or leaves too much, has not
- * found its root: its ray is solved by itself, from numbers of its own.
- * - LAST_STEP is a bound: longer steps are never the last one.  Let M be the sum of the sizes of P's terms for
- *   |x|, |y|, |z| <= 1 (surface/view.c).  For slopes up to 1, |P''| <= n (n-1) M, and a step of 2^-26 leaves
- *   n (n-1) 2^-53 M / |P'| at most.  P's rounding is bounded by 16 (n+1) 2^-53 M and can move the root by that
- *   over |P'|: by more, up to degree 17, and by 0.7 times as much in degree 24.
+ * the ray.  Lengths are in the view's unit.  An entry whose last step is too long, or leaves too much, has
+ * not found its root: its ray is solved by itself, from numbers of its own.
+ * - LAST_STEP is a bound: longer steps are never the last one.  Let M be the sum of the sizes of P's terms
+ * for |x|, |y|, |z| <= 1 (surface/view.c).  For slopes up to 1, |P''| <= n (n-1) M, and a step of 2^-26
+ * leaves n (n-1) 2^-53 M / |P'| at most.  P's rounding is bounded by 16 (n+1) 2^-53 M and can move the root
+ * by that over |P'|: by more, up to degree 17, and by 0.7 times as much in degree 24.
  * - FARTHEST_STEP is a choice.  Let R be the row's radius, which bounds its rounding and noise.  The depth
  *   that a row gives is off by ENOUGH + R / |P'| at most, to first order, or by what tolerance the caller has
  *   set.  So where a step is longer than 2^-16, R / |P'| is about as long, and doubles of the row tell little

@@ -59,11 +59,10 @@ INLINE void cell_of(const beam *r, lanes rounding, cell *c, int n) {
     c->side = take_sign(c->w, n, ~no_lane());
 }
 
-/* What is known of the beams: empty; one root in [p,q], after none; or none before p; and, whatever else,
- * that P has another sign at `beyond` than at 0. */
+/* What is known of the beams: empty; one root in [p,q], after none; or none before p. */
 typedef struct verdict {
-    mask empty, one, crossed;
-    lanes p, q, guess, beyond;
+    mask empty, one;
+    lanes p, q, guess;
     words side; /* of P at p: its sign bit */
 } verdict;
 
@@ -105,7 +104,7 @@ INLINE signs count_part(const search_part *part, cell *c, mask *known, int n) {
 INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
     search_part whole, part;
     cell c = {.p = all_lanes(0), .q = all_lanes(1)};
-    verdict v = {no_lane(), no_lane(), no_lane(), c.p, c.q, c.p, c.q, (words)c.p};
+    verdict v = {no_lane(), no_lane(), c.p, c.q, c.p, (words)c.p};
     mask known;
     search_part_of(beams, rounding, &whole, n);
     part = whole;
@@ -113,9 +112,6 @@ INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
     for (int turn = 0;; turn++) {
         mask one = open & s.one, none = open & s.none, last = none & at_most(all_lanes(1), c.q);
         lanes chord_root = c.p + (c.q - c.p) * (c.w[0] / (c.w[0] - c.w[n]));
-        mask crossed = open & known & less(c.e[n], -c.w[n]);
-        v.beyond = choose(crossed, smaller(c.q, v.beyond), v.beyond);
-        v.crossed |= crossed;
         v.empty |= last;
         v.one |= one;
         v.p = choose(open, choose(none, c.q, c.p), v.p);

@@ -17,10 +17,12 @@
  * Errors: those of taylor.c, and 8 n u max|b| for each of two cuts at a turn (descartes_template.h). */
 #ifndef ALGSURF_SEGMENTS_TEMPLATE_H
 #define ALGSURF_SEGMENTS_TEMPLATE_H
-#include "fans_template.h"
+#include "../roots/packet_template.h"
 #include "lattice_template.h"
+#include "shadow_kernel.h"
 
 #define TAYLOR_DEGREE ALGSURF_MAX_TAYLOR_DEGREE
+#define END_SLACK 0x1p-30    /* of an extent, relative: far more than the rounding of its ends */
 #define SHORTEST_END 0x1p-60 /* of a ray that begins outside and stays there */
 #define SEGMENT_TURNS 6      /* cells of a ray, besides the first */
 
@@ -53,6 +55,22 @@ INLINE void shift_row(lanes *c, int n, lanes x) {
 /* a += x b, b of degree n - 1. */
 INLINE void add_row(lanes *a, const lanes *b, int n, lanes x) {
     for (int k = 0; k < n; k++) a[k] += x * b[k];
+}
+
+/* S of taylor.c. */
+APART lanes size_of(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
+    lanes whole = all_lanes(0);
+    for (int i = n; i >= 0; i--) {
+        lanes level = all_lanes(0);
+        for (int j = n - i; j >= 0; j--) {
+            lanes row = all_lanes(0);
+            for (int k = n - i - j; k >= 0; k--)
+                row = row * x[2] + fabs(frame->q[(i * (n + 1) + j) * (n + 1) + k]);
+            level = level * x[1] + row;
+        }
+        whole = whole * x[0] + level;
+    }
+    return whole;
 }
 
 /* span: bounds |d_k| of rays, by their kind. */
@@ -199,6 +217,46 @@ INLINE mask within(const algsurf_i_shadow_job *job, const lanes x[3]) {
     return inside;
 }
 
+/* Parts of a ray: it is inside before `least`, outside from `most` on. */
+typedef struct ray_ends {
+    lanes least, most;
+} ray_ends;
+
+/* x and d in the box's axes, which are the caller's. */
+INLINE ray_ends ends_in_box(const double half[3], const lanes x[3], const lanes d[3]) {
+    const lanes never = all_lanes(HUGE_VAL);
+    ray_ends e = {never, never};
+    mask inside = ~no_lane();
+    for (int i = 0; i < 3; i++) {
+        double wide = half[i] * (1 + END_SLACK), narrow = half[i] * (1 - END_SLACK);
+        lanes speed = absolute(d[i]), ahead = choose(less(d[i], all_lanes(0)), -x[i], x[i]);
+        mask moves = less(all_lanes(0), speed);
+        e.most = smaller(e.most, choose(moves, (wide - ahead) / speed, never));
+        e.least = smaller(e.least, choose(moves, (narrow - ahead) / speed, never));
+        inside &= less(absolute(x[i]), all_lanes(narrow));
+    }
+    e.least = choose(inside, e.least, all_lanes(0));
+    return e;
+}
+
+/* What planes leave of that.  A ray that begins beyond a plane may come back through it: nothing is known to
+ * be inside then. */
+INLINE ray_ends ends_at_planes(const algsurf_i_shadow_job *job, const lanes x[3], const lanes d[3],
+                               ray_ends e) {
+    const lanes never = all_lanes(HUGE_VAL);
+    for (int i = 0; i < job->plane_count; i++) {
+        const algsurf_i_cut_plane *p = job->planes + i;
+        const lanes n[3] = {all_lanes(p->normal[0]), all_lanes(p->normal[1]), all_lanes(p->normal[2])};
+        double slack = END_SLACK + p->error;
+        lanes below = p->offset - dot(n, x), speed = dot(n, d);
+        mask moves = less(all_lanes(0), speed);
+        e.least = choose(less(all_lanes(slack), below),
+                         smaller(e.least, choose(moves, (below - slack) / speed, never)), all_lanes(0));
+        e.most = smaller(e.most, choose(moves, (below + slack) / speed, never));
+    }
+    return e;
+}
+
 /* What all rays from points in a ball have in common. */
 INLINE void measure_ball(double radius, solid_packet *s) {
     double wide = radius * (1 + END_SLACK), narrow = radius * (1 - END_SLACK);
@@ -206,17 +264,17 @@ INLINE void measure_ball(double radius, solid_packet *s) {
     s->gap = choose(s->inside, 8 * END_SLACK + 2 * (wide * wide - narrow * narrow) / s->room, all_lanes(1));
 }
 
-INLINE fan_ends ends_of_rays_in_ball(const solid_packet *s, const lanes d[3]) {
+INLINE ray_ends ends_of_rays_in_ball(const solid_packet *s, const lanes d[3]) {
     lanes a = dot(d, d), b = dot(s->x, d);
     lanes most = (root(larger(b * b + a * s->room, all_lanes(0))) - b) / a;
-    return (fan_ends){most * (1 - s->gap), most};
+    return (ray_ends){most * (1 - s->gap), most};
 }
 
 /* Where rays leave the extent, between these. */
-INLINE fan_ends ends_of_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes d[3]) {
-    fan_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE ? ends_of_rays_in_ball(s, d)
-                                                           : ends_in_box(job->extent_size, s->x, d, 0);
-    return ends_at_planes(job, s->x, d, 0, e);
+INLINE ray_ends ends_of_rays(const algsurf_i_shadow_job *job, const solid_packet *s, const lanes d[3]) {
+    ray_ends e = job->extent_kind == ALGSURF_EXTENT_SPHERE ? ends_of_rays_in_ball(s, d)
+                                                           : ends_in_box(job->extent_size, s->x, d);
+    return ends_at_planes(job, s->x, d, e);
 }
 
 /* Rays from x with these directions, in the caller's unit, up to where they leave the extent; returns the
@@ -231,7 +289,7 @@ INLINE lanes cut_rays(const algsurf_i_shadow_job *job, const solid_packet *s, co
     }
     k->gap = all_lanes(0);
     if (job->plane_count == 0 && !any(k->open & ~(s->inside & within(job, end)))) return part;
-    fan_ends e = ends_of_rays(job, s, k->d);
+    ray_ends e = ends_of_rays(job, s, k->d);
     part = larger(smaller(e.most * (1 + END_SLACK), part), all_lanes(SHORTEST_END));
     if (job->extent_kind == ALGSURF_EXTENT_SPHERE && job->plane_count == 0)
         gap = s->gap;
@@ -346,28 +404,24 @@ INLINE void add_undecided(unsigned lanes_left, int first, const lanes direction[
 }
 
 static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                     const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
-                     algsurf_i_undecided *undecided) {
+                     const algsurf_i_solids *solids, int from, int rays, algsurf_i_undecided *undecided) {
     const solid_packet *s = solids ? (const solid_packet *)(const void *)solids->packets : NULL;
     for (int first = 0; first < starts->count; first += LANES) {
-        lanes seen = all_lanes(0), asked = seen;
+        lanes seen = all_lanes(0);
+        mask asked = less(numbered(), all_lanes(starts->count - first));
         start_packet p;
         load_starts(starts, first, &p);
-        for (int l = 0; l < LANES && first + l < starts->count; l++)
-            asked[l] = how[first + l] == ALGSURF_I_UNKNOWN;
-        mask open = less(all_lanes(0), asked);
-        for (int j = from; j < from + rays && any(open); j++) {
+        for (int j = from; j < from + rays; j++) {
             lanes direction[3];
             aim(job, &p, j, direction);
             ray_packet k = {.kind = job->light ? TO_LIGHTS : AROUND,
-                            .open = open & less(all_lanes(0), dot(direction, p.facing)),
+                            .open = asked & less(all_lanes(0), dot(direction, p.facing)),
                             .hit = no_lane()};
             if (s) judge(job, s + first / LANES, direction, &k);
             seen += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
             if (any(k.open)) add_undecided(bits(k.open), first, direction, undecided);
         }
-        for (int l = 0; l < LANES && first + l < starts->count; l++)
-            if (how[first + l] == ALGSURF_I_UNKNOWN) *starts->seen[first + l] += seen[l];
+        for (int l = 0; l < LANES && first + l < starts->count; l++) *starts->seen[first + l] += seen[l];
     }
 }
 

@@ -7,10 +7,8 @@
  * their directions are as dense as Lambert's cosine (Zhukov, Iones, Kronin 1998: ambient obscurance).  A ray
  * starts a little above the tangent plane, on the viewer's side, so that the point does not shadow itself.
  *
- * Up to degree 7 the rays from a point to a light are first asked about all at once, as a fan: most points
- * see the whole light or nothing of it.  Other rays are found side by side from P's Taylor expansion about
- * the points, up to degree 10.  Only what is undecided then is shot as a ray.  The answers are those of the
- * rays. */
+ * Rays are found side by side from P's Taylor expansion about the points, up to degree 10.  Only what is
+ * undecided then is shot as a ray.  The answers are those of the rays. */
 #include "../base/arithmetic.h"
 #include "shadow.h"
 
@@ -39,36 +37,13 @@ void algsurf_i_place_samples(algsurf_i_picture *picture) {
     }
 }
 
-/* Three roundings each, relative to what is added up. */
-static double error_of_places(const double position[3], const double edge_u[3], const double edge_v[3]) {
-    return 0x1p-50 * (algsurf_max_abs(position) + algsurf_max_abs(edge_u) + algsurf_max_abs(edge_v));
-}
-
-static void set_shown(const algsurf_i_picture *picture, algsurf_i_view *view) {
-    const algsurf_i_view *shown = &picture->packets->frame.view;
-    for (int k = 0; k < 3; k++) view->centre[k] = shown->centre[k];
-    view->size = shown->size;
-}
-
 void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory) {
-    const algsurf_surface *surface = picture->scene->surface;
-    const algsurf_i_packets *packets = picture->packets;
-    if (packets->taylor) {
-        set_shown(picture, &packets->taylor->frame.view);
-        algsurf_i_taylor_expand(surface, packets->taylor, memory);
-    }
-    for (int l = 0; packets->fans && l < picture->light_count; l++) {
-        const algsurf_light *light = &picture->lights[l];
-        double position[3], edge_u[3], edge_v[3];
-        for (int k = 0; k < 3; k++) {
-            position[k] = ldexp(light->position[k], -surface->unit);
-            edge_u[k] = ldexp(light->edge_u[k], -surface->unit);
-            edge_v[k] = ldexp(light->edge_v[k], -surface->unit);
-        }
-        set_shown(picture, &packets->fans[l].frame.view);
-        algsurf_i_fan_expand(surface, position, edge_u, edge_v, error_of_places(position, edge_u, edge_v),
-                             &packets->fans[l], memory);
-    }
+    algsurf_i_taylor *taylor = picture->packets->taylor;
+    const algsurf_i_view *shown = &picture->packets->frame.view;
+    if (!taylor) return;
+    for (int k = 0; k < 3; k++) taylor->frame.view.centre[k] = shown->centre[k];
+    taylor->frame.view.size = shown->size;
+    algsurf_i_taylor_expand(picture->scene->surface, taylor, memory);
 }
 
 enum { LIGHT_RAYS = ALGSURF_I_RAYS_OF_ONE, AMBIENT_RAYS = 16 }; /* for a pixel */
@@ -84,38 +59,24 @@ static int count_rays(const algsurf_i_picture *picture, const algsurf_i_line *li
     return l->samples_u == 0 ? each_of(LIGHT_RAYS, line->across) : l->samples_u * l->samples_v;
 }
 
-enum { LEAST_FOR_FAN = 12 }; /* rays: fewer cost less than a fan */
-
-/* The light's fan, if that pays. */
-static const algsurf_i_fan *fan_of(const algsurf_i_picture *picture, int light, int rays) {
-    const algsurf_i_fan *fans = picture->packets ? picture->packets->fans : NULL;
-    return fans && fans[light].usable && rays >= LEAST_FOR_FAN ? fans + light : NULL;
-}
-
 static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
     const algsurf_i_packets *packets = picture->packets;
-    const int rays = count_rays(picture, line, light), around = light == picture->light_count,
-              unit = picture->scene->surface->unit;
+    const int rays = count_rays(picture, line, light), around = light == picture->light_count;
     algsurf_i_shadow_job job = {.ball = AMBIENT_REACH * picture->lighting.radius,
                                 .lattice = ALGSURF_I_LATTICE_STEP * line->across * line->across * rays,
                                 .extent_kind = picture->scene->extent.kind};
     if (!around) {
         const algsurf_i_samples *samples = &picture->light_samples;
         job.light = &picture->lights[light];
-        job.fan = fan_of(picture, light, rays);
         for (int k = 0; k < 2 && job.light->samples_u > 0; k++)
             job.place[k] = samples->place[k] + samples->first[light];
     }
     if (!packets) return job;
     job.taylor = packets->taylor && packets->taylor->usable ? packets->taylor : NULL;
-    job.unit = ldexp(1, -unit);
+    job.unit = ldexp(1, -picture->scene->surface->unit);
     job.planes = packets->planes;
     job.plane_count = packets->plane_count;
-    const algsurf_i_view *view = &packets->frame.view;
-    for (int i = 0; i < 3; i++) {
-        if (!around) job.to_light[i] = (ldexp(job.light->position[i], -unit) - view->centre[i]) / view->size;
-        job.extent_size[i] = packets->extent_size[i];
-    }
+    for (int i = 0; i < 3; i++) job.extent_size[i] = packets->extent_size[i];
     return job;
 }
 
@@ -142,16 +103,14 @@ static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line 
     const algsurf_i_shadow_job *job = &rays->jobs[light];
     algsurf_i_starts *starts = &rays->starts;
     const int count = count_rays(picture, line, light);
-    uint8_t how[ALGSURF_I_STARTS] = {0};
-    if (job->light) code->see_light(job, starts, how);
     for (int i = 0; i < starts->count; i++) {
         starts->seen[i] = line->visible + (first + i) * (picture->light_count + 1) + light;
-        *starts->seen[i] = how[i] == ALGSURF_I_LIT ? count : 0;
+        *starts->seen[i] = 0;
     }
     if (!job->place[0]) set_lattices(picture, line, row, light, first, starts);
     for (int from = 0; from < count; from += ALGSURF_I_RAYS_OF_ONE) {
         int more = count - from < ALGSURF_I_RAYS_OF_ONE ? count - from : ALGSURF_I_RAYS_OF_ONE;
-        code->see_rays(job, starts, job->taylor ? &rays->solids : NULL, how, from, more, &rays->undecided);
+        code->see_rays(job, starts, job->taylor ? &rays->solids : NULL, from, more, &rays->undecided);
         algsurf_status status = algsurf_i_collect_undecided(rays);
         if (status < 0) return status;
     }

@@ -1,7 +1,6 @@
 /* shadow_kernel.h - rays from points of the surface to lights, and around, by every kernel. */
 #ifndef ALGSURF_SHADOW_KERNEL_H
 #define ALGSURF_SHADOW_KERNEL_H
-#include "../surface/fan.h"
 #include "../surface/taylor.h"
 #include "kernel.h"
 
@@ -25,22 +24,16 @@ typedef struct algsurf_i_solids {
 /* Where rays from points go, and what is known of those they may meet. */
 typedef struct algsurf_i_shadow_job {
     const algsurf_i_taylor *taylor; /* for their expansion; null: nothing is known of rays */
-    const algsurf_i_fan *fan;       /* of the light; null: nothing is known of it as a whole */
     const algsurf_light *light;     /* null: rays end on a ball that touches the point's plane, */
     double ball;                    /* of that radius, the same for all of a picture's jobs */
     const double *place[2];         /* of the light, in its edges from its middle: rays go there; or null: */
     double lattice;                 /* they go to points of lattices, which have so many */
     double unit;                    /* of the caller's coordinates, in natural ones */
-    double to_light[3];             /* its middle about the fan's centre, in the fan's unit */
-    int extent_kind;                /* sphere or box, about that centre */
-    double extent_size[3];          /* in that unit */
+    int extent_kind;                /* sphere or box, about the view's centre */
+    double extent_size[3];          /* in the view's unit */
     const algsurf_i_cut_plane *planes; /* in the caller's axes */
     int plane_count;
 } algsurf_i_shadow_job;
-
-/* How much of a light a point sees: all of it, or what is hidden makes no difference; nothing; or that is not
- * known. */
-enum { ALGSURF_I_UNKNOWN = 0, ALGSURF_I_LIT = 1, ALGSURF_I_DARK = 2 };
 
 /* Rays of which it is not known whether they arrive. */
 typedef struct algsurf_i_undecided {
@@ -52,16 +45,13 @@ typedef struct algsurf_i_shadow_kernel {
     /* Points from `first` on, lifted by `height`, and by what a far hit may be off. */
     void (*lift)(const algsurf_i_points *points, int first, int count, double height,
                  algsurf_i_starts *starts);
-    /* how[i]: how much start i sees of the job's light. */
-    void (*see_light)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, uint8_t *how);
     /* P about the points, for all jobs of a picture. */
     void (*expand)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts, algsurf_i_solids *solids);
-    /* Rays from `from` on, `rays` of them, of each start that sees an unknown part of the light: adds those
-     * that are not hidden to *seen; what is below the point's tangent plane counts as seen: shading knows how
-     * the point lies.  Undecided ones are appended.  solids: null where nothing is known of rays. */
+    /* Rays from `from` on, `rays` of them, of each start: adds those that are not hidden to *seen; what is
+     * below the point's tangent plane counts as seen: shading knows how the point lies.  Undecided ones are
+     * appended.  solids: null where nothing is known of rays. */
     void (*see_rays)(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                     const algsurf_i_solids *solids, const uint8_t *how, int from, int rays,
-                     algsurf_i_undecided *undecided);
+                     const algsurf_i_solids *solids, int from, int rays, algsurf_i_undecided *undecided);
 } algsurf_i_shadow_kernel;
 
 extern const algsurf_i_shadow_kernel algsurf_i_shadow_avx512, algsurf_i_shadow_avx2,

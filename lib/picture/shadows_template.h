@@ -34,6 +34,6 @@ static void lift(const algsurf_i_points *points, int first, int count, double he
 }
 
 const algsurf_i_shadow_kernel KERNEL(algsurf_i_shadow) = {
-    .lift = lift, .see_light = see_light, .expand = expand, .see_rays = see_rays};
+    .lift = lift, .expand = expand, .see_rays = see_rays};
 
 #endif

@@ -20,7 +20,7 @@
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
     int count, *at;
-    double *from, *to;
+    double *from;
 } tile_list;
 
 int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *p) {
@@ -40,7 +40,6 @@ static void lay_out_lists(const algsurf_i_tiling *t, int level, int rows, int st
     for (int r = 0; r < rows; r++) {
         lists[r].at = t->at + offset + r * room;
         lists[r].from = t->from + offset + r * room;
-        lists[r].to = t->to + offset + r * room;
     }
 }
 
@@ -48,8 +47,7 @@ static void take_all(int size, int begin, int end, tile_list *list) {
     list->count = 0;
     for (int x = begin; x < end; x += size) {
         list->at[list->count] = x;
-        list->from[list->count] = -1;
-        list->to[list->count++] = 1;
+        list->from[list->count++] = -1;
     }
 }
 
@@ -60,8 +58,7 @@ static void take_halves(const tile_list *large, int size, int width, tile_list *
         int x = large->at[i / 2] + i % 2 * size;
         if (x >= width) continue;
         list->at[list->count] = x;
-        list->from[list->count] = large->from[i / 2];
-        list->to[list->count++] = large->to[i / 2];
+        list->from[list->count++] = large->from[i / 2];
     }
 }
 
@@ -88,7 +85,6 @@ static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, t
     job->count = list->count;
     job->at = list->at;
     job->from = list->from;
-    job->to = list->to;
     picture->code->search_tiles(job);
     list->count = job->count;
 }

@@ -26,15 +26,6 @@
  * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
  * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
  *
- *     Where nothing is kept but the answer (no cells, no `within`), a cell with one variation after cells
- * without one is enough if all chords hold it: each ray has one root there, a simple one, and none before, so
- * the first roots are one continuous sheet.
- *
- * Last place.  No ray has a root before p, nor before the place `from` that is known.  Where P surely has one
- * sign before the first roots and the other at q, each ray has a root between.  If all chords begin before p
- * or `from`, the first such root is the first on the ray's chord, unless the chord ends before it: nothing
- * behind q need be searched.
- *
  * Differences of the rest.  Over the tile's depths they are at most 2 max rest; n times that bounds the
  * derivative, and so in a part of a share s of these depths differences are at most 2 s max rest.  Rounding
  * has no derivative: it counts twice in full. */
@@ -290,35 +281,25 @@ INLINE double depth_at(const tile_packet *g, int l, double place) {
     return 2 * (g->lo[l] + place * (g->hi[l] - g->lo[l])) - 1;
 }
 
-INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *g, int l, lanes from,
-                              lanes to) {
+INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *g, int l, double from,
+                              double to) {
     double half = 0.5 * job->size;
     return (algsurf_i_tile){.x = g->x[l] + half,
                             .y = job->y + half,
                             .inverse = 1 / half,
-                            .low = depth_at(g, l, from[l]),
-                            .high = depth_at(g, l, to[l])};
+                            .low = depth_at(g, l, from),
+                            .high = depth_at(g, l, to)};
 }
 
-/* No ray has its first root behind it.  Who looks for what is thin looks there, too. */
-INLINE lanes last_place(const algsurf_i_tile_job *job, const tile_packet *g, const verdict *v) {
-    mask ends = v->crossed & at_most(g->least, larger(g->from, g->lo + v->p * (g->hi - g->lo)));
-    return job->within ? all_lanes(1) : choose(ends, v->beyond, all_lanes(1));
-}
-
-/* Tells of each tile what it is, and returns those that are not decided: each of their rays has its first
- * root between p and q, or none. */
-INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q, int n) {
+/* Tells of each tile what it is, and returns those that are not decided: no ray has a root before p. */
+INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     beam whole;
     expand_tiles_n(job, g, n);
     range_of(g, &whole, n);
     verdict v;
     search(&whole, g->rounding, g->open, n, &v);
-    mask sheets = g->open & v.one, plain = no_lane();
+    mask sheets = g->open & v.one;
     *p = v.p;
-    *q = last_place(job, g, &v);
-    if (!job->cell && !job->within) plain = sheets & in_chords(g, v.p, v.q);
-    sheets &= ~plain;
     if (any(sheets)) {
         lanes z[ALGSURF_I_SERIES], from = v.p, to = v.q, steep;
         series_n(g, &whole, middle_root(&whole, v.guess, from, to, v.side, n), z, n);
@@ -326,19 +307,19 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q
         unsigned which = bits(sheets);
         for (int l = 0; l < LANES; l++) {
             if (!(which >> l & 1)) continue;
-            algsurf_i_tile tile = tile_of(job, g, l, from, to);
+            algsurf_i_tile tile = tile_of(job, g, l, from[l], to[l]);
             tile.depth[0] = depth_at(g, l, z[0][l]);
             for (int i = 1; i < ALGSURF_I_SERIES; i++) tile.depth[i] = 2 * (g->hi[l] - g->lo[l]) * z[i][l];
             tile.enough = 0.5 * ALGSURF_I_NEAR * steep[l];
             record(job, &tile, (int)g->x[l]);
         }
     }
-    return g->open & ~v.empty & ~(sheets | plain);
+    return g->open & ~v.empty & ~sheets;
 }
 
-APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, lanes *q, int n) {
+APART mask decide(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     mask open = no_lane();
-    FOR_DEGREE(n, open = decide_n(job, g, p, q, N))
+    FOR_DEGREE(n, open = decide_n(job, g, p, N))
     return open;
 }
 
@@ -349,26 +330,23 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
     double half = 0.5 * job->size;
     tile_packet g = {
         .y = job->y, .v = job->beam->v, .hu = copysign(job->beam->hu, row->du), .hv = job->beam->h};
-    lanes p, q;
+    lanes p;
     g.x = load_some_integers(job->at + first, count);
     g.u = all_lanes(row->u0) +
           all_lanes(row->du) * ((g.x + all_lanes(half + row->offset)) * all_lanes(row->pixel));
     g.open = less(numbered(), all_lanes(count));
-    lanes to = load_some(job->to + first, count), from = load_some(job->from + first, count);
+    lanes from = load_some(job->from + first, count);
     clip_tiles(job, from, &g);
     if (!any(g.open)) return open_count;
-    unsigned open = bits(decide(job, &g, &p, &q, job->beam->degree));
+    unsigned open = bits(decide(job, &g, &p, job->beam->degree));
     for (int l = 0; l < LANES; l++) {
         if (!(open >> l & 1)) continue;
         if (job->cell && job->size == ALGSURF_I_LEAF) {
-            algsurf_i_tile leaf = tile_of(job, &g, l, p, q);
-            leaf.high = fmin(leaf.high, to[l]);
+            algsurf_i_tile leaf = tile_of(job, &g, l, p[l], 1);
             leaf.low = fmax(leaf.low, from[l]);
             record(job, &leaf, (int)g.x[l]);
         } else {
             job->at[open_count] = (int)g.x[l];
-            job->to[open_count] = fmin(to[l], depth_at(&g, l, q[l]));
-            if (job->within) job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
             job->from[open_count++] = fmax(from[l], depth_at(&g, l, p[l]));
         }
     }

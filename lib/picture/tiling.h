@@ -32,15 +32,13 @@ typedef struct algsurf_i_tiling {
     double *square; /* (degree+1)^2 */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
-    double *to;
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
-    /* of those that get all their samples, between which depths each ray's first root is; */
-    double *list_low, *list_high;
+    double *list_low; /* of those that get all their samples: their rays have no root before; */
     /* and the pixels that are solved side by side, in the order of the row */
     int pixels, *pixel;
-    double *pixel_low, *pixel_high, *pixel_depth;
+    double *pixel_low, *pixel_depth;
     uint8_t *pixel_state;
     algsurf_i_dips dips; /* of these; */
     double *thin;        /* depths of what is thin */

@@ -85,7 +85,7 @@ algsurf_status algsurf_i_solve_undecided(const algsurf_i_picture *picture, doubl
 }
 
 algsurf_status algsurf_i_solve_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                     algsurf_i_line *line, algsurf_i_tally *tally) {
+                                    algsurf_i_line *line, algsurf_i_tally *tally) {
     double begun = algsurf_i_render_clock(picture);
     int width = picture->width;
     for (int x = 0; x < width; x++)

@@ -8,9 +8,9 @@
  * up on its way, is at most |q_ijk| x^i y^j for |z| <= 1.  On that way it meets at most 5 roundings for each
  * factor y = v + z slope (the slope's own 2, a product, two sums), 5 for each factor x = u + z (alpha u +
  * beta) (two products and two sums; powers of u meet a product and a sum of the last Horner scheme instead),
- * 4 n + 5 in the change to the segment and to its basis, one in q: w = 5 (i + j) + 4 n + 8 takes in the
- * higher orders.  So the error is
- * at most u sum w |q_ijk| x^i y^j.
+ * 4 n + 5 in the change to a part of the depths and its basis (2 n in Taylor's shift, n + 1 for powers of
+ * half its length, n / 2 + 4 in the basis: its entry, the product, the sums of even and of odd powers), one in
+ * q: w = 5 (i + j) + 4 n + 8 takes in the higher orders.  So the error is at most u sum w |q_ijk| x^i y^j.
  *
  * A surface's coefficients with a relative error e: q_ijk moves by at most e times what the frame's scheme
  * makes of magnitudes, which takes the place of |q_ijk| then.
