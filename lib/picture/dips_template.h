@@ -71,9 +71,9 @@ INLINE lanes least_near(const lanes *w, int n, lanes place, lanes *least, lanes 
 }
 
 /* Of solved rays, in front of their hits z, or all along the ranges of those that are open.  at: the pixels. */
-APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z,
-                    mask open, const int *at, algsurf_i_dips *dips, int n) {
-    if (n < 2 || n > MOST_DEGREE) __builtin_unreachable();
+INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z,
+                       mask open, const int *at, algsurf_i_dips *dips, int n) {
+    if (n < 2) return;
     const lanes zero = all_lanes(0), one = all_lanes(1);
     lanes from = zero, size = one, cut[MOST_DEGREE + 1];
     lanes end = choose(k->hit, (z - job->thin_before - r->lo) / r->length, one);
@@ -117,6 +117,11 @@ APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_ra
         size = choose(on & at_most(pairs, whole) & at_most(whole, pairs), 2 * size, size);
         open &= less(from, one);
     }
+}
+
+APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, const lanes *z,
+                    const mask *open, const int *at, algsurf_i_dips *dips, int n) {
+    FOR_DEGREE(n, add_dips_n(job, s, r, k, *z, *open, at, dips, N))
 }
 
 #endif

@@ -110,7 +110,7 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         mask searched = solve_packet(job, &s, load_some(p->low + i, count), &k, &r, &z, n);
         store_solved(&k, z, count, depth + i, state + i);
         searched &= less(numbered(), all_lanes(count));
-        if (dips && n > 1 && any(searched)) add_dips(job, &s, &r, &k, z, searched, p->at + i, dips, n);
+        if (dips && any(searched)) add_dips(job, &s, &r, &k, &z, &searched, p->at + i, dips, n);
     }
 }
 

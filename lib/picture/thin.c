@@ -61,7 +61,7 @@ void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
         look_in(&p->frame, (const double[]){b, 1, a}, most);
         look_in(&p->frame, (const double[]){a, b, 1}, most);
     }
-    for (int m = 0; m <= n; m++) p->thin_bends[m] = m * (m - 1) * (pixel * pixel) * most[m];
+    for (int m = 0; m <= n; m++) p->thin_bends[m] = 0.5 * m * (m - 1) * (pixel * pixel) * most[m];
 }
 
 static int point_of(const algsurf_i_line *line, int x) {

@@ -313,7 +313,7 @@ static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, 
         const lanes pixel = look_at(&b, at).pixel, g[3] = {p.x, p.y, p.z};
         lanes bends = 4 * (p.xx * p.xx + p.yy * p.yy + p.zz * p.zz) + 2 * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz);
         lanes value = absolute(p.v) - rounding_of(points) * p.size;
-        const unsigned which = bits(open & at_most(value, pixel * pixel * root(bends)) & at_most(value, pixel * root(dot(g, g))));
+        const unsigned which = bits(open & at_most(value, 0.5 * pixel * pixel * root(bends)) & at_most(value, 0.5 * pixel * root(dot(g, g))));
         for (int l = 0; which >> l && l < LANES; l++) {
             if (!(which >> l & 1)) continue;
             dips->at[kept] = dips->at[i + l];
