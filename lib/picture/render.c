@@ -84,8 +84,8 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
-    picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     picture->thin = picture->packets && scene->thin && !scene->complex;
+    picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;

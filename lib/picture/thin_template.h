@@ -79,6 +79,14 @@ static expansion expand_about(const algsurf_surface *s, const lanes at[3]) {
     return p;
 }
 
+INLINE lanes slope_of(const expansion *p) { return root(p->x * p->x + (p->y * p->y + p->z * p->z)); }
+
+/* At least the largest second derivative, at most 3^(1/2) times as much. */
+INLINE lanes bend_of(const expansion *p) {
+    return root(4 * (p->xx * p->xx + p->yy * p->yy + p->zz * p->zz) +
+                2 * (p->xy * p->xy + p->xz * p->xz + p->yz * p->yz));
+}
+
 /* Jacobi's rotation that makes a_pq zero; v[i] becomes the i-th eigenvector. */
 INLINE void rotate(lanes a[3][3], lanes v[3][3], int p, int q) {
     lanes zero = all_lanes(0), one = all_lanes(1);
@@ -277,7 +285,8 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         error = 4 * rounding * p.size;
         value = sign * p.v;
         ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far);
-        ends &= at_most(value, 0x1p-10 * first + error);
+        ends &= at_most(value, 0x1p-10 * first + error) &
+                at_most(pixel * slope_of(&p), 0x1p-4 * pixel * pixel * bend_of(&p) + error);
         if (!any(ends)) continue;
         for (int k = 0; k < 3; k++) behind[k] = at[k] - start[k];
         ends &= at_most(-0x1p-4 * first - error, sign * value_at(b, at, behind, all_lanes(1)));
@@ -310,10 +319,10 @@ static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, 
         lanes at[3];
         mask open = take_dips(points, rows, dips, i, &b, at);
         const expansion p = expand_about(points->surface, at);
-        const lanes pixel = look_at(&b, at).pixel, g[3] = {p.x, p.y, p.z};
-        lanes bends = 4 * (p.xx * p.xx + p.yy * p.yy + p.zz * p.zz) + 2 * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz);
+        const lanes pixel = look_at(&b, at).pixel;
         lanes value = absolute(p.v) - rounding_of(points) * p.size;
-        const unsigned which = bits(open & at_most(value, 0.5 * pixel * pixel * root(bends)) & at_most(value, 0.5 * pixel * root(dot(g, g))));
+        const unsigned which = bits(open & at_most(value, 0.5 * pixel * pixel * bend_of(&p)) &
+                                      at_most(value, 0.5 * pixel * slope_of(&p)));
         for (int l = 0; which >> l && l < LANES; l++) {
             if (!(which >> l & 1)) continue;
             dips->at[kept] = dips->at[i + l];
