@@ -3,13 +3,13 @@
  *
  * From P's Bernstein coefficients over the part of a ray that is looked at: their differences show where |P|
  * falls and then grows.  Parts where that may be, and where a coefficient is not large, are halved until it
- * happens once, and Newton's method on P's derivative has come close, or until they are as short as a pixel is
- * wide.
+ * happens once, and Newton's method on P's derivative has come close, or until they are as short as a pixel
+ * is wide.
  *
  * Large.  Let l be the largest second derivative about a point without width, or a line, and d the size of a
- * pixel: it is at most d / 2^(1/2) from the ray of its pixel, so that P is at most l d^2 / 4 there.  Four times
- * that is taken; and l is at most sum m (m-1) r^(m-2) M_m at a distance r from the view's centre, where M_m
- * bounds P's terms of degree m on the unit sphere (Banach). */
+ * pixel: it is at most d / 2^(1/2) from the ray of its pixel, so that P is at most l d^2 / 4 there.  Four
+ * times that is taken; and l is at most sum m (m-1) r^(m-2) M_m at a distance r from the view's centre, where
+ * M_m bounds P's terms of degree m on the unit sphere (Banach). */
 #ifndef ALGSURF_DIPS_TEMPLATE_H
 #define ALGSURF_DIPS_TEMPLATE_H
 #include "sight_template.h"
@@ -39,7 +39,8 @@ typedef struct falls {
 INLINE falls falls_of(const lanes *w, lanes large, int n) {
     const lanes zero = all_lanes(0);
     mask fell = no_lane(), rose = fell, some = fell, more = fell;
-    lanes least = w[0], most = absolute(w[0]), before = all_lanes(-1), after = zero, last = zero, place = zero;
+    lanes least = w[0], most = absolute(w[0]), before = all_lanes(-1), after = zero, last = zero,
+          place = zero;
     for (int j = 1; j <= n; j++) {
         lanes step = w[j] - w[j - 1];
         mask down = less(step, zero), up = less(zero, step), here = up & fell & ~rose;
@@ -70,7 +71,8 @@ INLINE lanes least_near(const lanes *w, int n, lanes place, lanes *least, lanes 
     }
 }
 
-/* Of solved rays, in front of their hits z, or all along the ranges of those that are open.  at: the pixels. */
+/* Of solved rays, in front of their hits z, or all along the ranges of those that are open.  at: the pixels.
+ */
 INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, lanes z,
                        mask open, const int *at, algsurf_i_dips *dips, int n) {
     if (n < 2) return;
@@ -93,7 +95,8 @@ INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth
             split_shares(w, cut, n, size, 1 - to);
             for (int j = 0; j <= n; j++) w[j] = cut[j];
         }
-        const lanes large = larger(large_at(job, s, r->lo + length * from, n), large_at(job, s, r->lo + length * to, n));
+        const lanes large =
+            larger(large_at(job, s, r->lo + length * from, n), large_at(job, s, r->lo + length * to, n));
         const falls f = falls_of(w, k->e[0] + large, n);
         mask some = open & f.some, on = open & ~some;
         const lanes pixel = job->thin_side / (length * size);
@@ -119,8 +122,8 @@ INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth
     }
 }
 
-APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k, const lanes *z,
-                    const mask *open, const int *at, algsurf_i_dips *dips, int n) {
+APART void add_dips(const algsurf_i_row_job *job, const sight *s, const depth_range *r, packet *k,
+                    const lanes *z, const mask *open, const int *at, algsurf_i_dips *dips, int n) {
     FOR_DEGREE(n, add_dips_n(job, s, r, k, *z, *open, at, dips, N))
 }
 

@@ -48,8 +48,8 @@ static void look_in(const algsurf_i_frame_form *frame, const double d[3], double
     for (int m = 0; m <= n; m++, size *= length) most[m] = fmax(most[m], fabs(sum[m]) / size);
 }
 
-/* The largest of them in 3 n^2 directions, through a lattice on the faces of a cube, are taken for the largest
- * of all. */
+/* The largest of them in 3 n^2 directions, through a lattice on the faces of a cube, are taken for the
+ * largest of all. */
 void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
     const int n = p->frame.degree;
     double most[ALGSURF_MAX_VIEW_DEGREE + 1] = {0};
@@ -83,7 +83,8 @@ void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, do
     const algsurf_i_point_job points = {scene->surface, &job, NULL};
     picture->code->find_thin(&points, dips, worker->tiling.thin);
     for (int i = 0; i < dips->count; i++) {
-        const int x = dips->at[i], is_hit = line->state[x] == ALGSURF_HIT && scene->intersect.undecided_as != ALGSURF_AS_HIT;
+        const int x = dips->at[i],
+                  is_hit = line->state[x] == ALGSURF_HIT && scene->intersect.undecided_as != ALGSURF_AS_HIT;
         if (!(depth[i] < HUGE_VAL) || line->state[x] == ALGSURF_THIN) continue;
         algsurf_ray ray;
         algsurf_i_camera_ray(&scene->camera, picture->width, picture->height, x + sx, row + sy, &ray);

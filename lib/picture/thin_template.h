@@ -3,8 +3,8 @@
  *
  * Such a thing is a critical point of P beside the ray, at which P is 0 or has the other sign.  So along the
  * part of a ray that is before its hit, or all of its chord:
- * 1. Places of least |P|: where the differences of P's Bernstein coefficients over a part of the ray show that
- *    |P| falls and then grows, and some coefficient is not large; parts are halved until that happens once.
+ * 1. Places of least |P|: where the differences of P's Bernstein coefficients over a part of the ray show
+ * that |P| falls and then grows, and some coefficient is not large; parts are halved until that happens once.
  * 2. From there Newton's method on P's gradient, with the exact second derivatives: in the directions in
  *    which P is curved towards 0 (eigenvectors, with P's sign) and which need a step of MOST_PIXELS at most.
  *    Where P is like a power of the distance, r^m, a step goes 1/(m-1) of the way, and P is (m-1)/m of the
@@ -22,21 +22,24 @@
  * <= sum |l_i| s_i^2, where the s_i are MOST_PIXELS at most; and the |l_i| add up to sum m (m-1) |q_ijk| at
  * most, m = i + j + k, in the view's unit.
  *
- * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere. */
+ * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere.
+ */
 #ifndef ALGSURF_THIN_TEMPLATE_H
 #define ALGSURF_THIN_TEMPLATE_H
 #include "points_template.h"
 #include "sight_template.h"
 
-#define MOST_PIXELS 2  /* of a step */
+#define MOST_PIXELS 2 /* of a step */
 #define NARROW 16
+#define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
 #define TO_ONE_SIDE 0x1p-10 /* pixels: so that what is in the middle between pixels is in one of them */
 #define NEWTON_ROUNDS 10
 
 /* ---- P about a point ---- */
 
-/* P's Taylor expansion about LANES points, up to the second order; the sum of the sizes of its terms there. */
+/* P's Taylor expansion about LANES points, up to the second order; the sum of the sizes of its terms there.
+ */
 typedef struct expansion {
     lanes v, x, y, z, xx, xy, yy, xz, yz, zz, size;
 } expansion;
@@ -126,15 +129,21 @@ static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
 
 /* ---- beside a ray ---- */
 
-/* P's rounding error, as a share of the sizes of its terms. */
-INLINE double rounding_of(const algsurf_i_point_job *job) { return 16 * (job->surface->degree + 1) * 0x1p-53; }
-
-/* A packet of rays, and from where on they are looked at. */
+/* A packet of rays. */
 typedef struct beside {
     const algsurf_i_point_job *job;
     sight s;
     lanes near, far; /* depths of the chord */
 } beside;
+
+INLINE lanes rounding_of(const beside *b, const expansion *p) {
+    return 16 * (b->job->surface->degree + 1) * 0x1p-53 * p->size;
+}
+
+/* Of a value of P that counts as 0: with what directions that count as flat add. */
+INLINE lanes error_of(const beside *b, const expansion *p, lanes pixel) {
+    return rounding_of(b, p) + FLAT * pixel * pixel * bend_of(p);
+}
 
 /* Where a point is viewed: in pixels from the ray, to the right and up; its depth; a pixel's size there. */
 typedef struct viewed {
@@ -155,7 +164,8 @@ INLINE viewed look_at(const beside *b, const lanes at[3]) {
     p.depth = place[2];
     p.pixel = shrunk * all_lanes(view->size * b->job->row->thin_side);
     for (int k = 0; k < 2; k++)
-        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) * all_lanes(1 / b->job->row->thin_side);
+        p.across[k] = ((place[k] - place[2] * all_lanes(view->beta[k])) / shrunk - middle[k]) *
+                      all_lanes(1 / b->job->row->thin_side);
     return p;
 }
 
@@ -179,9 +189,9 @@ INLINE lanes value_at(const beside *b, const lanes at[3], const lanes step[3], l
 
 /* Newton's step: see the head. */
 typedef struct newton_step {
-    lanes step[3], falls; /* the gradient along it, times -1 */
-    lanes taken;          /* so many directions, */
-    lanes left[3];        /* and the last one of the others */
+    lanes step[3], falls;        /* the gradient along it, times -1 */
+    lanes taken;                 /* so many directions, */
+    lanes left[3];               /* and the last one of the others */
     lanes axis[3][3], curved[3]; /* directions, and how much P is curved away from 0 in them */
 } newton_step;
 
@@ -190,7 +200,7 @@ INLINE newton_step step_of(const expansion *p, lanes sign, lanes pixel) {
     lanes l[3];
     newton_step n = {.step = {zero, zero, zero}, .falls = zero, .taken = zero, .left = {zero, zero, zero}};
     find_axes(p, l, n.axis);
-    lanes least = 0x1p-46 * larger(larger(absolute(l[0]), absolute(l[1])), absolute(l[2]));
+    lanes least = FLAT * larger(larger(absolute(l[0]), absolute(l[1])), absolute(l[2]));
     for (int i = 0; i < 3; i++) {
         lanes slope = dot(g, n.axis[i]), curved = sign * l[i];
         mask take = less(least, curved) & at_most(absolute(slope), MOST_PIXELS * pixel * curved);
@@ -217,61 +227,64 @@ INLINE lanes lengthen(const beside *b, const newton_step *n, const lanes at[3], 
 }
 
 /* Along the direction that is left, if it is one, to where the pixel's middle column or row passes. */
-INLINE void follow_line(const beside *b, const newton_step *n, lanes at[3]) {
+INLINE void follow_line(const beside *b, const newton_step *n, mask is_line, lanes at[3]) {
     lanes across[2];
     viewed p = look_at(b, at);
     look_along(b, n->left, across);
     mask flat = at_most(absolute(across[1]), absolute(across[0]));
     lanes along = choose(flat, across[0], across[1]), off = choose(flat, p.across[0], p.across[1]);
-    mask slanted = less(all_lanes(0x1p-7), absolute(along)) & at_most(all_lanes(2), n->taken) & less(n->taken, all_lanes(3));
+    mask slanted = is_line & less(all_lanes(0x1p-7), absolute(along));
     lanes by = choose(slanted, off / choose(slanted, along, all_lanes(1)), all_lanes(0)) * p.pixel;
     for (int k = 0; k < 3; k++) at[k] -= by * n->left[k];
 }
 
-/* Is P 0 around a point of it, as far as doubles tell, on a sheet? */
-static mask is_sheet(const beside *b, const newton_step *n, const lanes at[3], lanes sign, lanes pixel, double rounding) {
-    mask flat[3], sheet;
+/* Is P 0 on a sheet about a point where it is 0: after steps to the sides and back? */
+static mask is_sheet(const beside *b, const newton_step *n, const lanes at[3], lanes sign, lanes pixel) {
+    mask flat[3];
     for (int i = 0; i < 3; i++) {
         lanes to[3];
         for (int k = 0; k < 3; k++) to[k] = at[k] + 0.25 * pixel * n->axis[i][k];
         const expansion p = expand_about(b->job->surface, to);
         const newton_step back = step_of(&p, sign, pixel);
-        flat[i] = at_most(absolute(value_at(b, to, back.step, all_lanes(1))), rounding * p.size);
+        flat[i] = at_most(absolute(value_at(b, to, back.step, all_lanes(1))), rounding_of(b, &p));
     }
-    sheet = (flat[0] & flat[1]) | (flat[0] & flat[2]) | (flat[1] & flat[2]);
-    return sheet;
+    return (flat[0] & flat[1]) | (flat[0] & flat[2]) | (flat[1] & flat[2]);
 }
 
-/* Is what was found, where P has that value, narrow in two directions at least? */
-INLINE mask is_narrow(const beside *b, const newton_step *n, const lanes at[3], lanes value, lanes error, lanes sign, lanes pixel, double rounding, mask open) {
-    lanes zero = all_lanes(0), most = zero, back = zero, directions = zero;
+/* Is what was found, where P has that value, narrow, and no sheet or cone? */
+INLINE mask is_narrow(const beside *b, const newton_step *n, const lanes at[3], lanes value, lanes error,
+                      lanes sign, lanes pixel, mask open) {
+    lanes zero = all_lanes(0), most = zero, back = zero, narrow = zero;
     for (int i = 0; i < 3; i++) {
         most = larger(most, n->curved[i]);
         back = larger(back, -n->curved[i]);
     }
+    open &= at_most(NARROW * back, most);
     for (int i = 0; i < 3; i++)
-        directions += choose(at_most(0x1p-8 * most, n->curved[i]) & at_most(-value, 2 * pixel * pixel * n->curved[i]), all_lanes(1), zero);
-    mask narrow = at_most(all_lanes(2), directions), open_sheet = open & ~narrow & at_most(-error, value);
-    if (any(open_sheet)) narrow |= open_sheet & ~is_sheet(b, n, at, sign, pixel, rounding);
-    return narrow & at_most(NARROW * back, most);
+        narrow +=
+            choose(at_most(0x1p-8 * most, n->curved[i]) & at_most(-value, 2 * pixel * pixel * n->curved[i]),
+                   all_lanes(1), zero);
+    mask sheet = open & less(narrow, all_lanes(2));
+    if (any(sheet & at_most(-error, value))) sheet &= less(value, -error) | is_sheet(b, n, at, sign, pixel);
+    return open & ~sheet;
 }
 
 /* Is there something thin beside the rays at points of theirs?  Then it is at *depth. */
 static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth) {
     const lanes zero = all_lanes(0);
-    const double rounding = rounding_of(b->job);
     lanes at[3] = {start[0], start[1], start[2]};
     expansion p = expand_about(b->job->surface, at);
     lanes sign = choose(less(p.v, zero), all_lanes(-1), all_lanes(1)), first = absolute(p.v);
-    lanes pixel = look_at(b, at).pixel;
+    lanes pixel = look_at(b, at).pixel, most = zero;
     mask found = no_lane();
     for (int round = 0; any(open) && round < NEWTON_ROUNDS; round++) {
         newton_step n = step_of(&p, sign, pixel);
-        lanes value = sign * p.v, error = rounding * p.size, moved = zero, to[3], behind[3];
-        if (round == 0) open &= at_most(value, n.falls + 2 * error);
+        lanes value = sign * p.v, error = error_of(b, &p, pixel), moved = zero, to[3], behind[3];
+        open &= at_most(value, n.falls + 2 * error);
         lanes times = lengthen(b, &n, at, value, open);
         for (int k = 0; k < 3; k++) to[k] = at[k] + times * n.step[k];
-        follow_line(b, &n, to);
+        most = larger(most, n.taken);
+        follow_line(b, &n, less(all_lanes(1), n.taken) & less(most, all_lanes(3)), to);
         for (int k = 0; k < 3; k++) {
             moved = larger(moved, absolute(to[k] - at[k]));
             at[k] = choose(open, to[k], at[k]);
@@ -280,17 +293,16 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         const viewed s = look_at(b, at);
         lanes off = larger(absolute(s.across[0] + TO_ONE_SIDE), absolute(s.across[1] + TO_ONE_SIDE));
         open &= at_most(off, all_lanes(MOST_PIXELS));
-        mask ends = open & at_most(moved, round < NEWTON_ROUNDS - 1 ? 0x1p-6 * pixel : all_lanes(HUGE_VAL));
-        open &= ~ends;
-        error = 4 * rounding * p.size;
+        error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
-        ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far);
-        ends &= at_most(value, 0x1p-10 * first + error) &
+        mask ends = open & at_most(moved, 0x1p-6 * pixel) & at_most(value, 0x1p-10 * first + error);
+        open &= ~ends;
+        ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far) &
                 at_most(pixel * slope_of(&p), 0x1p-4 * pixel * pixel * bend_of(&p) + error);
         if (!any(ends)) continue;
         for (int k = 0; k < 3; k++) behind[k] = at[k] - start[k];
         ends &= at_most(-0x1p-4 * first - error, sign * value_at(b, at, behind, all_lanes(1)));
-        ends &= is_narrow(b, &n, at, value, error, sign, pixel, rounding, ends);
+        ends &= is_narrow(b, &n, at, value, error, sign, pixel, ends);
         *depth = choose(ends, s.depth, *depth);
         found |= ends;
     }
@@ -298,7 +310,8 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
 }
 
 /* Dips i, i+1 ..: their rays, and where those are; returns which there are. */
-INLINE mask take_dips(const algsurf_i_point_job *points, const row_rays *rows, const algsurf_i_dips *dips, int i, beside *b, lanes at[3]) {
+INLINE mask take_dips(const algsurf_i_point_job *points, const row_rays *rows, const algsurf_i_dips *dips,
+                      int i, beside *b, lanes at[3]) {
     const int count = dips->count - i;
     const lanes pixel = load_some_integers(dips->at + i, count), z = load_some(dips->depth + i, count);
     const packet_rays ray = rays_of_packet(rows, pixel, z);
@@ -320,9 +333,9 @@ static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, 
         mask open = take_dips(points, rows, dips, i, &b, at);
         const expansion p = expand_about(points->surface, at);
         const lanes pixel = look_at(&b, at).pixel;
-        lanes value = absolute(p.v) - rounding_of(points) * p.size;
+        lanes value = absolute(p.v) - error_of(&b, &p, pixel);
         const unsigned which = bits(open & at_most(value, 0.5 * pixel * pixel * bend_of(&p)) &
-                                      at_most(value, 0.5 * pixel * slope_of(&p)));
+                                    at_most(value, 0.5 * pixel * slope_of(&p)));
         for (int l = 0; which >> l && l < LANES; l++) {
             if (!(which >> l & 1)) continue;
             dips->at[kept] = dips->at[i + l];
