@@ -14,7 +14,8 @@
 #define ALGSURF_DIPS_TEMPLATE_H
 #include "sight_template.h"
 
-#define DIP_TURNS 100 /* parts of a ray */
+#define DIP_TURNS 100  /* parts of a ray */
+#define OVERLAP 0x1p-5 /* of a part with those beside it: P may be least between them */
 #define MOST_DIPS ALGSURF_I_MOST_DIPS
 
 /* Depths between which a packet is searched. */
@@ -88,22 +89,24 @@ INLINE void add_dips_n(const algsurf_i_row_job *job, const sight *s, const depth
     }
     const lanes length = r->length * end;
     for (int turn = 0; any(open) && turn < DIP_TURNS; turn++) {
-        lanes w[MOST_DEGREE + 1], to = from + size;
+        const lanes to = from + size, lo = larger(from - OVERLAP * size, zero);
+        const lanes hi = smaller(to + OVERLAP * size, one), part = hi - lo;
+        lanes w[MOST_DEGREE + 1];
         for (int j = 0; j <= n; j++) w[j] = k->b[j];
-        if (any(open & less(zero, from))) split_shares(w, cut, n, from, 1 - from);
-        if (any(open & less(to, one))) {
-            split_shares(w, cut, n, size, 1 - to);
+        if (any(open & less(zero, lo))) split_shares(w, cut, n, lo, 1 - lo);
+        if (any(open & less(hi, one))) {
+            split_shares(w, cut, n, part, 1 - hi);
             for (int j = 0; j <= n; j++) w[j] = cut[j];
         }
         const lanes large =
-            larger(large_at(job, s, r->lo + length * from, n), large_at(job, s, r->lo + length * to, n));
+            larger(large_at(job, s, r->lo + length * lo, n), large_at(job, s, r->lo + length * hi, n));
         const falls f = falls_of(w, k->e[0] + large, n);
         mask some = open & f.some, on = open & ~some;
-        const lanes pixel = job->thin_side / (length * size);
+        const lanes pixel = job->thin_side / (length * part);
         const mask flat = at_most(f.most, k->e[0]), ready = some & (f.one | at_most(one, pixel) | flat);
         if (any(ready)) {
             lanes least, off, place = least_near(w, n, f.place, &least, &off);
-            lanes depth = r->lo + length * (from + size * choose(flat, all_lanes(0.5), place));
+            lanes depth = r->lo + length * (lo + part * choose(flat, all_lanes(0.5), place));
             mask known = (f.one & at_most(off, 0.25 * pixel)) | at_most(one, pixel) | flat;
             mask dip = some & known & (flat | at_most(least, k->e[0] + large_at(job, s, depth, n)));
             on |= some & known;

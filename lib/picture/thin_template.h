@@ -33,7 +33,7 @@
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
-#define TO_ONE_SIDE 0x1p-10 /* pixels: so that what is in the middle between pixels is in one of them */
+#define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
 #define NEWTON_ROUNDS 10
 
 /* ---- P about a point ---- */
@@ -238,17 +238,20 @@ INLINE void follow_line(const beside *b, const newton_step *n, mask is_line, lan
     for (int k = 0; k < 3; k++) at[k] -= by * n->left[k];
 }
 
-/* Is P 0 on a sheet about a point where it is 0: after steps to the sides and back? */
+/* Is P 0 on a sheet about a point where it is 0: after steps across the most curved direction, and back? */
 static mask is_sheet(const beside *b, const newton_step *n, const lanes at[3], lanes sign, lanes pixel) {
-    mask flat[3];
+    mask sheet = ~no_lane(), none_yet = sheet;
+    lanes most = larger(larger(n->curved[0], n->curved[1]), n->curved[2]);
     for (int i = 0; i < 3; i++) {
         lanes to[3];
         for (int k = 0; k < 3; k++) to[k] = at[k] + 0.25 * pixel * n->axis[i][k];
         const expansion p = expand_about(b->job->surface, to);
         const newton_step back = step_of(&p, sign, pixel);
-        flat[i] = at_most(absolute(value_at(b, to, back.step, all_lanes(1))), rounding_of(b, &p));
+        mask is_most = none_yet & at_most(most, n->curved[i]);
+        none_yet &= ~is_most;
+        sheet &= is_most | at_most(absolute(value_at(b, to, back.step, all_lanes(1))), rounding_of(b, &p));
     }
-    return (flat[0] & flat[1]) | (flat[0] & flat[2]) | (flat[1] & flat[2]);
+    return sheet;
 }
 
 /* Is what was found, where P has that value, narrow, and no sheet or cone? */
@@ -274,7 +277,9 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
     const lanes zero = all_lanes(0);
     lanes at[3] = {start[0], start[1], start[2]};
     expansion p = expand_about(b->job->surface, at);
-    lanes sign = choose(less(p.v, zero), all_lanes(-1), all_lanes(1)), first = absolute(p.v);
+    const lanes first = absolute(p.v),
+                side = choose(at_most(first, rounding_of(b, &p)), p.xx + p.yy + p.zz, p.v);
+    const lanes sign = choose(less(side, zero), all_lanes(-1), all_lanes(1));
     lanes pixel = look_at(b, at).pixel, most = zero;
     mask found = no_lane();
     for (int round = 0; any(open) && round < NEWTON_ROUNDS; round++) {
@@ -295,7 +300,7 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         open &= at_most(off, all_lanes(MOST_PIXELS));
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
-        mask ends = open & at_most(moved, 0x1p-6 * pixel) & at_most(value, 0x1p-10 * first + error);
+        mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
         open &= ~ends;
         ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far) &
                 at_most(pixel * slope_of(&p), 0x1p-4 * pixel * pixel * bend_of(&p) + error);
