@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "algsurf/algsurf.h"
+#include "scenes.h"
 
 #define W 44
 #define H 33
@@ -35,28 +36,17 @@ static inline algsurf_picture planes_of(picture *p, int row) {
 static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
 static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3.2, 0, 0}};
 
-static inline algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
-    return surface;
-}
-
 static inline algsurf_surface *torus(void) { return surface_of("(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)"); }
 
 static inline algsurf_camera camera_at(double x, double y, double z, double fov) {
     const double eye[3] = {x, y, z};
-    algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, origin, z_up, fov, &camera), ALGSURF_OK);
-    return camera;
+    return pinhole_of(eye, origin, z_up, fov);
 }
 
-static inline algsurf_scene *scene_of(const algsurf_surface *surface, algsurf_quality quality,
-                                      int antialias) {
-    algsurf_scene *scene = NULL;
+static inline algsurf_scene *torus_scene(const algsurf_surface *surface, algsurf_quality quality,
+                                         int antialias) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    algsurf_scene *scene = scene_of(surface, &ball, &camera, NULL);
     assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
     return scene;

@@ -325,6 +325,46 @@ static void test_flat(void **unused) {
     check_roots(3, MOST, &a, 1e-11);
 }
 
+/* The first root is one of two that are close together, or just no longer there, near the ends of intervals
+ * that may be short and far from 0; coefficients are moved by ulps.  Errors are within what is promised. */
+static void test_aimed(void **unused) {
+    (void)unused;
+    uint64_t random = SEED + 13;
+    int found = 0;
+    for (int round = 0; round < 24; round++) {
+        int n = round % 4 < 2 ? 2 : round % 4 == 2 ? 1 : 3 + round / 4, seen[3] = {0, 0, 0};
+        answers a;
+        for (int i = 0; i < MOST; i++) {
+            double at = 4 * exact_random_unit(&random), length = exp2(-15 + 15 * exact_random_unit(&random)),
+                   gap = exp2(-25 + 20 * exact_random_unit(&random));
+            double roots[TOP] = {at - gap * length, at + gap * length};
+            for (int k = 2; k < n; k++) roots[k] = at + 2 * length + 4 * fabs(exact_random_unit(&random));
+            put_product(i, n, roots, n, &random);
+            for (int k = 0; k <= n; k++)
+                for (int j = exact_random_int(&random, 5) - 2; j; j -= j > 0 ? 1 : -1)
+                    c[k][i] = nextafter(c[k][i], j > 0 ? HUGE_VAL : -HUGE_VAL);
+            lo[i] = at - length * (0.5 + 0.6 * exact_random_unit(&random));
+            hi[i] = lo[i] + length;
+        }
+        check(n, MOST, 0, &a, seen);
+        check_roots(n, MOST, &a, 1e-12);
+        found += seen[1];
+    }
+    assert_true(found > 6 * MOST);
+    static const double close[][8] = {
+        {0x1.6b3d055196627p+1, 0x1.6b3d0a741633dp+1, 0x1.01b30cd7af18fp+3, -0x1.6b3d04a24293dp+2, 1},
+        {-0x1.d894e488377e5p+0, 0x1.b18297cebb729p+0, -0x1.a47cf4802fc82p+6, -0x1.4ed463d3d02b4p+8,
+         -0x1.7469d4aa37926p+7, 0x1.f4b00d653bc41p+6, -0x1.40d500bc2da6fp+4, 1}};
+    static const int degree[] = {2, 5};
+    for (int i = 0; i < 2; i++) {
+        answers a;
+        lo[0] = close[i][0], hi[0] = close[i][1];
+        for (int k = 0; k <= degree[i]; k++) c[k][0] = close[i][2 + k];
+        solve(degree[i], 0, 1, 0, NULL, &a);
+        check_roots(degree[i], 1, &a, 1e-12);
+    }
+}
+
 /* p(t / 2^e) 2^f has p's roots times 2^e, and nothing else changes. */
 static void test_scale(void **unused) {
     (void)unused;
@@ -722,6 +762,7 @@ int main(void) {
         cmocka_unit_test(test_touching),        cmocka_unit_test(test_wide_intervals),
         cmocka_unit_test(test_layouts),         cmocka_unit_test(test_kernels_find_all),
         cmocka_unit_test(test_kernels_enclose), cmocka_unit_test(test_infinite_ends),
+        cmocka_unit_test(test_aimed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

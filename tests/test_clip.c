@@ -10,7 +10,7 @@
  */
 #include "intersect_case.h"
 
-#include "algsurf/algsurf.h"
+#include "scenes.h"
 
 #define SEED 20261129u
 
@@ -169,7 +169,7 @@ static void six_planes_are_a_box(void **state) {
     static double numbers[6][RAYS];
     static answers planes_say, box_says, first;
     algsurf_plane planes[6];
-    algsurf_surface *surface = NULL;
+    algsurf_surface *surface = surface_of(tangle);
     uint64_t seed = SEED;
     int hits = 0;
     (void)state;
@@ -178,7 +178,6 @@ static void six_planes_are_a_box(void **state) {
         planes[k] = (algsurf_plane){{0}, side * box.centre[k / 2] + box.size[k / 2]};
         planes[k].normal[k / 2] = side;
     }
-    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
     for (int round = 0; round < 5; round++) {
         set_rays(numbers, &seed);
         for (int k = 0; algsurf_kernel_name(k); k++) {
@@ -217,13 +216,6 @@ static void draw(const algsurf_scene *scene, picture *p) {
     assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
 }
 
-static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent) {
-    algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    return scene;
-}
-
 /* By Brent's method every ray goes by itself, and no fan is asked: what is cut away casts no shadow. */
 static void shadows_as_by_rays(void **state) {
     static const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
@@ -231,11 +223,10 @@ static void shadows_as_by_rays(void **state) {
                                              {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2.5, 2, 2.25}}};
     static const algsurf_plane planes[] = {{{0.3, -1, 0.2}, 0.1}, {{0, 0, 1}, 0.75}, {{-1, 0, 0}, 3.5}};
     static picture fans, rays, whole;
-    algsurf_surface *surface = NULL;
+    algsurf_surface *surface = surface_of(tangle);
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
     for (int i = 0; i < 2; i++) {
-        algsurf_scene *scene = scene_of(surface, &extents[i]);
+        algsurf_scene *scene = scene_of(surface, &extents[i], NULL, NULL);
         assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
         draw(scene, &whole);
         assert_int_equal(algsurf_scene_set_clip(scene, planes, 3), ALGSURF_OK);
@@ -281,12 +272,11 @@ static void complex_space_is_cut(void **state) {
     static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.15}};
     static picture cut, whole;
     algsurf_camera camera;
-    algsurf_surface *surface = NULL;
+    algsurf_surface *surface = surface_of(tangle);
     int fewer = 0, hits = 0;
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation(tangle, NULL, 0, &surface, NULL), ALGSURF_OK);
     assert_int_equal(algsurf_camera_pinhole(eye, centre, up, 45, &camera), ALGSURF_OK);
-    algsurf_scene *scene = scene_of(surface, &ball);
+    algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
     draw(scene, &whole);
@@ -325,12 +315,10 @@ static void bad_planes_are_refused(void **state) {
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}};
     static picture before, after;
     algsurf_intersect_options o = {.size = sizeof o, .plane_count = 1};
-    algsurf_surface *surface = NULL;
+    algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 = 1");
     algsurf_hit hit;
     (void)state;
-    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &surface, NULL),
-                     ALGSURF_OK);
-    algsurf_scene *scene = scene_of(surface, &ball);
+    algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
     o.planes = good, o.plane_count = ALGSURF_MAX_CLIP_PLANES + 1;
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);

@@ -8,6 +8,8 @@
  *   derivatives without their factor, without their error    tips, known
  *   cells beside the sphere by their middles                 hits
  *   one round                                                points, tips, known
+ *   rounding to nearest of the extent's ends, of scaling     ends, diagonals
+ *   cells as a middle and half a length                      ends
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -99,7 +101,7 @@ static void hits(void **state) {
     uint64_t random = seed;
     int found = 0, empty = 0, smaller = 0;
     (void)state;
-    for (int turn = 0; turn < 400; turn++) {
+    for (int turn = 0; turn < 200; turn++) {
         algsurf_surface *surface = random_surface(&random);
         if (!surface) continue;
         const algsurf_extent extent = random_extent(&random);
@@ -109,7 +111,7 @@ static void hits(void **state) {
         for (int k = 0; k < 40; k++) found += check_ray(surface, &extent, &b, &random);
         algsurf_surface_free(surface);
     }
-    assert_true(found > 2000 && empty > 10 && smaller > 10);
+    assert_true(found > 1000 && empty > 5 && smaller > 5);
 }
 
 /* ---- points, which rounding may lose ---- */
@@ -172,6 +174,85 @@ static void approximate(void **state) {
     algsurf_surface_free(unit), algsurf_surface_free(about);
 }
 
+/* ---- ends, against rationals ---- */
+
+static int below(double a, const mpq_t b) { return exact_between(a, b, HUGE_VAL); }
+static int above(double a, const mpq_t b) { return exact_between(-HUGE_VAL, b, a); }
+
+/* centre + side size is in the box, along an axis; the sum is exact. */
+static void check_end(const box *b, const algsurf_extent *e, int axis, const char *what) {
+    mpq_t lo, hi, size;
+    mpq_inits(lo, hi, size, NULL);
+    exact_set(size, e->size[e->kind == ALGSURF_EXTENT_BOX ? axis : 0]);
+    exact_set(lo, e->centre[axis]), exact_set(hi, e->centre[axis]);
+    mpq_sub(lo, lo, size), mpq_add(hi, hi, size);
+    if (!below(b->lo[axis], lo) || !above(b->hi[axis], hi))
+        fail_msg("%s: %a +- %a along %d, not %a .. %a", what, e->centre[axis], mpq_get_d(size), axis,
+                 b->lo[axis], b->hi[axis]);
+    mpq_clears(lo, hi, size, NULL);
+}
+
+/* The plane a x = b in a box, or through the centre of a sphere: its point of the x axis, if that is in the
+ * box, and the extent's ends in y and z. */
+static int check_plane(double a, double b, const algsurf_extent *e) {
+    const algsurf_term terms[2] = {{1, 0, 0, a}, {0, 0, 0, -b}};
+    algsurf_surface *surface;
+    mpq_t root, off, size;
+    mpq_inits(root, off, size, NULL);
+    exact_set(root, a), exact_set(off, b), mpq_div(root, off, root);
+    exact_set(off, e->centre[0]), mpq_sub(off, root, off), mpq_abs(off, off), exact_set(size, e->size[0]);
+    int inside = e->kind == ALGSURF_EXTENT_BOX ? mpq_cmp(off, size) <= 0 : mpq_sgn(off) == 0;
+    assert_int_equal(algsurf_surface_from_terms(terms, b == 0 ? 1 : 2, &surface), ALGSURF_OK);
+    const box found = enclosed(surface, e, ALGSURF_PART_ALL);
+    if (inside) {
+        char what[200];
+        (void)snprintf(what, sizeof what, "seed %llu, %a x = %a, kind %d", (unsigned long long)seed, a, b,
+                       e->kind);
+        if (found.empty || !below(found.lo[0], root) || !above(found.hi[0], root))
+            fail_msg("%s: not in %a .. %a", what, found.lo[0], found.hi[0]);
+        check_end(&found, e, 1, what), check_end(&found, e, 2, what);
+    }
+    algsurf_surface_free(surface);
+    mpq_clears(root, off, size, NULL);
+    return inside;
+}
+
+/* Planes of all sizes, extents down to an ulp of their centre, and to the least and largest doubles. */
+static void ends(void **state) {
+    uint64_t random = seed + 3;
+    int inside = 0;
+    (void)state;
+    (void)check_plane(10, 9, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1, 1, 1}, {0.1, 0.1, 0.1}});
+    (void)check_plane(10, 1e10 - 3, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1e9, 1, 1e17}, {1, 0.1, 0.3}});
+    for (int turn = 0; turn < 500; turn++) {
+        int scale = exact_random_int(&random, 2080) - 1070, fine = exact_random_int(&random, 60);
+        algsurf_extent e = {.kind = turn % 2 ? ALGSURF_EXTENT_SPHERE : ALGSURF_EXTENT_BOX};
+        for (int i = 0; i < 3; i++) {
+            e.centre[i] = ldexp(exact_random_unit(&random), scale);
+            e.size[i] = fmax(0x1p-1074, ldexp(0.1 + fabs(exact_random_unit(&random)), scale - fine));
+        }
+        double a = turn % 2 ? 1 : 1 + exact_random_int(&random, 99), half = 0.9 * exact_random_unit(&random);
+        inside += check_plane(a, turn % 2 ? e.centre[0] : a * (e.centre[0] + half * e.size[0]), &e);
+    }
+    if (inside < 375) fail_msg("only %d of 500 are inside", inside);
+}
+
+/* x = y: each end of the box, where a cell is an ulp long. */
+static void diagonals(void **state) {
+    static const double places[] = {1, 1e20, -1e300, 0x1p1023, 1e-300, 0x1p-1070};
+    algsurf_surface *surface = surface_of("x = y");
+    (void)state;
+    for (int k = 0; k < 6; k++)
+        for (int fine = 0; fine < 60; fine += 3) {
+            const double c = places[k], size = fmax(0x1p-1074, ldexp(0.75 * fabs(c), -fine));
+            const algsurf_extent e = {ALGSURF_EXTENT_BOX, {c, c, -c}, {size, size, size}};
+            const box b = enclosed(surface, &e, ALGSURF_PART_ALL);
+            assert_int_equal(b.empty, 0);
+            for (int i = 0; i < 3; i++) check_end(&b, &e, i, "x = y");
+        }
+    algsurf_surface_free(surface);
+}
+
 /* ---- boxes that are known ---- */
 
 static void check_known(const char *equation, int part, double size, const double lo[3], const double hi[3],
@@ -190,6 +271,8 @@ static void check_known(const char *equation, int part, double size, const doubl
 
 static void known(void **state) {
     (void)state;
+    check_known("(x^2 + 9/4 y^2 + z^2 - 1)^3 = x^2 z^3 + 9/80 y^2 z^3", ALGSURF_PART_ALL, 1.5,
+                (double[]){-1.1390, -0.6936, -1}, (double[]){1.1390, 0.6936, 1.2361}, 1.0 / 16);
     check_known("x^2 + y^2 + z^2 = 9", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
                 0.1);
     check_known("9 = x^2 + y^2 + z^2", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
@@ -271,9 +354,10 @@ static void bad_arguments(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits),           cmocka_unit_test(points),        cmocka_unit_test(tips),
-        cmocka_unit_test(approximate),    cmocka_unit_test(known),         cmocka_unit_test(nothing),
-        cmocka_unit_test(rounding_modes), cmocka_unit_test(bad_arguments),
+        cmocka_unit_test(hits),          cmocka_unit_test(points),  cmocka_unit_test(tips),
+        cmocka_unit_test(approximate),   cmocka_unit_test(ends),    cmocka_unit_test(diagonals),
+        cmocka_unit_test(known),         cmocka_unit_test(nothing), cmocka_unit_test(rounding_modes),
+        cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests_name("enclose", tests, NULL, NULL);
 }

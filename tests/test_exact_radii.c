@@ -1,15 +1,15 @@
 /* test_exact_radii.c - polynomials known up to radii: what is said of all of them, asked of some, by Sturm
  * chains.
  *
- * Members of the set: both envelopes, the middle, and random ones with errors at the ends of their radii and
- * between.  Where no range is, no member has a root; a decided range has one root of each, with the sign
- * before it that was given.
+ * Members of the set: both envelopes, the middle, random ones with errors at the ends of their radii and
+ * between, and for each decided range those with a root there that are steepest and flattest.  Where no range
+ * is, no member has a root; a decided range has one root of each, with the sign before it that was given.
  *
- * Breaks caught, each tried: cells with more than one variation taken for one root, unknown signs in the
- * chains left out, roots at left ends forgotten, a reflection without signs, one envelope for both, roots
- * beyond the ends not dropped, ranges not joined at 0 or when there is no room, a bracket's end a double too
- * far in, a halving without its last shift, derivatives with roots or ends of one sign taken for a root,
- * innermost or outermost pieces left out, an annulus judged by its wrong end or by some of its terms. */
+ * Breaks caught, each tried: an envelope without the signs of odd powers, one for both sides, hidden points
+ * between two roots left out, ranges not joined at 0 or when there is no room, an end that is a root taken
+ * for a known sign, ends of one sign taken for a root, a double root not asked for, also at 0 or with one m
+ * only, terms left out of the bound from the middle of a range, m chosen and not proved, outermost pieces left
+ * out on one side, an annulus judged by its wrong end or by some of its terms. */
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +27,7 @@
 enum { MOST = 80 };
 
 static uint64_t stack[400];
-static long decided, undecided, exact_points, about_zero, beyond;
+static long decided, undecided, exact_points, about_zero, beyond, tilted;
 
 typedef struct set {
     exact_zpoly *p, *radius, *member;
@@ -73,6 +73,54 @@ static void judge_member(const set *s) {
     exact_sturm_clear(&chain);
 }
 
+/* The member with a root at t, not 0, where its slope is as far from the middle one's as it can be: all
+ * errors are at an end of their radii, on one side for k < m and on the other one for k > m, but that of m.
+ * Returns 0 if there is none. */
+static int tilt(const set *s, double t, int m, int up) {
+    exact_zpoly *q = s->member;
+    mpz_t odd, power, f, sum;
+    int n = s->p->n, inside, e = 52 - ilogb(t) > 0 ? 52 - ilogb(t) : 0; /* t 2^e is an integer */
+    mpz_inits(odd, power, f, sum, NULL);
+    mpz_set_d(odd, ldexp(t, e));
+    q->n = n;
+    for (int k = 0; k <= n; k++) { /* the term k, times 2^(e n) */
+        mpz_set(q->c[k], s->p->c[k]);
+        int add = (k > m) == up;
+        if (t < 0 && k % 2) add = !add;
+        if (k != m && k <= s->radius->n && add) mpz_add(q->c[k], q->c[k], s->radius->c[k]);
+        if (k != m && k <= s->radius->n && !add) mpz_sub(q->c[k], q->c[k], s->radius->c[k]);
+        mpz_pow_ui(power, odd, (unsigned)k), mpz_mul_2exp(power, power, (mp_bitcnt_t)(e * (n - k)));
+        if (k == m) mpz_set(f, power);
+        if (k != m) mpz_addmul(sum, power, q->c[k]);
+    }
+    mpz_neg(sum, sum); /* c_m f */
+    mpz_mul(power, f, s->p->c[m]), mpz_sub(power, power, sum);
+    mpz_mul(odd, f, s->radius->c[m]);
+    inside = mpz_cmpabs(power, odd) <= 0;
+    for (int k = 0; k <= n && inside; k++)
+        if (k != m) mpz_mul(q->c[k], q->c[k], f);
+    if (inside) mpz_set(q->c[m], sum);
+    for (int k = 0; k <= n && mpz_sgn(f) < 0; k++) mpz_neg(q->c[k], q->c[k]);
+    mpz_clears(odd, power, f, sum, NULL);
+    return inside;
+}
+
+static void judge_tilted(const set *s, uint64_t *seed) {
+    for (int i = 0; i < s->count; i++) {
+        double lo = s->found[i].lo, hi = s->found[i].hi, size = fmax(fabs(lo), fabs(hi));
+        if (!s->found[i].sign_lo || !(size < 0x1p60 && size > 0x1p-60)) continue;
+        for (int k = 0; k < 4; k++) {
+            int m = exact_random_int(seed, s->p->n + 1), up = exact_random_int(seed, 2);
+            if (m > s->radius->n || mpz_sgn(s->radius->c[m]) == 0) continue;
+            double t = lo + (hi - lo) * fabs(exact_random_unit(seed));
+            if (t == 0 || !tilt(s, t, m, up)) continue;
+            tilted++;
+            exact_zpoly_trim(s->member);
+            judge_member(s);
+        }
+    }
+}
+
 static void judge(set *s, uint64_t *seed) {
     algsurf_memory m;
     algsurf_zpoly p = exact_to_zpoly(s->p, 0, 0), radius = exact_to_zpoly(s->radius, 0, 0);
@@ -101,6 +149,7 @@ static void judge(set *s, uint64_t *seed) {
         exact_zpoly_trim(s->member);
         judge_member(s);
     }
+    judge_tilted(s, seed);
     free(p.c), free(radius.c);
 }
 
@@ -178,6 +227,48 @@ static void test_sets(void **state) {
         judge(s, &seed);
     }
     assert_true(decided > 600 && undecided > 250 && exact_points > 20 && about_zero > 30 && beyond > 2);
+    assert_true(tilted > 500);
+    set_free(s);
+}
+
+/* p' has two roots, and the radius of c_0 hides all between them, or nearly so: members with one root and
+ * with three.  Or a line from a small root to a large one that a little t^2 bends back, or not. */
+static void make_bent(uint64_t *seed, set *s) {
+    long a = exact_random_int(seed, 2001) - 1000, b = a + 1 + exact_random_int(seed, 500);
+    int line = exact_random_int(seed, 3) == 0;
+    s->p->n = s->radius->n = line ? 2 : 3;
+    for (int k = 0; k <= 3; k++) mpz_set_ui(s->p->c[k], 0), mpz_set_ui(s->radius->c[k], 0);
+    if (line) { /* -(2^2w - c) + 2^w t + e t^2, 0 <= c < 2^w or so, |e| about 1/4 */
+        unsigned w = 4 + (unsigned)exact_random_int(seed, 30);
+        mpz_setbit(s->p->c[0], 2 * w), mpz_neg(s->p->c[0], s->p->c[0]);
+        mpz_setbit(s->radius->c[0], 2 * w), mpz_sub_ui(s->radius->c[0], s->radius->c[0], 3);
+        mpz_setbit(s->p->c[1], w);
+        mpz_set_si(s->radius->c[2], 1 + exact_random_int(seed, 16));
+        for (int k = 0; k < 2; k++)
+            mpz_mul_2exp(s->p->c[k], s->p->c[k], 6), mpz_mul_2exp(s->radius->c[k], s->radius->c[k], 6);
+    } else { /* p' = 6 (t - a)(t - b) */
+        mpz_set_si(s->p->c[3], 2), mpz_set_si(s->p->c[2], -3 * (a + b)), mpz_set_si(s->p->c[1], 6 * a * b);
+        mpz_set_si(s->p->c[0], (a + b) * (a * a + b * b - 4 * a * b) / 2 + exact_random_int(seed, 21) - 10);
+        long bend = (b - a) * (b - a) * (b - a) / 2; /* p is so much above 0 at a, and below at b */
+        mpz_set_si(s->radius->c[0], bend / 8 * (7 + exact_random_int(seed, 4)) + exact_random_int(seed, 9));
+        if (exact_random_int(seed, 2)) mpz_set_si(s->radius->c[exact_random_int(seed, 3) + 1], 1);
+    }
+    if (exact_random_int(seed, 2)) /* -t for t */
+        for (int k = 1; k <= 3; k += 2) mpz_neg(s->p->c[k], s->p->c[k]);
+    s->lo = -HUGE_VAL, s->hi = HUGE_VAL;
+}
+
+static void test_bent(void **state) {
+    (void)state;
+    uint64_t seed = SEED + 4;
+    set *s = set_new();
+    decided = undecided = 0;
+    for (int i = 0; i < 1500; i++) {
+        s->round = i;
+        make_bent(&seed, s);
+        judge(s, &seed);
+    }
+    assert_true(decided > 300 && undecided > 300);
     set_free(s);
 }
 
@@ -251,7 +342,8 @@ static void test_memory(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets), cmocka_unit_test(test_tight),
-                                       cmocka_unit_test(test_memory), cmocka_unit_test(test_little_memory)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets), cmocka_unit_test(test_bent),
+                                       cmocka_unit_test(test_tight), cmocka_unit_test(test_memory),
+                                       cmocka_unit_test(test_little_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

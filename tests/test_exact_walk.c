@@ -21,6 +21,7 @@
 #include "exact_known.h"
 #include "exact_roots.h"
 
+#include "algsurf/isolate.h"
 #include "roots/exact.h"
 
 #include <cmocka.h>
@@ -445,6 +446,67 @@ static void test_far(void **state) {
     known_free(k);
 }
 
+/* ---- sizes far apart ---- */
+
+/* c = +-2^(eighths k / 8) + d, or d alone for eighths < 0. */
+typedef struct far_coefficient {
+    int sign, eighths;
+    long d;
+} far_coefficient;
+
+/* The roots of the cubic or quartic for this k, and the time. */
+static double far_roots(const far_coefficient c[5], int k, algsurf_real_root root[4], int *count) {
+    algsurf_integer z[5];
+    mpz_t value[5];
+    int n = 4;
+    for (int i = 0; i <= 4; i++) {
+        mpz_init(value[i]);
+        if (c[i].eighths >= 0) mpz_setbit(value[i], (mp_bitcnt_t)(c[i].eighths * (k / 8)));
+        if (c[i].sign < 0) mpz_neg(value[i], value[i]);
+        if (c[i].d >= 0) mpz_add_ui(value[i], value[i], (unsigned long)c[i].d);
+        if (c[i].d < 0) mpz_sub_ui(value[i], value[i], (unsigned long)-c[i].d);
+        z[i] = (algsurf_integer){(const uint64_t *)mpz_limbs_read(value[i]),
+                                 mpz_sgn(value[i]) * (int)mpz_size(value[i])};
+    }
+    while (z[n].length == 0) n--;
+    clock_t start = clock();
+    algsurf_status status = algsurf_real_roots_integers(z, n, -HUGE_VAL, HUGE_VAL, root, 4, count);
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    assert_int_equal(status, ALGSURF_OK);
+    for (int i = 0; i <= 4; i++) mpz_clear(value[i]);
+    return seconds;
+}
+
+/* One coefficient or several with very many bits: the same roots for all k that put them beyond the doubles,
+ * and the time grows less than with the square of the bits. */
+static void test_sizes(void **state) {
+    (void)state;
+    static const far_coefficient cases[][5] = {
+        {{0, -1, 1}, {-1, 8, 1}, {0, -1, 1}, {0, -1, 1}, {0, -1, 0}}, /* 1 - (2^k - 1) t + t^2 + t^3 */
+        {{0, -1, 1}, {-1, 8, 0}, {0, -1, 1}, {0, -1, 0}, {0, -1, 0}}, /* 1 - 2^k t + t^2 */
+        {{1, 8, 0}, {0, -1, -1}, {0, -1, 0}, {0, -1, 1}, {0, -1, 0}}, /* 2^k - t + t^3 */
+        {{0, -1, -1}, {0, -1, 0}, {0, -1, 0}, {0, -1, 0}, {1, 8, 0}}, /* -1 + 2^k t^4 */
+        {{0, -1, 1}, {-1, 8, 1}, {1, 8, 3}, {0, -1, -1}, {0, -1, 0}}, /* roots 2^-k, 1, 2^k */
+        {{0, -1, 3}, {-1, 8, -1}, {1, 7, 1}, {-1, 4, 1}, {0, -1, 1}}, /* a root 2^(k/8), and pairs */
+        {{0, -1, -2}, {1, 5, 0}, {-1, 8, 0}, {0, -1, 0}, {0, -1, 1}}, /* -2 + .. t - 2^k t^2 + t^4 */
+        {{0, -1, -1}, {1, 2, 0}, {-1, 4, 0}, {1, 6, 0}, {-1, 8, 0}},  /* four sizes at equal distances */
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        algsurf_real_root few[4], many[4];
+        int n, count;
+        double time = 0, longer = HUGE_VAL;
+        (void)far_roots(cases[i], 1 << 14, few, &n);
+        for (int k = 0; k < 3; k++) longer = fmin(longer, far_roots(cases[i], 1 << 18, many, &count));
+        for (int k = 0; k < 16; k++) time += far_roots(cases[i], 1 << 14, few, &n); /* as many bits */
+        if (longer > 8 * time + 0.05) fail_msg("case %zu: %g s for 16 times the bits, %g", i, longer, time);
+        assert_int_equal(n, count);
+        for (int k = 0; k < n; k++)
+            if (few[k].lo != many[k].lo || few[k].hi != many[k].hi || few[k].sign != many[k].sign)
+                fail_msg("case %zu, root %d: [%a, %a] and [%a, %a]", i, k, few[k].lo, few[k].hi, many[k].lo,
+                         many[k].hi);
+    }
+}
+
 /* ---- named polynomials ---- */
 
 static double seconds_of(const known *k, double lo, double hi) {
@@ -712,6 +774,7 @@ int main(void) {
         cmocka_unit_test(test_orthogonal),   cmocka_unit_test(test_lacunary),
         cmocka_unit_test(test_random),       cmocka_unit_test(test_memory),
         cmocka_unit_test(test_near_doubles), cmocka_unit_test(test_piece),
+        cmocka_unit_test(test_sizes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -118,7 +118,7 @@ static void roots_of_all_sizes(void **state) {
         algsurf_i_ray_root roots[6];
         int n = 0;
         intersect_equation(&c, cases[i].equation);
-        assert_int_equal(algsurf_i_exact_roots(c.surface, &everywhere, &ray, NULL, ALGSURF_WANT_ALL,
+        assert_int_equal(algsurf_i_exact_roots(c.surface, &everywhere, &ray, ALGSURF_WANT_ALL,
                                                ALGSURF_DEFAULT_MEMORY, NULL, roots, 6, &n),
                          ALGSURF_OK);
         int as_told = n == cases[i].count;

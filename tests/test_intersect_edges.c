@@ -130,6 +130,21 @@ static int make_extent(edge_case *e, uint64_t *seed) {
     return size > 0;
 }
 
+/* Real space as a part of complex space: the same first hit. */
+static void judge_complex(const edge_case *e, int round) {
+    const algsurf_complex_space space = {.size = sizeof space};
+    intersect_answer a = {.count = 0};
+    int first = 0;
+    while (first < PLANES && e->sign[first] < 0) first++;
+    assert_int_equal(
+        algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL),
+        ALGSURF_OK);
+    if (a.first.state != (first < PLANES ? ALGSURF_HIT : ALGSURF_MISS))
+        refuse(e, &a, "in complex space", round);
+    if (first < PLANES && !exact_between(a.first.t_lo, e->root[first], a.first.t_hi))
+        refuse(e, &a, "not enclosed in complex space", round);
+}
+
 /* The answers, against the oracle's, which must agree with what is known here. */
 static void judge(const edge_case *e, int round, int *ties) {
     intersect_answer a;
@@ -143,6 +158,7 @@ static void judge(const edge_case *e, int round, int *ties) {
         wanted++;
     }
     if (wanted < a.count) refuse(e, &a, "a root outside of the extent", round);
+    judge_complex(e, round);
     *ties += e->sign[0] == 0 || e->sign[1] == 0;
 }
 
@@ -163,6 +179,41 @@ static void roots_at_the_edge(void **state) {
     mpq_clears(e.root[0], e.root[1], NULL);
     if (rounds < ROUNDS / 3 || ties * 5 > rounds || inside * 10 < rounds || inside * 10 > rounds * 9)
         fail_msg("seed %u: %d rounds, %d ties, %d inside", SEED, rounds, ties, inside);
+}
+
+/* Extents as large as the largest double, or a little smaller, and planes that the ray meets at their very
+ * end: no margin can be added to such a size. */
+static void largest_extents(void **state) {
+    uint64_t seed = SEED;
+    int hits = 0, misses = 0;
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        static intersect_case c;
+        intersect_answer a;
+        int box = exact_random_int(&seed, 2), axis = exact_random_int(&seed, 3), exponents[3] = {0};
+        double size =
+            DBL_MAX * (1 - (exact_random_int(&seed, 3) ? 0 : 0x1p-40 * fabs(exact_random_unit(&seed))));
+        algsurf_extent extent = {box ? ALGSURF_EXTENT_BOX : ALGSURF_EXTENT_SPHERE, {0}, {size, size, size}};
+        double length = 0, large = exact_random_int(&seed, 3) ? 0 : 0x1p1021;
+        for (int k = 0; k < 3; k++) {
+            c.ray.origin[k] = (large > 0 ? large : 1) * exact_random_unit(&seed);
+            c.ray.direction[k] = exact_random_unit(&seed);
+            extent.centre[k] = large * exact_random_unit(&seed);
+            length = box ? fmax(length, fabs(c.ray.direction[k])) : hypot(length, c.ray.direction[k]);
+        }
+        double sign = c.ray.direction[axis] < 0 ? -1 : 1, share = fabs(c.ray.direction[axis]) / length;
+        double at = 1 + 0x1p-52 * (exact_random_int(&seed, 5) - 2);
+        if (large > 0) at = exact_random_unit(&seed);
+        exponents[axis] = 1;
+        const algsurf_term terms[] = {{exponents[0], exponents[1], exponents[2], 1},
+                                      {0, 0, 0, -sign * fmin(share * at, 1) * DBL_MAX}};
+        c.ray.t_min = exact_random_int(&seed, 2) ? 0 : -INFINITY, c.ray.t_max = INFINITY;
+        assert_true(intersect_terms(&c, terms, 2));
+        intersect_judge_in(&c, &extent, NULL, &a);
+        hits += a.count > 0, misses += a.count == 0;
+        algsurf_surface_free(c.surface);
+    }
+    if (hits < 100 || misses < 50) fail_msg("seed %u: %d hits, %d misses", SEED, hits, misses);
 }
 
 /* Lines that all but touch the extent, which the surface z = y crosses where they are nearest to its centre.
@@ -224,6 +275,14 @@ static void found_before(void **state) {
          {ball, {0, 0, 0}, {0x1.48f5c28f5c28fp-70}},
          0,
          0},
+        {"y + 0x1.8b34a28380358p+1023",
+         {{0x1.fd470a1b0fdb2p-1, 0x1.464ab478a911p-3, -0x1.f7e7de227d73p-2},
+          {-0x1.2987f0be74c9p-4, -0x1.b4f210b67f38p-1, -0x1.65f6355d44a66p-1},
+          0,
+          inf},
+         {ball, {0, 0, 0}, {DBL_MAX}},
+         1,
+         1},
         {"x^2", {{5, 0, 0}, {0x1p-1074, 0, 0}, -inf, inf}, {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0}}, 1, 2},
     };
     (void)state;
@@ -285,7 +344,7 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     algsurf_ray ray = beside;
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
-    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, NULL, ALGSURF_WANT_ALL,
+    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL,
                                            ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
                      ALGSURF_OK);
     qsort(roots, (size_t)count, sizeof *roots, in_order);
@@ -389,8 +448,9 @@ static void undecided_at_the_edge(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots_at_the_edge), cmocka_unit_test(grazing_lines),
-        cmocka_unit_test(found_before),      cmocka_unit_test(a_long_box),
-        cmocka_unit_test(ends_of_parts),     cmocka_unit_test(undecided_at_the_edge)};
+        cmocka_unit_test(roots_at_the_edge),    cmocka_unit_test(largest_extents),
+        cmocka_unit_test(grazing_lines),        cmocka_unit_test(found_before),
+        cmocka_unit_test(a_long_box),           cmocka_unit_test(ends_of_parts),
+        cmocka_unit_test(undecided_at_the_edge)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

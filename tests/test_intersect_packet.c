@@ -145,7 +145,7 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, NULL, ALGSURF_WANT_FIRST,
+    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST,
                                            ALGSURF_DEFAULT_MEMORY, NULL, &root, 1, &count),
                      ALGSURF_OK);
     if (count == 0) return hit;

@@ -154,7 +154,7 @@ static void test_backwards(void **state) {
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         int count = 0;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
-        assert_int_equal(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, NULL, ALGSURF_WANT_ALL,
+        assert_int_equal(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, ALGSURF_WANT_ALL,
                                                ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE,
                                                &count),
                          ALGSURF_OK);

@@ -9,6 +9,7 @@
 #include "isolate_case.h"
 
 #include <float.h>
+#include <time.h>
 
 #include "algsurf/refine.h"
 #include "environments.h"
@@ -313,6 +314,70 @@ static void test_zero_polynomial_in_a_box(void **state) {
     }
 }
 
+/* ---- high degrees ---- */
+
+/* The roots of a member, which is given in doubles, are in the entries, one in each that is decided. */
+static const char *judge_member(const double *member, int n) {
+    static algsurf_real_root root[ALGSURF_MAX_POLY_DEGREE];
+    int count, in[ALGSURF_MAX_POLY_DEGREE] = {0};
+    if (algsurf_real_roots(member, n, -INFINITY, INFINITY, root, n, &count) != ALGSURF_OK) return "no roots";
+    for (int i = 0, k = 0; i < count; i++) {
+        while (k < answer.count && answer.b[k].hi < root[i].hi) k++;
+        if (k == answer.count || answer.b[k].lo > root[i].lo) return "a root outside the entries";
+        in[k]++;
+    }
+    for (int k = 0; k < answer.count; k++)
+        if (answer.b[k].kind == ALGSURF_BRACKET_ISOLATED && in[k] != 1) return "not one root";
+    return NULL;
+}
+
+static double seconds_of(const double *c, const double *r, int n) {
+    double best = HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        clock_t start = clock();
+        answer.status = algsurf_isolate_all(c, r, n, -INFINITY, INFINITY, NULL, answer.b,
+                                            ALGSURF_MAX_POLY_DEGREE + 1, &answer.count);
+        best = fmin(best, (double)(clock() - start) / CLOCKS_PER_SEC);
+    }
+    return best;
+}
+
+/* As many times the cost without radii, at most, and all members right. */
+static void judge_high(uint64_t *seed, const double *c, const double *r, int n, double most) {
+    double plain = seconds_of(c, NULL, n), time = seconds_of(c, r, n), member[ALGSURF_MAX_POLY_DEGREE + 1];
+    assert_true(answer.status >= 0);
+    if (time > most * plain) fail_msg("degree %d: %g s, without radii %g s", n, time, plain);
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k <= n; k++) member[k] = c[k] + (exact_random_int(seed, 3) - 1) * r[k];
+        const char *wrong = judge_member(member, n);
+        if (wrong) fail_msg("degree %d, member %d, seed %u: %s", n, i, SEED, wrong);
+    }
+}
+
+static void test_high_degrees(void **state) {
+    (void)state;
+    uint64_t seed = SEED;
+    static double c[513], r[513], before[513];
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k <= 512; k++)
+            c[k] = exact_random_int(&seed, 2) ? 1 : -1, r[k] = ldexp(1, -8 - 11 * i);
+        judge_high(&seed, c, r, 512, 100);
+        int sure = 0;
+        for (int k = 0; k < answer.count; k++) sure += answer.b[k].kind == ALGSURF_BRACKET_ISOLATED;
+        assert_true(i == 0 || sure == answer.count);
+    }
+    memset(c, 0, sizeof c), memset(before, 0, sizeof before);
+    before[0] = 1, c[1] = 1;
+    for (int k = 1; k < 256; k++) /* Chebyshev's polynomials, rounded from degree 49 on */
+        for (int j = k + 1; j >= 0; j--) {
+            double next = (j > 0 ? 2 * c[j - 1] : 0) - before[j];
+            before[j] = c[j], c[j] = next;
+        }
+    for (int k = 0; k <= 256; k++) r[k] = ldexp(fabs(c[k]), -52);
+    judge_high(&seed, c, r, 256, 100);
+    assert_true(answer.count > 10);
+}
+
 /* ---- the environment ---- */
 
 typedef struct outcome {
@@ -368,6 +433,7 @@ int main(void) {
         cmocka_unit_test(test_root_on_either_side),
         cmocka_unit_test(test_nothing_far_out),
         cmocka_unit_test(test_counted),
+        cmocka_unit_test(test_high_degrees),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,6 +19,7 @@
 
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
+#include "scenes.h"
 #include "exact.h"
 #include "picture/kernel.h"
 #include "base/vec.h"
@@ -27,9 +28,10 @@ enum { WIDTH = 64, HEIGHT = 48, SPARE = 8, OUTPUTS = 10 };
 static const uint64_t seed = 20240611;
 static const char *const kernel_names[3] = {"baseline", "avx2", "avx512"};
 
-/* What a kernel writes: t, position, normal, direction. */
+/* What a kernel writes: t, position, normal, direction; and whether the root was found. */
 typedef struct batch {
     double at[OUTPUTS][WIDTH + SPARE];
+    uint8_t sure[WIDTH + SPARE];
 } batch;
 
 /* A row of a picture of a surface. */
@@ -40,12 +42,6 @@ typedef struct stage {
     algsurf_i_row_form row;
     algsurf_i_row_job job;
 } stage;
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &s, NULL), ALGSURF_OK);
-    return s;
-}
 
 /* The view of a camera, of a ball about a point. */
 static void set_view(stage *s, const double centre[3], double radius) {
@@ -105,7 +101,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[7], out->at[8], out->at[9]},
                                {{NULL}, {NULL}, {NULL}}};
     const algsurf_i_point_job job = {s->surface, &s->job, NULL};
-    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, &points);
+    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, NULL, out->sure, &points);
 }
 
 static void get(const batch *b, int entry, int first, double v[3]) {
@@ -139,7 +135,13 @@ static int check_entry(const stage *s, int pixel, double depth, const batch *out
     double length = algsurf_length(along), rise = fabs(algsurf_dot(g, along)) / length, doubt = 0, z = depth;
     double step = -value / (view->size * algsurf_dot(gradient, along));
     if (fabs(fabs(step) / 0x1p-16 - 1) < 0.01) return 0;
-    if (fabs(step) <= 0x1p-16) z += step, doubt = 64 * value_bound / rise;
+    if (fabs(step) > 0x1p-16) { /* another root may be as near */
+        assert_int_equal(out->sure[entry], 0);
+        return 1;
+    }
+    if (fabs(step) < 0x1p-27) assert_int_equal(out->sure[entry], 1);
+    if (!out->sure[entry]) return 1;
+    z += step, doubt = 64 * value_bound / rise;
     (void)algsurf_unit(gradient, unit);
     for (int i = 0; i < 3; i++) {
         here[i] = ldexp(x[i] + (z - depth) * view->size * along[i], s->surface->unit);

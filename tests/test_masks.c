@@ -21,6 +21,7 @@
 
 #include "catalogue.h"
 #include "exact_pixel.h"
+#include "scenes.h"
 
 enum { WIDTH = 1024, HEIGHT = 768, ROWS = 24, ROOM = 16, TIERS = 2 };
 
@@ -74,16 +75,12 @@ static void set_camera(view *v, uint64_t *seed) {
 }
 
 static void draw(const view *v, int tier) {
-    algsurf_scene *scene = NULL;
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tiers[tier]};
     const algsurf_render_options o = {
         .size = sizeof o, .width = WIDTH, .height = HEIGHT, .row_begin = v->row_begin, .row_end = v->row_end};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = hits[tier]};
     algsurf_render_stats stats = {.size = sizeof stats};
-    assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+    algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
     assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
     assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
     algsurf_scene_free(scene);

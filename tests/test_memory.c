@@ -121,6 +121,18 @@ static algsurf_status from_equation(void) {
     return status;
 }
 
+/* Polynomials that keep their factors and summands. */
+static algsurf_status from_factors(void) {
+    algsurf_surface *s = untouched;
+    algsurf_status status = algsurf_surface_from_equation(
+        "((x+y+z+1)^5 + (x-y+z)^5/3 - x k)(2 (-(x+y-z+1)^5)^2 (y+z)) = k", constants, 1, &s, NULL);
+    if (status == ALGSURF_OK)
+        algsurf_surface_free(s);
+    else
+        assert_ptr_equal(s, untouched);
+    return status;
+}
+
 static const algsurf_surface *torus; /* made before counting starts */
 
 static algsurf_status scene(void) {
@@ -414,6 +426,7 @@ static void test_surface(void **state) {
     (void)state;
     assert_true(refuse_each(from_terms) > 0);
     assert_true(refuse_each(from_equation) > 0);
+    assert_true(refuse_each(from_factors) > 0);
 }
 
 static void test_root_solver(void **state) {

@@ -1,10 +1,13 @@
 /* test_real_roots.c - algsurf_real_roots_integers against a Sturm chain over GMP's integers; for coefficients
  * that are doubles, the tests of isolate ask it, too.
  *
- * Breaks caught, each tried: the sign of a coefficient lost, no room for it, limbs beyond the first left out,
- * leading zeros taken for the degree.
+ * Roots of powers are judged by exact signs beside them.
+ *
+ * Breaks caught, each tried: ends of a root of q's, neighbours, taken for neighbours of p's, the sign of a
+ * coefficient lost, no room for it, limbs beyond the first left out, leading zeros taken for the degree.
  */
 #include "isolate_case.h"
+#include "roots/walk.h"
 
 static isolate_answer answer;
 
@@ -135,10 +138,157 @@ static void test_refused(void **state) {
     assert_true(count == 1 && t[0].lo == 0 && t[0].hi == 0x1p-1074);
 }
 
+/* A root of t^m q(t^k), refined: a double that is one, or between neighbours of different signs. */
+static void check_final(const double *c, int n, const algsurf_real_root *r) {
+    int at_lo = exact_poly_sign(c, n, r->lo), at_hi = exact_poly_sign(c, n, r->hi);
+    int final = r->lo == r->hi ? at_lo == 0 : nextafter(r->lo, (double)INFINITY) == r->hi;
+    int told = r->lo == r->hi || (at_lo == r->sign && at_hi == -r->sign) || r->multiplicity > 1 ||
+               (at_lo == 0 && r->lo == 0) || (at_hi == 0 && r->hi == 0);
+    if (final && told && (r->root == r->lo || r->root == r->hi)) return;
+    exact_print_doubles("c", c, n + 1);
+    fail_msg("degree %d: root %a in [%a, %a], signs %d, %d", n, r->root, r->lo, r->hi, at_lo, at_hi);
+}
+
+static void check_power(const double *c, int n, double lo, double hi, int expected) {
+    algsurf_real_root t[4];
+    int count = -1;
+    assert_int_equal(algsurf_real_roots(c, n, lo, hi, t, 4, &count), ALGSURF_OK);
+    assert_int_equal(count, expected);
+    for (int i = 0; i < count; i++) check_final(c, n, t + i);
+}
+
+/* q's root, b / a, is among the subnormal numbers, whose neighbours are far apart in proportion: 0 to 53
+ * binary digits of it, and a root below all of them. */
+static void test_powers_of_subnormals(void **state) {
+    (void)state;
+    static const double known[][2] = {{3, 1e-310}, {3, 1e-320}, {0x1p100, 0x1.8p-974}};
+    static const int steps[] = {2, 3, 4, 7, 20, 25, 64, 99, 256};
+    uint64_t seed = 7;
+    for (int i = 0; i < 400; i++) {
+        double a = ldexp(1 + fabs(exact_random_unit(&seed)), exact_random_int(&seed, 200) - 100),
+               c[300] = {0};
+        double root = ldexp(1 + fabs(exact_random_unit(&seed)), -1022 - exact_random_int(&seed, 53));
+        if (a < 1) a = 1 / a;
+        double b = i < 3 ? known[i][1] : a * root;
+        int k = i < 3 ? 20 : steps[exact_random_int(&seed, 9)],
+            m = i % 4 == 3 ? exact_random_int(&seed, 4) : 0;
+        c[m] = i % 2 ? b : -b, c[m + k] = i < 3 ? known[i][0] : a;
+        int roots = c[m] < 0 && k % 2 == 0 ? 2 : k % 2, zero = m > 0, above = c[m] < 0;
+        check_power(c, m + k, -INFINITY, INFINITY, roots + zero);
+        check_power(c, m + k, 0, 1, above + zero);
+        check_power(c, m + k, 0x1p-1074, 1e300, above);
+    }
+}
+
+/* ---- bounds, formulas, boxes: what does not walk ---- */
+
+/* Nothing is cut that holds a root, and p is not 0 at a new end.  Catches: a bound from terms of one sign, a
+ * rounded unit, near and far exchanged. */
+static void check_cut(const double *c, int n, double lo, double hi) {
+    const algsurf_i_coefficients p = {c, NULL, n};
+    double end[2] = {lo, hi};
+    exact_sturm s = exact_sturm_of_doubles(c, n);
+    algsurf_i_cut_far(&p, &end[0], &end[1]);
+    if (end[0] <= end[1]) algsurf_i_cut_near(&p, &end[0], &end[1]);
+    int all = exact_count_roots(&s, lo, hi),
+        kept = end[0] <= end[1] ? exact_count_roots(&s, end[0], end[1]) : 0;
+    int clean = end[0] > end[1] || ((end[0] == lo || exact_poly_sign(c, n, end[0]) != 0) &&
+                                    (end[1] == hi || exact_poly_sign(c, n, end[1]) != 0));
+    exact_sturm_clear(&s);
+    if (all == kept && clean) return;
+    exact_print_doubles("c", c, n + 1);
+    fail_msg("[%a, %a] has %d roots, cut to [%a, %a] %d", lo, hi, all, end[0], end[1], kept);
+}
+
+/* Roots just inside and at a bound: t^k = a and (t - a)^k, of all sizes; terms of both signs at random. */
+static void test_cuts(void **state) {
+    (void)state;
+    static const double ends[][2] = {{-INFINITY, INFINITY}, {0, INFINITY}, {0, 2}, {-3, 0}, {-1, 0x1p-1074}};
+    uint64_t seed = 8;
+    for (int i = 0; i < 1500; i++) {
+        int n = 1 + exact_random_int(&seed, 9), wide = i % 3 == 0 ? 1020 : 20;
+        double c[10] = {0};
+        for (int k = 0; k <= n; k++)
+            c[k] = exact_random_int(&seed, 3) ? exact_random_wide(&seed, -wide, wide) : 0;
+        if (i % 4 == 0)
+            for (int k = 1; k < n; k++) c[k] = 0;
+        if (i % 4 == 1 && wide == 20) {
+            double root = ldexp(exact_random_int(&seed, 63) - 31, exact_random_int(&seed, 9) - 4);
+            for (int k = 0; k <= n; k++) c[k] = k == 0;
+            for (int m = 0; m < n; m++)
+                for (int k = m + 1; k >= 0; k--) c[k] = (k > 0 ? c[k - 1] : 0) - root * c[k];
+        }
+        if (c[0] == 0 || c[n] == 0) continue;
+        for (int j = 0; j < 5; j++) check_cut(c, n, ends[j][0], ends[j][1]);
+    }
+}
+
+/* Roots that are doubles, beside doubles, at an end of the interval and one ulp beside it: degree 1 and 2 by
+ * formula, 3 to 24 by boxes, with 0 as a root, and on all kinds of intervals.  Catches: a box's end taken for
+ * no root, roots on the wrong side of an end, signs that do not alternate, a root at 0 forgotten. */
+static void test_ends_at_roots(void **state) {
+    (void)state;
+    uint64_t seed = 9;
+    for (int i = 0; i < 500; i++) {
+        int n = 0, zeros = i % 5 == 4 ? 1 + i % 3 : 0,
+            most = 1 + exact_random_int(&seed, i % 10 == 0 ? 8 : 5);
+        double c[30] = {1}, ends[5] = {-INFINITY, INFINITY, 0}, root[16];
+        for (int m = 0; m < most; m++) {
+            root[m] = (2 * exact_random_int(&seed, 2) - 1) * (m + 1 + 0.25 * exact_random_int(&seed, 4));
+            n = isolate_times_root(c, n, 4 * root[m], 4);
+        }
+        for (int k = n; zeros && k >= 0; k--) c[k + zeros] = c[k];
+        for (int k = 0; k < zeros; k++) c[k] = 0;
+        ends[3] = root[0], ends[4] = root[most / 2];
+        if (i % 2) c[zeros] = nextafter(c[zeros], i % 4 == 1 ? HUGE_VAL : -HUGE_VAL);
+        for (int a = 0; a < 5; a++)
+            for (int b = 0; b < 5; b++) {
+                double lo = ends[a], hi = ends[b];
+                if (i % 3 == 1 && isfinite(lo)) lo = nextafter(lo, i % 7 < 3 ? HUGE_VAL : -HUGE_VAL);
+                if (lo <= hi) isolate_judge(c, n + zeros, lo, hi, &answer);
+            }
+    }
+}
+
+/* An end at 0, or far beyond the roots, costs no more than one beside them: counted in what the walk looks
+ * at.
+ */
+static void test_zero_is_no_place_to_search(void **state) {
+    (void)state;
+    static double c[513];
+    static algsurf_bracket b[512];
+    uint64_t seed = 10;
+    for (int n = 8; n <= 512; n *= 2)
+        for (int round = 0; round < 3; round++) {
+            size_t cells[3];
+            int count[3];
+            for (int k = 0; k <= n; k++) c[k] = exact_random_unit(&seed);
+            static const double lo[] = {1e-300, 0, -0x1p-1074};
+            for (int i = 0; i < 3; i++) {
+                algsurf_observer o = {.size = sizeof o};
+                const algsurf_isolate_options options = {.size = sizeof options, .observer = &o};
+                assert_int_equal(algsurf_isolate_all(c, NULL, n, lo[i], 2, &options, b, 512, count + i),
+                                 ALGSURF_OK);
+                cells[i] = o.cells;
+            }
+            assert_true(count[1] == count[0] && count[2] == count[0]);
+            assert_true(cells[1] <= cells[0] + 2 && cells[2] <= cells[0] + 4);
+            assert_int_equal(algsurf_isolate_all(c, NULL, n, 0, 0, NULL, b, 512, count), ALGSURF_OK);
+            assert_int_equal(count[0], 0);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_known),   cmocka_unit_test(test_far),
-        cmocka_unit_test(test_form),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_random),
+        cmocka_unit_test(test_known),
+        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_form),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_powers_of_subnormals),
+        cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_ends_at_roots),
+        cmocka_unit_test(test_zero_is_no_place_to_search),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

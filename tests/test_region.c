@@ -5,6 +5,7 @@
  * a ball is told by the signs of |X - c|^2 - r^2 and of its slope.
  *
  * Breaks tried, each caught by the test named:
+ *   extents of the largest sizes without a margin                                  nothing_is_lost
  *   no margin about the extent; planes at their rounded t                          nothing_is_lost
  *   2.5 times the margin; a hundred times the error of a plane: chords too long    nothing_is_lost
  *   a ray along a plane, and without an end, kept wherever it is                   along_a_plane
@@ -16,6 +17,7 @@
 
 #include <cmocka.h>
 
+#include <float.h>
 #include <string.h>
 
 #include "ray_case.h"
@@ -229,6 +231,18 @@ static void set_case(region_case *c, uint64_t *seed) {
     }
 }
 
+/* The same, as large as doubles are: sizes that no margin can be added to. */
+static void make_large(region_case *c, uint64_t *seed) {
+    double most =
+        exact_random_int(seed, 2) ? DBL_MAX : DBL_MAX * (1 - 0x1p-43 * fabs(exact_random_unit(seed)));
+    for (int i = 0; i < 3; i++) {
+        c->extent.centre[i] *= exact_random_int(seed, 2) ? 0x1p1022 : 1;
+        c->extent.size[i] = exact_random_int(seed, 3) ? most : 0x1p1021 * c->extent.size[i];
+        c->ray.origin[i] = exact_random_int(seed, 2) ? c->ray.origin[i] : 0x1p1020 * exact_random_unit(seed);
+    }
+    c->count = 0;
+}
+
 static void fail_case(const region_case *c, int round, const algsurf_ray *chord, const char *why) {
     const double ends[2] = {chord->t_min, chord->t_max}, given[2] = {c->ray.t_min, c->ray.t_max};
     print_case(&c->extent, &c->ray, ends);
@@ -277,6 +291,7 @@ static void nothing_is_lost(void **state) {
         algsurf_ray chord;
         part p;
         set_case(&c, &seed);
+        if (round % 8 == 0) make_large(&c, &seed);
         int ball = c.extent.kind == ALGSURF_EXTENT_SPHERE;
         if (ball) ball_of(q, &c);
         part_of(&p, &c);

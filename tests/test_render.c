@@ -84,7 +84,7 @@ static void pixel_by_pixel(void **state) {
     algsurf_surface *surface = torus();
     (void)state;
     for (int n = 1; n <= 3; n++) {
-        algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, n);
+        algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
         if (n != 2) assert_int_equal(algsurf_scene_set_lights(scene, lights, 2), ALGSURF_OK);
         assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
         assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
@@ -137,7 +137,7 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
     double colour[3];
     unsigned char expected[3];
     assert_int_equal(algsurf_surface_from_terms(plane, 2, &surface), ALGSURF_OK);
-    scene = scene_of(surface, ALGSURF_QUALITY_PREVIEW, 1);
+    scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, 1);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
@@ -289,7 +289,7 @@ static int add_full_colour(const algsurf_lighting *lighting, clearance *clears, 
 static void check_full(const char *equation, clearance *clears, const algsurf_material *material,
                        const algsurf_light *lights, int count, int n, shares *found) {
     algsurf_surface *surface = surface_of(equation);
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, n);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, n);
     algsurf_light all[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     int otherwise = 0;
@@ -432,7 +432,7 @@ static void lighting_of_scenes(void **state) {
     const algsurf_light set[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
                                   {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 1);
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
@@ -477,7 +477,7 @@ static void double_plane(int tier) {
     const algsurf_intersect_options how = {.size = sizeof how, .tier = tier};
     uint64_t all = W * H, open = tier == ALGSURF_TIER_BOUNDED ? all : 0;
     for (int q = ALGSURF_QUALITY_PREVIEW; q <= ALGSURF_QUALITY_FULL; q++) {
-        algsurf_scene *scene = scene_of(surface, (algsurf_quality)q, 1);
+        algsurf_scene *scene = torus_scene(surface, (algsurf_quality)q, 1);
         algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
         assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
         assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
@@ -504,7 +504,7 @@ static void touching_is_drawn(void **state) {
 /* From a million radii with a narrow field of view the picture is that of the parallel projection. */
 static void far_eye(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 1);
     const double eye[3] = {7, 4, 5};
     double distance = 3.2e6, scale = distance / sqrt(90), differ = 0;
     algsurf_camera parallel,
@@ -545,7 +545,7 @@ static void defaults(void **state) {
 
 static void bad_scene(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1), *none = NULL;
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1), *none = NULL;
     algsurf_extent extent = ball;
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_material material = plain;

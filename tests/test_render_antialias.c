@@ -44,7 +44,7 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
     const double sky[3] = {0.6, 0.1, 0.02};
-    algsurf_scene *scene = scene_of(surface, way->quality, 1);
+    algsurf_scene *scene = torus_scene(surface, way->quality, 1);
     assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);

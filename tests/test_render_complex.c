@@ -303,7 +303,7 @@ static void real_space(void **state) {
 static algsurf_scene *from_above(const algsurf_surface *surface, double height) {
     const double eye[3] = {0, 0, height}, up[3] = {0, 1, 0};
     algsurf_camera camera;
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     return scene;

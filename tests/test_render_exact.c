@@ -27,6 +27,7 @@
 
 #include "catalogue.h"
 #include "exact_pixel.h"
+#include "scenes.h"
 
 #define U 0x1p-53
 #define ROOM 16
@@ -279,7 +280,6 @@ static void make_camera(view *v, uint64_t *seed) {
 /* ---- drawing ---- */
 
 static void draw(const view *v, const char *kernel, int row_begin, drawing *out) {
-    algsurf_scene *scene = NULL;
     algsurf_intersect_options how = {.size = sizeof how, .tier = v->tier, .kernel = kernel};
     algsurf_render_options o = {.size = sizeof o,
                                 .width = v->width,
@@ -289,10 +289,7 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
                                 .threads = 1};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = out->bytes, .t = out->hits};
     out->stats.size = sizeof out->stats;
-    assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+    algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
     assert_int_equal(algsurf_scene_set_antialias(scene, v->antialias), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
     assert_int_equal(algsurf_render(scene, &o, &planes, &out->stats), ALGSURF_OK);

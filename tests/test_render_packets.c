@@ -66,7 +66,7 @@ static view view_of(const catalogue_entry *entry, int number, uint64_t *seed) {
 
 static picture *draw(const algsurf_surface *surface, const view *v,
                      const algsurf_intersect_options *options) {
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     picture *p = malloc(sizeof *p);
     assert_non_null(p);
     algsurf_render_options how = options_for(1);

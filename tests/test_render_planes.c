@@ -46,7 +46,7 @@ static algsurf_camera camera_in(const struct way *way) {
 static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *surface, int n) {
     const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
     const algsurf_camera camera = camera_in(way);
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, n);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
@@ -140,7 +140,7 @@ static void undecided(void **state) {
         for (int d = 0; d < 3; d++) {
             const algsurf_intersect_options how = {
                 .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as[d]};
-            algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_PREVIEW, n);
+            algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, n);
             assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
             assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
             picture *p = drawn(scene, 1);
@@ -171,7 +171,7 @@ static void first_of_equals(void **state) {
     const double eye[3] = {0.0625, 0, 4}, at[3] = {0.0625, 0, 0}, up[3] = {0, 1, 0};
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 4}};
     algsurf_surface *surface = surface_of("(z-x)(z+x)");
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     algsurf_camera camera;
     (void)state;
     assert_int_equal(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera), ALGSURF_OK);
@@ -281,7 +281,7 @@ static void any_planes(void **state) {
             const char *kernel;
             for (int k = 0; (kernel = algsurf_kernel_name(k)) != NULL; k++) {
                 const algsurf_intersect_options options = {.size = sizeof options, .kernel = kernel};
-                algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 3);
+                algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
                 assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
                 assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold), ALGSURF_OK);
                 assert_int_equal(algsurf_scene_set_background(scene, look == 0 ? dark : NULL), ALGSURF_OK);
@@ -305,7 +305,7 @@ static void strides(void **state) {
     enum { GAP = 7 };
     static uint8_t tight[H * 4 * W], apart[H * (4 * W + GAP)];
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     const algsurf_render_options o = options_for(2);
     (void)state;
     for (int format = ALGSURF_RGB8; format <= ALGSURF_RGBA8; format++) {

@@ -24,7 +24,7 @@
 static void same_bytes(void **state) {
     static const int threads[4] = {2, 3, 7, 256}, cuts[5] = {0, 1, 9, 20, H};
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 2);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 2);
     picture *one = drawn(scene, 1), *other;
     (void)state;
     assert_int_equal(one->stats.threads, 1);
@@ -77,7 +77,7 @@ static int on_progress(int done, int total, void *data) {
 
 static void progress_calls(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 2);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     picture p;
     (void)state;
     for (int threads = 1; threads <= 4; threads++) {
@@ -97,7 +97,7 @@ static void progress_calls(void **state) {
  * others to be in the middle of one when the caller cancels. */
 static void cancel(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_FULL, 3);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
     picture *whole = drawn(scene, 1), p;
     picture blanked;
     const algsurf_picture planes = planes_of(&p, H / 2);
@@ -134,7 +134,7 @@ static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, 
 
 static void bad_planes(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     const algsurf_render_options o = options_for(1);
     picture p, before;
     const algsurf_picture good = planes_of(&p, 0);
@@ -157,7 +157,7 @@ static void bad_planes(void **state) {
 
 static void bad_options(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     const algsurf_render_options good = options_for(1);
     algsurf_render_options o = good;
     picture p;
@@ -193,7 +193,7 @@ static void bad_options(void **state) {
 /* Structs of newer callers. */
 static void sized_structs(void **state) {
     algsurf_surface *surface = torus();
-    algsurf_scene *scene = scene_of(surface, ALGSURF_QUALITY_STANDARD, 1);
+    algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     picture *whole = drawn(scene, 1), p;
     struct {
         algsurf_render_options o;

@@ -15,8 +15,7 @@
 #include <cmocka.h>
 
 #include "catalogue.h"
-#include "exact.h"
-#include "algsurf/algsurf.h"
+#include "scenes.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,13 +86,9 @@ static void set_view(view *v) {
     v->row = HEIGHT / 2 - ROWS + exact_random_int(&v->seed, ROWS);
 }
 
-static algsurf_scene *scene_of(const view *v, const algsurf_intersect_options *how, int antialias,
-                               double threshold) {
-    algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_scene_create(v->surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+static algsurf_scene *scene_with(const view *v, const algsurf_intersect_options *how, int antialias,
+                                 double threshold) {
+    algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, how);
     assert_int_equal(algsurf_scene_set_clip(scene, v->planes, v->plane_count), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
     if (threshold > 0) assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
@@ -151,7 +146,7 @@ static void check_pixel(const view *v, int i, const slice *tiles, const slice *r
 static void compare_with_rays(view *v) {
     static slice tiles, rays;
     const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
-    algsurf_scene *scene = scene_of(v, NULL, 1, 0), *other = scene_of(v, &by_rays, 1, 0);
+    algsurf_scene *scene = scene_with(v, NULL, 1, 0), *other = scene_with(v, &by_rays, 1, 0);
     draw(v, scene, 0, ROWS, 1, &tiles);
     draw(v, other, 0, ROWS, 1, &rays);
     for (int i = 0; i < ROWS * WIDTH; i++) check_pixel(v, i, &tiles, &rays);
@@ -162,7 +157,7 @@ static void compare_with_rays(view *v) {
 static void compare_with_others(view *v) {
     static slice whole, other;
     for (int way = 0; way < 3; way++) {
-        algsurf_scene *scene = scene_of(v, NULL, way ? 3 : 1, way == 2 ? 0.05 : 0);
+        algsurf_scene *scene = scene_with(v, NULL, way ? 3 : 1, way == 2 ? 0.05 : 0);
         memset(&whole, 0, sizeof whole), memset(&other, 0, sizeof other);
         draw(v, scene, 0, ROWS, 1, &whole);
         int cut = 1 + exact_random_int(&v->seed, ROWS - 1);
@@ -173,7 +168,7 @@ static void compare_with_others(view *v) {
         algsurf_scene_free(scene);
         for (int i = 0; algsurf_kernel_name(i); i++) {
             const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
-            scene = scene_of(v, &how, way ? 3 : 1, way == 2 ? 0.05 : 0);
+            scene = scene_with(v, &how, way ? 3 : 1, way == 2 ? 0.05 : 0);
             draw(v, scene, 0, ROWS, 1, &other);
             assert_memory_equal(&whole, &other, sizeof whole);
             algsurf_scene_free(scene);

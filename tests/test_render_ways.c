@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "catalogue.h"
+#include "scenes.h"
 #include "algsurf/algsurf.h"
 
 #include <math.h>
@@ -37,21 +38,10 @@ static algsurf_camera camera_of(const algsurf_extent *extent) {
     return camera;
 }
 
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
-    return surface;
-}
-
-static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_intersect_options *how) {
+static algsurf_scene *scene_about(const algsurf_surface *surface, const algsurf_extent *extent,
+                                  const algsurf_intersect_options *how) {
     const algsurf_camera camera = camera_of(extent);
-    algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
-    return scene;
+    return scene_of(surface, extent, &camera, how);
 }
 
 /* Rows from `begin` to end - 1 of d. */
@@ -86,7 +76,7 @@ static void for_each_scene(void (*check)(const algsurf_scene *scene, const algsu
     for (int i = 0; i < 2; i++) {
         const catalogue_entry *entry = catalogue_find(names[i]);
         algsurf_surface *surface = surface_of(entry->equation);
-        algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+        algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
         check(scene, surface, &entry->extent);
         algsurf_scene_free(scene);
         algsurf_surface_free(surface);
@@ -211,7 +201,7 @@ static void check_threads(const algsurf_scene *scene) {
 static void slices(void **state) {
     const catalogue_entry *entry = catalogue_find("torus");
     algsurf_surface *surface = surface_of(entry->equation);
-    algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+    algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
     (void)state;
     for_each_scene(check_slices);
     for (int way = 0; way < 3; way++) {
@@ -228,7 +218,7 @@ static void samples(void **state) {
     static drawn one, some, all, none;
     const catalogue_entry *entry = catalogue_find("steiner");
     algsurf_surface *surface = surface_of(entry->equation);
-    algsurf_scene *scene = scene_of(surface, &entry->extent, NULL);
+    algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
     int raised = 0, kept = 0;
     (void)state;
     draw(scene, 0, HEIGHT, 1, &one);
@@ -284,7 +274,7 @@ static void exact(void **state) {
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
     const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
     algsurf_surface *surface = surface_of("(x^2 + y^2 + z^2 - 1)^2");
-    algsurf_scene *scene = scene_of(surface, &ball, NULL), *other = scene_of(surface, &ball, &bounded);
+    algsurf_scene *scene = scene_about(surface, &ball, NULL), *other = scene_about(surface, &ball, &bounded);
     (void)state;
     for_each_scene(check_exact);
     check_exact(scene, surface, &ball);
@@ -305,7 +295,7 @@ static void without_tiles(void **state) {
     const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
     algsurf_surface *surface = surface_of(torus->equation), *high = surface_of(decic->equation);
-    algsurf_scene *scene = scene_of(surface, &torus->extent, &by_rays);
+    algsurf_scene *scene = scene_about(surface, &torus->extent, &by_rays);
     (void)state;
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), WIDTH * HEIGHT);
@@ -315,7 +305,7 @@ static void without_tiles(void **state) {
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
     algsurf_scene_free(scene);
-    scene = scene_of(high, &decic->extent, NULL);
+    scene = scene_about(high, &decic->extent, NULL);
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);

@@ -796,7 +796,7 @@ static const struct {
     STACK_OF(algsurf_complex_solver_create, USUAL, OTHERS),
     STACK_OF(algsurf_complex_solver_free, USUAL, OTHERS),
     STACK_OF(algsurf_complex_solver_run, 28, OTHERS),
-    STACK_OF(algsurf_count_roots, 40, OTHERS),
+    STACK_OF(algsurf_count_roots, 44, OTHERS),
     STACK_OF(algsurf_cpoly_zeros, 110, OTHERS),
     STACK_OF(algsurf_expand_bernstein, 12, RENDERER),
     STACK_OF(algsurf_expand_power, USUAL, RENDERER),

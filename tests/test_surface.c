@@ -12,29 +12,10 @@
 
 #include <cmocka.h>
 
-#include "exact.h"
+#include "scenes.h"
 #include "surface/impl.h"
 
-enum { MOST_TERMS = 60 };
 static const uint64_t seed = 20240607;
-
-static algsurf_surface *make(const algsurf_term *terms, size_t count) {
-    algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &s), ALGSURF_OK);
-    assert_non_null(s);
-    return s;
-}
-
-static algsurf_surface *random_surface(uint64_t *state, int degree, int low, int high) {
-    algsurf_term terms[MOST_TERMS];
-    int count = 1 + exact_random_int(state, MOST_TERMS);
-    for (int t = 0; t < count; t++) {
-        int d = exact_random_int(state, degree + 1), i = exact_random_int(state, d + 1);
-        int j = exact_random_int(state, d - i + 1);
-        terms[t] = (algsurf_term){i, j, d - i - j, exact_random_wide(state, low, high)};
-    }
-    return make(terms, (size_t)count);
-}
 
 /* Rows without zeros at the end, every term in its place, the largest coefficient in [1/2,1).
  * Catches: rows not trimmed, a wrong scale, i and k exchanged. */
@@ -42,7 +23,7 @@ static void test_layout(void **unused) {
     (void)unused;
     uint64_t state = seed;
     for (int n = 0; n < 400; n++) {
-        algsurf_surface *s = random_surface(&state, 1 + n % 20, -200, 200);
+        algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 20, -200, 200);
         double largest = 0;
         size_t seen = 0, rows = 0;
         assert_int_equal(s->level_count, s->terms[0].k + 1);
@@ -97,7 +78,7 @@ static void test_unit(void **unused) {
         {{{4, 0, 0, 0x1p-500}, {0, 3, 0, 0x1p500}, {0, 0, 0, 1}}, 3, 191, 0},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        algsurf_surface *s = make(cases[c].term, cases[c].count);
+        algsurf_surface *s = surface_of_terms(cases[c].term, cases[c].count);
         assert_int_equal(s->unit, cases[c].unit);
         assert_int_equal(s->inexact, cases[c].inexact);
         algsurf_surface_free(s);
@@ -111,7 +92,7 @@ static void test_merging(void **unused) {
                                {0, 0, 0, 0}, {0, 4, 0, 1},  {1, 0, 0, 1},      {2, 0, 1, 5},  {0, 1, 1, 6},
                                {3, 1, 0, 7}, {99, 9, 9, 0}, {70, 0, 0, 1},     {70, 0, 0, -1}};
     const algsurf_term out[] = {{0, 0, 2, 3}, {0, 1, 1, 6}, {2, 0, 1, 5}, {3, 1, 0, 7}, {1, 0, 0, 0x1p53}};
-    algsurf_surface *s = make(in, sizeof in / sizeof *in);
+    algsurf_surface *s = surface_of_terms(in, sizeof in / sizeof *in);
     algsurf_term got[5];
     assert_int_equal(algsurf_surface_term_count(s), 5);
     assert_int_equal(algsurf_surface_degree(s), 4);
@@ -136,7 +117,7 @@ static void test_many_terms(void **unused) {
         terms[t] = (algsurf_term){place % 10, place / 10, 0, exact_random_wide(&state, -30, 30)};
         sum[place] += terms[t].a;
     }
-    algsurf_surface *s = make(terms, COUNT);
+    algsurf_surface *s = surface_of_terms(terms, COUNT);
     assert_int_equal(algsurf_surface_term_count(s), PLACES);
     for (int t = 0; t < PLACES; t++) assert_true(s->terms[t].a == sum[s->terms[t].j * 10 + s->terms[t].i]);
     algsurf_surface_free(s);
@@ -183,7 +164,7 @@ static void test_refused_terms(void **unused) {
 static void test_null_surface(void **unused) {
     (void)unused;
     algsurf_term t = {1, 2, 3, 4.0};
-    algsurf_surface *s = make(&t, 1);
+    algsurf_surface *s = surface_of_terms(&t, 1);
     assert_int_equal(algsurf_surface_terms(s, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_surface_terms(NULL, &t), ALGSURF_E_ARGUMENT);
     assert_true(t.i == 1 && t.a == 4.0);

@@ -63,6 +63,7 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
         const algsurf_ray_packet one = {
             .size = sizeof one,
             .count = 1,
+            .t_min = &ray->t_min,
             .t_max = &ray->t_max,
             .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
             .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
@@ -105,6 +106,43 @@ static void rays(void **state) {
         algsurf_surface_free(c.surface);
     }
     if (certain * 2 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
+}
+
+/* Roots far out, and far beyond the largest double: all of them count on a ray without an end. */
+static void far_roots(void **state) {
+    static const double errors[] = {1e-2, 1e-5, 1e-9};
+    uint64_t seed = SEED;
+    int certain = 0, judged = 0;
+    (void)state;
+    for (int i = 0; i < 600; i++) {
+        algsurf_term terms[4];
+        int n = 1 + exact_random_int(&seed, 3);
+        for (int k = 0; k <= n; k++)
+            terms[k] = (algsurf_term){k, 0, 0,
+                                      ldexp(exact_random_unit(&seed), exact_random_int(&seed, 2060) - 1040)};
+        double error = errors[exact_random_int(&seed, 3)];
+        if (!intersect_terms(&c, terms, n + 1)) continue;
+        algsurf_surface *s = with_error(error);
+        double scale = ldexp(1, exact_random_int(&seed, 3) ? 0 : exact_random_int(&seed, 600) - 300);
+        c.ray =
+            (algsurf_ray){{exact_random_unit(&seed), 0, 0}, {scale * exact_random_unit(&seed), 0, 0}, 0, 0};
+        c.ray.t_min = exact_random_int(&seed, 3) ? -INFINITY : exact_random_unit(&seed);
+        c.ray.t_max = isinf(c.ray.t_min) && exact_random_int(&seed, 2) ? exact_random_unit(&seed) : INFINITY;
+        judge(s, &seed, error, &certain);
+        judged += 2 * MEMBERS;
+        algsurf_surface_free(s);
+        algsurf_surface_free(c.surface);
+    }
+    if (certain * 4 < judged) fail_msg("seed %u: only %d of %d certain", SEED, certain, judged);
+    const algsurf_term line[] = {{0, 0, 0, 1}, {1, 0, 0, 0x1p-1030}};
+    const algsurf_ray along = {{0, 0, 0}, {1, 0, 0}, -INFINITY, INFINITY};
+    algsurf_hit hit;
+    assert_true(intersect_terms(&c, line, 2));
+    algsurf_surface *s = with_error(0x1p-53);
+    assert_int_equal(algsurf_intersect_first(s, NULL, &along, NULL, &hit), ALGSURF_OK);
+    assert_true(hit.state == ALGSURF_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
+    algsurf_surface_free(s);
+    algsurf_surface_free(c.surface);
 }
 
 static void values(void **state) {
@@ -243,11 +281,10 @@ static void a_point(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rays),
-                                       cmocka_unit_test(values),
-                                       cmocka_unit_test(pictures),
-                                       cmocka_unit_test(rounding),
-                                       cmocka_unit_test(a_surface_with_error_is_the_same),
-                                       cmocka_unit_test(a_point)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays),     cmocka_unit_test(far_roots),
+        cmocka_unit_test(values),   cmocka_unit_test(pictures),
+        cmocka_unit_test(rounding), cmocka_unit_test(a_surface_with_error_is_the_same),
+        cmocka_unit_test(a_point)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

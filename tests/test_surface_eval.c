@@ -12,18 +12,10 @@
 
 #include <cmocka.h>
 
-#include "exact.h"
+#include "scenes.h"
 #include "surface/impl.h"
 
-enum { MOST_TERMS = 60 };
 static const uint64_t seed = 20240607;
-
-static algsurf_surface *make(const algsurf_term *terms, size_t count) {
-    algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &s), ALGSURF_OK);
-    assert_non_null(s);
-    return s;
-}
 
 static void print_case(const algsurf_surface *s, const double point[3]) {
     fprintf(stderr, "seed %llu\n", (unsigned long long)seed);
@@ -118,17 +110,6 @@ static int check_point(const algsurf_surface *s, const double point[3]) {
     return b == ALGSURF_OK;
 }
 
-static algsurf_surface *random_surface(uint64_t *state, int degree, int low, int high) {
-    algsurf_term terms[MOST_TERMS];
-    int count = 1 + exact_random_int(state, MOST_TERMS);
-    for (int t = 0; t < count; t++) {
-        int d = exact_random_int(state, degree + 1), i = exact_random_int(state, d + 1);
-        int j = exact_random_int(state, d - i + 1);
-        terms[t] = (algsurf_term){i, j, d - i - j, exact_random_wide(state, low, high)};
-    }
-    return make(terms, (size_t)count);
-}
-
 /* Moves point[0] to where P changes sign in double, if it does in [-2,2]: terms cancel there. */
 static void move_to_surface(const algsurf_surface *s, double point[3]) {
     double lo = -2, hi = 2, at_lo, v;
@@ -150,7 +131,7 @@ static void test_ordinary_points(void **unused) {
     (void)unused;
     uint64_t state = seed;
     for (int n = 0; n < 1500; n++) {
-        algsurf_surface *s = random_surface(&state, n % 50 == 0 ? 64 : 1 + n % 12, -12, 12);
+        algsurf_surface *s = surface_of_random_terms(&state, n % 50 == 0 ? 64 : 1 + n % 12, -12, 12);
         double point[3] = {exact_random_unit(&state), 2 * exact_random_unit(&state),
                            exact_random_unit(&state)};
         if (n % 5 == 0) point[n % 3] = 0;
@@ -169,7 +150,7 @@ static void test_extreme_points(void **unused) {
     int in_range = 0, rounds = 1200;
     for (int n = 0; n < rounds; n++) {
         int wide = n % 2 ? 1020 : 300;
-        algsurf_surface *s = random_surface(&state, 1 + n % 7, n % 3 ? -wide : -1074, wide);
+        algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 7, n % 3 ? -wide : -1074, wide);
         double point[3];
         int reach = n % 4 ? 1073 : 100;
         for (int axis = 0; axis < 3; axis++) point[axis] = exact_random_wide(&state, -reach, reach - 50);
@@ -183,7 +164,7 @@ static void test_extreme_points(void **unused) {
 static void test_small_lower_term(void **unused) {
     (void)unused;
     const algsurf_term terms[] = {{1, 0, 0, 1e300}, {0, 0, 0, 1e-300}};
-    algsurf_surface *s = make(terms, 2);
+    algsurf_surface *s = surface_of_terms(terms, 2);
     const double points[][3] = {{1, 0, 0}, {-1e-300, 5, 1e300}, {0, 0, 0}, {0x1p-1074, 0, 0}, {1e8, 0, 0}};
     for (size_t p = 0; p < 5; p++) assert_true(check_point(s, points[p]));
     algsurf_surface_free(s);
@@ -195,7 +176,7 @@ static void test_natural_units(void **unused) {
     (void)unused;
     uint64_t state = seed;
     for (int n = 0; n < 1000; n++) {
-        algsurf_surface *s = random_surface(&state, 1 + n % 9, -40, 40);
+        algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 9, -40, 40);
         double natural[3], point[3], gradient[3], public_gradient[3], public_value;
         for (int axis = 0; axis < 3; axis++) {
             natural[axis] = exact_random_wide(&state, -3, 1);
@@ -216,7 +197,7 @@ static void test_natural_units(void **unused) {
 static void test_refused_points(void **unused) {
     (void)unused;
     const algsurf_term square = {2, 0, 0, 1e300};
-    algsurf_surface *s = make(&square, 1);
+    algsurf_surface *s = surface_of_terms(&square, 1);
     double v = 7, b = 7, g[3] = {7, 7, 7}, gb[3] = {7, 7, 7};
     const double good[3] = {1, 2, 3}, huge[3] = {1e10, 0, 0};
     const double bad[3][3] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, -INFINITY}};
@@ -247,7 +228,7 @@ static void test_rounding_mode(void **unused) {
     double v[2], b[2], g[2][3], gb[2][3];
     for (int up = 0; up < 2; up++) {
         assert_int_equal(fesetround(up ? FE_UPWARD : FE_TONEAREST), 0);
-        algsurf_surface *s = make(terms, 4);
+        algsurf_surface *s = surface_of_terms(terms, 4);
         algsurf_status status = algsurf_surface_gradient(s, point, &v[up], g[up], &b[up], gb[up]);
         assert_int_equal(fegetround(), up ? FE_UPWARD : FE_TONEAREST);
         assert_int_equal(fesetround(FE_TONEAREST), 0);

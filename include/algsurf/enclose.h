@@ -20,7 +20,8 @@ typedef enum algsurf_part {
  *   precision  0 < precision <= 1: the search ends where a face cannot be pushed in by more than this share
  *              of the box's length; 1/16 is usual
  *   lo, hi     receive the box, lo[i] <= hi[i], with edges along the axes; it may reach beyond an extent that
- *              is a sphere, not beyond one that is a box
+ *              is a sphere, not beyond one that is a box but for rounding outward (to infinity,
+ *              where it is beyond the largest double)
  *   empty      receives 1: there is no such point, and lo and hi are not written; 0: there may be some
  *
  * Guarantee: verified.  No such point is outside of the box; if `empty` is 1, there is none.  The box is as

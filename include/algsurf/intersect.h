@@ -56,9 +56,10 @@ typedef struct algsurf_hit {
                            rounding P), else it is the one that isolates the hit.  Coefficients that are
                            known up to an error widen it.  Undecided: there may be a hit in it, or none */
     double position[3]; /* origin + t direction; finite: at most the largest double in size */
-    double normal[3];   /* the gradient of P there, unit length, approximate; at a singular point, that of a
-                           point shortly before it on the ray.  All 0 if there is none either (a ray in the
-                           surface), or if the gradient is beyond the range of double */
+    double normal[3];   /* the gradient of P at the position, unit length, its direction to 10^-4 degrees,
+                           however P's terms cancel.  At a singular point, or so near to one that the
+                           position's last bits tell the direction, it is that of a point shortly before it on
+                           the ray.  All 0 if there is none either (a ray in the surface) or no memory */
 } algsurf_hit;
 
 /* How rays are intersected. */
@@ -165,8 +166,8 @@ typedef struct algsurf_hit_packet {
  * E_ARGUMENT (null, a wrong size): nothing is written.  E_NO_MEMORY: the rays that could not be decided for
  * want of memory are UNDECIDED, [t_lo, t_hi] the whole ray; all others are answered.
  * Cost: 0.05 to 0.4 microseconds a ray for degrees 2 to 10, in packets of 8 rays or more, with 4 or 8 of them
- * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided, if its part
- * inside the extent is infinite, or if that is several thousand times as long as the surface is large.
+ * side by side (AVX2, AVX-512).  A ray costs a single call besides if doubles leave it undecided.  One without
+ * an end is searched as far as the surface may reach, and no slower than in an extent that holds that.
  * Source: values at Chebyshev's nodes, converted to the Bernstein basis; Descartes' rule; Newton's method;
  * all for several rays at once.  50 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_intersect_packet(const algsurf_surface *surface,

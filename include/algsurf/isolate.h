@@ -69,7 +69,9 @@ typedef struct algsurf_integer {
 /* algsurf_real_roots for integer coefficients.  (Rational and decimal ones become integers when all are
  * multiplied by a common denominator.)  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS
  * limbs or null ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20,
- * 15 for degree 8 and 1000 bits.  62 KiB of stack.  Since 1.0. */
+ * 15 for degree 8 and 1000 bits; sizes that differ cost nothing by themselves, also if roots are far beyond
+ * the doubles on either side (milliseconds for a cubic with one coefficient of 2^18 bits).  62 KiB of stack.
+ * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
@@ -110,8 +112,8 @@ typedef struct algsurf_isolate_options {
  * radius), E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY;
  * nothing is written then.
  * Cost: below a microsecond up to degree 10 where doubles decide (the degree is at most 64, roots are not of
- * very different sizes, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
- * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  40 KiB of stack.
+ * very different sizes, nor too close to each other), else as algsurf_real_roots, with radii four times that;
+ * O(degree^2) operations for each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  40 KiB of stack.
  * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, const algsurf_isolate_options *options,
@@ -131,8 +133,8 @@ ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r,
 
 /* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii.  With radii the
  * status may be positive, as that of algsurf_isolate_all; roots in undecided entries are not counted then.
- * Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of that if the signs of
- * coefficients, a discriminant or a short Sturm chain give the number.  40 KiB of stack.  Since 1.0. */
+ * Errors: as above.  Cost: as above; on the whole line, without radii, less than that up to degree 24,
+ * and up to degree 3 as little as a discriminant costs.  44 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
 

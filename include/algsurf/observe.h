@@ -1,8 +1,9 @@
 /* algsurf/observe.h - watching how roots are found: each interval, each point, by doubles or by integers.
  *
  * Calls that take an observer in their options (algsurf_isolate_options, algsurf_refine_options,
- * algsurf_intersect_options) run alike with and without it, and give the same bits; without one,
- * watching costs nothing.  Abscissae are the caller's: t of the polynomial, t along the ray.
+ * algsurf_intersect_options) give the same bits with and without it; without one, watching costs
+ * nothing.  (Roots on the whole line, and of degrees 1 and 2, have a shorter way than the search that is shown:
+ * without an observer, they take it.)  Abscissae are the caller's: t of the polynomial, t along the ray.
  *
  * Roots are isolated in cells: intervals whose variations of sign are counted.  The first cell is the
  * interval asked for, or there are several, which are parts of it; a cell may reach beyond the interval.  A
@@ -52,8 +53,8 @@ typedef struct algsurf_cell {
     int engine;     /* an algsurf_engine */
     int degree;     /* of the polynomial whose coefficients these are */
     const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null if
-                                 variations were found without them: of a quadratic polynomial (they are the
-                                 number of its roots), and of quarters of the line (between -s, 0 and s) */
+                                 variations were found without them: with radii, of the places that integers
+                                 find */
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */

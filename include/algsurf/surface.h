@@ -78,8 +78,9 @@ ALGSURF_API algsurf_status algsurf_surface_from_terms(const algsurf_term *terms,
  * exponents), E_NAME (a name that is neither variable nor constant: a parameter that needs a value),
  * E_DEGREE (a product or power above degree 64, even if it would cancel; error points at its operator),
  * E_RANGE (a number or a coefficient overflows), E_ZERO, E_ARGUMENT (null; bad constant names, duplicates),
- * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: bounded for any text of the given length: at most 2^26
- * double-double steps for each operator, (x+y+z+1)^64 some 0.2 s; nesting deeper than 100 is E_SYNTAX.
+ * E_NOT_FINITE (a constant), E_NO_MEMORY.  Cost: at most in proportion to the length of the text, times the
+ * number of terms of the polynomials that are met, (x+y+z+1)^64 some 0.02 s; and to the length of the names
+ * of the constants.  Nesting deeper than 100 is E_SYNTAX.
  * 96 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
                                                          size_t count, algsurf_surface **surface,

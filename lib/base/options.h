@@ -1,20 +1,30 @@
 /* options.h - reading a caller's struct that starts with its own size.
  *
  * Such a struct may be newer than the library: larger, and accepted if the part unknown here is all 0, hence
- * asks for defaults.  A smaller one is refused: no release has had one, for this is the first.
+ * asks for defaults.  A smaller one is refused: no release has had one, for this is the first.  One above
+ * ALGSURF_I_LARGEST_STRUCT is refused unread: its size was never set.
  */
 #ifndef ALGSURF_OPTIONS_H
 #define ALGSURF_OPTIONS_H
 #include <stddef.h>
 #include <string.h>
 
+#define ALGSURF_I_LARGEST_STRUCT 4096 /* bytes */
+
+/* Is the size that *given begins with one of a struct that holds known_size bytes? */
+static inline int algsurf_options_fit(const void *given, size_t known_size) {
+    size_t size;
+    memcpy(&size, given, sizeof size);
+    return size >= known_size && size <= ALGSURF_I_LARGEST_STRUCT;
+}
+
 /* Copies *given, a struct whose first member is its size, into the `known_size` bytes at `known`,
- * whose own size member then is known_size.  Returns 1; 0 when the size is smaller or the unknown tail is not
+ * whose own size member then is known_size.  Returns 1; 0 when the size does not fit or the unknown tail is not
  * zero: then `known` is untouched. */
 static inline int algsurf_options_read(void *known, size_t known_size, const void *given) {
     size_t size;
     memcpy(&size, given, sizeof size);
-    if (size < known_size) return 0;
+    if (!algsurf_options_fit(given, known_size)) return 0;
     for (size_t i = known_size; i < size; i++)
         if (((const unsigned char *)given)[i] != 0) return 0;
     memcpy(known, given, known_size);
@@ -22,7 +32,7 @@ static inline int algsurf_options_read(void *known, size_t known_size, const voi
     return 1;
 }
 
-/* Copies the `known_size` bytes at `known` into *given, whose size is at least that: the size stays, what is
+/* Copies the `known_size` bytes at `known` into *given, whose size fits: the size stays, what is
  * unknown here becomes 0. */
 static inline void algsurf_options_write(void *given, const void *known, size_t known_size) {
     size_t size;

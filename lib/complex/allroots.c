@@ -349,7 +349,7 @@ algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver, const 
                                           const double *r, int degree, const algsurf_complex *start,
                                           algsurf_complex_root *roots, int *count,
                                           algsurf_complex_solver_stats *stats) {
-    if (!solver || !roots || !count || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
+    if (!solver || !roots || !count || (stats && !algsurf_options_fit(stats, sizeof *stats))) return ALGSURF_E_ARGUMENT;
     if (degree > solver->max_degree) return ALGSURF_E_DEGREE;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);

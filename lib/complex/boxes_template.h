@@ -54,7 +54,7 @@ INLINE lanes root_at(layout s, const lanes *a, int j) {
 
 /* The largest of the lanes, in all of them; NaN may be overlooked. */
 INLINE lanes over_lanes(lanes a) {
-#if X86_LANES == 8
+#if X86_WIDTH == 512
     return all_lanes(_mm512_reduce_max_pd(a));
 #else
     double most = a[0];

@@ -6,28 +6,18 @@
 #include "kernel.h"
 #include "quadratic_template.h"
 
-/* The statement with N = n, a constant where it is common. */
-#define FOR_ROOTS(n, statement)                                                                              \
-    switch (DEGREES_EVERYWHERE ? (n) : 0) {                                                                  \
-        FOR_ONE_DEGREE(3, statement)                                                                         \
-        FOR_ONE_DEGREE(4, statement)                                                                         \
-        FOR_ONE_DEGREE(6, statement)                                                                         \
-        FOR_ONE_DEGREE(10, statement)                                                                        \
-    default: {                                                                                               \
-        const int N = n;                                                                                     \
-        if (N < 1 || N > MOST_ROOTS) __builtin_unreachable();                                                \
-        statement;                                                                                           \
-    }                                                                                                        \
-    }
-
-#define APART static __attribute__((noinline))
+#define DEGREES_3_AND_4(statement) FOR_ONE_DEGREE(3, statement) FOR_ONE_DEGREE(4, statement)
 
 APART int solve_one_real(const double *re, int stride, int n, algsurf_complex_root *roots) {
     polynomials p;
     p.real = 1;
     for (int k = 0; k <= n; k++) p.re[k] = all_lanes(re[k * stride]), p.im[k] = all_lanes(0);
     if (n == 2) return solve_quadratics(&p, 1, roots, 0) != 0;
-    FOR_ROOTS(n, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
+    if (n > MOST_ROOTS) __builtin_unreachable();
+    FOR_DEGREES(DEGREES_OF_ROOTS, n, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0,
+                DEGREES_3_AND_4(return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
+                    FOR_ONE_DEGREE(6, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0)
+                        FOR_ONE_DEGREE(10, return solve_boxes(&p, (layout){N, 1}, 1, roots, 0) != 0))
 }
 
 APART int solve_one_complex(const double *re, const double *im, int stride, int n,
@@ -42,7 +32,9 @@ APART int solve_one_complex(const double *re, const double *im, int stride, int 
 APART unsigned solve_real(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {
     p->real = 1;
     if (n == 2) return solve_quadratics(p, wanted, roots, 2);
-    FOR_ROOTS(n, return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N))
+    if (n > MOST_ROOTS) __builtin_unreachable();
+    FOR_DEGREES(DEGREES_OF_ROOTS, n, return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N),
+                DEGREES_3_AND_4(return solve_boxes(p, (layout){N, 0}, wanted, roots, (size_t)N)))
 }
 
 APART unsigned solve_complex(polynomials *p, int n, unsigned wanted, algsurf_complex_root *roots) {

@@ -7,7 +7,10 @@
  * It holds for the exact numbers z_i = (x + xl) + i (y + yl) kept here; |p(z_i)| <= residual.  Rounding:
  * a difference z_i - z_j is known to 8 u (high parts that nearly cancel subtract exactly, the low ones
  * always), the product of n-1 of them to 20 n u, all else to a few u: the factor (1 + 32 (n + 2) u) covers
- * it.
+ * it.  Squares of differences, their product and the residual have exponents of their own where they are
+ * small or large: a subnormal number would not be known to a few u.  Two discs are apart only if the distance
+ * less 16 u of it, and so the exact distance, is above the sum of the radii; where that is subnormal, both
+ * are multiples of 2^-1074, and rounding of the distance, by half of that, takes it past no such number.
  */
 #include "../base/arithmetic.h"
 #include <math.h>
@@ -18,10 +21,10 @@
 static double distance2(const algsurf_i_roots *p, int i, int j, int *exponent) {
     algsurf_dd lx = algsurf_two_sum(p->xl[i], -p->xl[j]), ly = algsurf_two_sum(p->yl[i], -p->yl[j]);
     double dx = ((p->x[i] - p->x[j]) + lx.hi) + lx.lo, dy = ((p->y[i] - p->y[j]) + ly.hi) + ly.lo;
+    double largest = fmax(fabs(dx), fabs(dy));
     *exponent = 0;
-    if (!p->narrow) {
-        double largest = fmax(fabs(dx), fabs(dy));
-        *exponent = largest > 0 && largest < HUGE_VAL ? ilogb(largest) : 0;
+    if (!(largest > 0x1p-400 && largest < 0x1p400) && largest > 0 && largest < HUGE_VAL) {
+        *exponent = ilogb(largest);
         dx = ldexp(dx, -*exponent);
         dy = ldexp(dy, -*exponent);
     }
@@ -56,9 +59,10 @@ static void set_discs(algsurf_i_roots *p) {
     }
     for (int i = 0; i < n; i++) {
         int bounded = lead > 0 && product[i] > 0 && product[i] < HUGE_VAL;
-        double w = n * p->residual[i] / (lead * sqrt(product[i])) * (1 + 32 * (n + 2) * ALGSURF_U);
-        p->disc[i] =
-            bounded ? ldexp(w, p->exponent[i] - p->shift[n] - exponent[i] / 2) + 0x1p-1070 : HUGE_VAL;
+        int e = p->exponent[i] - p->shift[n] - exponent[i] / 2, own = 0;
+        double residual = p->residual[i] < HUGE_VAL ? frexp(p->residual[i], &own) : HUGE_VAL;
+        double w = n * residual / (lead * sqrt(product[i])) * (1 + 32 * (n + 2) * ALGSURF_U);
+        p->disc[i] = bounded ? ldexp(w, own + e) + 0x1p-1070 : HUGE_VAL;
     }
 }
 

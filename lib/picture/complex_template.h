@@ -138,8 +138,9 @@ INLINE uint64_t solve_complex_n(const algsurf_i_complex_job *job, int begin, int
 
 static uint64_t solve_complex(const algsurf_i_complex_job *job, int begin, int end) {
     uint64_t corrections = 0;
-    FOR_DEGREE_IF(DEGREES_EVERYWHERE, job->row->row->degree,
-                  corrections = solve_complex_n(job, begin, end, N))
+    FOR_DEGREES(DEGREES_OF_ROOTS, job->row->row->degree, corrections = solve_complex_n(job, begin, end, N),
+                DEGREES_2_TO_4(corrections = solve_complex_n(job, begin, end, N))
+                    FOR_ONE_DEGREE(6, corrections = solve_complex_n(job, begin, end, N)))
     return corrections;
 }
 

@@ -1,7 +1,7 @@
 /* kernel_template.h - the packet code of pictures, except that of colours and shadows, as one kernel. */
 #ifndef ALGSURF_KERNEL_TEMPLATE_H
 #define ALGSURF_KERNEL_TEMPLATE_H
-#define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#define COMMON_DEGREES DEGREES_PAY /* in WebAssembly, too */
 #define WATCHED 0
 #include "kernel.h"
 #include "complex_template.h"

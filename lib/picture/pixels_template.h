@@ -11,37 +11,18 @@
  * is between.  In both cases the end need not be looked at again. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
+#include "../poly/triangle_template.h"
 #include "dips_template.h"
 #include "sight_template.h"
 
 #define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
 
-/* Powers of depth to coefficients over the range. */
-INLINE void range_to_bernstein(const double *basis, const depth_range *r, lanes *c, lanes *b, int n) {
-    lanes half = 0.5 * r->length, middle = r->lo + half, power = all_lanes(1);
-    UNROLLED
-    for (int i = 0; i < n; i++) {
-        UNROLLED
-        for (int k = n - 1; k >= i; k--) c[k] += middle * c[k + 1];
-    }
-    for (int k = 1; k <= n; k++) {
-        power *= half;
-        c[k] *= power;
-    }
-    for (int j = 0; 2 * j <= n; j++) {
-        const double *row = basis + j * (n + 1);
-        lanes even = c[0], odd = all_lanes(row[1]) * c[1];
-        for (int k = 2; k <= n; k += 2) even += all_lanes(row[k]) * c[k];
-        for (int k = 3; k <= n; k += 2) odd += all_lanes(row[k]) * c[k];
-        b[n - j] = even - odd;
-        b[j] = even + odd;
-    }
-}
-
 INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_range *r, packet *p, int n) {
     lanes c[ALGSURF_MAX_VIEW_DEGREE + 1];
     powers_at(job, u, c, n);
-    range_to_bernstein(job->basis, r, c, p->b, n);
+    lanes half = 0.5 * r->length;
+    shift_and_scale(c, n, r->lo + half, half);
+    powers_to_bernstein(job->basis, n + 1, c, p->b, n);
     p->e[0] = radius_at(job, u, n);
 }
 

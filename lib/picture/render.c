@@ -171,7 +171,7 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
     algsurf_i_tally total = {0};
     int threads = 0;
 
-    if (!scene || (stats && stats->size < sizeof *stats)) return ALGSURF_E_ARGUMENT;
+    if (!scene || (stats && !algsurf_options_fit(stats, sizeof *stats))) return ALGSURF_E_ARGUMENT;
     algsurf_status status = read_options(options, &o);
     if (status == ALGSURF_OK) status = read_planes(planes, o.width, &picture);
     if (status == ALGSURF_OK) status = prepare(scene, &o, &picture);

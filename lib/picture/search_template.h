@@ -142,7 +142,8 @@ INLINE verdict search_n(const beam *beams, lanes rounding, mask open, int n) {
 }
 
 APART void search(const beam *whole, lanes rounding, mask open, int n, verdict *v) {
-    FOR_DEGREE(n, *v = search_n(whole, rounding, open, N))
+    if (n < 1 || n > BEAM_DEGREE) __builtin_unreachable();
+    *v = search_n(whole, rounding, open, n);
 }
 
 #endif

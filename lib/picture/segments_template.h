@@ -17,6 +17,7 @@
  * Errors: those of taylor.c, and 8 n u max|b| for each of two cuts at a turn (descartes_template.h). */
 #ifndef ALGSURF_SEGMENTS_TEMPLATE_H
 #define ALGSURF_SEGMENTS_TEMPLATE_H
+#include "../poly/triangle_template.h"
 #include "../roots/packet_template.h"
 #include "lattice_template.h"
 #include "shadow_kernel.h"
@@ -28,8 +29,9 @@
 
 #define FOR_RAY_DEGREE(n, statement)                                                                         \
     FOR_DEGREES(COMMON_DEGREES, n, statement,                                                                \
-                FOR_ONE_DEGREE(7, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(9, statement)       \
-                    FOR_ONE_DEGREE(10, statement))
+                DEGREES_2_TO_4(statement) FOR_ONE_DEGREE(5, statement) FOR_ONE_DEGREE(6, statement)          \
+                    FOR_ONE_DEGREE(7, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(9, statement)   \
+                        FOR_ONE_DEGREE(10, statement))
 
 /* ---- points ---- */
 
@@ -43,14 +45,6 @@ typedef struct solid_packet {
     lanes room, gap;    /* of a ball: the square of its wide radius, less |x|^2; of all rays */
     mask known, inside; /* P's sign at x is; x is within the extent */
 } solid_packet;
-
-/* sum c_k z^k about x. */
-INLINE void shift_row(lanes *c, int n, lanes x) {
-    for (int m = 0; m < n; m++) {
-        UNROLLED
-        for (int k = n - 1; k >= m; k--) c[k] += x * c[k + 1];
-    }
-}
 
 /* a += x b, b of degree n - 1. */
 INLINE void add_row(lanes *a, const lanes *b, int n, lanes x) {
@@ -81,7 +75,7 @@ INLINE void expand_solids_n(const algsurf_i_taylor *taylor, lanes span[KINDS][3]
             row[i][j] = r;
             for (int k = 0; i + j + k <= n; k++)
                 *r++ = all_lanes(taylor->frame.q[(i * (n + 1) + j) * (n + 1) + k]);
-            shift_row(row[i][j], n - i - j, s->x[2]);
+            shift_levels(row[i][j], n - i - j, s->x[2], n - i - j);
         }
         for (int m = 0; i + m < n; m++)
             for (int j = n - i - 1; j >= m; j--) add_row(row[i][j], row[i][j + 1], n - i - j, s->x[1]);

@@ -1,7 +1,7 @@
 /* shadows_template.h - the packet code of shadows as one kernel. */
 #ifndef ALGSURF_SHADOWS_TEMPLATE_H
 #define ALGSURF_SHADOWS_TEMPLATE_H
-#define COMMON_DEGREES !INSTRUMENTED /* in WebAssembly, too */
+#define COMMON_DEGREES DEGREES_PAY /* in WebAssembly, too */
 #define WATCHED 0
 #define MOST_DEGREE ALGSURF_MAX_BEAM_DEGREE
 #include "shadow_kernel.h"

@@ -110,11 +110,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
             lanes p[BEAM_DEGREE + 1];
             double power = 1;
             for (int i = 0; i + j <= n; i++) p[i] = all_lanes(c[i]);
-            UNROLLED
-            for (int m = 0; m + j < (n <= ORDER ? n : ORDER + 1); m++) {
-                UNROLLED
-                for (int i = n - j - 1; i >= m; i--) p[i] += g->u * p[i + 1];
-            }
+            shift_levels(p, n - j, g->u, (n <= ORDER ? n : ORDER + 1) - j);
             for (int i = 0; i + j <= n && i + j <= ORDER; i++) {
                 lanes term = all_lanes(power) * p[i];
                 if (i + j <= 3)

@@ -7,19 +7,20 @@
 #include "../base/arithmetic.h"
 #include "integral_impl.h"
 
-#include <limits.h>
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 /* ---- with three limbs ----
  *
- * x = +-y 2^X, y = m / 2^64 in [1/2, 1).  With |c_k| 2^(X k) <= 2^e for all k and n + 1 < 2^B, the integers
- * D_k = floor(c_k 2^(X k) 2^(190 - e - B)) have sum |D_k| < 2^190.  Horner's h = floor(h y) +- D_k is off by
- * less than 1 for each of the two floors, times y < 1 in the next step: after all of them by less than 2
- * (n+1) < 2^(B+1). */
+ * x = +-y 2^X, y = m / 2^64 in [1/2, 1).  Horner's sum is h 2^up: in each step up is chosen so that neither
+ * floor(h y) nor D_k = floor(c_k 2^(X k - up)) has more than 189 bits, and the larger one not many fewer. The
+ * error, in units of 2^up, is multiplied by y < 1 and gains less than 1 for each floor, of which there is a
+ * third one where h is shifted down.  It is kept as a double; its own roundings, below 4 (n+1) 2^-53 of it,
+ * are taken in by a factor 1 + 2^-40. */
 
 #define SHORT_LIMBS 3
-#define SHORT_BITS 190
+enum { MOST_SHORT_BITS = 189, FEW_SHORT_BITS = 150 };
 
 typedef struct short_point {
     algsurf_limb m; /* y 2^64 */
@@ -37,17 +38,6 @@ static int short_point_of(const algsurf_limb *N, int w, int r, short_point *x) {
     x->m = odd << (LIMB_BITS - bits);
     x->X = bits + zeros - r;
     return 1;
-}
-
-/* e: |c_k| 2^(X k) <= 2^e for all k; INT_MIN if all are 0. */
-static int largest_term(const algsurf_zpoly *p, int X) {
-    int e = INT_MIN;
-    for (int k = 0; k <= p->degree; k++) {
-        const algsurf_limb *c = algsurf_zpoly_at(p, k);
-        int bits = algsurf_z_bits(c, p->width);
-        if (bits || c[0]) e = larger(e, bits + X * k);
-    }
-    return e;
 }
 
 /* D = floor(c / 2^from), from of any sign, modulo 2^192. */
@@ -70,25 +60,44 @@ static void short_multiply(algsurf_limb h[SHORT_LIMBS], algsurf_limb m) {
     h[2] = c2 - minus;
 }
 
-/* 1: sign (and value) found.  The sign needs |h| > 2^(B+1); the value 2^(B+55): then the error is 2^-54 of
- * it, which leaves room for its rounding to double, 2^-53 + 2^-62. */
+/* h gains `by` bits, 2^up as many fewer. */
+static void short_scale(algsurf_limb h[SHORT_LIMBS], int by, int *up, double *error) {
+    if (by < 0)
+        algsurf_z_shift_down(h, SHORT_LIMBS, -by);
+    else
+        algsurf_z_shift_up(h, SHORT_LIMBS, by);
+    *error = ldexp(*error, by) + (by < 0);
+    *up -= by;
+}
+
+/* 1: sign (and value) found.  The sign needs |h| above the error, the value 2^54 times that: this leaves room
+ * for its rounding to double, 2^-53 + 2^-62. */
 static int short_value(const algsurf_zpoly *p, const algsurf_limb *N, int w, int r, int *sign, double *value,
                        int *exponent) {
     short_point x;
-    int n = p->degree, largest = INT_MIN, B = bits_of_int(n + 1);
-    if (n >= 0 && short_point_of(N, w, r, &x)) largest = largest_term(p, x.X);
-    if (largest == INT_MIN) return 0;
-    int up = largest + B - SHORT_BITS;
+    int n = p->degree;
+    if (n < 0 || !short_point_of(N, w, r, &x)) return 0;
+    int up = algsurf_z_bits(algsurf_zpoly_at(p, n), p->width) + x.X * n - MOST_SHORT_BITS;
     algsurf_limb h[SHORT_LIMBS] = {0}, D[SHORT_LIMBS];
+    double error = 0, y = 0x1p-64 * (double)x.m;
     for (int k = n; k >= 0; k--) {
+        const algsurf_limb *c = algsurf_zpoly_at(p, k);
+        int bits = algsurf_z_bits(c, p->width);
         short_multiply(h, x.m);
-        short_window(D, algsurf_zpoly_at(p, k), p->width, up - x.X * k);
+        error = error * y + 1;
+        int most = larger(algsurf_z_bits(h, SHORT_LIMBS), bits || c[0] ? bits + x.X * k - up : 0);
+        if (most > MOST_SHORT_BITS || (most < FEW_SHORT_BITS && error < 0x1p60))
+            short_scale(h, MOST_SHORT_BITS - most, &up, &error);
+        short_window(D, c, p->width, up - x.X * k);
         if (x.negative && k % 2)
             algsurf_z_sub(h, D, SHORT_LIMBS);
         else
             algsurf_z_add(h, D, SHORT_LIMBS);
+        error += 1;
     }
-    if (algsurf_z_bits(h, SHORT_LIMBS) < B + (value ? 56 : 2)) return 0;
+    if (error > 0x1p60) return 0;
+    int least = algsurf_limb_bits((algsurf_limb)(error * (1 + 0x1p-40)) + 1); /* the error is below 2^least */
+    if (algsurf_z_bits(h, SHORT_LIMBS) < least + (value ? 55 : 1)) return 0;
     *sign = algsurf_z_sign(h, SHORT_LIMBS);
     if (value) {
         *value = algsurf_z_to_double(h, SHORT_LIMBS, exponent);

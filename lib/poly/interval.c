@@ -1,10 +1,42 @@
 /* interval.c - real intervals: the public operations.
  *
- * What they compute stands in interval_impl.h; here are the checks, powers, and the environment.
+ * Products, quotients and squares; of all other operations what they compute stands in interval_impl.h.  Here
+ * are also the checks, powers, and the environment.
  */
 #include "../base/arithmetic.h"
 #include "interval_impl.h"
 #include "interval_public.h"
+
+/* Both factors have both signs. */
+static algsurf_interval mul_mixed(algsurf_interval a, algsurf_interval b) {
+    double lo1 = algsurf_i_mul_down(a.lo, b.hi), lo2 = algsurf_i_mul_down(a.hi, b.lo);
+    double hi1 = algsurf_i_mul_up(a.lo, b.lo), hi2 = algsurf_i_mul_up(a.hi, b.hi);
+    return (algsurf_interval){lo1 < lo2 ? lo1 : lo2, hi1 > hi2 ? hi1 : hi2};
+}
+
+/* By exchange and a common change of sign, a >= 0. */
+algsurf_interval algsurf_i_interval_mul(algsurf_interval a, algsurf_interval b) {
+    if (a.lo < 0 && a.hi > 0) {
+        if (b.lo < 0 && b.hi > 0) return mul_mixed(a, b);
+        algsurf_interval t = a;
+        a = b, b = t;
+    }
+    if (a.lo < 0) a = (algsurf_interval){-a.hi, -a.lo}, b = (algsurf_interval){-b.hi, -b.lo};
+    return (algsurf_interval){algsurf_i_mul_down(b.lo >= 0 ? a.lo : a.hi, b.lo),
+                              algsurf_i_mul_up(b.hi >= 0 ? a.hi : a.lo, b.hi)};
+}
+
+/* By a common change of sign, b > 0. */
+algsurf_interval algsurf_i_interval_div(algsurf_interval a, algsurf_interval b) {
+    if (b.lo < 0) a = (algsurf_interval){-a.hi, -a.lo}, b = (algsurf_interval){-b.hi, -b.lo};
+    return (algsurf_interval){algsurf_i_div_down(a.lo, a.lo >= 0 ? b.hi : b.lo),
+                              algsurf_i_div_up(a.hi, a.hi >= 0 ? b.lo : b.hi)};
+}
+
+algsurf_interval algsurf_i_interval_sqr(algsurf_interval a) {
+    a = algsurf_i_interval_abs(a);
+    return (algsurf_interval){algsurf_i_mul_down(a.lo, a.lo), algsurf_i_mul_up(a.hi, a.hi)};
+}
 
 static algsurf_status make(double lo, double hi, algsurf_interval *result) {
     algsurf_interval a = {lo + 0.0, hi + 0.0};

@@ -81,6 +81,20 @@ static int size_exponent(algsurf_cinterval a) {
     return awkward_exponent(x > y ? x : y);
 }
 
+algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b) {
+    return (algsurf_cinterval){
+        algsurf_i_interval_sub(algsurf_i_interval_mul(a.re, b.re), algsurf_i_interval_mul(a.im, b.im)),
+        algsurf_i_interval_add(algsurf_i_interval_mul(a.re, b.im), algsurf_i_interval_mul(a.im, b.re))};
+}
+
+/* Doubling as a sum is exact barring overflow, and then rounded outward. */
+algsurf_cinterval algsurf_i_cinterval_sqr(algsurf_cinterval a) {
+    algsurf_interval cross = algsurf_i_interval_mul(a.re, a.im);
+    return (algsurf_cinterval){
+        algsurf_i_interval_sub(algsurf_i_interval_sqr(a.re), algsurf_i_interval_sqr(a.im)),
+        algsurf_i_interval_add(cross, cross)};
+}
+
 algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval b) {
     int i = size_exponent(a), j = size_exponent(b);
     return scale(algsurf_i_cinterval_mul(scale(a, -i), inverse(scale(b, -j))), i - j);

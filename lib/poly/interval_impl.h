@@ -35,41 +35,17 @@ static inline algsurf_interval algsurf_i_interval_sub(algsurf_interval a, algsur
     return (algsurf_interval){algsurf_i_add_down(a.lo, -b.hi), algsurf_i_add_up(a.hi, -b.lo)};
 }
 
-/* Both factors have both signs. */
-static inline algsurf_interval algsurf_i_interval_mul_mixed(algsurf_interval a, algsurf_interval b) {
-    double lo1 = algsurf_i_mul_down(a.lo, b.hi), lo2 = algsurf_i_mul_down(a.hi, b.lo);
-    double hi1 = algsurf_i_mul_up(a.lo, b.lo), hi2 = algsurf_i_mul_up(a.hi, b.hi);
-    return (algsurf_interval){lo1 < lo2 ? lo1 : lo2, hi1 > hi2 ? hi1 : hi2};
-}
+algsurf_interval algsurf_i_interval_mul(algsurf_interval a, algsurf_interval b);
 
-/* By exchange and a common change of sign, a >= 0. */
-static inline algsurf_interval algsurf_i_interval_mul(algsurf_interval a, algsurf_interval b) {
-    if (a.lo < 0 && a.hi > 0) {
-        if (b.lo < 0 && b.hi > 0) return algsurf_i_interval_mul_mixed(a, b);
-        algsurf_interval t = a;
-        a = b, b = t;
-    }
-    if (a.lo < 0) a = (algsurf_interval){-a.hi, -a.lo}, b = (algsurf_interval){-b.hi, -b.lo};
-    return (algsurf_interval){algsurf_i_mul_down(b.lo >= 0 ? a.lo : a.hi, b.lo),
-                              algsurf_i_mul_up(b.hi >= 0 ? a.hi : a.lo, b.hi)};
-}
-
-/* b does not contain 0; by a common change of sign, b > 0. */
-static inline algsurf_interval algsurf_i_interval_div(algsurf_interval a, algsurf_interval b) {
-    if (b.lo < 0) a = (algsurf_interval){-a.hi, -a.lo}, b = (algsurf_interval){-b.hi, -b.lo};
-    return (algsurf_interval){algsurf_i_div_down(a.lo, a.lo >= 0 ? b.hi : b.lo),
-                              algsurf_i_div_up(a.hi, a.hi >= 0 ? b.lo : b.hi)};
-}
+/* b does not contain 0. */
+algsurf_interval algsurf_i_interval_div(algsurf_interval a, algsurf_interval b);
 
 static inline algsurf_interval algsurf_i_interval_abs(algsurf_interval a) {
     double lo = fabs(a.lo), hi = fabs(a.hi), most = lo > hi ? lo : hi, least = lo > hi ? hi : lo;
     return (algsurf_interval){algsurf_i_interval_has_zero(a) ? 0.0 : least, most};
 }
 
-static inline algsurf_interval algsurf_i_interval_sqr(algsurf_interval a) {
-    a = algsurf_i_interval_abs(a);
-    return (algsurf_interval){algsurf_i_mul_down(a.lo, a.lo), algsurf_i_mul_up(a.hi, a.hi)};
-}
+algsurf_interval algsurf_i_interval_sqr(algsurf_interval a);
 
 /* a.lo >= 0 */
 static inline algsurf_interval algsurf_i_interval_sqrt(algsurf_interval a) {
@@ -146,19 +122,9 @@ static inline algsurf_cinterval algsurf_i_cinterval_sub(algsurf_cinterval a, alg
     return (algsurf_cinterval){algsurf_i_interval_sub(a.re, b.re), algsurf_i_interval_sub(a.im, b.im)};
 }
 
-static inline algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b) {
-    return (algsurf_cinterval){
-        algsurf_i_interval_sub(algsurf_i_interval_mul(a.re, b.re), algsurf_i_interval_mul(a.im, b.im)),
-        algsurf_i_interval_add(algsurf_i_interval_mul(a.re, b.im), algsurf_i_interval_mul(a.im, b.re))};
-}
+algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b);
 
-/* Doubling as a sum is exact barring overflow, and then rounded outward. */
-static inline algsurf_cinterval algsurf_i_cinterval_sqr(algsurf_cinterval a) {
-    algsurf_interval cross = algsurf_i_interval_mul(a.re, a.im);
-    return (algsurf_cinterval){
-        algsurf_i_interval_sub(algsurf_i_interval_sqr(a.re), algsurf_i_interval_sqr(a.im)),
-        algsurf_i_interval_add(cross, cross)};
-}
+algsurf_cinterval algsurf_i_cinterval_sqr(algsurf_cinterval a);
 
 static inline algsurf_complex algsurf_i_cinterval_mid(algsurf_cinterval a) {
     return (algsurf_complex){algsurf_i_interval_mid(a.re), algsurf_i_interval_mid(a.im)};

@@ -14,6 +14,7 @@
  * below 2^12, at most, and there are fewer than 2^22 of them: LOST_BY_UNDERFLOW is more. */
 #ifndef ALGSURF_CHORD_TEMPLATE_H
 #define ALGSURF_CHORD_TEMPLATE_H
+#include "../roots/descartes_template.h"
 #include "../simd/lanes.h"
 #include "kernel.h"
 
@@ -44,6 +45,24 @@ INLINE lanes largest_of(const lanes v[3]) {
     return larger(larger(absolute(v[0]), absolute(v[1])), absolute(v[2]));
 }
 
+/* Rays that are solved together: side by side in the job's arrays from `at` on, or each at a place of its own
+ * there, and then copied. */
+typedef struct places {
+    int count, listed;
+    size_t at, ray[LANES];
+    double copy[8][LANES]; /* origin, direction, t_min, t_max */
+} places;
+
+INLINE size_t place_of(const places *w, int l) { return w->listed ? w->ray[l] : w->at + (size_t)l; }
+
+INLINE const double *number_of(const double *all, const places *w, int which) {
+    return w->listed ? w->copy[which] : all + w->at;
+}
+
+INLINE lanes load_number(const double *all, const places *w, int which) {
+    return load_some(number_of(all, w, which), w->count);
+}
+
 /* Of the lanes that have a ray, those whose byte is not 0. */
 INLINE mask active_lanes(const unsigned char *active, int count) {
     double on[LANES];
@@ -51,11 +70,11 @@ INLINE mask active_lanes(const unsigned char *active, int count) {
     return less(all_lanes(0), load(on));
 }
 
-INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, size_t at, int count, double scale) {
+INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, const places *w, double scale) {
     ray_lanes r;
     for (int i = 0; i < 3; i++) {
-        r.origin[i] = scale * load_some(job->origin[i] + at, count);
-        r.direction[i] = load_some(job->direction[i] + at, count);
+        r.origin[i] = scale * load_number(job->origin[i], w, i);
+        r.direction[i] = load_number(job->direction[i], w, 3 + i);
     }
     lanes shrink = scale_of(r.direction);
     for (int i = 0; i < 3; i++) r.direction[i] *= shrink;
@@ -64,10 +83,10 @@ INLINE ray_lanes load_rays(const algsurf_i_rays_job *job, size_t at, int count, 
     lanes inverse = (lanes)(0x7fe0000000000000u - (words)r.t_unit);
     mask plain = less(all_lanes(LEAST_UNIT), r.t_unit) & less(r.t_unit, all_lanes(MOST_UNIT));
     plain &= less(largest_of(r.origin), all_lanes(FARTHEST));
-    r.near = job->t_min ? inverse * load_some(job->t_min + at, count) : all_lanes(0);
-    r.far = job->t_max ? inverse * load_some(job->t_max + at, count) : all_lanes(HUGE_VAL);
+    r.near = job->t_min ? inverse * load_number(job->t_min, w, 6) : all_lanes(0);
+    r.far = job->t_max ? inverse * load_number(job->t_max, w, 7) : all_lanes(HUGE_VAL);
     r.off = all_lanes(0);
-    r.open = active_lanes(job->active ? job->active + at : NULL, count);
+    r.open = active_lanes(job->active && !w->listed ? job->active + w->at : NULL, w->count);
     r.undecided = r.open & ~plain;
     r.open &= plain;
     return r;
@@ -115,8 +134,18 @@ INLINE void clip_to_box(ray_lanes *r, const double centre[3], const double size[
     keep_chord(r, near, far, 0x1p-49 * (absolute(near) + absolute(far)));
 }
 
+/* Rays that are exactly along a plane: each component of its normal is 0, or the ray's direction's is. */
+APART mask along_plane(const algsurf_i_rays_job *job, const places *w, const algsurf_plane *plane) {
+    lanes rises = all_lanes(0);
+    for (int l = 0; l < w->count; l++)
+        for (int i = 0; i < 3; i++)
+            if (plane->normal[i] != 0 && number_of(job->direction[i], w, 3 + i)[l] != 0) rises[l] = 1;
+    return at_most(rises, all_lanes(0));
+}
+
 /* As rays/planes.c, with components of about 1: o + t d is n.X - c = above + t rise from the plane. */
-INLINE void clip_to_plane(ray_lanes *r, const algsurf_plane *plane) {
+INLINE void clip_to_plane(const algsurf_i_rays_job *job, const places *w, ray_lanes *r,
+                          const algsurf_plane *plane) {
     const double *n = plane->normal;
     lanes above = all_lanes(-plane->offset), rise = all_lanes(0);
     lanes above_error = all_lanes(fabs(plane->offset)), rise_error = all_lanes(0);
@@ -138,13 +167,15 @@ INLINE void clip_to_plane(ray_lanes *r, const algsurf_plane *plane) {
     r->off = choose(cuts_far | cuts_near, larger(r->off, off), r->off);
     /* along the plane */
     lanes reach = larger(absolute(r->near), absolute(r->far)) + r->off;
+    mask endless = r->open & ~steep & ~less(reach, all_lanes(HUGE_VAL));
+    if (any(endless)) reach = choose(endless & along_plane(job, w, plane), all_lanes(0), reach);
     lanes slack = 2 * (above_error + reach * (absolute(rise) + rise_error));
     mask kept = steep | less(above, -slack), lost = ~steep & less(slack, above);
     r->undecided |= r->open & ~(kept | lost);
     r->open &= kept;
 }
 
-INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale) {
+INLINE void clip_rays(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, double scale) {
     const algsurf_extent *e = job->extent;
     if (e && e->kind != ALGSURF_EXTENT_ALL) {
         double centre[3], size[3];
@@ -157,7 +188,7 @@ INLINE void clip_rays(const algsurf_i_rays_job *job, ray_lanes *r, double scale)
         else
             clip_to_box(r, centre, size);
     }
-    for (int i = 0; i < job->plane_count; i++) clip_to_plane(r, job->planes + i);
+    for (int i = 0; i < job->plane_count; i++) clip_to_plane(job, w, r, job->planes + i);
     r->open &= ~less(r->far, r->near - 4 * r->off);
 }
 

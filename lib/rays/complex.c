@@ -7,6 +7,12 @@
  * the polynomial is real, radii included; with them no root is proved real by symmetry, nor two conjugates,
  * however small they are.
  *
+ * Range.  The ends of the chord are rounded, so there are two: one that holds all of the ray's part in the
+ * region, and one that is certainly in it (region.c).  A root with a magnitude in the first counts if it is
+ * in the second, too.  Between them a real root in front of the eye is decided by integers, as in real
+ * space (exact.c): those roots of P that are in the root's box are inside the region, or not.  Other roots
+ * stay undecided there: their magnitudes are no places of the surface.
+ *
  * The normal.  Let the direction vary by dV at a fixed origin.  With g the complex gradient at the root and
  * p' = dp/dt, the root moves by dt = -t (g.dV)/p', its magnitude by -|t| w.dV, w = Re(g/p'), and the
  * point shown by dX = |t| (dV - (w.dV) V).  So the normal is w + (1 - w.V)/(V.V) V; for a real root
@@ -17,9 +23,10 @@
 
 #include "../complex/impl.h"
 #include "../base/fpenv.h"
+#include "exact.h"
 #include "intersect_impl.h"
+#include "normal.h"
 #include "../base/options.h"
-#include "planes.h"
 #include "../poly/interval_impl.h"
 #include "ray_impl.h"
 #include "region.h"
@@ -28,7 +35,9 @@
 typedef struct complex_query {
     const algsurf_surface *surface;
     const algsurf_complex_space *space;
-    algsurf_ray ray; /* clipped */
+    const algsurf_i_region *region;
+    algsurf_ray front, ray; /* from the eye on, and its chord */
+    algsurf_i_edges edges;
     algsurf_i_frame frame;
     algsurf_complex c[ALGSURF_MAX_DEGREE + 1]; /* p in v, natural scale */
     double r[ALGSURF_MAX_DEGREE + 1];
@@ -105,11 +114,13 @@ static algsurf_complex slope(const complex_query *q, algsurf_complex v) {
     return (algsurf_complex){d.re / q->frame.step, d.im / q->frame.step};
 }
 
-static void set_normal(const complex_query *q, algsurf_complex v, double normal[3]) {
+/* Where root and p' are real it is that of real space but for its side, exact where it has to be. */
+static void set_normal(const complex_query *q, algsurf_complex v, const double position[3],
+                       double normal[3]) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_i_complex x[3], g[3];
     algsurf_complex p = slope(q, v);
-    double d2 = p.re * p.re + p.im * p.im, w[3];
+    double d2 = p.re * p.re + p.im * p.im, w[3], real[3];
     for (int i = 0; i < 3; i++) x[i] = (algsurf_i_complex){f->X[i].hi + f->D[i] * v.re, f->D[i] * v.im};
     algsurf_i_surface_gradient_complex(q->surface, x, g);
     for (int i = 0; i < 3; i++) w[i] = (g[i].re * p.re + g[i].im * p.im) / d2;
@@ -118,6 +129,11 @@ static void set_normal(const complex_query *q, algsurf_complex v, double normal[
      * imaginary but for rounding, as on the complex part of a sphere, this is the side that is seen. */
     double sign = p.re < -0x1p-30 * sqrt(d2) ? -1 : 1;
     for (int i = 0; i < 3; i++) w[i] = sign * (w[i] + (v.im == 0 && p.im == 0 ? 0 : along * f->V[i]));
+    if (v.im == 0 && p.im == 0 && !algsurf_i_surface_clear_gradient(q->surface, position, real)) {
+        algsurf_i_set_normal(q->surface, &q->ray, position, 0, ALGSURF_DEFAULT_MEMORY, normal);
+        for (int i = 0; i < 3; i++) normal[i] *= sign;
+        return;
+    }
     if (!algsurf_is_finite3(w) || !algsurf_unit(w, normal)) normal[0] = normal[1] = normal[2] = 0;
 }
 
@@ -146,7 +162,8 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
         double x = ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
         hit->position[i] = isfinite(x) ? x : algsurf_i_coordinate_at(&q->ray, i, hit->t);
     }
-    if (local->multiplicity == 1) set_normal(q, local->root, hit->normal); /* a cluster has none */
+    if (local->multiplicity == 1)
+        set_normal(q, local->root, hit->position, hit->normal); /* a cluster has none */
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
 
@@ -185,42 +202,96 @@ static void set_undecided(const complex_query *q, algsurf_status reason, algsurf
     for (int i = 0; i < 3; i++) hit->position[i] = algsurf_i_coordinate_at(&q->ray, i, hit->t);
 }
 
-/* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is
- * one that holds them, and the root has to be in one that they hold to be certain. */
-static int choose(const complex_query *q, const algsurf_complex_root *s, int count, int *index) {
-    const algsurf_interval t = {q->ray.t_min, q->ray.t_max};
-    const int e = q->frame.exponent;
-    algsurf_interval outer = algsurf_i_interval_scale(t, e);
-    algsurf_interval inner = {algsurf_i_scale_up(t.lo, e), algsurf_i_scale_down(t.hi, e)};
-    int selected = ALGSURF_SELECTED_NONE;
-    (void)(q->real ? algsurf_select_of_real : algsurf_select)(s, count, &q->space->sector, outer.lo, outer.hi,
-                                                              &selected, index);
-    if (selected != ALGSURF_SELECTED_ONE) return selected;
-    int inside = algsurf_i_interval_inside(algsurf_i_cinterval_abs(s[*index].box), inner);
-    return inside ? ALGSURF_SELECTED_ONE : ALGSURF_SELECTED_UNDECIDED;
+/* How many roots P has at t in a range, in a region; -1 without memory. */
+static int count_inside(const complex_query *q, const algsurf_i_region *region, algsurf_interval t) {
+    algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
+    algsurf_ray part = q->front;
+    int count = 0;
+    part.t_min = t.lo, part.t_max = t.hi;
+    if (!algsurf_i_has_points(t.lo, t.hi)) return 0;
+    algsurf_status status =
+        algsurf_i_exact_roots(q->surface, region, &part, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY, NULL,
+                              roots, ALGSURF_MAX_DEGREE, &count);
+    return status == ALGSURF_OK ? count : -1;
 }
 
-static void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots, algsurf_hit *hit,
-                  algsurf_complex *root, int *iterations) {
+/* Are the roots of P in the root's box in front of the eye and in the region: 1, 0; or -1: not known.
+ * Integers tell it of real roots. */
+static int is_inside(const complex_query *q, const algsurf_complex_root *s) {
+    const algsurf_i_region everywhere = {NULL, NULL, 0};
+    if (!q->real || q->surface->error > 0 || s->box.im.lo != 0 || s->box.im.hi != 0 || s->box.re.hi < 0)
+        return -1;
+    const algsurf_interval t = algsurf_i_interval_scale(s->box.re, -q->frame.exponent);
+    const algsurf_interval ahead = {fmax(t.lo, 0), t.hi},
+                           seen = {fmax(t.lo, q->front.t_min), fmin(t.hi, q->front.t_max)};
+    int all = count_inside(q, &everywhere, t), inside = count_inside(q, q->region, seen);
+    if (all < 0 || inside < 0) return -1;
+    if (inside == all) return 1;
+    return inside == 0 && (t.lo >= 0 || count_inside(q, &everywhere, ahead) == all) ? 0 : -1;
+}
+
+/* The root that is seen.  Where the ends of the ray in the natural parameter s are no doubles, the range is
+ * one that holds them, and a root has to be in one that they hold, or to be shown to be inside, to be
+ * certain.  Roots that are shown to be outside are taken out of s and local; about one that is inside, the
+ * range is as wide as its box. */
+static int choose(const complex_query *q, algsurf_complex_root *s, algsurf_complex_root *local, int count,
+                  int *index) {
+    const int e = q->frame.exponent;
+    const algsurf_interval inner = {algsurf_i_scale_up(fmax(q->ray.t_min, q->edges.inner_lo), e),
+                                    algsurf_i_scale_down(fmin(q->ray.t_max, q->edges.inner_hi), e)};
+    algsurf_interval range = algsurf_i_interval_scale((algsurf_interval){q->ray.t_min, q->ray.t_max}, e);
+    for (int shown = -1;;) {
+        int selected = ALGSURF_SELECTED_NONE;
+        (void)(q->real ? algsurf_select_of_real : algsurf_select)(s, count, &q->space->sector, range.lo,
+                                                                  range.hi, &selected, index);
+        if (selected == ALGSURF_SELECTED_NONE) return selected;
+        int i = *index;
+        const algsurf_interval size = algsurf_i_cinterval_abs(s[i].box);
+        int is_known = selected == ALGSURF_SELECTED_ONE || s[i].box.re.lo >= 0;
+        if (i == shown || (is_known && algsurf_i_interval_inside(size, inner))) return selected;
+        int inside = is_inside(q, s + i);
+        if (inside < 0) return ALGSURF_SELECTED_UNDECIDED;
+        if (inside) {
+            s[i].box.re.lo = fmax(s[i].box.re.lo, 0);
+            range = algsurf_i_interval_hull(range, size);
+            shown = i;
+            continue;
+        }
+        count--;
+        for (int k = i; k < count; k++) s[k] = s[k + 1], local[k] = local[k + 1];
+        if (shown > i) shown--;
+    }
+}
+
+/* All roots; apart, so that their memory is free again afterwards. */
+static ALGSURF_NOINLINE algsurf_status roots_of(complex_query *q, const algsurf_complex *start,
+                                                algsurf_complex_root *local, int *count, int *iterations) {
     algsurf_i_roots_memory memory;
-    algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
     algsurf_complex v[ALGSURF_MAX_DEGREE + 1];
-    int count = 0, index = 0, n = q->surface->degree;
+    if (!expand(q)) return ALGSURF_E_RANGE;
+    algsurf_status status = algsurf_i_roots_run(&memory, q->c, q->r, q->surface->degree, q->real,
+                                                start_in_v(q, start, v), local, count);
+    if (status == ALGSURF_OK) *iterations = memory.p.iterations;
+    return status;
+}
+
+/* Apart, as most rays that miss need none of its memory. */
+static ALGSURF_NOINLINE void solve(complex_query *q, const algsurf_complex *start, algsurf_complex *roots,
+                                   algsurf_hit *hit, algsurf_complex *root, int *iterations) {
+    algsurf_complex_root local[ALGSURF_MAX_DEGREE + 1], s[ALGSURF_MAX_DEGREE + 1];
+    int count = 0, index = 0;
     algsurf_i_frame_of(q->surface, &q->ray, 0, &q->frame);
     set_miss(hit, root);
     give_roots(q, s, 0, roots);
     *iterations = 0;
-    algsurf_status status = expand(q) ? algsurf_i_roots_run(&memory, q->c, q->r, n, q->real,
-                                                            start_in_v(q, start, v), local, &count)
-                                      : ALGSURF_E_RANGE;
+    algsurf_status status = roots_of(q, start, local, &count, iterations);
     if (status != ALGSURF_OK) {
         set_undecided(q, status == ALGSURF_E_ZERO ? ALGSURF_UNDECIDED_ZERO : ALGSURF_UNDECIDED_RANGE, hit);
         return;
     }
-    *iterations = memory.p.iterations;
     for (int i = 0; i < count; i++) s[i] = shifted(&q->frame, local + i);
     give_roots(q, s, count, roots);
-    int selected = choose(q, s, count, &index);
+    int selected = choose(q, s, local, count, &index);
     if (selected == ALGSURF_SELECTED_NONE) return;
     hit->state = selected == ALGSURF_SELECTED_ONE ? ALGSURF_HIT : ALGSURF_UNDECIDED;
     hit->multiplicity = selected == ALGSURF_SELECTED_ONE ? local[index].multiplicity : 0;
@@ -251,13 +322,14 @@ static ALGSURF_NOINLINE algsurf_status intersect(const algsurf_surface *surface,
     if (status == ALGSURF_OK) status = check(space, surface->degree);
     if (status != ALGSURF_OK) return status;
     complex_query q;
-    algsurf_ray front = *ray;
     q.surface = surface;
     q.space = space;
-    front.t_min = fmax(front.t_min, 0);
+    q.region = region;
+    q.front = *ray;
+    q.front.t_min = fmax(ray->t_min, 0);
     *iterations = 0;
-    if (algsurf_i_extent_clip(region->extent, &front, &q.ray) &&
-        algsurf_i_planes_clip(region->planes, region->plane_count, &q.ray)) {
+    if (algsurf_i_has_points(q.front.t_min, q.front.t_max) &&
+        algsurf_i_region_bracket(region, &q.front, &q.ray, &q.edges)) {
         solve(&q, start, roots, hit, root, iterations);
     } else {
         set_miss(hit, root);

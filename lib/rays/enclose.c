@@ -2,18 +2,28 @@
  *
  * For each of the six faces of the box cells wait in the order in which they reach out that way (Skelboe
  * 1974). The first one is tried: where P, or with it a derivative, has one sign throughout it holds no point
- * and goes; else it is cut in eight.  When the first one is small nothing reaches out farther.  Then all
- * begins anew in the box that was found, until that no longer helps much: so no search has to go deep.
+ * and goes; else it is cut in eight.  When the first one is small nothing reaches out farther.  Each face is
+ * looked for with cells small against the box; then all begins anew in the box that was found, and when that
+ * no longer helps much, with smaller cells: so no search has to go deep.
  *
- * Sign over a cell.  With x = c + h xi, |xi_i| <= 1, P is the sum of a_ijk xi^i eta^j zeta^k; beside a_000 a
- * term with even exponents lies between 0 and a_ijk, any other between +-a_ijk.
+ * Cells are from lo to hi, doubles: parts share the double at which they are cut, wherever that is, and cover
+ * the cell.  What can no longer be cut is the face.  Scaling of the extent, its ends, and scaling of the
+ * result are rounded outward.
+ *
+ * Sign over a cell.  The points c + h xi, |xi_i| <= 1, c a double in the cell and h, rounded up, at least its
+ * distance to both ends, cover it.  P is the sum of a_ijk xi^i eta^j zeta^k; beside a_000 a term with even
+ * exponents lies between 0 and a_ijk, any other between +-a_ijk.
  *
  * Rounding.  Let P~(r) be P with magnitudes of coefficients at r = |c| + h.  Each of the three shifts gives a
  * coefficient at most 2n roundings, the powers of h take n + 2 more each, and at most N terms are added: what
  * is computed of the range is off by less than (6n + 3(n + 2) + N) u P~(r) (1 + ...), and 16 n + 2 N + 32
  * covers P~, which is rounded itself (3n + N), and the dots.  Derivatives by xi multiply a_ijk and its error
- * by i <= n.  A surface with an error has so much of P~ more.  What underflows is at most 2^-1074 a step,
- * multiplied by coordinates: below 2^-1000 max(1, r)^n. */
+ * by i <= n.  A surface with an error has so much of P~ more.
+ *
+ * Underflow and overflow.  Let L = max(1, r), n <= 64, N < 2^16; coefficients are at most 1.  A shifted one
+ * of total degree d is at most 2^80 L^(n-d).  What underflows is off by 2^-1075: in a shift (fewer than 2^24
+ * times) it counts L^n times at most, in a power of h (n times for each place) 2^80 L^n times: together less
+ * than 2^-960 L^n.  L^n <= 2^900 is asked for: then nothing overflows. */
 #include "../base/arithmetic.h"
 #include "algsurf/enclose.h"
 
@@ -23,16 +33,20 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "../poly/interval_round.h"
 #include "../surface/impl.h"
 #include "ray_impl.h"
 
 #define MOST_ROUNDS 16
-#define ENOUGH 0.9           /* of a box's width: a round that leaves more has not helped much */
-#define MOST_WORK 0x1p27      /* multiplications of all searches, about */
+#define ENOUGH 0.9            /* of a box's width: a round that leaves more has not helped much */
+#define MOST_WORK 0x1p27      /* multiplications of all searches, about, */
+#define SHARE 0.125           /* of which one face may take so much of what is left */
+#define CELL_ITSELF 512       /* multiplications in the time that a cell takes, whatever the degree */
+#define FINEST 0.25           /* of the precision: a cell's size when coarser rounds no longer help */
 #define OUTSIDE (1 + 0x1p-40) /* of a radius: rounding of a distance */
 
 typedef struct cell {
-    double middle[3], half[3];
+    double lo[3], hi[3];
 } cell;
 
 /* A search, in natural units. */
@@ -43,7 +57,7 @@ typedef struct search {
     double centre[3], radius;
     double *given, *shifted; /* coefficients: x^i y^j z^k at place(k, j) + i */
     double share;            /* bound: rounding of a range in P~ */
-    int most_cells;          /* for each face */
+    double left;             /* cells that may still be looked at */
     cell *heap;
     int count, room;
 } search;
@@ -93,23 +107,6 @@ static void shift_all(const search *s, const double middle[3]) {
     }
 }
 
-/* P~ at r. */
-static double magnitude(const search *s, const double r[3]) {
-    int n = s->degree;
-    double sum = 0;
-    for (int k = n; k >= 0; k--) {
-        double level = 0;
-        for (int j = n - k; j >= 0; j--) {
-            const double *c = s->given + place(n, k, j);
-            double row = 0;
-            for (int i = n - k - j; i >= 0; i--) row = row * r[0] + fabs(c[i]);
-            level = level * r[1] + row;
-        }
-        sum = sum * r[2] + level;
-    }
-    return sum;
-}
-
 /* Between low and high: a sum of terms. */
 typedef struct range {
     double low, high;
@@ -143,27 +140,37 @@ static void find_ranges(const search *s, const double half[3], range of[4]) {
     }
 }
 
+/* The centre is off by what underflows. */
 static int beside_sphere(const search *s, const cell *c) {
     double square = 0;
     for (int i = 0; i < 3; i++) {
-        double away = fmax(0, fabs(c->middle[i] - s->centre[i]) - c->half[i]);
-        square += away * away;
+        double away = fmax(c->lo[i] - s->centre[i], s->centre[i] - c->hi[i]) - 0x1p-1073;
+        square += away > 0 ? away / s->radius * (away / s->radius) : 0;
     }
-    return square > s->radius * s->radius * OUTSIDE;
+    return square > OUTSIDE;
+}
+
+static double middle_of(const cell *c, int i) {
+    return fmin(fmax(0.5 * c->lo[i] + 0.5 * c->hi[i], c->lo[i]), c->hi[i]);
 }
 
 /* Is it sure that the cell holds no point? */
-static int is_empty(const search *s, const cell *c) {
-    double reach[3], largest = 1;
+static int is_empty(search *s, const cell *c) {
+    double middle[3], half[3], reach[3], largest = 1, lost = 0x1p-960;
     range of[4];
+    s->left--;
     if (s->is_sphere && beside_sphere(s, c)) return 1;
     for (int i = 0; i < 3; i++) {
-        reach[i] = fabs(c->middle[i]) + c->half[i];
+        middle[i] = middle_of(c, i);
+        half[i] = fmax(c->hi[i] - middle[i], middle[i] - c->lo[i]) * (1 + 0x1p-50);
+        reach[i] = fabs(middle[i]) + half[i];
         largest = fmax(largest, reach[i]);
     }
-    shift_all(s, c->middle);
-    find_ranges(s, c->half, of);
-    double error = s->share * magnitude(s, reach) + 0x1p-1000 * pow(largest, s->degree);
+    for (int i = 0; i < s->degree; i++) lost *= largest;
+    if (!(lost < 0x1p-60)) return 0;
+    shift_all(s, middle);
+    find_ranges(s, half, of);
+    double error = s->share * algsurf_i_surface_magnitude(s->surface, reach) + lost;
     for (int d = 0; d < (s->part == ALGSURF_PART_SINGULAR ? 4 : 1); d++) {
         if (of[d].low > error || of[d].high < -error) return 1;
         error = d == 0 ? error * fmax(1, s->degree) : error;
@@ -173,7 +180,7 @@ static int is_empty(const search *s, const cell *c) {
 
 /* ---- cells in the order in which they reach out ---- */
 
-static double reach_out(const cell *c, int axis, int sign) { return sign * c->middle[axis] + c->half[axis]; }
+static double reach_out(const cell *c, int axis, int sign) { return sign > 0 ? c->hi[axis] : -c->lo[axis]; }
 
 static int push(search *s, const cell *c, int axis, int sign) {
     if (s->count == s->room) {
@@ -209,11 +216,8 @@ static cell pop(search *s, int axis, int sign) {
 /* Those of the eight parts of a cell that may hold a point. */
 static int push_parts(search *s, const cell *whole, int axis, int sign) {
     for (int which = 0; which < 8; which++) {
-        cell part;
-        for (int i = 0; i < 3; i++) {
-            part.half[i] = 0.5 * whole->half[i];
-            part.middle[i] = whole->middle[i] + (which >> i & 1 ? part.half[i] : -part.half[i]);
-        }
+        cell part = *whole;
+        for (int i = 0; i < 3; i++) *(which >> i & 1 ? &part.lo[i] : &part.hi[i]) = middle_of(whole, i);
         if (!is_empty(s, &part) && !push(s, &part, axis, sign)) return 0;
     }
     return 1;
@@ -221,14 +225,17 @@ static int push_parts(search *s, const cell *whole, int axis, int sign) {
 
 typedef enum outcome { NO_MEMORY, EMPTY, FOUND } outcome;
 
-/* How far what is in the cell reaches out. */
-static outcome find_face(search *s, const cell *whole, int axis, int sign, double width, double *face) {
+/* How far what is in the box reaches out. */
+static outcome find_face(search *s, const cell *box, int axis, int sign, double precision, double most,
+                         double *face) {
+    double width = precision * (box->hi[axis] - box->lo[axis]), stop = s->left - most;
     s->count = 0;
-    if (!is_empty(s, whole) && !push(s, whole, axis, sign)) return NO_MEMORY;
-    for (int cells = 0; s->count > 0; cells++) {
+    if (!is_empty(s, box) && !push(s, box, axis, sign)) return NO_MEMORY;
+    while (s->count > 0) {
         cell first = pop(s, axis, sign);
-        if (2 * first.half[axis] <= width || cells >= s->most_cells) {
-            *face = sign * reach_out(&first, axis, sign);
+        double lo = first.lo[axis], hi = first.hi[axis], middle = middle_of(&first, axis);
+        if (hi - lo <= width || middle == lo || middle == hi || s->left < stop) {
+            *face = sign > 0 ? hi : lo;
             return FOUND;
         }
         if (!push_parts(s, &first, axis, sign)) return NO_MEMORY;
@@ -238,52 +245,39 @@ static outcome find_face(search *s, const cell *whole, int axis, int sign, doubl
 
 /* ---- the box ---- */
 
-/* From lo to hi, rounded outward. */
-static cell cell_between(const double lo[3], const double hi[3]) {
-    cell c;
-    for (int i = 0; i < 3; i++) {
-        c.middle[i] = 0.5 * lo[i] + 0.5 * hi[i];
-        c.half[i] = fmax(hi[i] - c.middle[i], c.middle[i] - lo[i]) * (1 + 0x1p-50);
-    }
-    return c;
-}
-
-/* Pushes in each face once; *helped: some width is much smaller now. */
-static outcome push_faces(search *s, double precision, double lo[3], double hi[3], int *helped) {
-    const cell whole = cell_between(lo, hi);
-    *helped = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        double width = hi[axis] - lo[axis], face[2] = {lo[axis], hi[axis]};
-        for (int side = 0; side < 2; side++) {
-            outcome found = find_face(s, &whole, axis, side ? 1 : -1, precision * width, &face[side]);
-            if (found != FOUND) return found;
+static outcome find_box(search *s, double precision, cell *box) {
+    double share = precision;
+    for (int round = 0; round < MOST_ROUNDS && share >= FINEST * precision; round++) {
+        const cell before = *box; /* for all faces, as the budget: what is symmetric gets a symmetric box */
+        const double most = SHARE * s->left;
+        int helped = 0;
+        for (int i = 0; i < 3; i++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                outcome found =
+                    find_face(s, &before, i, sign, share, most, sign > 0 ? &box->hi[i] : &box->lo[i]);
+                if (found != FOUND) return found;
+            }
+        for (int i = 0; i < 3; i++) {
+            if (box->lo[i] > box->hi[i]) return EMPTY; /* by two faces */
+            helped |= box->hi[i] - box->lo[i] < ENOUGH * (before.hi[i] - before.lo[i]);
         }
-        lo[axis] = fmax(lo[axis], face[0]);
-        hi[axis] = fmax(lo[axis], fmin(hi[axis], face[1]));
-        *helped |= hi[axis] - lo[axis] < ENOUGH * width;
+        if (!helped) share *= 0.5;
     }
     return FOUND;
 }
 
-static outcome find_box(search *s, double precision, double lo[3], double hi[3]) {
-    outcome found = FOUND;
-    int helped = 1;
-    for (int round = 0; round < MOST_ROUNDS && helped && found == FOUND; round++)
-        found = push_faces(s, precision, lo, hi, &helped);
-    return found;
-}
-
 static int has_good_part(int part) { return part == ALGSURF_PART_ALL || part == ALGSURF_PART_SINGULAR; }
 
-static void set_extent(search *s, const algsurf_extent *extent, double lo[3], double hi[3]) {
+/* The extent's box in natural units. */
+static void set_extent(search *s, const algsurf_extent *extent, cell *box) {
     int unit = s->surface->unit;
     s->is_sphere = extent->kind == ALGSURF_EXTENT_SPHERE;
-    s->radius = ldexp(extent->size[0], -unit);
+    s->radius = algsurf_i_scale_up(extent->size[0], -unit);
     for (int i = 0; i < 3; i++) {
-        double half = ldexp(extent->size[s->is_sphere ? 0 : i], -unit);
+        double size = algsurf_i_scale_up(extent->size[s->is_sphere ? 0 : i], -unit);
         s->centre[i] = ldexp(extent->centre[i], -unit);
-        lo[i] = s->centre[i] - half;
-        hi[i] = s->centre[i] + half;
+        box->lo[i] = algsurf_i_add_down(algsurf_i_scale_down(extent->centre[i], -unit), -size);
+        box->hi[i] = algsurf_i_add_up(algsurf_i_scale_up(extent->centre[i], -unit), size);
     }
 }
 
@@ -291,13 +285,13 @@ static void set_polynomial(search *s) {
     size_t places = level_place(s->degree, s->degree + 1);
     spread(s->surface, s->given);
     s->share = (16 * s->degree + 2 * (double)places + 32) * ALGSURF_U + s->surface->error;
-    s->most_cells = (int)fmax(8, MOST_WORK / (6 * 8 * MOST_ROUNDS * 3.0 * (double)places * (s->degree + 1)));
+    s->left = MOST_WORK / (3.0 * (double)places * (s->degree + 1) + CELL_ITSELF);
 }
 
 static ALGSURF_NOINLINE algsurf_status enclose(const algsurf_surface *surface, const algsurf_extent *extent,
                                                int part, double precision, double lo[3], double hi[3],
                                                int *empty) {
-    double low[3], high[3];
+    cell box;
     search s = {.surface = surface, .degree = surface->degree, .part = part};
     algsurf_status status = algsurf_i_extent_check(extent);
     if (status != ALGSURF_OK) return status;
@@ -308,15 +302,15 @@ static ALGSURF_NOINLINE algsurf_status enclose(const algsurf_surface *surface, c
     if (!s.given) return ALGSURF_E_NO_MEMORY;
     s.shifted = s.given + places;
     set_polynomial(&s);
-    set_extent(&s, extent, low, high);
-    outcome found = find_box(&s, precision, low, high);
+    set_extent(&s, extent, &box);
+    outcome found = find_box(&s, precision, &box);
     free(s.given);
     free(s.heap);
     if (found == NO_MEMORY) return ALGSURF_E_NO_MEMORY;
     *empty = found == EMPTY;
     for (int i = 0; i < 3 && !*empty; i++) {
-        lo[i] = ldexp(low[i], surface->unit);
-        hi[i] = ldexp(high[i], surface->unit);
+        lo[i] = algsurf_i_scale_down(box.lo[i], surface->unit);
+        hi[i] = algsurf_i_scale_up(box.hi[i], surface->unit);
     }
     return ALGSURF_OK;
 }

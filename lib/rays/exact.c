@@ -23,7 +23,6 @@ typedef struct query {
     const algsurf_surface *surface;
     const algsurf_i_region *region;
     const algsurf_ray *ray;
-    const algsurf_i_exact_eye *eye;
     algsurf_ray chord;
     algsurf_i_edges edges;
     int unit, scale; /* p(u) = 2^scale P */
@@ -33,8 +32,8 @@ typedef struct query {
     int count, capacity;
 } query;
 
-/* A unit for rays without ends: about as long as it takes to come from the origin to the surface. */
-static int unit_without_ends(const algsurf_surface *s, const algsurf_ray *ray) {
+int algsurf_i_exact_unit(const algsurf_surface *s, const algsurf_ray *ray, double t_min, double t_max) {
+    if (isfinite(t_min) && isfinite(t_max)) return algsurf_exact_piece_of(t_min, t_max).unit;
     double far = algsurf_max_abs(ray->origin), step = algsurf_max_abs(ray->direction);
     int reach = far > 0 && ilogb(far) > s->unit ? ilogb(far) : s->unit;
     return reach - ilogb(step);
@@ -154,24 +153,20 @@ static algsurf_status decide(query *q, algsurf_i_want want) {
     algsurf_zpoly p;
     const double *o = q->ray->origin, *d = q->ray->direction;
     if (!algsurf_i_region_bracket(q->region, q->ray, &q->chord, &q->edges)) return ALGSURF_OK;
-    q->unit = isfinite(q->chord.t_min) && isfinite(q->chord.t_max)
-                  ? algsurf_exact_piece_of(q->chord.t_min, q->chord.t_max).unit
-                  : unit_without_ends(q->surface, q->ray);
-    int made = q->eye ? algsurf_i_exact_eye_form(&q->memory, q->eye, d, q->unit, &p, &q->scale)
-                      : algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale);
+    q->unit = algsurf_i_exact_unit(q->surface, q->ray, q->chord.t_min, q->chord.t_max);
+    int made = algsurf_i_exact_form(&q->memory, q->surface, o, d, q->unit, &p, &q->scale);
     if (!made) return ALGSURF_E_NO_MEMORY;
     return p.degree < 0 ? ray_in_surface(q) : p.degree == 0 ? ALGSURF_OK : walk_chord(q, &p, want);
 }
 
 algsurf_status algsurf_i_exact_roots(const algsurf_surface *surface, const algsurf_i_region *region,
-                                     const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                                     algsurf_i_want want, size_t limit, algsurf_observer *observer,
-                                     algsurf_i_ray_root *roots, int capacity, int *count) {
+                                     const algsurf_ray *ray, algsurf_i_want want, size_t limit,
+                                     algsurf_observer *observer, algsurf_i_ray_root *roots, int capacity,
+                                     int *count) {
     algsurf_limb block[STACK_WORDS];
     query q = {.surface = surface,
                .region = region,
                .ray = ray,
-               .eye = eye,
                .observer = observer,
                .roots = roots,
                .capacity = capacity};

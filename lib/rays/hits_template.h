@@ -82,10 +82,38 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
     hit->t_hi = choose(behind, smaller(hit->t_hi, t[1]), hit->t_hi);
 }
 
+/* Lanes of which the gradient at x is not known to be that at the hit, a step away, to what ALGSURF_I_CLEAR
+ * asks for: their normals are NaN, and found apart (normal.h).
+ *
+ * With S, P's scheme on magnitudes at |x|, rounding puts S_i off by (4 n + 8) u S_i at most (surface/eval.c),
+ * a step along r, |r_j| < 2, by 2 |step| sum_j S_ij.  With L = max(1, |x|) and the sum A of the coefficients'
+ * sizes S_i <= n A L^(n-1), and that sum is at most 63 / L times as much.  S is convex: with all coordinates
+ * larger by d, S_i <= S / d and sum_j S_ij <= 4 S / d^2.  For d = L / 8 both times the error is below (4 n +
+ * 8) u + 128 |step| / L times the bound on S_i. */
+APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes error,
+                            lanes gradient) {
+    lanes reach[3], d = 0.125 * size;
+    for (int i = 0; i < 3; i++) {
+        reach[i] = absolute(x[i]) + d;
+        if (s->stride[i] == 2) reach[i] *= reach[i];
+    }
+    return ~less(error * surface_magnitude(s, reach), d * gradient);
+}
+
+INLINE mask unclear(const algsurf_surface *s, const lanes x[3], const lanes gradient[3], lanes step,
+                    mask which) {
+    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(s->degree * s->size);
+    lanes error = ALGSURF_I_CLEAR * ((4 * s->degree + 8) * 0x1p-53 * size + 128 * absolute(step));
+    lanes gradient_size = largest_of(gradient) * size; /* like the error, times L */
+    for (int i = 1; i < s->degree; i++) power *= size;
+    mask not_yet = which & ~less(power * error, gradient_size);
+    return any(not_yet) ? not_yet & unclear_by_terms(s, x, size, error, gradient_size) : not_yet;
+}
+
 /* From roots v of the polynomials, -1 <= v <= 1, to hits.  A point is kept as t + low: where the origin is
  * far, the rounding of t alone is too much. */
 INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes middle, lanes half, lanes v,
-                      int ends, packet *k, lanes_hit *hit) {
+                      int ends, int normals, packet *k, lanes_hit *hit) {
     const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
     lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
@@ -110,10 +138,11 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     hit->t *= r->t_unit;
     hit->t_lo *= r->t_unit;
     hit->t_hi *= r->t_unit;
+    mask none = normals ? unclear(job->surface, x[0], gradient, step, k->hit) : no_lane();
     make_unit(gradient);
     for (int i = 0; i < 3; i++) {
         hit->position[i] = (x[0][i] + step * r->direction[i]) * r->unit;
-        hit->normal[i] = gradient[i];
+        hit->normal[i] = choose(none, all_lanes(NAN), gradient[i]);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "../base/arithmetic.h"
 #include "algsurf/intersect.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@
 #include "exact.h"
 #include "intersect_impl.h"
 #include "kernel.h"
+#include "normal.h"
 #include "query.h"
 #include "ranges.h"
 #include "ray_impl.h"
@@ -58,40 +60,14 @@ static void set_position(const hit_point *p, const double x[3], double t, double
     }
 }
 
-/* The gradient at a point before x on the ray, `back` away in natural units or, far out, in those of |x|; 0
- * when it is mostly rounding. */
-static int gradient_before(const hit_point *p, const double x[3], double back, double gradient[3]) {
-    double before[3], length = back * fmax(1, algsurf_max_abs(x));
-    for (int i = 0; i < 3; i++) before[i] = x[i] - length * p->frame.V[i];
-    return algsurf_i_surface_clear_gradient(p->surface, before, gradient);
+/* In the caller's units, how far rounding of t puts a point from a root on which no step was taken. */
+static double distance_of_t(const algsurf_ray *ray, const algsurf_i_ray_root *root) {
+    return root->multiplicity == 1 ? 0 : 0x1p-52 * fabs(root->t) * algsurf_max_abs(ray->direction);
 }
 
-/* The gradient at x; 0 when it is mostly rounding, or another than a few roundings of x away. */
-static int gradient_at(const hit_point *p, const double x[3], double gradient[3]) {
-    double near[3], size = 0, change = 0;
-    if (!gradient_before(p, x, 0, gradient)) return 0;
-    (void)gradient_before(p, x, 0x1p-44, near);
-    for (int i = 0; i < 3; i++) {
-        size = fmax(size, fabs(gradient[i]));
-        change = fmax(change, fabs(near[i] - gradient[i]));
-    }
-    return change <= 0x1p-8 * size;
-}
-
-/* The unit normal at x.  At a singular point, where there is no gradient, it is that of the nearest of some
- * points before it on the ray: where two sheets meet, or one is there twice, the normal seen beside.  0: no
- * point has any. */
-static void set_normal(const hit_point *p, const double x[3], double normal[3]) {
-    double gradient[3];
-    int found = gradient_at(p, x, gradient);
-    for (double back = 0x1p-36; !found && back <= 0x1p-8; back *= 16)
-        found = gradient_before(p, x, back, gradient);
-    if (!found || !algsurf_is_finite3(gradient) || !algsurf_unit(gradient, normal))
-        normal[0] = normal[1] = normal[2] = 0;
-}
-
-static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, const algsurf_i_ray_root *root,
+static void make_hit(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_ray_root *root,
                      algsurf_hit *hit) {
+    const algsurf_surface *surface = q->surface;
     algsurf_ray point = *ray;
     double x[3];
     hit_point p = {surface, ray, {0}};
@@ -109,7 +85,7 @@ static void make_hit(const algsurf_surface *surface, const algsurf_ray *ray, con
     set_position(&p, x, root->t, hit->position);
     int beyond = p.frame.lost || !p.frame.one_piece; /* t overflows in natural units: not even one point */
     if (beyond || !algsurf_is_finite3(hit->position)) point_within_range(&p, root->t, x, hit->position);
-    set_normal(&p, x, hit->normal);
+    algsurf_i_set_normal(surface, ray, hit->position, distance_of_t(ray, root), q->memory_limit, hit->normal);
 }
 
 /* A place where a hit may be. */
@@ -135,7 +111,11 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
     job.of_one = algsurf_i_rays_kernel_for(q->kernel)->of_one;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
-    return algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
+    int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);
+    for (int i = 0; i < count; i++)
+        if (isnan(hits[i].normal[0]))
+            algsurf_i_set_normal(q->surface, ray, hits[i].position, 0, q->memory_limit, hits[i].normal);
+    return count;
 }
 
 /* The three ways to answer what lanes leave undecided: at most ALGSURF_MAX_DEGREE hits, or one for want
@@ -143,13 +123,12 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
 
 /* Exact coefficients: all is decided. */
 static ALGSURF_NOINLINE algsurf_status hits_exact(const algsurf_i_query *q, const algsurf_ray *ray,
-                                                  const algsurf_i_exact_eye *eye, algsurf_i_want want,
-                                                  algsurf_hit *hits, int *count) {
+                                                  algsurf_i_want want, algsurf_hit *hits, int *count) {
     algsurf_i_ray_root roots[ALGSURF_MAX_DEGREE];
     int most = want == ALGSURF_WANT_ALL ? ALGSURF_MAX_DEGREE : 1;
-    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, eye, want, q->memory_limit,
+    algsurf_status status = algsurf_i_exact_roots(q->surface, &q->region, ray, want, q->memory_limit,
                                                   q->options.observer, roots, most, count);
-    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q->surface, ray, roots + i, hits + i);
+    for (int i = 0; status == ALGSURF_OK && i < *count; i++) make_hit(q, ray, roots + i, hits + i);
     return status;
 }
 
@@ -160,10 +139,11 @@ static ALGSURF_NOINLINE algsurf_status hits_in_ranges(const algsurf_i_query *q, 
     algsurf_status status = algsurf_i_exact_ranges(q->surface, &q->region, ray, q->memory_limit,
                                                    q->options.observer, range, count);
     for (int i = 0; status == ALGSURF_OK && i < *count; i++) {
-        double lo = range[i].lo, hi = range[i].hi, middle = 0.5 * lo + 0.5 * hi;
+        double lo = range[i].lo, hi = range[i].hi,
+               middle = fmax(fmin(0.5 * lo + 0.5 * hi, DBL_MAX), -DBL_MAX);
         const algsurf_i_ray_root root = {1, range[i].side, middle, lo, hi};
         if (range[i].side)
-            make_hit(q->surface, ray, &root, hits + i);
+            make_hit(q, ray, &root, hits + i);
         else
             set_undecided(ray, lo, hi, range[i].reason, hits + i);
     }
@@ -193,29 +173,29 @@ static void settle_undecided(int as, algsurf_hit *hits, int *count) {
 }
 
 /* The hits of a ray that lanes left undecided. */
-static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, const algsurf_i_exact_eye *eye,
-                             algsurf_i_want want, algsurf_hit *hits, int *count) {
+static algsurf_status decide(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_i_want want,
+                             algsurf_hit *hits, int *count) {
     algsurf_status status = ALGSURF_OK;
     if (q->options.tier == ALGSURF_TIER_BOUNDED)
         hit_undecided(&q->region, ray, hits, count);
     else if (q->surface->error > 0)
         status = hits_in_ranges(q, ray, hits, count);
     else
-        status = hits_exact(q, ray, eye, want, hits, count);
+        status = hits_exact(q, ray, want, hits, count);
     if (status != ALGSURF_OK) return status;
     settle_undecided(q->options.undecided_as, hits, count);
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
-                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact) {
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
+                                         uint64_t *exact) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     algsurf_status status = ALGSURF_OK;
     /* where no method is chosen, packets have tried */
     int count = q->has_method ? hits_in_lane(q, ray, 1, found) : -1;
     if (count < 0) {
         *exact += q->options.tier != ALGSURF_TIER_BOUNDED;
-        status = decide(q, ray, eye, ALGSURF_WANT_FIRST, found, &count);
+        status = decide(q, ray, ALGSURF_WANT_FIRST, found, &count);
     }
     if (status != ALGSURF_OK) return status;
     if (count)
@@ -229,7 +209,7 @@ algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf
 static algsurf_status find_all(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *found,
                                int *count) {
     *count = hits_in_lane(q, ray, q->surface->degree, found);
-    return *count >= 0 ? ALGSURF_OK : decide(q, ray, NULL, ALGSURF_WANT_ALL, found, count);
+    return *count >= 0 ? ALGSURF_OK : decide(q, ray, ALGSURF_WANT_ALL, found, count);
 }
 
 static ALGSURF_NOINLINE algsurf_status all(const algsurf_surface *surface, const algsurf_extent *extent,
@@ -263,7 +243,7 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state) {
     algsurf_hit found[ALGSURF_MAX_DEGREE];
     int count = 0;
-    algsurf_status status = decide(q, ray, NULL, ALGSURF_WANT_ANY, found, &count);
+    algsurf_status status = decide(q, ray, ALGSURF_WANT_ANY, found, &count);
     if (status != ALGSURF_OK) return status;
     *state = count ? ALGSURF_UNDECIDED : ALGSURF_MISS;
     for (int i = 0; i < count; i++)

@@ -2,7 +2,6 @@
 #ifndef ALGSURF_INTERSECT_IMPL_H
 #define ALGSURF_INTERSECT_IMPL_H
 #include "algsurf/intersect.h"
-#include "../surface/exact_eye.h"
 #include "expand_impl.h"
 #include "query.h"
 #include "region.h"
@@ -27,10 +26,10 @@ algsurf_status algsurf_i_intersect_packet(const algsurf_surface *surface, const 
                                           const algsurf_hit_packet *hits, uint64_t *exact);
 
 /* algsurf_intersect_first and algsurf_occluded for a checked ray that packets left undecided, in the standard
- * floating-point environment: OK or E_NO_MEMORY.  eye: null, or P about the origin (exact.h).  exact: 1 is
+ * floating-point environment: OK or E_NO_MEMORY.  exact: 1 is
  * added where integers decide. */
-algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray,
-                                         const algsurf_i_exact_eye *eye, algsurf_hit *hit, uint64_t *exact);
+algsurf_status algsurf_i_intersect_first(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit,
+                                         uint64_t *exact);
 algsurf_status algsurf_i_occluded(const algsurf_i_query *q, const algsurf_ray *ray, int *state);
 
 /* algsurf_intersect_complex in a region, whose planes are good, and how many corrections of roots it took. */

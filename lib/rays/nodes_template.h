@@ -54,7 +54,8 @@ INLINE lanes surface_magnitude(const algsurf_surface *s, const lanes x[3]) {
 
 /* b, from the chord's middle and half of it as a vector. */
 INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle[3], const lanes half[3],
-                                    lanes *b, int n, int block) {
+                                    lanes *b, int n) {
+    const int block = __builtin_constant_p(n) ? n + 1 : BLOCK_OF_NODES;
     lanes x[3][MOST_NODES], p[MOST_NODES];
     for (int i = 0; i < 3; i++) {
         for (int m = 0; m <= n; m++) {

@@ -3,7 +3,6 @@
 #include "../base/arithmetic.h"
 #include "own_ball.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -85,6 +84,6 @@ const algsurf_extent *algsurf_i_without_own_ball(const algsurf_surface *surface,
                                                  algsurf_extent *wider) {
     if (!algsurf_i_is_own_ball(surface, extent)) return extent;
     *wider = *extent;
-    wider->size[0] = fmin(2 * extent->size[0], DBL_MAX);
+    wider->size[0] = 2 * extent->size[0];
     return wider;
 }

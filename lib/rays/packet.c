@@ -11,6 +11,7 @@
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
 #include "kernel.h"
+#include "normal.h"
 #include "../base/options.h"
 #include "query.h"
 #include "ray_impl.h"
@@ -129,31 +130,48 @@ static void set_no_memory(const algsurf_ray *ray, algsurf_hit *hit) {
     hit->t_hi = ray->t_max;
 }
 
-enum { SHARED_BY = 8, EYE_WORDS = 1024 }; /* rays that pay for an eye; its memory before any is allocated */
-
-/* Do SHARED_BY or more rays that are left alone begin at the same point? */
-static int share_origin(const algsurf_ray_packet *rays, const unsigned char *state) {
-    size_t count = 0, first = 0;
-    for (size_t i = 0; i < rays->count; i++) {
-        if (!left_alone(rays, state, i)) continue;
-        if (count++ == 0) first = i;
-        for (int k = 0; k < 3; k++)
-            if (rays->origin[k][i] != rays->origin[k][first]) return 0;
-    }
-    return count >= SHARED_BY;
+static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
+    const double *o = ray->origin, *d = ray->direction;
+    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
+                                .count = 1,
+                                .origin = {o, o + 1, o + 2},
+                                .direction = {d, d + 1, d + 2},
+                                .t_min = &ray->t_min,
+                                .t_max = &ray->t_max};
 }
 
-/* P about the rays' common origin, if that makes forms cheaper: it fills a sparse surface. */
-static const algsurf_i_exact_eye *make_eye(const algsurf_i_query *q, const algsurf_ray_packet *rays,
-                                           const unsigned char *state, algsurf_memory *m,
-                                           algsurf_i_exact_eye *eye) {
-    size_t first = 0;
-    if (q->options.tier == ALGSURF_TIER_BOUNDED || q->surface->error > 0 || !share_origin(rays, state))
-        return NULL;
-    while (!left_alone(rays, state, first)) first++;
-    const double origin[3] = {rays->origin[0][first], rays->origin[1][first], rays->origin[2][first]};
-    if (!algsurf_i_exact_eye_make(m, q->surface, origin, eye)) return NULL;
-    return eye->count <= 3 * q->surface->term_count ? eye : NULL;
+/* The state of one ray, and all of a certain hit. */
+static unsigned char solve_one(const algsurf_i_query *q, const algsurf_ray *ray, algsurf_hit *hit) {
+    const algsurf_ray_packet rays = packet_of(ray);
+    unsigned char state;
+    int8_t side = 0;
+    const algsurf_i_rays_hits hits = {
+        .state = &state,
+        .side = &side,
+        .t = &hit->t,
+        .t_lo = &hit->t_lo,
+        .t_hi = &hit->t_hi,
+        .position = {hit->position, hit->position + 1, hit->position + 2},
+        .normal = {hit->normal, hit->normal + 1, hit->normal + 2},
+    };
+    solve_together(q, &rays, 0, 1, &hits);
+    if (state == ALGSURF_LANE_HIT && isnan(hit->normal[0]))
+        algsurf_i_set_normal(q->surface, ray, hit->position, 0, q->memory_limit, hit->normal);
+    hit->side = side;
+    return state;
+}
+
+/* The normal that packets leave open. */
+static void set_normal(const algsurf_i_query *q, const algsurf_ray_packet *rays,
+                       const algsurf_i_rays_hits *hits, size_t i) {
+    int open = 0;
+    for (int k = 0; k < 3; k++) open |= hits->normal[k] && isnan(hits->normal[k][i]);
+    if (!open || hits->state[i] != ALGSURF_HIT || (rays->active && !rays->active[i])) return;
+    algsurf_ray ray = ray_of(rays, i);
+    algsurf_hit hit;
+    (void)solve_one(q, &ray, &hit);
+    for (int k = 0; k < 3; k++)
+        if (hits->normal[k]) hits->normal[k][i] = hit.normal[k];
 }
 
 /* The rays that packets leave undecided, one by one; and what packets do not write. */
@@ -161,20 +179,15 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
                                               const algsurf_i_rays_hits *hits,
                                               const algsurf_hit_packet *known, uint64_t *exact) {
     algsurf_status status = ALGSURF_OK;
-    algsurf_limb block[EYE_WORDS];
-    algsurf_memory memory;
-    algsurf_i_exact_eye eye;
-    algsurf_memory_begin(&memory, block, EYE_WORDS, ALGSURF_DEFAULT_MEMORY);
-    algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    const algsurf_i_exact_eye *shared = make_eye(q, rays, hits->state, &memory, &eye);
     for (size_t i = 0; i < rays->count; i++) {
         if (!left_alone(rays, hits->state, i)) {
             set_simple(rays, known, i);
+            set_normal(q, rays, hits, i);
             continue;
         }
         algsurf_ray ray = ray_of(rays, i);
         algsurf_hit hit;
-        algsurf_status one = algsurf_i_intersect_first(q, &ray, shared, &hit, exact);
+        algsurf_status one = algsurf_i_intersect_first(q, &ray, &hit, exact);
         if (one != ALGSURF_OK) {
             set_no_memory(&ray, &hit);
             status = one;
@@ -182,7 +195,6 @@ static ALGSURF_NOINLINE algsurf_status finish(const algsurf_i_query *q, const al
         store_hit(hits, i, &hit);
         if (known->multiplicity) known->multiplicity[i] = hit.multiplicity;
     }
-    algsurf_memory_release(&memory, begin);
     return status;
 }
 
@@ -212,44 +224,22 @@ ALGSURF_NOINLINE algsurf_status algsurf_i_intersect_packet(const algsurf_surface
     return finish(&q, &read, &hits, &known, exact);
 }
 
-static algsurf_ray_packet packet_of(const algsurf_ray *ray) {
-    const double *o = ray->origin, *d = ray->direction;
-    return (algsurf_ray_packet){.size = sizeof(algsurf_ray_packet),
-                                .count = 1,
-                                .origin = {o, o + 1, o + 2},
-                                .direction = {d, d + 1, d + 2},
-                                .t_min = &ray->t_min,
-                                .t_max = &ray->t_max};
-}
-
 static ALGSURF_NOINLINE algsurf_status first_of_one(const algsurf_surface *surface,
                                                     const algsurf_extent *extent, const algsurf_ray *ray,
                                                     const algsurf_intersect_options *options,
                                                     algsurf_hit *hit) {
     algsurf_i_query q;
     algsurf_hit found;
-    unsigned char state;
-    int8_t side = 0;
     uint64_t exact = 0;
     const algsurf_ray_packet given = packet_of(ray);
     algsurf_ray_packet rays;
     algsurf_status status = prepare(&q, &rays, surface, extent, &given, options);
     if (status != ALGSURF_OK) return status;
-    const algsurf_i_rays_hits hits = {
-        .state = &state,
-        .side = &side,
-        .t = &found.t,
-        .t_lo = &found.t_lo,
-        .t_hi = &found.t_hi,
-        .position = {found.position, found.position + 1, found.position + 2},
-        .normal = {found.normal, found.normal + 1, found.normal + 2},
-    };
-    solve_together(&q, &rays, 0, 1, &hits);
-    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, NULL, hit, &exact);
+    unsigned char state = solve_one(&q, ray, &found);
+    if (state == ALGSURF_LANE_UNDECIDED) return algsurf_i_intersect_first(&q, ray, hit, &exact);
     found.state = state;
     found.reason = ALGSURF_OK;
     found.multiplicity = state == ALGSURF_LANE_HIT;
-    found.side = side;
     *hit = found;
     return ALGSURF_OK;
 }

@@ -21,6 +21,7 @@
 #include "../roots/packet_template.h"
 #include "../simd/lanes.h"
 #include "chord_template.h"
+#include "far_template.h"
 #include "hits_template.h"
 #include "kernel.h"
 #include "nodes_template.h"
@@ -36,15 +37,24 @@ INLINE void set_coefficients_of_one(const algsurf_i_rays_job *job, const chord_l
     for (int j = 0; j <= n; j++) k->b[j] = all_lanes(b[j]);
 }
 
+#define NODE_DEGREES(statement)                                                                              \
+    DEGREES_2_TO_4(statement)                                                                                \
+    FOR_ONE_DEGREE(6, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement)
+
+APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line, lanes *b, int n) {
+    if (n > ALGSURF_MAX_NODE_DEGREE) __builtin_unreachable();
+    FOR_DEGREES(COMMON_DEGREES, n, coefficients_from_nodes(s, line->middle, line->half, b, N),
+                NODE_DEGREES(coefficients_from_nodes(s, line->middle, line->half, b, N)))
+}
+
 /* b from nodes, and one radius for all of them. */
-INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
-                             int block) {
+INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     const algsurf_surface *s = job->surface;
     lanes x[3];
     if (LANES == 2 && job->of_one)
         set_coefficients_of_one(job, line, k, n);
     else
-        coefficients_from_nodes(s, line->middle, line->half, k->b, n, block);
+        coefficients_of_many(s, line, k->b, n);
     for (int i = 0; i < 3; i++) {
         lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
         x[i] = s->stride[i] == 2 ? reach * reach : reach;
@@ -123,10 +133,9 @@ APART void decide_again(const algsurf_i_rays_job *job, const chord_line *line, p
     close(k, n, again.hit, &again.at);
 }
 
-INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n,
-                              int block) {
+INLINE void decide_from_nodes(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     mask opened = k->open;
-    set_coefficients(job, line, k, n, block);
+    set_coefficients(job, line, k, n);
     solve_chords(job, k, n, 0);
     mask again = opened & k->undecided;
     if (any(again)) decide_again(job, line, k, again, n);
@@ -142,9 +151,18 @@ INLINE void store_lanes(double *p, lanes a, unsigned which) {
     }
 }
 
-INLINE void store_hits(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, size_t at,
-                       unsigned which) {
+/* What is found of the lanes `which`; to: their places, side by side. */
+INLINE void store_found(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, size_t at,
+                        int count, unsigned which, int any) {
+    unsigned found = bits(k->hit), undecided = bits(k->undecided), below = bits(negative(k->at.side));
     lanes none = all_lanes(HUGE_VAL);
+    for (int l = 0; l < count; l++)
+        if (which >> l & 1)
+            to->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
+                                                  ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
+    for (int l = 0; to->side && l < count; l++)
+        if (which >> l & found >> l & 1) to->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
+    if (any) return;
     lanes t = choose(k->hit, hit->t, none);
     store_lanes(to->t ? to->t + at : NULL, t, which);
     store_lanes(to->t_lo ? to->t_lo + at : NULL, choose(k->hit, hit->t_lo, none), which);
@@ -154,6 +172,28 @@ INLINE void store_hits(const packet *k, const lanes_hit *hit, const algsurf_i_ra
         lanes normal = choose(k->hit, hit->normal[i], all_lanes(0));
         store_lanes(to->position[i] ? to->position[i] + at : NULL, position, which);
         store_lanes(to->normal[i] ? to->normal[i] + at : NULL, normal, which);
+    }
+}
+
+/* The same one by one, of rays with places of their own. */
+APART void store_listed(const packet *k, const lanes_hit *hit, const algsurf_i_rays_hits *to, const places *w,
+                        unsigned which, int any) {
+    for (int l = 0; l < w->count; l++) {
+        if (!(which >> l & 1)) continue;
+        size_t i = w->ray[l];
+        int found = bits(k->hit) >> l & 1;
+        to->state[i] = (uint8_t)(found                         ? ALGSURF_LANE_HIT
+                                 : bits(k->undecided) >> l & 1 ? ALGSURF_LANE_UNDECIDED
+                                                               : 0);
+        if (to->side && found) to->side[i] = bits(negative(k->at.side)) >> l & 1 ? -1 : 1;
+        if (any) continue;
+        if (to->t) to->t[i] = found ? hit->t[l] : HUGE_VAL;
+        if (to->t_lo) to->t_lo[i] = found ? hit->t_lo[l] : HUGE_VAL;
+        if (to->t_hi) to->t_hi[i] = found ? hit->t_hi[l] : HUGE_VAL;
+        for (int j = 0; j < 3; j++) {
+            if (to->position[j]) to->position[j][i] = found ? hit->position[j][l] : 0;
+            if (to->normal[j]) to->normal[j][i] = found ? hit->normal[j][l] : 0;
+        }
     }
 }
 
@@ -168,76 +208,66 @@ INLINE const algsurf_i_watch *watch_chord(const algsurf_i_rays_job *job, const r
     return watch;
 }
 
-INLINE void solve_rays_n(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits, int n,
-                         int block) {
-    if (n < 1 || n > (block ? ALGSURF_MAX_NODE_DEGREE : MOST_DEGREE)) __builtin_unreachable();
-    double scale = ldexp(1, -job->surface->unit);
-    for (size_t at = 0; at < count; at += LANES) {
-        packet k;
-        algsurf_i_watch watch;
-        lanes_hit hit = {.t = all_lanes(0)};
-        int left = count - at < LANES ? (int)(count - at) : LANES;
-        ray_lanes r = load_rays(job, at, left, scale);
-        unsigned which = bits(r.open | r.undecided);
-        if (!which) continue;
-        clip_rays(job, &r, scale);
-        lanes middle = 0.5 * r.near + 0.5 * r.far, half = 0.5 * r.far - 0.5 * r.near;
-        k.watch = watch_chord(job, &r, &watch);
-        k.open = r.open;
-        k.undecided = r.undecided;
-        k.hit = no_lane();
-        if (any(k.open)) {
-            chord_line line;
-            set_chords(job, &r, middle, half, &line, &k);
-            if (block)
-                decide_from_nodes(job, &line, &k, n, block);
-            else
-                decide_from_powers(job, &line, &k, n);
-            if (!job->any && any(k.hit)) {
-                lanes v;
-                refine(&k, n, ROOT_ERROR, &v);
-                find_hits(job, &r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi, &k, &hit);
-            }
+/* Answers the lanes `given`, but those that it returns. */
+INLINE mask solve_lanes(const algsurf_i_rays_job *job, const places *w, ray_lanes *r, far_rays *f, mask given,
+                        const algsurf_i_rays_hits *hits, int n) {
+    packet k;
+    algsurf_i_watch watch;
+    lanes_hit hit = {.t = all_lanes(0)};
+    mask going = no_lane();
+    lanes middle = 0.5 * r->near + 0.5 * r->far, half = 0.5 * r->far - 0.5 * r->near;
+    k.watch = watch_chord(job, r, &watch);
+    k.open = r->open;
+    k.undecided = r->undecided;
+    k.hit = no_lane();
+    if (any(k.open)) {
+        chord_line line;
+        set_chords(job, r, middle, half, &line, &k);
+        mask opened = k.open;
+        if (job->surface->nodes)
+            decide_from_nodes(job, &line, &k, n);
+        else
+            decide_from_powers(job, &line, &k, n);
+        if (any(f->far)) going = next_pieces(job, r, f, &line, &k, opened, n, !job->surface->nodes);
+        if (!job->any && any(k.hit)) {
+            lanes v;
+            refine(&k, n, ROOT_ERROR, &v);
+            find_hits(job, r, middle, half, 2 * v - 1, hits->t_lo || hits->t_hi,
+                      hits->normal[0] || hits->normal[1] || hits->normal[2], &k, &hit);
         }
-        unsigned found = bits(k.hit), undecided = bits(k.undecided);
-        for (int l = 0; l < left; l++)
-            if (which >> l & 1)
-                hits->state[at + (size_t)l] = (uint8_t)(ALGSURF_LANE_HIT * (found >> l & 1) +
-                                                        ALGSURF_LANE_UNDECIDED * (undecided >> l & 1));
-        unsigned below = bits(negative(k.at.side));
-        for (int l = 0; hits->side && l < left; l++)
-            if (which >> l & found >> l & 1) hits->side[at + (size_t)l] = below >> l & 1 ? -1 : 1;
-        if (!job->any) store_hits(&k, &hit, hits, at, which);
     }
+    unsigned answered = bits(given & ~going);
+    if (w->listed)
+        store_listed(&k, &hit, hits, w, answered, job->any);
+    else
+        store_found(&k, &hit, hits, w->at, w->count, answered, job->any);
+    return going;
 }
 
 APART void solve_rays(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits) {
-    int n = job->surface->node_degree;
-    if (!job->surface->nodes) {
-        solve_rays_n(job, count, hits, n, 0);
-        return;
-    }
-    switch (COMMON_DEGREES ? n : 0) {
-    case 2:
-        solve_rays_n(job, count, hits, 2, 3);
-        break;
-    case 3:
-        solve_rays_n(job, count, hits, 3, 4);
-        break;
-    case 4:
-        solve_rays_n(job, count, hits, 4, 5);
-        break;
-    case 6:
-        solve_rays_n(job, count, hits, 6, 7);
-        break;
-    case 8:
-        solve_rays_n(job, count, hits, 8, 9);
-        break;
-    case 10:
-        solve_rays_n(job, count, hits, 10, 11);
-        break;
-    default:
-        solve_rays_n(job, count, hits, n, BLOCK_OF_NODES);
+    const int n = job->surface->node_degree;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
+    double scale = ldexp(1, -job->surface->unit);
+    waiting list = {.count = 0};
+    places w;
+    for (size_t next = 0; next < count || list.count > 0;) {
+        far_rays f;
+        if (list.count >= LANES || next == count) {
+            take(&list, job, &w);
+        } else {
+            w.listed = 0;
+            w.at = next;
+            w.count = count - next < LANES ? (int)(count - next) : LANES;
+            next += (size_t)w.count;
+        }
+        ray_lanes r = load_rays(job, &w, scale);
+        if (!any(r.open | r.undecided)) continue;
+        mask given = r.open | r.undecided;
+        clip_rays(job, &w, &r, scale);
+        begin_far(job, &w, &r, &f);
+        if (w.listed) resume(&list, &w, &r, &f);
+        mask going = solve_lanes(job, &w, &r, &f, given, hits, n);
+        if (any(going)) put(&list, &w, &f, bits(going));
     }
 }
 

@@ -117,17 +117,3 @@ int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsur
     }
     return algsurf_i_has_points(cut->outer_lo, cut->outer_hi);
 }
-
-int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray *ray) {
-    for (size_t i = 0; i < count; i++) {
-        const crossing c = crossing_of(planes + i, ray);
-        if (!is_steep(&c) && c.above > 0) return 0;
-        if (!is_steep(&c)) continue;
-        double t = ldexp(-c.above / c.rise, c.exponent);
-        if (c.rise > 0)
-            ray->t_max = fmin(ray->t_max, t);
-        else
-            ray->t_min = fmax(ray->t_min, t);
-    }
-    return algsurf_i_has_points(ray->t_min, ray->t_max);
-}

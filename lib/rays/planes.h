@@ -19,10 +19,6 @@ typedef struct algsurf_i_cut {
 int algsurf_i_planes_cut(const algsurf_plane *planes, size_t count, const algsurf_ray *ray,
                          algsurf_i_cut *cut);
 
-/* Moves t_min and t_max to where the planes are, but for a few roundings; returns whether something is left.
- */
-int algsurf_i_planes_clip(const algsurf_plane *planes, size_t count, algsurf_ray *ray);
-
 /* A plane in a unit of 2^exponent, its normal multiplied by a power of two so that its largest component is
  * in [1/2,1); components of less than 2^-1000 of that may be lost. */
 algsurf_plane algsurf_i_plane_in_unit(const algsurf_plane *plane, int exponent);

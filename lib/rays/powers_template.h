@@ -14,6 +14,7 @@
  * in M's 2^-63.  The bound (6 n + 20) u takes in the higher orders and the rounding of E. */
 #ifndef ALGSURF_POWERS_TEMPLATE_H
 #define ALGSURF_POWERS_TEMPLATE_H
+#include "../poly/triangle_template.h"
 #include "../roots/descartes_template.h"
 #include "../simd/lanes.h"
 #include "../surface/impl.h"
@@ -97,14 +98,11 @@ APART void coefficients_from_powers(const algsurf_surface *s, const chord_line *
     surface_along(s, reach, 1, &size);
     for (int k = p.degree + 1; k <= n; k++) p.c[k] = size.c[k] = all_lanes(0);
     double factor = (6 * n + 20) * 0x1p-53 + s->error;
+    powers_to_bernstein(s->from_powers, n + 1, p.c, b, n);
     for (int j = 0; 2 * j <= n; j++) {
         const double *basis = s->from_powers + j * (n + 1);
-        lanes even = p.c[0], odd = basis[1] * p.c[1], sum = size.c[0] + fabs(basis[1]) * size.c[1];
-        for (int k = 2; k <= n; k++) sum += fabs(basis[k]) * size.c[k];
-        for (int k = 2; k <= n; k += 2) even += basis[k] * p.c[k];
-        for (int k = 3; k <= n; k += 2) odd += basis[k] * p.c[k];
-        b[j] = even + odd;
-        b[n - j] = even - odd;
+        lanes sum = size.c[0];
+        for (int k = 1; k <= n; k++) sum += fabs(basis[k]) * size.c[k];
         e[j] = e[n - j] = factor * sum + LOST_BY_UNDERFLOW;
     }
 }

@@ -42,11 +42,13 @@ static int extent_fits(const algsurf_extent *extent, int unit) {
     return 1;
 }
 
-/* The planes in the surface's unit; 0: one is too far away for lanes. */
+/* The planes in the surface's unit; 0: one is too far away for lanes, or loses a component. */
 static int scale_planes(algsurf_i_query *q) {
     for (size_t i = 0; i < q->region.plane_count; i++) {
         q->planes[i] = algsurf_i_plane_in_unit(q->region.planes + i, q->surface->unit);
         if (!(fabs(q->planes[i].offset) < 0x1p100)) return 0;
+        for (int k = 0; k < 3; k++)
+            if ((q->planes[i].normal[k] == 0) != (q->region.planes[i].normal[k] == 0)) return 0;
     }
     return 1;
 }

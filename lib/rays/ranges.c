@@ -3,16 +3,17 @@
  * A coefficient a is known to error |a|.  Along X + u D, in integers, p_k is then known to the coefficient of
  * u^k of the form of the terms error |a|, along |X| + u |D|: all of its summands are the magnitudes of those
  * of p_k. Both forms get the same power of two, and exact_radii.c finds where the set has roots.  What lies
- * within the rounding of the chord's ends is undecided: it may be inside the region or not. */
+ * within the rounding of the chord's ends is undecided: it may be inside the region or not.  An end that is
+ * infinite has no rounding: roots beyond the largest double count like all others. */
 #include "../base/arithmetic.h"
 #include "ranges.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "../roots/exact_radii.h"
 #include "../surface/exact_form.h"
+#include "exact.h"
 #include "region.h"
 
 enum { STACK_WORDS = 2048 };
@@ -61,8 +62,8 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
                               const algsurf_ray *ray, const algsurf_ray *chord, const algsurf_i_edges *edges,
                               algsurf_observer *observer, algsurf_i_ray_range *ranges, int *count) {
     const algsurf_i_watch watch = {.observer = observer};
-    double lo = fmax(chord->t_min, -DBL_MAX), hi = fmin(chord->t_max, DBL_MAX);
-    int unit = algsurf_exact_piece_of(lo, hi).unit, found = 0;
+    double lo = chord->t_min, hi = chord->t_max;
+    int unit = algsurf_i_exact_unit(s, ray, lo, hi), found = 0;
     algsurf_zpoly p, radius;
     algsurf_exact_range range[ALGSURF_MAX_DEGREE];
     if (!make_forms(m, s, spread, ray, unit, &p, &radius) ||
@@ -71,7 +72,7 @@ static algsurf_status isolate(algsurf_memory *m, const algsurf_surface *s, const
         return ALGSURF_E_NO_MEMORY;
     for (int i = 0; i < found; i++) {
         int inside = !edges->cut || (range[i].lo >= edges->inner_lo && range[i].hi <= edges->inner_hi);
-        int at_end = range[i].lo <= lo || range[i].hi >= hi;
+        int at_end = (isfinite(lo) && range[i].lo <= lo) || (isfinite(hi) && range[i].hi >= hi);
         algsurf_status reason = lo == hi            ? ALGSURF_UNDECIDED_ZERO
                                 : !inside || at_end ? ALGSURF_UNDECIDED_END
                                                     : ALGSURF_UNDECIDED_MULTIPLE;

@@ -13,8 +13,8 @@ typedef struct algsurf_i_ray_range {
 } algsurf_i_ray_range;
 
 /* All of them along a checked ray in the region, in order; at most ALGSURF_MAX_DEGREE.
- * Beyond the largest double nothing is looked for.  OK or E_NO_MEMORY.  Stack, limit, observer: as
- * algsurf_i_exact_roots. */
+ * A root beyond the largest double has an infinite lo or hi, as in algsurf_i_exact_roots, which see for
+ * stack, limit, observer.  OK or E_NO_MEMORY. */
 algsurf_status algsurf_i_exact_ranges(const algsurf_surface *surface, const algsurf_i_region *region,
                                       const algsurf_ray *ray, size_t limit, algsurf_observer *observer,
                                       algsurf_i_ray_range ranges[ALGSURF_MAX_DEGREE], int *count);

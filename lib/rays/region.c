@@ -5,7 +5,11 @@
  *
  * How much is added, with M = |origin_i| + |centre_i| + size, of a ball the largest.  The extent is larger by
  * 2^-43 M.  The clip is off along the ray by less than 2^-47 of the way to the far side, which is below 2 M:
- * together less than the 2^-42 M that algsurf_region_clip promises.  Of planes, see planes.c. */
+ * together less than the 2^-42 M that algsurf_region_clip promises.  Of planes, see planes.c.
+ *
+ * Lengths near the largest double are clipped as a 16th of themselves, and t with them: so an extent can
+ * always be larger by its margin.  t then underflows by 2^-1070 at most, which is nothing beside such
+ * margins. */
 #include "../base/arithmetic.h"
 #include "region.h"
 
@@ -15,6 +19,7 @@
 #include "../base/fpenv.h"
 #include "planes.h"
 #include "ray_impl.h"
+#include "../base/vec.h"
 
 /* By how much to move the extent's surface along an axis, or the sphere's in all.  An extent larger by d is
  * entered earlier by d / |direction| or more, the sphere's radius and the box's half sizes alike; the clip is
@@ -22,36 +27,53 @@
  * itself, and t by 2^-1074 where it underflows.  d is 2^-43 of that, and more than what underflows. */
 static double margin(const algsurf_extent *extent, const algsurf_ray *ray, int axis) {
     double size = extent->size[extent->kind == ALGSURF_EXTENT_BOX ? axis : 0];
-    double far = 0.25 * fabs(ray->origin[axis]) + 0.25 * fabs(extent->centre[axis]) + 0.25 * size;
-    return fmin(0x1p-41 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]), 0.25 * DBL_MAX);
+    double far = fabs(ray->origin[axis]) + fabs(extent->centre[axis]) + size;
+    return 0x1p-43 * far + 0x1p-1060 + 0x1p-1070 * fabs(ray->direction[axis]);
+}
+
+/* What the lengths of extent and origin are multiplied by, and both so: 1, or less where they are large. */
+static double shrink(algsurf_extent *extent, algsurf_ray *ray) {
+    double largest = fmax(algsurf_max_abs(ray->origin), algsurf_max_abs(extent->centre));
+    largest = fmax(largest, extent->size[0]);
+    if (extent->kind == ALGSURF_EXTENT_BOX) largest = fmax(largest, algsurf_max_abs(extent->size));
+    double scale = largest > 0x1p1000 ? 0x1p-4 : 1;
+    for (int i = 0; i < 3; i++) {
+        extent->size[i] *= scale;
+        extent->centre[i] *= scale;
+        ray->origin[i] *= scale;
+    }
+    return scale;
 }
 
 static int extent_bracket(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
                           algsurf_i_edges *edges) {
     *edges = (algsurf_i_edges){0, -HUGE_VAL, HUGE_VAL};
     if (!extent || extent->kind == ALGSURF_EXTENT_ALL) return algsurf_i_extent_clip(extent, ray, chord);
-    algsurf_extent outer = *extent, inner = *extent;
+    algsurf_extent outer = *extent;
+    algsurf_ray line = *ray;
+    const double scale = shrink(&outer, &line);
+    algsurf_extent inner = outer;
     int box = extent->kind == ALGSURF_EXTENT_BOX, solid = 1;
     double d[3], ends[2];
-    for (int i = 0; i < 3; i++) d[i] = margin(extent, ray, i);
+    for (int i = 0; i < 3; i++) d[i] = margin(&outer, &line, i);
     if (!box) d[0] = fmax(d[0], fmax(d[1], d[2]));
     for (int i = 0; i < (box ? 3 : 1); i++) {
-        outer.size[i] = fmin(extent->size[i] + d[i], DBL_MAX);
-        inner.size[i] = extent->size[i] - d[i];
+        outer.size[i] += d[i];
+        inner.size[i] -= d[i];
         solid &= inner.size[i] > 0;
     }
     /* What overflowed is between the largest double and infinity. */
-    if (!algsurf_i_line_clip(&outer, ray, ends)) return 0;
+    if (!algsurf_i_line_clip(&outer, &line, ends)) return 0;
     *chord = *ray;
-    chord->t_min = fmax(ray->t_min, fmin(ends[0], DBL_MAX));
-    chord->t_max = fmin(ray->t_max, fmax(ends[1], -DBL_MAX));
+    chord->t_min = fmax(ray->t_min, fmin(ends[0] / scale, DBL_MAX));
+    chord->t_max = fmin(ray->t_max, fmax(ends[1] / scale, -DBL_MAX));
     if (!algsurf_i_has_points(chord->t_min, chord->t_max)) return 0;
     edges->cut = 1;
     edges->inner_lo = HUGE_VAL;
     edges->inner_hi = -HUGE_VAL;
-    if (solid && algsurf_i_line_clip(&inner, ray, ends)) {
-        edges->inner_lo = fmax(ends[0], -DBL_MAX);
-        edges->inner_hi = fmin(ends[1], DBL_MAX);
+    if (solid && algsurf_i_line_clip(&inner, &line, ends)) {
+        edges->inner_lo = fmax(ends[0] / scale, -DBL_MAX);
+        edges->inner_hi = fmin(ends[1] / scale, DBL_MAX);
     }
     return 1;
 }

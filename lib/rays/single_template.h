@@ -13,6 +13,7 @@ typedef struct single_ray {
     const algsurf_i_rays_job *job;
     const algsurf_refine_options *how; /* null: as packets do it */
     ray_lanes ray;
+    far_rays ends;
     chord_line line;
     lanes middle, half;
     packet k;
@@ -70,9 +71,11 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
+    mask none = unclear(s->job->surface, x[0], normal, all_lanes(0), s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
-    for (int i = 0; i < 3; i++) hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = normal[i];
+    for (int i = 0; i < 3; i++)
+        hit->position[i] = x[0][i] * s->ray.unit, hit->normal[i] = choose(none, all_lanes(NAN), normal[i]);
 }
 
 /* The bracket's hit; 0: it is undecided. */
@@ -85,7 +88,7 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     else
         refine(&s->k, s->job->surface->node_degree, ROOT_ERROR, &v);
     if (any(s->k.undecided)) return 0;
-    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, &s->k, &hit);
+    find_hits(s->job, &s->ray, s->middle, s->half, 2 * v - 1, !wide, 1, &s->k, &hit);
     if (!s->how && any(s->k.undecided)) return 0;
     if (any(s->k.undecided) || wide) {
         s->k.undecided = no_lane();
@@ -102,25 +105,45 @@ static int make_hit(single_ray *s, algsurf_hit *to) {
     return 1;
 }
 
-/* The first bracket, as solve_rays_n finds it. */
-static void first_bracket(single_ray *s) {
-    int n = s->job->surface->node_degree;
-    if (!s->job->surface->nodes) {
-        s->from_powers = 1;
+static int next_piece(single_ray *s, mask before, mask behind) {
+    s->ray.open = go_on(&s->ends, &s->k, before, behind);
+    if (any(s->ray.open)) set_piece(&s->ends, &s->ray);
+    return any(s->ray.open);
+}
+
+/* The first bracket in a piece, as solve_rays finds it; returns whether a piece before it comes first. */
+static int first_bracket(single_ray *s) {
+    int n = s->job->surface->node_degree, own = !s->job->surface->nodes;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
+    s->middle = 0.5 * s->ray.near + 0.5 * s->ray.far;
+    s->half = 0.5 * s->ray.far - 0.5 * s->ray.near;
+    s->from_powers = own;
+    s->k.watch = watch_chord(s->job, &s->ray, &s->watch);
+    s->k.open = s->ray.open;
+    s->k.undecided = s->ray.undecided;
+    s->k.hit = no_lane();
+    if (any(s->k.open)) set_chords(s->job, &s->ray, s->middle, s->half, &s->line, &s->k);
+    mask which = s->k.open & s->ends.far;
+    if (!any(s->k.open)) return 0;
+    if (own)
         decide_from_powers(s->job, &s->line, &s->k, n);
-        return;
-    }
-    FOR_DEGREE(n, decide_from_nodes(s->job, &s->line, &s->k, N, N < MOST_NODES ? N + 1 : BLOCK_OF_NODES))
-    for (int j = 1; j <= n; j++) s->k.e[j] = s->k.e[0];
+    else
+        decide_from_nodes(s->job, &s->line, &s->k, n);
+    if (any(which)) look_beyond(&s->k, n, own, &s->ends);
+    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, &s->k, n, &s->ends);
+    for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
+    mask before = lanes_before(&s->ray, &s->ends, which);
+    return any(before) && next_piece(s, before, no_lane());
 }
 
 /* The next one. */
 static void next_bracket(single_ray *s) {
     int n = s->job->surface->node_degree;
     lanes from = s->k.at.q;
+    if (n < 1 || n > MOST_DEGREE) __builtin_unreachable();
     for (;;) {
         next(&s->k, n, from);
-        isolate_known_often(&s->k, n);
+        isolate_known(&s->k, n);
         if (!any(s->k.undecided) || s->from_powers) return;
         s->from_powers = 1;
         coefficients_from_powers(s->job->surface, &s->line, n, s->k.b, s->k.e);
@@ -133,22 +156,23 @@ static int all_hits(const algsurf_i_rays_job *job, const algsurf_refine_options 
     single_ray s = {.job = job, .how = how};
     int count = 0;
     double scale = ldexp(1, -job->surface->unit);
-    s.ray = load_rays(job, 0, 1, scale);
-    clip_rays(job, &s.ray, scale);
-    s.middle = 0.5 * s.ray.near + 0.5 * s.ray.far;
-    s.half = 0.5 * s.ray.far - 0.5 * s.ray.near;
-    s.k.watch = watch_chord(job, &s.ray, &s.watch);
-    s.k.open = s.ray.open;
-    s.k.undecided = s.ray.undecided;
-    s.k.hit = no_lane();
-    if (any(s.k.open)) set_chords(job, &s.ray, s.middle, s.half, &s.line, &s.k);
-    if (any(s.k.open)) first_bracket(&s);
+    places first;
+    first.count = 1, first.listed = 0, first.at = 0;
+    s.ray = load_rays(job, &first, scale);
+    clip_rays(job, &first, &s.ray, scale);
+    begin_far(job, &first, &s.ray, &s.ends);
     for (;;) {
+        if (first_bracket(&s)) continue;
+        while (any(s.k.hit & ~s.k.undecided)) {
+            if (!make_hit(&s, hits + count)) return -1;
+            if (++count == most) return count;
+            if (s.k.at.q[0] >= 1) break;
+            next_bracket(&s);
+        }
         if (any(s.k.undecided)) return -1;
-        if (!any(s.k.hit)) return count;
-        if (!make_hit(&s, hits + count)) return -1;
-        if (++count == most || s.k.at.q[0] >= 1) return count;
-        next_bracket(&s);
+        mask behind = lanes_behind(&s.ray, &s.ends, s.ends.far & s.ray.open);
+        if (!any(behind)) return count;
+        if (!next_piece(&s, no_lane(), behind)) return -1;
     }
 }
 

@@ -3,10 +3,13 @@
  * Halley's method on the power basis about the middle of the interval, beginning where the control polygon
  * crosses zero.
  *
- * Error.  Values are off by about noise = u S (centred_template.h), a root x by noise / |p'(x)|, and by less
- * where x is nearer to the middle than the ends are: S is then replaced by the sum at x.  A root that may be
- * off by more than BLURRED is enclosed by values that are better than doubles (enclose_template.h), if its
- * coefficients are exact; otherwise it is undecided, as is a root to which the method does not converge. */
+ * Error.  About the rounded middle, a value at v is off by at most noise = (5n + 1) u S to first order: the
+ * shift rounds 2n times, powers of h and their product n + 1 times, Horner's rule 2n times; S, which
+ * centred_template.h has for the ends, is sum |c_k| (|m| + h |v|)^k.  A root is off by noise / |p'|, where
+ * this is below BLURRED: as |p''| <= n^2 S, |p'| changes by less than 2^-10 of itself on such a way.  (The
+ * last step's own error, below 2^-44 as the steps before show, is no bound.)  A root that may be off by more
+ * is enclosed by values that are better than doubles (enclose_template.h), if its coefficients are exact;
+ * otherwise it is undecided, as is a root to which the method does not converge. */
 #ifndef ALGSURF_BRACKETS_TEMPLATE_H
 #define ALGSURF_BRACKETS_TEMPLATE_H
 #include "../poly/table.h"
@@ -20,7 +23,7 @@
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */
 #define MANY_ROUNDS 8           /* of Halley's method; two or three are usual */
-#define BLURRED 0x1p-39         /* errors of roots that are left to double-double */
+#define BLURRED 0x1p-39         /* 0.91e-12 of the interval: errors of roots that are left to double-double */
 
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
 INLINE
@@ -63,7 +66,7 @@ INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *bl
         a[w].moving = less(numbered(), all_lanes(block->hits - first));
         a[w].slope = a[w].last;
         a[w].stuck = no_lane();
-        to->noise[w] = gather_row(block, RADIUS, id, n) * (1.0 / (6 * n + 10));
+        to->noise[w] = gather_row(block, RADIUS, id, n) * ((5.0 * n + 1) / (6 * n + 10));
     }
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();

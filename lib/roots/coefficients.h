@@ -1,12 +1,20 @@
 /* coefficients.h - a polynomial as a caller gives it. */
 #ifndef ALGSURF_COEFFICIENTS_H
 #define ALGSURF_COEFFICIENTS_H
+#include "algsurf/isolate.h"
 
 /* c[0] + ... + c[degree] t^degree, not zero; with radii r, or null, for all polynomials within them. */
 typedef struct algsurf_i_coefficients {
     const double *c, *r;
     int degree;
 } algsurf_i_coefficients;
+
+/* Exact ones: doubles c or, if that is null, integers z. */
+typedef struct algsurf_i_given {
+    const double *c;
+    const algsurf_integer *z;
+    int degree;
+} algsurf_i_given;
 
 /* The largest exponent among the coefficients, or their radii, in units of 2^unit. */
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit);

@@ -12,33 +12,6 @@
 
 enum { STACK_WORDS = 2048 };
 
-/* Where roots go, as what is asked for: one of both is null. */
-typedef struct answer {
-    algsurf_real_root *roots;
-    algsurf_bracket *brackets;
-    int capacity, count;
-} answer;
-
-static void give(answer *a, const algsurf_exact_root *root) {
-    int i = a->count++, kind = root->lo == root->hi ? ALGSURF_BRACKET_EXACT : ALGSURF_BRACKET_ISOLATED;
-    if (a->roots)
-        a->roots[i] = (algsurf_real_root){root->t, root->lo, root->hi, root->multiplicity, root->sign_before};
-    else
-        a->brackets[i] =
-            (algsurf_bracket){root->lo, root->hi, kind, root->sign_before, root->multiplicity, ALGSURF_OK};
-}
-
-static algsurf_status walk(algsurf_memory *m, const algsurf_zpoly *p, int unit, double lo, double hi,
-                           answer *a, const algsurf_i_watch *watch) {
-    algsurf_exact_walk walk;
-    algsurf_exact_root root;
-    int found = ALGSURF_EXACT_END, refine = a->roots ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
-    if (!algsurf_exact_begin(&walk, m, p, unit, lo, hi, refine, watch)) return ALGSURF_E_NO_MEMORY;
-    while (a->count < a->capacity && (found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT)
-        give(a, &root);
-    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
-}
-
 static int unit_of(double lo, double hi) {
     return isfinite(lo) && isfinite(hi) ? algsurf_exact_piece_of(lo, hi).unit : 0;
 }
@@ -64,53 +37,42 @@ static int scale_of(const algsurf_zpoly *p, const double *c, int unit) {
     return ilogb(lead) + e - ilogb(c[n]) - n * unit;
 }
 
-/* The first roots of a polynomial from doubles c or, if that is null, from integers z. */
-static algsurf_status decide(const double *c, const algsurf_integer *z, int degree, double lo, double hi,
-                             answer *a, const algsurf_i_watch *watch) {
+static algsurf_status walk(algsurf_exact_walk *walk, algsurf_real_root *roots, int capacity, int *count) {
+    algsurf_exact_root root;
+    int found = ALGSURF_EXACT_END;
+    while (*count < capacity && (found = algsurf_exact_next(walk, &root)) == ALGSURF_EXACT_ROOT)
+        roots[(*count)++] =
+            (algsurf_real_root){root.t, root.lo, root.hi, root.multiplicity, root.sign_before};
+    return found == ALGSURF_EXACT_NO_MEMORY ? ALGSURF_E_NO_MEMORY : ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_decide(const algsurf_i_given *given, double lo, double hi, int refined,
+                                algsurf_real_root *roots, int capacity, int *count,
+                                const algsurf_i_watch *watch) {
     algsurf_i_watch scaled;
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly p;
-    int unit = c ? unit_of(lo, hi) : 0;
+    algsurf_exact_walk exact;
+    int unit = given->c ? unit_of(lo, hi) : 0,
+        refine = refined ? ALGSURF_EXACT_REFINED : ALGSURF_EXACT_BRACKETS;
+    *count = 0;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     algsurf_status status = ALGSURF_E_NO_MEMORY;
-    if (c ? algsurf_exact_from_doubles(&memory, c, degree, unit, &p)
-          : algsurf_i_from_integers(&memory, z, degree, &p)) {
+    if (given->c ? algsurf_exact_from_doubles(&memory, given->c, given->degree, unit, &p)
+                 : algsurf_i_from_integers(&memory, given->z, given->degree, &p)) {
         if (watch && p.degree > 0) {
             scaled = *watch;
-            scaled.exponent -= scale_of(&p, c, unit);
+            scaled.exponent -= scale_of(&p, given->c, unit);
             watch = &scaled;
         }
-        status = p.degree < 1 ? ALGSURF_OK : walk(&memory, &p, unit, lo, hi, a, watch);
+        if (p.degree < 1)
+            status = ALGSURF_OK;
+        else if (algsurf_exact_begin(&exact, &memory, &p, unit, lo, hi, refine, watch))
+            status = walk(&exact, roots, capacity, count);
     }
     algsurf_memory_release(&memory, begin);
-    return status;
-}
-
-algsurf_status algsurf_i_decide_roots(const double *c, int degree, double lo, double hi,
-                                      algsurf_real_root *roots, int capacity, int *count,
-                                      const algsurf_i_watch *watch) {
-    answer a = {.roots = roots, .capacity = capacity};
-    algsurf_status status = decide(c, NULL, degree, lo, hi, &a, watch);
-    *count = a.count;
-    return status;
-}
-
-algsurf_status algsurf_i_decide_brackets(const double *c, int degree, double lo, double hi,
-                                         algsurf_bracket *brackets, int capacity, int *count,
-                                         const algsurf_i_watch *watch) {
-    answer a = {.brackets = brackets, .capacity = capacity};
-    algsurf_status status = decide(c, NULL, degree, lo, hi, &a, watch);
-    *count = a.count;
-    return status;
-}
-
-algsurf_status algsurf_i_decide_integers(const algsurf_integer *c, int degree, double lo, double hi,
-                                         algsurf_real_root *roots, int capacity, int *count) {
-    answer a = {.roots = roots, .capacity = capacity};
-    algsurf_status status = decide(NULL, c, degree, lo, hi, &a, NULL);
-    *count = a.count;
     return status;
 }
 

@@ -31,11 +31,11 @@
  * large as that, and they live on the stack. */
 #ifndef ALGSURF_DESCARTES_TEMPLATE_H
 #define ALGSURF_DESCARTES_TEMPLATE_H
+#include "../poly/triangle_template.h"
 #include "../simd/lanes.h"
 #include "algsurf/status.h"
 #include "watch.h"
 
-#define APART static __attribute__((noinline, unused))
 
 #ifndef MOST_DEGREE
 #define MOST_DEGREE ALGSURF_MAX_DEGREE
@@ -76,35 +76,6 @@ INLINE signs count_signs(const lanes *w, const lanes *e, int n, int own) {
 /* Both ends' signs are known, by more than `margin`. */
 INLINE mask ends_known(const lanes *w, const lanes *e, int n, int own, lanes margin) {
     return less(e[0] + margin, absolute(w[0])) & less(radius_of(e, n, own) + margin, absolute(w[n]));
-}
-
-/* w becomes the part behind, left the part before, of a cell cut between lengths `before` and `behind`, with
- * before <= 2^10 behind: de Casteljau's scheme at two thirds of its cost.  With share = behind / (before +
- * behind), level i is kept in units of share^i, so that each sum is one multiplication and one addition.  If
- * the lengths are exact, the quotient and the share have error u each: every level adds 3 u max|w|, its unit
- * 2 u. */
-INLINE void split(lanes *w, lanes *left, int n, lanes before, lanes behind) {
-    lanes quotient = before / behind, share = behind / (before + behind), unit = all_lanes(1);
-    left[0] = w[0];
-    UNROLLED
-    for (int i = 1; i <= n; i++) {
-        UNROLLED
-        for (int j = 0; j <= n - i; j++) w[j] += quotient * w[j + 1];
-        w[n - i + 1] *= unit;
-        unit *= share;
-        left[i] = unit * w[0];
-    }
-    w[0] = left[n];
-}
-
-/* The same for any lengths whose sum is exact. */
-INLINE void split_shares(lanes *w, lanes *left, int n, lanes before, lanes behind) {
-    lanes rest = behind / (before + behind), ratio = before / (before + behind);
-    left[0] = w[0];
-    for (int i = 1; i <= n; i++) {
-        for (int j = 0; j <= n - i; j++) w[j] = rest * w[j] + ratio * w[j + 1];
-        left[i] = w[0];
-    }
 }
 
 /* What a split adds to the radii: g of the head comment, or cut_error, 8 n u max|w| of the whole polynomial.

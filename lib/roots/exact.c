@@ -12,17 +12,13 @@
 /* Halvings before it is tried: a gcd costs about as much as one of them, a step to a cluster as three. */
 enum { ASK_AFTER = 5, ZOOM_AFTER = 2 };
 
-static void begin_pieces(algsurf_exact_walk *walk) {
-    algsurf_exact_pieces_begin(&walk->pieces, &walk->p, &walk->p, 1, walk->unit, walk->lo, walk->hi);
-}
-
 int algsurf_exact_begin(algsurf_exact_walk *walk, algsurf_memory *m, const algsurf_zpoly *p, int unit,
                         double lo, double hi, int refine, const algsurf_i_watch *watch) {
     *walk = (algsurf_exact_walk){.memory = m, .p = *p, .unit = unit, .lo = lo, .hi = hi, .refine = refine};
     walk->begin = algsurf_memory_here(m);
-    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1, watch);
+    int done = algsurf_exact_cells_begin(&walk->cells, m, p->degree + 1, watch) &&
+               algsurf_exact_pieces_begin(&walk->pieces, m, p, unit, lo, hi);
     walk->bottom = walk->top = algsurf_memory_here(m);
-    begin_pieces(walk);
     return done;
 }
 
@@ -48,7 +44,7 @@ static int ask_for_squares(algsurf_exact_walk *walk) {
     walk->bottom = walk->top = algsurf_memory_here(m);
     walk->cells.active = walk->cells.count = 0;
     walk->skip = walk->passed;
-    begin_pieces(walk);
+    algsurf_exact_pieces_again(&walk->pieces);
     return 1;
 }
 
@@ -196,7 +192,7 @@ static int search(algsurf_exact_walk *walk, algsurf_exact_root *root) {
         int piece = algsurf_exact_pieces_next(&walk->pieces, &walk->piece);
         if (piece == ALGSURF_EXACT_ZERO) return root_at_zero(walk, root) ? 1 : -1;
         if (piece == ALGSURF_EXACT_NO_PIECE) return 0;
-        if (!algsurf_exact_cells_open(&walk->cells, walked(walk), 1, walk->unit, &walk->piece)) return -1;
+        if (!algsurf_exact_cells_open(&walk->cells, walked(walk), walk->unit, &walk->piece)) return -1;
     }
 }
 

@@ -35,16 +35,21 @@ typedef struct algsurf_exact_root {
     algsurf_exact_place place; /* lives until the next call */
 } algsurf_exact_root;
 
-/* The pieces that an interval is cut into, for one polynomial or for the envelopes of a set. */
+/* A coefficient c: 2^(bits-1) <= |c| <= 2^bits, and |c| is nearly part 2^exponent, or c = 0. */
+typedef struct algsurf_exact_size {
+    double part;
+    int exponent, bits, sign;
+} algsurf_exact_size;
+
+/* The pieces that an interval is cut into. */
 typedef struct algsurf_exact_pieces {
-    const algsurf_zpoly *below, *above; /* on either side of 0: the polynomial, or both envelopes */
-    int polynomials, unit;
+    algsurf_exact_size *size; /* of each coefficient */
+    int degree, unit;
     double lo, hi;      /* of t, finite or not; ends belong to it */
     int scattered;      /* 0: one piece; 1: cut at 0 and powers of two */
-    int least, most;    /* exponents between which a polynomial here can have roots */
-    int merged;         /* of a set: all of these are in the innermost piece on either side of 0 */
+    int least, most;    /* exponents between which p can have roots */
+    int inner;          /* scattered: those below 2^least are one piece on either side, else there are none */
     int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side */
-    double near, far;   /* those of the current one, as doubles: it is inside near <= |t| <= far */
     int done;
 } algsurf_exact_pieces;
 
@@ -103,15 +108,15 @@ void algsurf_exact_end(algsurf_exact_walk *walk);
 
 /* ---- shared by the engine's files ---- */
 
-/* exact_pieces.c: the pieces of [lo,hi] from left to right, for polynomials in u = 2^-unit t: `polynomials`
- * of them below 0 and as many above. */
-void algsurf_exact_pieces_begin(algsurf_exact_pieces *s, const algsurf_zpoly *below,
-                                const algsurf_zpoly *above, int polynomials, int unit, double lo, double hi);
+/* exact_pieces.c: the pieces of [lo,hi] from left to right, for p, a polynomial in u = 2^-unit t; returns 0
+ * without memory.  _again: from the beginning. */
+int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const algsurf_zpoly *p, int unit,
+                               double lo, double hi);
+void algsurf_exact_pieces_again(algsurf_exact_pieces *s);
 enum {
     ALGSURF_EXACT_NO_PIECE, /* the end */
     ALGSURF_EXACT_PIECE,    /* roots may be in this one */
-    ALGSURF_EXACT_ZERO,     /* 0 is a root, or one of some polynomials of the set */
-    ALGSURF_EXACT_OPEN      /* envelopes of different signs from `near` to `far`: each point is such a root */
+    ALGSURF_EXACT_ZERO      /* 0 is a root */
 };
 int algsurf_exact_pieces_next(algsurf_exact_pieces *s, algsurf_exact_piece *piece);
 
@@ -126,4 +131,6 @@ int algsurf_i_from_integers(algsurf_memory *m, const algsurf_integer *c, int deg
 /* Doubles in their order: neighbours differ by 1, and 0 is one of them. */
 uint64_t algsurf_exact_order_of(double x);
 double algsurf_exact_double_at(uint64_t order);
+/* The double half way from lo to hi, lo <= hi, in that order: hi if these are neighbours or equal. */
+double algsurf_exact_between(double lo, double hi);
 #endif

@@ -6,27 +6,15 @@
  * out instead.
  *
  * Memory.  Cells lie on the stack in the order in which they wait: the one in work is the last one, its left
- * half goes on top of its right half, and what has no root is given back at once.
- *
- * The most variations of a set, by choice of the signs that are not known: each of these as the opposite of
- * the one before it.  That gains one variation and costs at most one, later; and those at the beginning can
- * alternate up to the first known sign.  A coefficient that is 0 or positive counts as positive: leaving out
- * a 0 adds no variation. */
+ * half goes on top of its right half, and what has no root is given back at once. */
 #include "../base/arithmetic.h"
 #include "exact_cell.h"
 
 #include <math.h>
 
-/* All coefficients of the cell, as if of one polynomial. */
-static algsurf_zpoly all_of(const algsurf_exact_cell *cell) {
-    algsurf_zpoly all = cell->b;
-    all.degree = cell->polynomials * (cell->b.degree + 1) - 1;
-    return all;
-}
-
 /* Room for the cell's numbers in these widths, at the top of the stack. */
 static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
-    size_t coefficients = (size_t)(all_of(cell).degree + 1) * (size_t)width;
+    size_t coefficients = (size_t)(cell->b.degree + 1) * (size_t)width;
     algsurf_limb *block = algsurf_memory_take(m, coefficients + (size_t)position_width);
     if (!block) return 0;
     cell->b.c = block;
@@ -40,25 +28,23 @@ static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, in
  * it has to move to another block of the stack, where the old numbers stay until they have been copied. */
 static int widen(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
     const algsurf_exact_cell old = *cell;
-    const algsurf_zpoly from = all_of(&old);
     if (cell->begin.last == m->last)
         algsurf_memory_release(m, cell->begin);
     else
         cell->begin = algsurf_memory_here(m);
     if (!take_block(m, cell, width, position_width)) return 0;
     algsurf_z_copy(cell->position, position_width, old.position, old.position_width);
-    for (int k = from.degree; k >= 0; k--)
-        algsurf_z_copy(algsurf_zpoly_at(&cell->b, k), width, algsurf_zpoly_at(&from, k), from.width);
+    for (int k = old.b.degree; k >= 0; k--)
+        algsurf_z_copy(algsurf_zpoly_at(&cell->b, k), width, algsurf_zpoly_at(&old.b, k), old.b.width);
     return 1;
 }
 
 static void strip(algsurf_exact_cell *cell) {
-    const algsurf_zpoly all = all_of(cell);
-    int zeros = algsurf_zpoly_trailing(&all);
+    const algsurf_zpoly *b = &cell->b;
+    int zeros = algsurf_zpoly_trailing(b);
     if (zeros > 0 && zeros < ALGSURF_Z_NO_BIT)
-        for (int k = 0; k <= all.degree; k++)
-            algsurf_z_shift_down(algsurf_zpoly_at(&all, k), all.width, zeros);
-    cell->bits = algsurf_zpoly_bits(&all);
+        for (int k = 0; k <= b->degree; k++) algsurf_z_shift_down(algsurf_zpoly_at(b, k), b->width, zeros);
+    cell->bits = algsurf_zpoly_bits(b);
 }
 
 /* Room for coefficients of `bits` more bits and a position of one more. */
@@ -75,18 +61,11 @@ static int make_room(algsurf_memory *m, algsurf_exact_cell *cell, int bits) {
 int algsurf_exact_variations(const algsurf_exact_cell *cell) {
     int last = 0, count = 0;
     for (int j = 0; j <= cell->b.degree; j++) {
-        int lower = algsurf_exact_lower_sign(cell, j), upper = lower;
-        if (cell->polynomials == 2) upper = algsurf_exact_upper_sign(cell, j);
-        if (lower * upper < 0) { /* not known */
-            last = -last;
-            count++;
-        } else if (lower || upper) {
-            int sign = lower ? lower : upper;
-            count += last != 0 && sign != last;
-            last = sign;
-        }
+        int sign = algsurf_exact_sign(cell, j);
+        count += sign * last < 0;
+        last = sign ? sign : last;
     }
-    return last == 0 && count > 0 ? count - 1 : count;
+    return count;
 }
 
 /* a = from 2^shift, 0 <= shift < 64. */
@@ -161,10 +140,7 @@ static int halve(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell
     *left = *cell;
     left->begin = algsurf_memory_here(m);
     if (!take_block(m, left, cell->b.width, cell->position_width)) return 0;
-    for (int i = 0; i < cell->polynomials; i++) {
-        int first = i * (n + 1);
-        halve_block(algsurf_zpoly_at(&left->b, first), algsurf_zpoly_at(&cell->b, first), n, cell->b.width);
-    }
+    halve_block(left->b.c, cell->b.c, n, cell->b.width);
     left->bits = cell->bits += n;
     left->variations = algsurf_exact_variations(left);
     cell->variations = algsurf_exact_variations(cell);
@@ -259,27 +235,19 @@ static int over_piece(algsurf_memory *m, const algsurf_zpoly *f, int unit, const
            algsurf_zpoly_bernstein(m, &local, piece->at, piece->length, b);
 }
 
-int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int polynomials, int unit,
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,
                              const algsurf_exact_piece *piece) {
     algsurf_memory *m = cells->memory;
     algsurf_exact_cell *cell = &cells->cell;
     algsurf_memory_mark begin = algsurf_memory_here(m);
-    algsurf_zpoly b[2];
-    int width = 0;
-    for (int i = 0; i < polynomials; i++) {
-        if (!over_piece(m, f + i, unit, piece, b + i)) return 0;
-        width = b[i].width > width ? b[i].width : width;
-    }
-    if (polynomials == 1 && begin.last == m->last) algsurf_memory_release(m, begin); /* b[0] moves down */
-    *cell = (algsurf_exact_cell){.begin = algsurf_memory_here(m), .b = b[0], .polynomials = polynomials};
-    if (!take_block(m, cell, width, 1)) return 0;
-    for (int i = 0; i < polynomials; i++)
-        for (int j = 0; j <= b[i].degree; j++)
-            algsurf_z_copy(algsurf_zpoly_at(&cell->b, i * (b[i].degree + 1) + j), width,
-                           algsurf_zpoly_at(b + i, j), b[i].width);
-    const algsurf_zpoly all = all_of(cell);
+    algsurf_zpoly b;
+    if (!over_piece(m, f, unit, piece, &b)) return 0;
+    if (begin.last == m->last) algsurf_memory_release(m, begin); /* b moves down */
+    *cell = (algsurf_exact_cell){.begin = algsurf_memory_here(m), .b = b};
+    if (!take_block(m, cell, b.width, 1)) return 0;
+    memmove(cell->b.c, b.c, (size_t)(b.degree + 1) * (size_t)b.width * sizeof *b.c);
     cell->position[0] = 0;
-    cell->bits = algsurf_zpoly_bits(&all);
+    cell->bits = algsurf_zpoly_bits(&cell->b);
     cell->variations = algsurf_exact_variations(cell);
     cells->active = 1;
     cells->piece = *piece;

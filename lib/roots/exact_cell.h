@@ -1,7 +1,4 @@
-/* exact_cell.h - cells of the exact walks: Bernstein coefficients in integers over dyadic parts of a piece.
- *
- * A cell holds one polynomial, or two of the same degree: the lower and the upper envelope of a set of
- * polynomials (exact_radii.c), whose signs are known where both envelopes have them. */
+/* exact_cell.h - cells of the exact walk: Bernstein coefficients in integers over dyadic parts of a piece. */
 #ifndef ALGSURF_EXACT_CELL_H
 #define ALGSURF_EXACT_CELL_H
 #include "../poly/integral.h"
@@ -16,13 +13,11 @@ typedef struct algsurf_exact_piece {
 /* The part [position 2^-(depth+fine), that + 2^-depth] of its piece taken as [0,1].  Coefficients and
  * position are one block of memory, the last one taken. */
 typedef struct algsurf_exact_cell {
-    algsurf_zpoly b; /* up to a positive factor; a second polynomial's coefficients follow the first one's */
-    int polynomials; /* 1 or 2 */
+    algsurf_zpoly b; /* up to a positive factor */
     int bits;        /* |b_j| <= 2^bits */
     algsurf_limb *position;
     int position_width, depth, fine;
-    int variations; /* of sign in b, zeros left out; of a set: the most that any of its polynomials can have
-                     */
+    int variations; /* of sign in b, zeros left out */
     int left_done;  /* b_0 = 0, and the root there has been dealt with */
     algsurf_memory_mark begin;
 } algsurf_exact_cell;
@@ -42,8 +37,8 @@ typedef struct algsurf_exact_cells {
 int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int room,
                               const algsurf_i_watch *watch);
 
-/* The whole of a piece becomes the cell: f[0], or f[0] and f[1], polynomials in u = 2^-unit t. */
-int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int polynomials, int unit,
+/* The whole of a piece becomes the cell, of f, a polynomial in u = 2^-unit t. */
+int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,
                              const algsurf_exact_piece *piece);
 
 /* The cell is done with: the next one that waits, if any. */
@@ -52,18 +47,13 @@ void algsurf_exact_cells_next(algsurf_exact_cells *cells);
 /* Halves the cell; what may have roots is kept, the right half waits for the left one. */
 int algsurf_exact_cells_halve(algsurf_exact_cells *cells);
 
-/* The sign of b_j of the lower and of the upper envelope, which may be the same polynomial. */
-static inline int algsurf_exact_lower_sign(const algsurf_exact_cell *cell, int j) {
+static inline int algsurf_exact_sign(const algsurf_exact_cell *cell, int j) {
     return algsurf_z_sign(algsurf_zpoly_at(&cell->b, j), cell->b.width);
 }
-static inline int algsurf_exact_upper_sign(const algsurf_exact_cell *cell, int j) {
-    return algsurf_exact_lower_sign(cell, cell->polynomials == 2 ? cell->b.degree + 1 + j : j);
-}
 
-/* May the cell's left end be a root that has not been dealt with, as b_0 is 0 or begins or ends there? */
+/* Is the cell's left end a root that has not been dealt with? */
 static inline int algsurf_exact_begins_with_root(const algsurf_exact_cell *cell) {
-    return !cell->left_done &&
-           (algsurf_exact_lower_sign(cell, 0) == 0 || algsurf_exact_upper_sign(cell, 0) == 0);
+    return !cell->left_done && algsurf_exact_sign(cell, 0) == 0;
 }
 
 int algsurf_exact_variations(const algsurf_exact_cell *cell);

@@ -6,17 +6,16 @@
  *
  * Bounds.  With 2^(B_k - 1) <= |c_k| <= 2^(B_k), every root of p is |u| < 2^(1 + max over k < n of
  * (B_k - B_n + 1) / (n - k)) (Fujiwara 1916: twice the largest |c_k / c_n|^(1/(n-k))); and likewise its
- * inverse, from the coefficients in reverse.
+ * inverse, from the coefficients in reverse.  No root is at the bound: with M = 2^m >= |c_k / c_n|^(1/(n-k))
+ * for all k and |u| = 2M the other terms are at most (1/2 + 1/4 + .. + 2^-n) |c_n u^n| together, less than
+ * that one.
  *
- * Annuli without roots.  If on 2^e <= |u| <= 2^(e+1), on one side of 0, a term is larger than all those of
- * the other sign together, there is none.  |c_k u^k| <= 2^(B_k - B_m + 1) |u|^(k-m) |c_m u^m|, where
+ * Annuli without roots.  If for all 2^e <= |u| <= 2^(e+1), on one side of 0, a term is larger than all those
+ * of the other sign together, there is none.  |c_k u^k| <= 2^(B_k - B_m + 1) |u|^(k-m) |c_m u^m|, where
  * |u|^(k-m) is largest at one end of the annulus, and the sum of the n others is below 2^bits(n) times the
- * largest.
- *
- * Sets of polynomials lie between two envelopes, for u below 0 and above (exact_radii.c).  Where both have
- * the same sign, no polynomial of the set has a root; where they have different ones, each point is a root of
- * some, and there is nothing to be found.  Both hold beyond the roots of the envelopes, and within them, too:
- * in `most` and `least - 1`, the outermost and the innermost pieces. */
+ * largest.  What that asks of e is linear, a least e from each k < m and a largest one from each k > m: so
+ * one term m leaves out all annuli up to where it no longer serves, however many there are.  There the sum
+ * itself is tried, in doubles, whose relative errors are below 2^-40; what underflows in it is less. */
 #include "../base/arithmetic.h"
 #include <float.h>
 #include <math.h>
@@ -65,128 +64,124 @@ int algsurf_exact_from_doubles(algsurf_memory *m, const double *c, int degree, i
     return algsurf_exact_from_doubles_above(m, c, degree, unit, least == ALGSURF_Z_NO_BIT ? 0 : least, p);
 }
 
-static int bits_of(const algsurf_zpoly *p, int k) { return algsurf_z_bits(algsurf_zpoly_at(p, k), p->width); }
-static int is_zero(const algsurf_zpoly *p, int k) {
-    return algsurf_z_sign(algsurf_zpoly_at(p, k), p->width) == 0;
-}
-
 static int ceiling_of_quotient(int a, int b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }
 
-/* The first coefficient, in steps from `from`, that is not 0; p is not the zero polynomial. */
-static int first_nonzero(const algsurf_zpoly *p, int from, int step) {
-    while (is_zero(p, from)) from += step;
-    return from;
-}
-
 /* Widens to exponents e with 2^least < |t| < 2^most for all roots t of p but 0. */
-static void add_root_bounds(const algsurf_zpoly *p, algsurf_exact_pieces *s) {
-    int first = first_nonzero(p, 0, 1), n = first_nonzero(p, p->degree, -1);
+static void find_root_bounds(algsurf_exact_pieces *s) {
+    int first = 0, n = s->degree;
+    const algsurf_exact_size *c = s->size;
+    while (c[first].sign == 0) first++;
+    s->least = ALGSURF_Z_NO_BIT, s->most = -ALGSURF_Z_NO_BIT;
     for (int k = first; k <= n; k++) {
-        if (is_zero(p, k)) continue;
-        int above =
-            k < n ? ceiling_of_quotient(bits_of(p, k) - bits_of(p, n) + 1, n - k) + 1 + s->unit : s->most;
-        int below = k > first
-                        ? s->unit - 1 - ceiling_of_quotient(bits_of(p, k) - bits_of(p, first) + 1, k - first)
-                        : s->least;
+        if (c[k].sign == 0) continue;
+        int above = k < n ? ceiling_of_quotient(c[k].bits - c[n].bits + 1, n - k) + 1 + s->unit : s->most;
+        int below = k > first ? s->unit - 1 - ceiling_of_quotient(c[k].bits - c[first].bits + 1, k - first)
+                              : s->least;
         s->most = above > s->most ? above : s->most;
         s->least = below < s->least ? below : s->least;
     }
+    if (s->least > s->most) s->least = s->most = 0; /* no roots but 0 */
 }
 
-static int sign_of_term(const algsurf_zpoly *p, int k, int side) {
-    int sign = algsurf_z_sign(algsurf_zpoly_at(p, k), p->width);
-    return side < 0 && k % 2 ? -sign : sign;
-}
-
-/* The sign of p for all 2^e <= |u| <= 2^(e+1) on this side, if one term shows it; else 0. */
-static int sign_by_one_term(const algsurf_zpoly *p, int side, int e) {
-    int best = -ALGSURF_Z_NO_BIT, m = 0, spare = algsurf_limb_bits((algsurf_limb)p->degree);
-    for (int k = 0; k <= p->degree; k++) {
-        if (is_zero(p, k) || bits_of(p, k) - 1 + e * k <= best) continue;
-        best = bits_of(p, k) - 1 + e * k;
-        m = k;
-    }
-    int sign = sign_of_term(p, m, side);
-    for (int k = 0; k <= p->degree; k++)
-        if (sign_of_term(p, k, side) == -sign && bits_of(p, k) + e * k + (k > m ? k - m : 0) + spare > best)
-            return 0;
-    return sign;
-}
-
-/* The same for the current piece, where it may be one that no root reaches. */
-static int sign_in_piece(const algsurf_exact_pieces *s, const algsurf_zpoly *p, int side, int e) {
-    if (e < s->least) return s->merged ? 0 : sign_of_term(p, first_nonzero(p, 0, 1), side);
-    if (e >= s->most) return sign_of_term(p, first_nonzero(p, p->degree, -1), side);
-    return sign_by_one_term(p, side, e - s->unit);
-}
-
-enum { NOT_FAR = 10 }; /* binary orders of magnitude between the interval and its least root, for one piece */
+/* NOT_FAR: binary orders of magnitude between the interval and its least root, for one piece.  CUT_FROM: from
+ * this degree on halving costs more than another piece. */
+enum { NOT_FAR = 10, CUT_FROM = 32 };
 
 static double power_of_two(int e) { return ldexp(1, e < -1074 ? -1074 : e > 1023 ? 1023 : e); }
 
-/* Where the roots are not far from each other, the interval is one piece, or one on either side of 0. */
+/* Where the roots are not far from each other, the interval is one piece, or there is one about 0 on either
+ * side, to the size that the roots have in the mean. */
 static int fits_one_piece(algsurf_exact_pieces *s) {
-    int bounded = isfinite(s->lo) && isfinite(s->hi);
-    if (s->most - s->least > NOT_FAR) return 0;
-    if (s->polynomials > 1) {
-        s->least = s->most;
-        s->merged = 1;
+    int n = s->degree, bounded = isfinite(s->lo) && isfinite(s->hi);
+    if (s->most - s->least > NOT_FAR || s->size[0].sign == 0) return 0;
+    if (n >= CUT_FROM) {
+        int mean = s->unit + ceiling_of_quotient(s->size[0].bits - s->size[n].bits, n);
+        s->least = mean < s->least ? s->least : mean > s->most ? s->most : mean;
+        s->inner = 1;
         return 0;
     }
-    if (is_zero(s->above, 0)) return 0;
     if (s->most > 1023 || s->most < -1074) return s->most > 1023 && bounded;
     s->lo = fmax(s->lo, -power_of_two(s->most));
     s->hi = fmin(s->hi, power_of_two(s->most));
-    s->done = s->lo > s->hi;
     return 1;
 }
 
-void algsurf_exact_pieces_begin(algsurf_exact_pieces *s, const algsurf_zpoly *below,
-                                const algsurf_zpoly *above, int polynomials, int unit, double lo, double hi) {
+void algsurf_exact_pieces_again(algsurf_exact_pieces *s) {
+    s->done = s->lo > s->hi;
+    s->side = -1;
+    s->exponent = s->most - 1;
+}
+
+int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const algsurf_zpoly *p, int unit,
+                               double lo, double hi) {
     double nearest = fmin(fabs(lo), fabs(hi)), farthest = fmax(fabs(lo), fabs(hi));
-    *s = (algsurf_exact_pieces){.below = below, .above = above, .polynomials = polynomials, .unit = unit};
-    s->lo = lo, s->hi = hi;
-    if (isfinite(farthest) && !(lo <= 0 && hi >= 0) && nearest > 0x1p-6 * farthest) return;
-    s->least = ALGSURF_Z_NO_BIT, s->most = -ALGSURF_Z_NO_BIT;
-    for (int i = 0; i < polynomials; i++) {
-        add_root_bounds(below + i, s);
-        add_root_bounds(above + i, s);
+    *s = (algsurf_exact_pieces){.degree = p->degree, .unit = unit, .lo = lo, .hi = hi};
+    if (isfinite(farthest) && !(lo <= 0 && hi >= 0) && nearest > 0x1p-6 * farthest) return 1;
+    size_t words = ((size_t)p->degree + 1) * (sizeof *s->size / sizeof(algsurf_limb));
+    s->size = (algsurf_exact_size *)(void *)algsurf_memory_take(m, words);
+    if (!s->size) return 0;
+    for (int k = 0; k <= p->degree; k++) {
+        const algsurf_limb *c = algsurf_zpoly_at(p, k);
+        algsurf_exact_size *size = s->size + k;
+        *size =
+            (algsurf_exact_size){.bits = algsurf_z_bits(c, p->width), .sign = algsurf_z_sign(c, p->width)};
+        size->part = fabs(algsurf_z_to_double(c, p->width, &size->exponent));
     }
-    if (s->least > s->most) s->least = s->most = 0;                                   /* no roots but 0 */
+    find_root_bounds(s);
     int beyond = isfinite(farthest) ? ilogb(fmax(farthest, 0x1p-1074)) + 1 : s->most; /* 2^beyond > all |t| */
     if (beyond < s->most) s->most = beyond > s->least ? beyond : s->least;
     s->scattered = !fits_one_piece(s);
-    s->side = -1;
-    s->exponent = s->most;
+    algsurf_exact_pieces_again(s);
+    return 1;
 }
 
-/* Sets the bounds of a piece; is nothing of it in [lo,hi]? */
-static int is_outside(algsurf_exact_pieces *s, int side, int e) {
+/* Is [2^e, 2^(e+1)], or the innermost piece, on this side of 0, outside of [lo,hi]? */
+static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
     double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
-    s->near = fmin(near, DBL_MAX);
-    s->far = e + 1 > 1023 || (e >= s->least && e >= s->most) ? HUGE_VAL : power_of_two(e + 1);
-    return side > 0 ? s->far < s->lo || near > s->hi : -s->far > s->hi || -near < s->lo;
+    double far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
+    return side > 0 ? far < s->lo || near > s->hi
+                    : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
+}
+
+static int sign_of_term(const algsurf_exact_pieces *s, int k, int side) {
+    return side < 0 && k % 2 ? -s->size[k].sign : s->size[k].sign;
+}
+
+/* The exponent after e, in the order of this side, that the term which is largest at e leaves; e if that does
+ * not leave out e. */
+static int leave_out(const algsurf_exact_pieces *s, int side, int e) {
+    const algsurf_exact_size *c = s->size;
+    int m = -1, spare = algsurf_limb_bits((algsurf_limb)s->degree) + 1, at = e - s->unit;
+    int least = s->least - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
+    for (int k = 0; k <= s->degree; k++)
+        if (c[k].sign && (m < 0 || c[k].bits + at * k > c[m].bits + at * m)) m = k;
+    double sum = 0;
+    for (int k = 0; k <= s->degree; k++) {
+        if (sign_of_term(s, k, side) != -sign_of_term(s, m, side)) continue;
+        int excess = c[k].bits - c[m].bits + spare, bound;
+        sum += ldexp(c[k].part / c[m].part, c[k].exponent - c[m].exponent + (k > m ? at + 1 : at) * (k - m));
+        if (k < m && (bound = ceiling_of_quotient(excess, m - k)) > least) least = bound;
+        if (k > m && (bound = -ceiling_of_quotient(excess, k - m) - 1) < most) most = bound;
+    }
+    if (at < least || at > most) return sum < 1 - 0x1p-30 ? e + side : e;
+    return s->unit + (side > 0 ? most + 1 : least - 1);
 }
 
 /* The next piece in units of powers of two. */
 static int next_scattered(algsurf_exact_pieces *s, algsurf_exact_piece *piece) {
     for (;;) {
-        if (s->side < 0 && s->exponent < s->least - 1) {
+        if (s->side < 0 && s->exponent < s->least - s->inner) {
             s->side = 1;
-            s->exponent = s->least - 1;
-            if (sign_of_term(s->above, 0, 1) * sign_of_term(s->above + s->polynomials - 1, 0, 1) <= 0)
-                return ALGSURF_EXACT_ZERO;
+            s->exponent = s->least - s->inner;
+            if (s->size[0].sign == 0) return ALGSURF_EXACT_ZERO;
         }
-        int side = s->side, e = s->exponent;
-        if (side > 0 && e > s->most) return ALGSURF_EXACT_NO_PIECE;
+        int side = s->side, e = s->exponent, innermost = e < s->least;
+        if (side > 0 && e >= s->most) return ALGSURF_EXACT_NO_PIECE;
+        if (!innermost && (s->exponent = leave_out(s, side, e)) != e) continue;
         s->exponent += side;
         if (is_outside(s, side, e)) continue;
-        const algsurf_zpoly *p = side > 0 ? s->above : s->below;
-        int lower = sign_in_piece(s, p, side, e), upper = sign_in_piece(s, p + s->polynomials - 1, side, e);
-        if (lower != 0 && lower == upper) continue;
-        int inner = e < s->least; /* from 0 to 2^(e+1) */
-        *piece = (algsurf_exact_piece){.unit = e + inner, .at = side > 0 ? 1 - inner : inner - 2};
-        return lower * upper < 0 ? ALGSURF_EXACT_OPEN : ALGSURF_EXACT_PIECE;
+        *piece = (algsurf_exact_piece){.unit = e + innermost, .at = side > 0 ? 1 - innermost : innermost - 2};
+        return ALGSURF_EXACT_PIECE;
     }
 }
 

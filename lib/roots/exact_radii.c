@@ -1,209 +1,56 @@
-/* exact_radii.c - Descartes' rule for a set of polynomials, from its lower and its upper envelope.
+/* exact_radii.c - the real roots of a set of polynomials, from the roots of its envelopes.
  *
- * For u >= 0 each polynomial q of the set has p - radius <= q <= p + radius, coefficient by coefficient.  The
- * Bernstein coefficient b_j of u^k over [a, b], 0 <= a < b, is a mean of products of a's and b's, hence not
- * negative: every b_j of q lies between those of the two envelopes, and where both have one sign, q has it,
- * too.  For u <= 0 that holds for -u; the envelopes there are p(u) -+ radius(-u).  The other signs are
- * unknown, and the most variations that any choice of them allows are
- * - none: no polynomial has a root in the open cell;
- * - one, with known signs at both ends: each polynomial has exactly one;
- * - more: the cell is halved, unless no sign is known in it, or no double is inside.  Then it is undecided.
+ * The set: all q with |q_k - p_k| <= radius_k.  At a point u their values are an interval, from the lower
+ * envelope p(u) - radius(|u|) to the upper one, p(u) + radius(|u|).  So the points that are roots of members,
+ * hidden ones, are those where the lower envelope is not positive and the upper one not negative.  On either
+ * side of 0 both are polynomials; the exact walk finds their roots, which are the ends of the hidden ranges,
+ * to neighbouring doubles.
  *
- * In a cell with one root the envelopes' own roots enclose those of all others: at doubles on their left both
- * have the sign at the left end, and bisection finds the last of these.
- *
- * A root that may be on either side of 0, or of a power of two between two pieces, is in no cell of all
- * polynomials.  So a range that stays undecided is asked for roots of the derivatives, which are a set of
- * their own: without any, and with different signs at its ends, it has exactly one root of each polynomial.
- */
+ * One root of each member.  Let a hidden range have known signs at both ends, different ones, and no member a
+ * double root in it.  Then roots are simple, move continuously with the coefficients, and leave through no
+ * end: all members have as many as p.
+ *     Over all members, (q(u), u q'(u)) fills a polygon, a sum of segments with the directions (1,k).  At
+ * u != 0 a member has a double root if and only if 0 is in it; if 0 is not, the line along one of its edges
+ * separates them: for one of the numbers m = 0 .. n, u q' - m q has one sign for all members (for m = 0 these
+ * are the derivatives, and at u = 0 they alone tell).  With the coefficients (k - m) q_k that is a set like
+ * the first one.  In doubles, m and a bound from the middle of a range serve nearly always, or from those of
+ * its parts.  Where they do not, the range is asked for the hidden points of that set, and these for another
+ * m. Where one m serves throughout, u^-m q is monotone.  So are its parts if several do, in one direction:
+ * where they meet, at a double within the range, some member has a root, and its slope shows in both.  Hidden
+ * points left over in between end at no such double, and p is asked for the number of its roots. */
 #include "../base/arithmetic.h"
 #include <float.h>
+#include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "exact_radii.h"
 
-/* Cells of [2^e, 2^(e+1)] are between neighbouring doubles after 52 halvings; those of [0, 2^e] have roots of
- * the envelopes down to 2^(e-10), and 62 are enough.  An interval that is one piece is longer than 1/8 of it
- * or than 2^-40 of its numbers, which are less than 2^6 times each other: 2^-59 of its length is between
- * neighbours, too, hence 2^-62 of the piece's.  (What found no room would be undecided.) */
-enum { MOST_WAITING = 64, UNKNOWN = 2 };
+enum { UNKNOWN = 2, MOST_ROUNDS = 8, MOST_HALVINGS = 5 };
 
 typedef struct set {
-    algsurf_exact_cells cells;
-    algsurf_exact_pieces pieces;
-    algsurf_exact_piece piece;
-    algsurf_zpoly envelope[2][2]; /* for u below 0 and above: lower and upper */
+    algsurf_memory *memory;
+    algsurf_zpoly p, radius;
     int unit;
-    double lo, hi; /* what is asked for */
-    algsurf_exact_range *found;
-    int capacity, count;
 } set;
 
-/* The sign of all polynomials whose envelopes have these signs. */
-static int both(int lower, int upper) { return lower == upper ? lower : UNKNOWN; }
+/* Hidden ranges from left to right.  closed: the last one's right end is a hidden point. */
+typedef struct ranges {
+    algsurf_exact_range *at;
+    int count, closed;
+} ranges;
 
-static int sign_of(const algsurf_exact_cell *cell, int j) {
-    return both(algsurf_exact_lower_sign(cell, j), algsurf_exact_upper_sign(cell, j));
-}
+static int degree_of(const set *s) { return s->p.degree > s->radius.degree ? s->p.degree : s->radius.degree; }
 
-static int sign_at(const set *s, double t, int *sign) {
-    int at[2];
-    for (int i = 0; i < 2; i++)
-        if (!algsurf_exact_at_double(s->cells.memory, &s->envelope[t >= 0][i], s->unit, t, at + i, NULL,
-                                     NULL))
-            return 0;
-    *sign = both(at[0], at[1]);
-    return 1;
-}
+/* ---- envelopes ---- */
 
-/* ---- what is found ---- */
-
-/* Appends a range within [lo,hi]; ranges that overlap, and undecided ones that touch, become one. */
-static void append(set *s, double lo, double hi, int sign) {
-    algsurf_exact_range *last = s->found + s->count - 1;
-    lo = fmax(lo, s->lo), hi = fmin(hi, s->hi);
-    if (lo > hi) return;
-    int joins = s->count > 0 && (lo < last->hi || (lo == last->hi && sign == 0 && last->sign_lo == 0));
-    if (joins || s->count == s->capacity) {
-        last->hi = hi > last->hi ? hi : last->hi;
-        last->sign_lo = 0;
-    } else {
-        s->found[s->count++] = (algsurf_exact_range){lo + 0.0, hi + 0.0, sign};
-    }
-}
-
-/* Of the doubles from a, where the predicate (the sign is `sign`) is `at_a`, to b, where it is not: the last
- * one before it changes. */
-static int last_before_change(const set *s, double a, double b, int sign, int at_a, double *last) {
-    uint64_t from = algsurf_exact_order_of(a), to = algsurf_exact_order_of(b);
-    while (to - from > 1) {
-        int found;
-        uint64_t middle = from + (to - from) / 2;
-        if (!sign_at(s, algsurf_exact_double_at(middle), &found)) return 0;
-        if ((found == sign) == at_a)
-            from = middle;
-        else
-            to = middle;
-    }
-    *last = algsurf_exact_double_at(from);
-    return 1;
-}
-
-/* One root of each polynomial between the doubles lo and hi, which may be too far out; first and last are the
- * doubles that are not.  Shrinks lo and hi. */
-static int shrink(const set *s, double first, double last, int before, double *lo, double *hi) {
-    int at_first, at_last;
-    if (first > last) return 1;
-    if (!sign_at(s, first, &at_first) || !sign_at(s, last, &at_last)) return 0;
-    if (at_first == -before || at_first == 0) *hi = first;
-    if (at_last == before || at_last == 0) *lo = last;
-    if (at_first == 0) *lo = first;
-    if (at_last == 0) *hi = last;
-    if (*hi == first || *lo == last) return 1;
-    if (at_first == before && !last_before_change(s, first, last, before, 1, lo)) return 0;
-    if (at_last == -before) {
-        double inner;
-        if (!last_before_change(s, first, last, -before, 0, &inner)) return 0;
-        *hi = nextafter(inner, HUGE_VAL);
-    }
-    return 1;
-}
-
-/* Is the root in the range asked for?  Decided at its ends.  Signs there that are not those on both sides of
- * the root leave it undecided: unknown ones, or those beyond another root, where an end is no double.  What
- * is beyond the largest double needs no question: other roots there have ranges that overlap. */
-static int append_root(set *s, double lo, double hi, int before) {
-    double from = fmax(lo, s->lo), to = fmin(hi, s->hi);
-    int at_lo = before, at_hi = -before;
-    if (from > to) return 1;
-    if ((isfinite(from) && !sign_at(s, from, &at_lo)) || (isfinite(to) && !sign_at(s, to, &at_hi))) return 0;
-    if (from > lo && at_lo == -before) return 1;
-    if (to < hi && at_hi == before) return 1;
-    if (at_lo == 0 && from > lo && from < hi) to = from; /* in the cell: its root, of all polynomials */
-    if (at_hi == 0 && to > lo && to < hi) from = to;
-    int shown = from < to ? at_lo == before && at_hi == -before : at_lo == 0 || at_hi == 0;
-    append(s, from, to, shown ? before : 0);
-    return 1;
-}
-
-/* The doubles about the cell: round[0] <= a <= round[1], round[2] <= b <= round[3]. */
-static int round_ends(const set *s, double round[4]) {
-    algsurf_memory *m = s->cells.memory;
-    algsurf_memory_mark mark = algsurf_memory_here(m);
-    algsurf_limb *a, *b;
-    int w, r;
-    if (!algsurf_exact_cell_ends(m, &s->cells.cell, &s->piece, s->unit, &a, &b, &w, &r)) return 0;
-    round[0] = algsurf_z_round_down(a, w, s->unit - r), round[1] = algsurf_z_round_up(a, w, s->unit - r);
-    round[2] = algsurf_z_round_down(b, w, s->unit - r), round[3] = algsurf_z_round_up(b, w, s->unit - r);
-    algsurf_memory_release(m, mark);
-    return 1;
-}
-
-/* ---- the walk ---- */
-
-static int knows_a_sign(const algsurf_exact_cell *cell) {
-    for (int j = 0; j <= cell->b.degree; j++)
-        if (sign_of(cell, j) * sign_of(cell, j) == 1) return 1;
-    return 0;
-}
-
-/* The range in the cell, if any: 1; 0 when the cell has to be halved, -1 without memory. */
-static int settle_cell(set *s) {
-    algsurf_exact_cell *cell = &s->cells.cell;
-    double round[4];
-    int before = sign_of(cell, 0), after = sign_of(cell, cell->b.degree);
-    if (!round_ends(s, round)) return -1;
-    if (round[0] > s->hi || round[3] < s->lo) return 1;
-    if (algsurf_exact_begins_with_root(cell)) append(s, round[0], round[1], 0);
-    cell->left_done = 1;
-    if (cell->variations == 0) return 1;
-    if (cell->variations == 1 && before * after == -1) {
-        double lo = round[0], hi = round[3];
-        return shrink(s, round[1], round[2], before, &lo, &hi) && append_root(s, lo, hi, before) ? 1 : -1;
-    }
-    if (knows_a_sign(cell) && nextafter(round[0], HUGE_VAL) < round[3] && s->cells.count < s->cells.room)
-        return 0;
-    append(s, round[0], round[3], 0);
-    return 1;
-}
-
-/* The ranges in the piece, without its right end. */
-static int search_piece(set *s) {
-    algsurf_memory_mark mark = algsurf_memory_here(s->cells.memory);
-    int done = algsurf_exact_cells_open(&s->cells, s->envelope[s->piece.at >= 0], 2, s->unit, &s->piece);
-    while (done && s->cells.active) {
-        int settled = settle_cell(s);
-        done = settled > 0 || (settled == 0 && algsurf_exact_cells_halve(&s->cells));
-        if (settled > 0) algsurf_exact_cells_next(&s->cells);
-    }
-    algsurf_memory_release(s->cells.memory, mark);
-    return done;
-}
-
-static int walk(set *s) {
-    const algsurf_exact_pieces *pieces = &s->pieces;
-    algsurf_exact_pieces_begin(&s->pieces, s->envelope[0], s->envelope[1], 2, s->unit, s->lo, s->hi);
-    int done = 1, piece;
-    while (done && (piece = algsurf_exact_pieces_next(&s->pieces, &s->piece)) != ALGSURF_EXACT_NO_PIECE) {
-        if (piece == ALGSURF_EXACT_PIECE)
-            done = search_piece(s);
-        else if (piece == ALGSURF_EXACT_ZERO)
-            append(s, 0, 0, 0);
-        else if (s->piece.at < 0)
-            append(s, -pieces->far, -pieces->near, 0);
-        else
-            append(s, pieces->near, pieces->far, 0);
-    }
-    return done;
-}
-
-/* p(u) - or + radius(|u|). */
-static int make_envelope(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius, int above,
-                         int upper, algsurf_zpoly *envelope) {
+/* The one that holds for u >= 0 or for u <= 0. */
+static int make_envelope(const set *s, int above, int upper, algsurf_zpoly *envelope) {
+    const algsurf_zpoly *p = &s->p, *radius = &s->radius;
     int bits = algsurf_zpoly_bits(p), more = algsurf_zpoly_bits(radius);
     int w = algsurf_z_width((bits > more ? bits : more) + 2);
-    int n = p->degree > radius->degree ? p->degree : radius->degree;
-    if (!algsurf_zpoly_new(m, n, w, envelope)) return 0;
+    int n = degree_of(s);
+    if (!algsurf_zpoly_new(s->memory, n, w, envelope)) return 0;
     for (int k = 0; k <= n; k++) {
         algsurf_limb *c = algsurf_zpoly_at(envelope, k);
         if (k <= p->degree) algsurf_z_copy(c, w, algsurf_zpoly_at(p, k), p->width);
@@ -213,31 +60,251 @@ static int make_envelope(algsurf_memory *m, const algsurf_zpoly *p, const algsur
         else
             algsurf_z_sub_product(c, w, algsurf_zpoly_at(radius, k), radius->width, 1, 0);
     }
+    while (envelope->degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(envelope, envelope->degree), w) == 0)
+        envelope->degree--;
     return 1;
 }
 
-static int isolate(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius,
-                   const algsurf_i_watch *watch) {
-    algsurf_memory *m = s->cells.memory;
-    int vanishes = 0; /* p = 0 is one of the set */
-    for (int i = 0; i < 4; i++) {
-        algsurf_zpoly *envelope = &s->envelope[i / 2][i % 2];
-        if (!make_envelope(m, p, radius, i / 2, i % 2, envelope)) return 0;
-        vanishes = vanishes || algsurf_zpoly_trailing(envelope) == ALGSURF_Z_NO_BIT;
-    }
-    if (!vanishes) return algsurf_exact_cells_begin(&s->cells, m, MOST_WAITING, watch) && walk(s);
-    append(s, s->lo, s->hi, 0);
+/* The sign of f at t, which may be infinite; 0 for f = 0. */
+static int sign_of(const set *s, const algsurf_zpoly *f, double t, int *sign) {
+    *sign = 0;
+    if (f->degree < 0) return 1;
+    if (isfinite(t)) return algsurf_exact_at_double(s->memory, f, s->unit, t, sign, NULL, NULL);
+    *sign = algsurf_z_sign(algsurf_zpoly_at(f, f->degree), f->width);
+    if (t < 0 && f->degree % 2) *sign = -*sign;
     return 1;
+}
+
+/* The sign that all members have at t, or UNKNOWN. */
+static int sign_at(const set *s, double t, int *sign) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    algsurf_zpoly envelope;
+    int at[2], done = 1;
+    for (int i = 0; done && i < 2; i++)
+        done = make_envelope(s, t >= 0, i, &envelope) && sign_of(s, &envelope, t, at + i);
+    algsurf_memory_release(s->memory, mark);
+    if (done) *sign = at[0] == at[1] ? at[0] : UNKNOWN;
+    return done;
 }
 
 int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius, int unit,
                              double t, int *sign) {
-    algsurf_memory_mark mark = algsurf_memory_here(m);
-    set s = {.unit = unit};
-    s.cells.memory = m;
-    int done = make_envelope(m, p, radius, t >= 0, 0, &s.envelope[t >= 0][0]) &&
-               make_envelope(m, p, radius, t >= 0, 1, &s.envelope[t >= 0][1]) && sign_at(&s, t, sign);
-    algsurf_memory_release(m, mark);
+    const set s = {m, *p, *radius, unit};
+    return sign_at(&s, t, sign);
+}
+
+/* ---- hidden ranges ---- */
+
+static int take_ranges(algsurf_memory *m, int room, algsurf_exact_range **at) {
+    size_t words = (size_t)(room > 0 ? room : 1) * (sizeof **at / sizeof(algsurf_limb));
+    *at = (algsurf_exact_range *)(void *)algsurf_memory_take(m, words);
+    return *at != NULL;
+}
+
+/* The roots of f in [lo,hi], one end finite, at neighbouring doubles or at one, each with the sign of f
+ * behind it; *sign is that before the first one. */
+static int find_roots(const set *s, const algsurf_zpoly *f, double lo, double hi, ranges *roots, int *sign) {
+    algsurf_exact_walk walk;
+    algsurf_exact_root root;
+    roots->count = 0;
+    if (!take_ranges(s->memory, f->degree, &roots->at)) return 0;
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    int found = ALGSURF_EXACT_END;
+    if (f->degree > 0) {
+        if (!algsurf_exact_begin(&walk, s->memory, f, s->unit, lo, hi, ALGSURF_EXACT_REFINED, NULL)) return 0;
+        while ((found = algsurf_exact_next(&walk, &root)) == ALGSURF_EXACT_ROOT) {
+            int after = root.multiplicity % 2 ? -root.sign_before : root.sign_before;
+            if (roots->count == 0) *sign = root.sign_before;
+            roots->at[roots->count++] = (algsurf_exact_range){root.lo + 0.0, root.hi + 0.0, after};
+        }
+    }
+    algsurf_memory_release(s->memory, mark);
+    if (roots->count == 0 && !sign_of(s, f, isfinite(lo) ? lo : hi, sign)) return 0;
+    return found == ALGSURF_EXACT_END;
+}
+
+/* Appends a range, closed if its ends are hidden points, else two neighbouring doubles: to the last one if
+ * these points are hidden in both, or between them. */
+static void append(ranges *found, double lo, double hi, int closed) {
+    algsurf_exact_range *last = found->at + found->count - 1;
+    if (found->count > 0 && (lo < last->hi || (lo == last->hi && (closed || found->closed))))
+        last->hi = hi;
+    else
+        found->at[found->count++] = (algsurf_exact_range){lo, hi, 0};
+    found->closed = closed;
+}
+
+/* Those in [lo,hi], on one side of 0. */
+static int find_on_side(const set *s, int above, double lo, double hi, ranges *found) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    algsurf_zpoly envelope;
+    ranges root[2];
+    int sign[2], next[2] = {0, 0}, done = 1;
+    for (int i = 0; done && i < 2; i++)
+        done = make_envelope(s, above, i, &envelope) && find_roots(s, &envelope, lo, hi, root + i, sign + i);
+    while (done) {
+        const algsurf_exact_range *r[2] = {root[0].at + next[0], root[1].at + next[1]};
+        int left[2] = {next[0] < root[0].count, next[1] < root[1].count};
+        int i = left[1] && (!left[0] || r[1]->lo < r[0]->lo || (r[1]->lo == r[0]->lo && r[1]->hi < r[0]->hi));
+        double to = left[i] ? r[i]->lo : hi;
+        if (sign[0] * sign[1] <= 0 && lo <= to) append(found, lo, to, 1);
+        if (!left[i]) break;
+        append(found, r[i]->lo, r[i]->hi, r[i]->lo == r[i]->hi);
+        lo = r[i]->hi;
+        sign[i] = r[i]->sign_lo;
+        next[i]++;
+    }
+    algsurf_memory_release(s->memory, mark);
+    return done;
+}
+
+/* Those in [lo,hi], in room of their own. */
+static int find_hidden(const set *s, double lo, double hi, ranges *found) {
+    *found = (ranges){0};
+    return take_ranges(s->memory, 4 * degree_of(s) + 4, &found->at) &&
+           (lo >= 0 || find_on_side(s, 0, lo, fmin(hi, 0), found)) &&
+           (hi < 0 || find_on_side(s, 1, fmax(lo, 0), hi, found));
+}
+
+/* ---- double roots ---- */
+
+/* f with its coefficients times k - m, or |k - m|. */
+static int times_index(algsurf_memory *memory, const algsurf_zpoly *f, int m, int absolute,
+                       algsurf_zpoly *g) {
+    int w = algsurf_z_width(algsurf_zpoly_bits(f) + 11);
+    if (!algsurf_zpoly_new(memory, f->degree, w, g)) return 0;
+    for (int k = 0; k <= f->degree; k++) {
+        const algsurf_limb *c = algsurf_zpoly_at(f, k);
+        if (k >= m || absolute)
+            algsurf_z_add_product(algsurf_zpoly_at(g, k), w, c, f->width, (algsurf_limb)abs(k - m), 0);
+        else
+            algsurf_z_sub_product(algsurf_zpoly_at(g, k), w, c, f->width, (algsurf_limb)(m - k), 0);
+    }
+    return 1;
+}
+
+/* Of the doubles in [lo,hi] on one side of 0 the middle one. */
+static double middle_of(double lo, double hi) {
+    if (lo <= 0 && hi >= 0) return lo + 0.5 * (hi - lo);
+    uint64_t a = algsurf_exact_order_of(lo), b = algsurf_exact_order_of(hi);
+    double middle = algsurf_exact_double_at(a + (b - a) / 2);
+    return isinf(middle) ? hi : middle;
+}
+
+/* f_k as mantissa and exponent. */
+static double part_of(const algsurf_zpoly *f, int k, int *e) {
+    *e = 0;
+    return k > f->degree ? 0 : fabs(algsurf_z_to_double(algsurf_zpoly_at(f, k), f->width, e));
+}
+
+static void lift(int *top, double mantissa, int e) {
+    if (mantissa != 0 && e > *top) *top = e;
+}
+
+/* The best m at the middle c of [lo,hi], -1 for none, and whether it serves for all of [lo,hi], as doubles
+ * show.  There f = u p' - m p is f(c) + (t - c) f'(c) within (hi - lo)^2 times the largest |f''|; so with
+ * T = max(|lo|, |hi|) and w = (hi - lo) / T the members' u q' - m q differ from f(c) by
+ * w |T f'(c)| + sum |k - m| (radius_k + k^2 w^2 |p_k|) T^k at most.  m = 0 and T q' instead of u q' serve
+ * about 0, too.  *m is given where doubles do not tell it.  All terms are in units of 2^top, with relative
+ * errors below 2^-42; 2^-1000 covers underflow.  Where no m is found nothing is proved, nor need be. */
+static int find_separating(const set *s, const algsurf_zpoly *slope, double lo, double hi, int *m,
+                           int *clear) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    double v[3], power = 1, most = 1;
+    double T = fmax(fabs(lo), fabs(hi)), c = middle_of(lo, hi), w = isinf(T) ? HUGE_VAL : (hi - lo) / T;
+    double best = 0, sum = 0, total = 0, below = 0;
+    int n = degree_of(s), top = INT_MIN;
+    int about_zero = lo <= 0 && hi >= 0, e[3], ek, xc, xT, sign;
+    double fc = frexp(c, &xc), fT = frexp(isinf(T) ? fabs(c) : T, &xT);
+    double *at = (double *)(void *)algsurf_memory_take(s->memory, 2 * (size_t)(n + 1));
+    if (!at) return 0;
+    double *all = at + n + 1;
+    xc -= s->unit, xT -= s->unit;
+    for (int i = 0; i < 3; i++) { /* p, T p', T^2 p'' */
+        const algsurf_zpoly *f = i == 0 ? &s->p : slope + i - 1;
+        if (!algsurf_exact_at_double(s->memory, f, s->unit, c, &sign, v + i, e + i)) return 0;
+        lift(&top, v[i], e[i] += i * xT);
+    }
+    for (int k = 0; k <= n; k++) {
+        double q = part_of(&s->p, k, &ek);
+        lift(&top, q, ek + k * xT);
+        q = part_of(&s->radius, k, &ek);
+        lift(&top, q, ek + k * xT);
+    }
+    for (int k = 0; k <= n; k++, power *= fabs(fc), most *= fT) {
+        double r = part_of(&s->radius, k, &ek);
+        total += at[k] = ldexp(r * power, ek + k * xc - top);
+        all[k] = ldexp(r * most, ek + k * xT - top);
+        r = part_of(&s->p, k, &ek);
+        all[k] += ldexp(k * w * (k * w) * (r * most), ek + k * xT - top);
+        sum += k * at[k];
+    }
+    for (int i = 0; i < 3; i++) v[i] = ldexp(i == 2 ? v[2] * fT * fT : i == 1 ? v[1] * fT : v[0], e[i] - top);
+    double x = c / (isinf(T) ? fabs(c) : T);
+    if (about_zero) *m = 0;
+    for (int i = 0; i <= n && !about_zero && isfinite(T); i++) {
+        double margin = fabs(x * v[1] - i * v[0]) - sum; /* of |k - i| at_k */
+        if (i == 0 || margin > best) *m = margin > 0 ? i : -1, best = margin;
+        below += at[i];
+        sum += 2 * below - total;
+    }
+    x = *m == 0 ? 1 : x;
+    double value = fabs(x * v[1] - *m * v[0]), tilt = *m == 0 ? v[2] : x * v[2] + (1 - *m) * v[1];
+    sum = 0x1p-1000 + w * fabs(tilt);
+    for (int k = 0; k <= n; k++) sum += abs(k - *m) * all[k];
+    sum += 0x1p-48 * (fabs(v[1]) + *m * fabs(v[0]) + w * (fabs(v[2]) + *m * fabs(v[1])));
+    *clear = *m >= 0 && value > sum * (1 + 0x1p-40);
+    algsurf_memory_release(s->memory, mark);
+    return 1;
+}
+
+/* May a member have a double root in [lo,hi]?  By halves, at doubles; *clear: there is none. */
+static int look_for_double(const set *s, const algsurf_zpoly *slope, double lo, double hi, int halvings,
+                           int *m, int *clear) {
+    double middle = middle_of(lo, hi);
+    int unused;
+    if (!find_separating(s, slope, lo, hi, m, clear)) return 0;
+    if (*clear || *m < 0 || halvings == 0 || (lo <= 0 && hi >= 0) || !(lo < middle && middle < hi)) return 1;
+    return look_for_double(s, slope, lo, middle, halvings - 1, &unused, clear) &&
+           (!*clear || look_for_double(s, slope, middle, hi, halvings - 1, &unused, clear));
+}
+
+/* The same with certainty; *may is set, or it is not, and *parts if several m were needed. */
+static int ask_for_double(const set *s, const algsurf_zpoly *slope, double lo, double hi, int rounds,
+                          int *parts, int *may) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    set scaled = *s;
+    ranges left;
+    int m = MOST_ROUNDS - rounds, clear, done = look_for_double(s, slope, lo, hi, MOST_HALVINGS, &m, &clear);
+    if (!done || clear) return done;
+    if (m < 0 || rounds == 0) return *may = 1;
+    if (m == 0)
+        done = algsurf_zpoly_derivative(s->memory, &s->radius, &scaled.radius);
+    else
+        done = times_index(s->memory, &s->p, m, 0, &scaled.p) &&
+               times_index(s->memory, &s->radius, m, 1, &scaled.radius);
+    if (m == 0) scaled.p = *slope;
+    done = done && find_hidden(&scaled, lo, hi, &left);
+    for (int i = 0; done && !*may && i < left.count; i++) {
+        *parts = 1;
+        *may = left.at[i].lo <= 0 && left.at[i].hi >= 0;
+        if (!*may) done = ask_for_double(s, slope, left.at[i].lo, left.at[i].hi, rounds - 1, parts, may);
+    }
+    algsurf_memory_release(s->memory, mark);
+    return done;
+}
+
+/* Does each member have exactly one root in [lo,hi], with different signs at the ends? */
+static int ask_for_one(const set *s, const algsurf_zpoly *slope, double lo, double hi, int *one) {
+    algsurf_memory_mark mark = algsurf_memory_here(s->memory);
+    int may = 0, parts = 0, sign, done = ask_for_double(s, slope, lo, hi, MOST_ROUNDS, &parts, &may);
+    ranges roots;
+    *one = !may;
+    if (done && parts && !may) {
+        done = find_roots(s, &s->p, lo, hi, &roots, &sign);
+        *one = done && roots.count == 1;
+    }
+    algsurf_memory_release(s->memory, mark);
     return done;
 }
 
@@ -246,49 +313,71 @@ int algsurf_exact_radii_sign(algsurf_memory *m, const algsurf_zpoly *p, const al
 /* Moves the end t of a range outwards to a double with a known sign, if it is the next one. */
 static int find_known_sign(const set *s, double outwards, double *t, int *sign) {
     if (!sign_at(s, *t, sign)) return 0;
-    if (*sign * *sign == 1) return 1;
+    if (*sign * *sign == 1 || isinf(*t)) return 1;
     *t = nextafter(*t, outwards);
     return sign_at(s, *t, sign);
 }
 
-/* The undecided range i, if it is shown that each polynomial has one root in it. */
-static int decide_range(set *s, const algsurf_zpoly *slope, const algsurf_zpoly *radius, int i) {
-    algsurf_exact_range *range = s->found + i, any;
+/* The range i of those found in [least,most], if it is shown that each polynomial has one root in it. */
+static int decide_range(const set *s, const algsurf_zpoly *slope, const ranges *found, int i, double least,
+                        double most) {
+    algsurf_exact_range *range = found->at + i;
     double lo = range->lo, hi = range->hi;
-    int at_lo, at_hi;
-    if (range->sign_lo != 0 || isinf(lo) || isinf(hi)) return 1;
+    int at_lo, at_hi, one;
     if (!sign_at(s, lo, &at_lo)) return 0;
-    if (lo == hi && at_lo == 0) return 1; /* this is the root, of all polynomials */
+    if (lo == 0 && hi == 0 && at_lo == 0) return 1; /* this is the root, of all polynomials */
     if (!find_known_sign(s, -DBL_MAX, &lo, &at_lo) || !find_known_sign(s, DBL_MAX, &hi, &at_hi)) return 0;
-    if (at_lo * at_hi != -1 || lo < (i > 0 ? range[-1].hi : s->lo) ||
-        hi > (i + 1 < s->count ? range[1].lo : s->hi))
+    if (at_lo * at_hi != -1 || lo < (i > 0 ? range[-1].hi : least) ||
+        hi > (i + 1 < found->count ? range[1].lo : most) || (isinf(hi) && lo < DBL_MAX) ||
+        (isinf(lo) && hi > -DBL_MAX))
         return 1;
-    algsurf_memory_mark mark = algsurf_memory_here(s->cells.memory);
-    set slopes = {.unit = s->unit, .lo = lo, .hi = hi, .found = &any, .capacity = 1};
-    slopes.cells.memory = s->cells.memory;
-    int done = isolate(&slopes, slope, radius, NULL);
-    algsurf_memory_release(s->cells.memory, mark);
-    if (!done || slopes.count > 0) return done;
-    *range = (algsurf_exact_range){lo, hi, at_lo};
-    return shrink(s, lo, hi, at_lo, &range->lo, &range->hi);
+    if (!ask_for_one(s, slope, lo, hi, &one)) return 0;
+    if (one) *range = (algsurf_exact_range){lo, hi, at_lo};
+    return 1;
 }
 
-static int decide_ranges(set *s, const algsurf_zpoly *p, const algsurf_zpoly *radius) {
-    algsurf_zpoly slope, slope_radius;
-    int done = algsurf_zpoly_derivative(s->cells.memory, p, &slope) &&
-               algsurf_zpoly_derivative(s->cells.memory, radius, &slope_radius);
-    for (int i = 0; done && i < s->count; i++) done = decide_range(s, &slope, &slope_radius, i);
+static int decide_ranges(const set *s, const ranges *found, double lo, double hi) {
+    algsurf_zpoly slope[2]; /* and its own */
+    int done = algsurf_zpoly_derivative(s->memory, &s->p, slope) &&
+               algsurf_zpoly_derivative(s->memory, slope, slope + 1);
+    for (int i = 0; done && i < found->count; i++) done = decide_range(s, slope, found, i, lo, hi);
     return done;
+}
+
+/* Undecided ranges that touch become one, and what there is no room for. */
+static void give(const ranges *all, algsurf_exact_range *found, int capacity, int *count) {
+    *count = 0;
+    for (int i = 0; i < all->count; i++) {
+        const algsurf_exact_range *r = all->at + i;
+        algsurf_exact_range *last = found + *count - 1;
+        if (*count == capacity || (*count > 0 && !r->sign_lo && !last->sign_lo && r->lo == last->hi))
+            *last = (algsurf_exact_range){last->lo, r->hi, 0};
+        else
+            found[(*count)++] = *r;
+    }
+}
+
+/* A cell for each range, or an empty one. */
+static void tell(const algsurf_i_watch *watch, int degree, double lo, double hi,
+                 const algsurf_exact_range *found, int count) {
+    algsurf_cell cell = {lo, hi, 0, ALGSURF_ENGINE_INTEGERS, degree, NULL};
+    if (count == 0) algsurf_i_tell_cell(watch, &cell);
+    for (int i = 0; i < count; i++) {
+        cell.lo = found[i].lo, cell.hi = found[i].hi, cell.variations = found[i].sign_lo ? 1 : degree;
+        algsurf_i_tell_cell(watch, &cell);
+    }
 }
 
 int algsurf_exact_radii_isolate(algsurf_memory *m, const algsurf_zpoly *p, const algsurf_zpoly *radius,
                                 int unit, double lo, double hi, algsurf_exact_range *found, int capacity,
                                 int *count, const algsurf_i_watch *watch) {
     algsurf_memory_mark mark = algsurf_memory_here(m);
-    set s = {.unit = unit, .lo = lo, .hi = hi, .found = found, .capacity = capacity};
-    s.cells.memory = m;
-    int done = isolate(&s, p, radius, watch) && decide_ranges(&s, p, radius);
+    const set s = {m, *p, *radius, unit};
+    ranges all;
+    *count = 0;
+    int done = find_hidden(&s, lo + 0.0, hi + 0.0, &all) && decide_ranges(&s, &all, lo + 0.0, hi + 0.0);
+    if (done) give(&all, found, capacity, count);
     algsurf_memory_release(m, mark);
-    *count = s.count;
+    if (done && watch) tell(watch, degree_of(&s), lo, hi, found, *count);
     return done;
 }

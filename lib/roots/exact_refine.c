@@ -35,6 +35,9 @@ double algsurf_exact_double_at(uint64_t order) {
 static uint64_t doubles_between(double lo, double hi) {
     return algsurf_exact_order_of(hi) - algsurf_exact_order_of(lo);
 }
+double algsurf_exact_between(double lo, double hi) {
+    return algsurf_exact_double_at(algsurf_exact_order_of(lo) + (doubles_between(lo, hi) + 1) / 2);
+}
 static double next_up(double x) { return nextafter(x, HUGE_VAL); }
 static double next_down(double x) { return nextafter(x, -HUGE_VAL); }
 

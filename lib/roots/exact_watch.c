@@ -8,12 +8,6 @@
 
 enum { STACK_WORDS = 64 };
 
-/* The sign of all polynomials of the set. */
-static signed char sign_of(const algsurf_exact_cell *cell, int j) {
-    int lower = algsurf_exact_lower_sign(cell, j), upper = algsurf_exact_upper_sign(cell, j);
-    return (signed char)(lower == upper ? lower : ALGSURF_SIGN_UNDECIDED);
-}
-
 int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell) {
     algsurf_limb block[STACK_WORDS], *a, *b;
     algsurf_memory memory;
@@ -22,7 +16,7 @@ int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exac
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
     int done = algsurf_exact_cell_ends(&memory, cell, &cells->piece, cells->unit, &a, &b, &width, &r);
-    for (int j = 0; j <= n; j++) signs[j] = sign_of(cell, j);
+    for (int j = 0; j <= n; j++) signs[j] = (signed char)algsurf_exact_sign(cell, j);
     if (done) {
         const algsurf_cell told = {.lo = algsurf_z_round_down(a, width, cells->unit - r),
                                    .hi = algsurf_z_round_down(b, width, cells->unit - r),

@@ -1,13 +1,14 @@
 /* first.c - many polynomials: checked, solved side by side, and what stays undecided one by one.
  *
  * The packet code (first_template.h, all_template.h) writes the answers it is sure of, and
- * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone, in doubles with a
- * radius for each coefficient or in integers.  So are polynomials in intervals with an infinite end, which
- * the packets find unsound (centred_template.h). */
+ * ALGSURF_LANE_UNDECIDED as state, or -1 as count, of the others.  Those are decided alone (line.c,
+ * isolate.c).  So are polynomials in intervals with an infinite end, which the packets find unsound
+ * (centred_template.h). */
 #include "../base/arithmetic.h"
 #include "algsurf/batch.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "algsurf/isolate.h"
@@ -15,6 +16,7 @@
 #include "coefficients.h"
 #include "decide.h"
 #include "kernel.h"
+#include "line.h"
 #include "../base/options.h"
 #include "../poly/table.h"
 
@@ -87,15 +89,29 @@ static algsurf_status solve_set(const algsurf_i_coefficients *p, double lo, doub
     return status;
 }
 
+/* The first root; room for all of them is allocated where the stack has none. */
+static ALGSURF_NOINLINE algsurf_status solve_exact(const algsurf_i_coefficients *p, double lo, double hi,
+                                                   unsigned char *state, double *where) {
+    const algsurf_i_line line = {{p->c, NULL, p->degree}, lo, hi, ALGSURF_I_FIRST, 1, NULL, 0};
+    algsurf_real_root few[ALGSURF_MAX_DEGREE], *roots = few;
+    int found = 0;
+    if (p->degree > ALGSURF_MAX_DEGREE && !(roots = malloc((size_t)p->degree * sizeof *roots)))
+        return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = algsurf_i_line_solve(&line, roots, &found);
+    if (status == ALGSURF_OK) *state = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
+    if (status == ALGSURF_OK && found) *where = roots->root;
+    if (roots != few) free(roots);
+    return status;
+}
+
 /* One polynomial alone: OK or E_NO_MEMORY, and then it stays undecided. */
 static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, unsigned char *state,
                                   double *root) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1], r[ALGSURF_MAX_POLY_DEGREE + 1], where = HUGE_VAL;
     double lo = begin_of(polys, i), hi = end_of(polys, i);
     algsurf_i_coefficients p = {c, polys->radii.at ? r : NULL, polys->degree};
-    algsurf_real_root first;
     algsurf_status status = ALGSURF_OK;
-    int found = 0, zero = 1;
+    int zero = 1;
     algsurf_i_table_row(&polys->coefficients, p.degree, i, c);
     for (int k = 0; k <= p.degree; k++) zero = zero && c[k] == 0;
     state[i] = ALGSURF_FIRST_ROOT_UNDECIDED;
@@ -105,9 +121,7 @@ static algsurf_status solve_alone(const algsurf_real_batch *polys, size_t i, uns
     } else if (zero) {
         where = finite_point(lo, hi);
     } else {
-        status = algsurf_i_first_root(c, p.degree, lo, hi, &first, &found);
-        if (status == ALGSURF_OK) state[i] = found ? ALGSURF_FIRST_ROOT_FOUND : ALGSURF_FIRST_ROOT_NONE;
-        if (found) where = first.root;
+        status = solve_exact(&p, lo, hi, state + i, &where);
     }
     if (root) root[i] = where;
     return status;
@@ -161,10 +175,13 @@ static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batc
 static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_real_root *roots,
                                  int *count) {
     double c[ALGSURF_MAX_POLY_DEGREE + 1];
-    int room = p->degree > 0 ? p->degree : 1, found = 0;
+    const algsurf_i_line line = {
+        {c, NULL, p->degree}, begin_of(p, i), end_of(p, i), ALGSURF_I_ALL, 1, NULL, 0};
+    int room = p->degree > 0 ? p->degree : 1, found = 0, zero = 1;
     algsurf_i_table_row(&p->coefficients, p->degree, i, c);
+    for (int k = 0; k <= p->degree; k++) zero = zero && c[k] == 0;
     algsurf_status status =
-        algsurf_i_real_roots(c, p->degree, begin_of(p, i), end_of(p, i), roots + i * (size_t)room, &found);
+        zero ? ALGSURF_E_ZERO : algsurf_i_line_solve(&line, roots + i * (size_t)room, &found);
     count[i] = status == ALGSURF_OK ? found : (int)status;
     return status;
 }

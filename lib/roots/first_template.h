@@ -2,7 +2,8 @@
  *
  * They are counted by Descartes' rule.  Those with more than one variation of sign are split, all of them
  * once; what is still open is packed together and split again (block_template.h), so that no lane waits for
- * another.  The roots in the brackets are brackets_template.h's; degrees 1 and 2 have a closed form. */
+ * another.  The roots in the brackets are brackets_template.h's.  Degrees 1 and 2 have a closed form; what
+ * this leaves open takes the same way as all others. */
 #ifndef ALGSURF_FIRST_TEMPLATE_H
 #define ALGSURF_FIRST_TEMPLATE_H
 #include "../simd/degrees.h"
@@ -13,6 +14,7 @@
 #include "closed_template.h"
 #include "descartes_template.h"
 #include "kernel.h"
+#include "../poly/table.h"
 
 /* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
  * Their signs become those that make the first coefficient positive. */
@@ -99,23 +101,8 @@ INLINE void divide_cells_n(poly_block *block, int n, int turn) {
 
 /* Splits each cell once. */
 APART void divide_cells(poly_block *block, int n, int turn) {
-    if (n < 3) __builtin_unreachable();
+    if (n < 1) __builtin_unreachable();
     FOR_DEGREE(n, divide_cells_n(block, N, turn))
-}
-
-INLINE void divide_last_cells_n(poly_block *block, int n, int turn) {
-    cell s;
-    lanes id, cut_error;
-    unsigned open = first_lanes(block->cells);
-    take_cells(block, 0, &s, &id, &cut_error, n);
-    for (; open && turn < MOST_TURNS; turn++) open = divide_some(block, &s, id, cut_error, open, n, turn);
-    leave_undecided(block, id, open, n);
-}
-
-/* The same until no cell is open: one packet, which stays where it is. */
-APART void divide_last_cells(poly_block *block, int n, int turn) {
-    if (n < 3) __builtin_unreachable();
-    FOR_DEGREE(n, divide_last_cells_n(block, N, turn))
 }
 
 /* The bytes of `hits` become 1, those of `undecided` 2, others 0. */
@@ -157,9 +144,8 @@ INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_
 INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n) {
     int turn = 0, undecided = 0;
     classify_all(job, block, at, count, n);
-    for (; block->cells > LANES && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
-    for (int i = LANES; i < block->cells; i++) leave_undecided(block, load_row(block, ID, i, n), 1, n);
-    if (block->cells > 0) divide_last_cells(block, n, turn);
+    for (; block->cells > 0 && turn < MOST_TURNS; turn++) divide_cells(block, n, turn);
+    for (int i = 0; i < block->cells; i++) leave_undecided(block, load_row(block, ID, i, n), 1, n);
     for (int i = 0; i < block->hits && !job->root; i++)
         *in_row(block, PLACE, (int)*in_row(block, HIT_ID, i, n), n) = 0;
     for (int i = 0; i < block->hits && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
@@ -168,31 +154,75 @@ INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t
     return undecided;
 }
 
-INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
+/* LANES polynomials of degree 1 or 2 by the closed form; returns the lanes it leaves open. */
+INLINE unsigned solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
     centred p;
     mask hit, undecided;
     centre(job, at, count, &p, n);
     lanes v = first_root_closed(&p, n, &hit, &undecided);
     store_states(job->state + at, hit, undecided, count);
-    if (!job->root) return any(undecided);
-    lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
-    store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
-    return any(undecided);
+    if (job->root) {
+        lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
+        store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
+    }
+    return bits(undecided) & first_lanes(count);
 }
 
-/* Degrees 1 and 2. */
-INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
-    int undecided = 0;
-    for (size_t at = 0; at < count; at += LANES)
-        undecided |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
+enum { MOST_OPEN = 32 };
+
+/* The numbers of what the closed form leaves open, copied, and their answers. */
+typedef struct open_ones {
+    int count;
+    size_t which[MOST_OPEN];
+    double c[3 * MOST_OPEN], r[3 * MOST_OPEN], lo[MOST_OPEN], hi[MOST_OPEN], root[MOST_OPEN];
+    uint8_t state[MOST_OPEN];
+} open_ones;
+
+INLINE void add_open(const algsurf_i_polys_job *job, size_t at, open_ones *o) {
+    const int n = job->degree, i = o->count++;
+    const ptrdiff_t interval = (ptrdiff_t)at * job->interval;
+    o->which[i] = at;
+    o->lo[i] = job->lo[interval], o->hi[i] = job->hi[interval];
+    algsurf_i_table_row(&job->c, n, at, o->c + i * (n + 1));
+    if (job->r.at) algsurf_i_table_row(&job->r, n, at, o->r + i * (n + 1));
+}
+
+/* They are walked like all others. */
+APART int solve_open(const algsurf_i_polys_job *job, poly_block *block, open_ones *o) {
+    const int n = job->degree;
+    algsurf_i_polys_job few = *job;
+    few.c = (algsurf_table){o->c, 1, n + 1};
+    few.r = (algsurf_table){job->r.at ? o->r : NULL, 1, n + 1};
+    few.lo = o->lo, few.hi = o->hi, few.interval = 1;
+    few.state = o->state, few.root = job->root ? o->root : NULL;
+    int undecided = solve_block(&few, block, 0, o->count, n);
+    for (int i = 0; i < o->count; i++) {
+        job->state[o->which[i]] = o->state[i];
+        if (job->root) job->root[o->which[i]] = o->root[i];
+    }
+    o->count = 0;
     return undecided;
+}
+
+INLINE int solve_low_n(const algsurf_i_polys_job *job, poly_block *block, size_t count, int n) {
+    open_ones o = {.count = 0};
+    int undecided = 0;
+    for (size_t at = 0; at < count; at += LANES) {
+        unsigned open = solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
+        if (!open) continue;
+        if (o.count > MOST_OPEN - LANES) undecided |= solve_open(job, block, &o);
+        for (int l = 0; open >> l; l++)
+            if (open >> l & 1) add_open(job, at + (size_t)l, &o);
+    }
+    return o.count ? undecided | solve_open(job, block, &o) : undecided;
 }
 
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
     int undecided = 0, n = job->degree;
-    if (n <= 2) return n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1);
     poly_block block;
     begin_block(&block, n);
+    if (n == 1) return solve_low_n(job, &block, count, 1);
+    if (n == 2) return solve_low_n(job, &block, count, 2);
     const size_t together = (size_t)POLYS_OF(n);
     for (size_t at = 0; at < count; at += together)
         undecided |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);

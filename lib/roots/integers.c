@@ -2,7 +2,7 @@
  *
  * A bracket then holds one root of each polynomial within the radii, hence of that of the integers, and the
  * signs at its ends are the same for all.  Where the root is, the rounded polynomial tells nearly; from there
- * the integers' signs at doubles close it in. */
+ * the integers' signs at doubles, one beside the other, close it in. */
 #include "../base/arithmetic.h"
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 #include "decide.h"
 #include "exact.h"
-#include "quarters.h"
+#include "integers.h"
 
 enum { STACK_WORDS = 1024, MOST_SPREAD = 900, FEW = 4 };
 
@@ -52,28 +52,30 @@ static int close_in(algsurf_memory *m, const algsurf_zpoly *z, const algsurf_bra
     return 0;
 }
 
-static int find(algsurf_memory *m, const algsurf_zpoly *z, double lo, double hi, algsurf_real_root *roots,
-                int *count) {
-    double c[ALGSURF_MAX_DEGREE + 1], r[ALGSURF_MAX_DEGREE + 1];
-    algsurf_bracket b[ALGSURF_MAX_DEGREE];
-    const algsurf_i_coefficients p = {c, r, z->degree}, middle = {c, NULL, z->degree};
-    if (z->degree < 1 || z->degree > ALGSURF_MAX_DEGREE || !round_all(z, c, r)) return 0;
-    if (!algsurf_i_isolate_in_lane(&p, &lo, &hi, 0, algsurf_i_halvings_at_first(z->degree), b, count))
-        return 0;
-    algsurf_i_settle(&middle, b, *count, roots);
-    for (int i = 0; i < *count; i++)
-        if (!roots[i].multiplicity || !close_in(m, z, b + i, roots[i].root, roots + i)) return 0;
-    return 1;
-}
-
-int algsurf_i_integers_in_doubles(const algsurf_integer *c, int degree, double lo, double hi,
-                                  algsurf_real_root *roots, int *count) {
+int algsurf_i_integers_round(const algsurf_i_given *p, double *c, double *r, int *degree) {
     algsurf_limb block[STACK_WORDS];
     algsurf_memory memory;
     algsurf_zpoly z;
     algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
     algsurf_memory_mark begin = algsurf_memory_here(&memory);
-    int done = algsurf_i_from_integers(&memory, c, degree, &z) && find(&memory, &z, lo, hi, roots, count);
+    int done = p->degree <= ALGSURF_MAX_DEGREE && algsurf_i_from_integers(&memory, p->z, p->degree, &z) &&
+               round_all(&z, c, r);
+    if (done) *degree = z.degree;
     algsurf_memory_release(&memory, begin);
     return done;
+}
+
+int algsurf_i_integers_close_in(const algsurf_i_given *p, const algsurf_bracket *b, int count,
+                                algsurf_real_root *roots) {
+    algsurf_limb block[STACK_WORDS];
+    algsurf_memory memory;
+    algsurf_zpoly z;
+    int i = 0;
+    algsurf_memory_begin(&memory, block, STACK_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    if (algsurf_i_from_integers(&memory, p->z, p->degree, &z))
+        while (i < count && roots[i].multiplicity && close_in(&memory, &z, b + i, roots[i].root, roots + i))
+            i++;
+    algsurf_memory_release(&memory, begin);
+    return i;
 }

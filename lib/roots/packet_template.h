@@ -9,6 +9,9 @@
 #include "../simd/degrees.h"
 #include "descartes_template.h"
 
+#ifndef KNOWN_DEGREES /* code for known degrees where each coefficient has its radius: see degrees.h */
+#define KNOWN_DEGREES 0
+#endif
 #define SHORT_STEP 0x1p-14   /* of an iteration: longer ones do not tell what is missing */
 
 /* What is known of LANES polynomials, and what was found. */
@@ -117,11 +120,7 @@ typedef struct jet {
 INLINE jet jet_at(const lanes *w, int n, lanes x) {
     lanes b[MOST_DEGREE + 1], rest = 1 - x;
     for (int j = 0; j <= n; j++) b[j] = w[j];
-    UNROLLED
-    for (int i = 1; i <= n - 2; i++) {
-        UNROLLED
-        for (int j = 0; j <= n - i; j++) b[j] = rest * b[j] + x * b[j + 1];
-    }
+    casteljau(b, NULL, n, n - 2, rest, x, 1);
     lanes bend = all_lanes(0);
     if (n > 1) {
         bend = all_lanes(0.5 * n * (n - 1)) * (b[2] - b[1] - (b[1] - b[0]));
@@ -218,15 +217,7 @@ APART void isolate_known(packet *k, int n) {
     if (watch_of(k))
         isolate_watched(k, n, 1);
     else
-        isolate_n(k, n, 1, NULL);
-}
-
-/* The same, compiled for common degrees: for single rays and polynomials, which are all that they do. */
-APART void isolate_known_often(packet *k, int n) {
-    if (watch_of(k))
-        isolate_watched(k, n, 1);
-    else
-        FOR_DEGREE(n, isolate_n(k, N, 1, NULL))
+        FOR_DEGREE_IF(KNOWN_DEGREES && COMMON_DEGREES, n, isolate_n(k, N, 1, NULL))
 }
 
 APART void refine(packet *k, int n, double tolerance, lanes *at) {

@@ -199,8 +199,9 @@ static algsurf_status find_root_between(const algsurf_i_polynomial *p, double lo
     const algsurf_i_watch watch = {.observer = p->observer};
     algsurf_real_root root;
     int count;
-    algsurf_status status = algsurf_i_decide_roots(p->given.c, p->given.degree, lo, hi, &root, 1, &count,
-                                                   p->observer ? &watch : NULL);
+    const algsurf_i_given given = {p->given.c, NULL, p->given.degree};
+    algsurf_status status =
+        algsurf_i_decide(&given, lo, hi, 1, &root, 1, &count, p->observer ? &watch : NULL);
     return status == ALGSURF_OK && count == 0 ? ALGSURF_E_ARGUMENT : status;
 }
 

@@ -21,6 +21,7 @@
  * the root to its left. */
 #ifndef ALGSURF_SINGLE_TEMPLATE_H
 #define ALGSURF_SINGLE_TEMPLATE_H
+#define KNOWN_DEGREES 1
 #include "../base/eft.h"
 #include "coefficients.h"
 #include "kernel.h"
@@ -143,7 +144,7 @@ int KERNEL(algsurf_i_roots_single)(const algsurf_i_coefficients *p, double lo, d
     bound_errors(&k, n, 1);
     leave_undecided(&k, ~ends_known(k.b, k.e, n, 1, all_lanes(0)));
     for (;;) {
-        isolate_known_often(&k, n);
+        isolate_known(&k, n);
         if (any(k.undecided)) return 0;
         if (!any(k.hit)) return 1;
         if (!set_bracket(&s, &k, *count ? b[*count - 1].hi : lo, b + *count)) return 0;

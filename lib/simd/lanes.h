@@ -45,6 +45,7 @@
 #endif
 
 #define INLINE static inline __attribute__((always_inline, unused))
+#define APART static __attribute__((noinline, unused))
 
 /* Before a triangular pair of loops whose length the compiler knows: gcc would leave it half rolled. */
 #if defined(__clang__)

@@ -26,6 +26,7 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
+#include "../base/vec.h"
 #include "impl.h"
 
 #define ETA 0x1p-960
@@ -105,6 +106,10 @@ static jet magnitudes(const algsurf_surface *s, double x, double y, double z) {
     return p;
 }
 
+double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]) {
+    return magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2])).v;
+}
+
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]) {
     if (!gradient) return value_only(s, x[0], x[1], x[2]);
     jet p = value_and_gradient(s, x[0], x[1], x[2]);
@@ -112,13 +117,6 @@ double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], doub
     gradient[1] = p.y;
     gradient[2] = p.z;
     return p.v;
-}
-
-int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]) {
-    (void)algsurf_i_surface_value(s, x, gradient);
-    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
-    double bound = bound_factor(s) * fmax(m.x, fmax(m.y, m.z));
-    return fmax(fabs(gradient[0]), fmax(fabs(gradient[1]), fabs(gradient[2]))) > 0x1p8 * bound;
 }
 
 /* A number with an error bound. */
@@ -181,6 +179,16 @@ static int in_range(const algsurf_surface *s, const double x[3], double magnitud
     int e;
     (void)frexp(fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))), &e);
     return magnitude >= ldexp(ETA, 80 + (e > 0 ? e * s->degree : 0)) && magnitude < HUGE_VAL;
+}
+
+int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double point[3], double gradient[3]) {
+    double x[3];
+    if (!to_natural(s, point, x)) return 0;
+    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+    if (!in_range(s, x, m.x + m.y + m.z)) return 0;
+    (void)algsurf_i_surface_value(s, x, gradient);
+    double bound = (bound_factor(s) - s->error) * fmax(m.x, fmax(m.y, m.z));
+    return algsurf_max_abs(gradient) > ALGSURF_I_CLEAR * bound;
 }
 
 static bounded to_caller(double value, double bound, int exponent) {

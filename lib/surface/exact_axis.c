@@ -35,7 +35,8 @@ static algsurf_i_exact_factor factor_of(double x, int unit) {
 static int is_zero(const algsurf_i_exact_factor *f) { return f->low == 0 && f->high == 0; }
 static int is_limb(const algsurf_i_exact_factor *f) { return f->high == 0 && f->at == 0; }
 
-void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit) {
+/* In a given unit, which makes f0 and f1 integers. */
+static void make_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit) {
     algsurf_i_exact_span o = algsurf_i_exact_span_of(origin), d = algsurf_i_exact_span_of(direction);
     d.top += e;
     if (origin == 0) o = d;
@@ -54,7 +55,7 @@ void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double
 void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e) {
     int o = algsurf_i_exact_span_of(origin).low, d = algsurf_i_exact_span_of(direction).low + e;
     int unit = direction == 0 || (origin != 0 && o < d) ? o : d;
-    algsurf_i_exact_axis_in_unit(x, origin, direction, e, unit);
+    make_in_unit(x, origin, direction, e, unit);
 }
 
 static algsurf_limb *at(const algsurf_i_exact_sum *p, int k) { return p->c + (size_t)k * p->stride; }

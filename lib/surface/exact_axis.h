@@ -53,8 +53,6 @@ static inline algsurf_i_exact_span algsurf_i_exact_span_of(double x) {
 }
 
 void algsurf_i_exact_axis_make(algsurf_i_exact_axis *x, double origin, double direction, int e);
-/* The same in a given unit, which must make f0 and f1 integers. */
-void algsurf_i_exact_axis_in_unit(algsurf_i_exact_axis *x, double origin, double direction, int e, int unit);
 
 /* A polynomial in the making: a sum of `count` polynomials with coefficients below 2^bits in magnitude.  The
  * width follows from these two, never from the values: intermediate signs need no attention. */

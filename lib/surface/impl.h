@@ -32,6 +32,7 @@ struct algsurf_surface {
     int unit, scale;
     int inexact;
     double smallest; /* least magnitude of the non-zero coef */
+    double size;     /* sum of the magnitudes of coef */
     double error;    /* relative, of each coef; a little more, for the rounding of bounds */
     double rounding; /* relative, with which the coefficients stand for an equation's */
     size_t term_count;
@@ -51,6 +52,10 @@ struct algsurf_surface {
     double *tables, *from_powers, *nodes, *to_bernstein;
     double amplification; /* the largest sum of |entries| of to_bernstein for one coefficient */
     double most_reach;    /* of a chord in natural units: its reach^node_degree is at most 2^280 */
+    /* For rays without ends.  Along a line through the origin the roots that are not far out have real parts
+     * up to about this, in natural units: where to look first, no bound. */
+    double spread;
+    unsigned char degree_in[8]; /* P's degree in those coordinates whose bits, 1, 2, 4, are set */
 };
 
 /* Rounding of values at nodes counts amplification times, which doubles with each degree, that of powers
@@ -69,9 +74,14 @@ int algsurf_i_surface_set_tables(algsurf_surface *s);
  * natural coordinates), in double, no bounds: gradient may be null. */
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]);
 
-/* The same gradient; 0 where rounding leaves less than 8 bits of it: it is nothing to tell a direction from.
- */
-int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double x[3], double gradient[3]);
+/* The sum of the sizes of P's terms, in natural scale, at a point in natural units: too small by 2 n + 3
+ * roundings at most; what is 0 or underflows counts as 2^-960 or more. */
+double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]);
+
+/* The same gradient, of the coefficients as they are, at a point in the caller's units; 0 where it may be that
+ * rounding leaves less than 20 bits of it: then its direction is off by less than 10^-4 degrees. */
+#define ALGSURF_I_CLEAR 0x1p20
+int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double point[3], double gradient[3]);
 
 /* The gradient at a complex point, same units. */
 typedef struct algsurf_i_complex {

@@ -199,6 +199,7 @@ static algsurf_status lay_out(algsurf_surface *s) {
         double coef = ldexp(term->a, s->unit * (term->i + term->j + term->k) + s->scale);
         s->coef[row->first + (size_t)term->i] = coef;
         if (coef != 0 && fabs(coef) < s->smallest) s->smallest = fabs(coef);
+        s->size += fabs(coef);
     }
     return ALGSURF_OK;
 }

@@ -26,6 +26,7 @@
 #include <string.h>
 
 #include "../base/eft.h"
+#include "../poly/basis.h"
 
 enum { MOST = ALGSURF_MAX_VIEW_DEGREE + 1 };
 
@@ -104,40 +105,6 @@ static solid in_view_axes(const algsurf_surface *s, double (*of)(double), const 
     return total;
 }
 
-/* The surface's scheme on magnitudes. */
-static double magnitude(const algsurf_surface *s, const double x[3]) {
-    double total = 0;
-    for (int k = s->level_count - 1; k >= 0; k--) {
-        double level = 0;
-        for (int j = s->levels[k].count - 1; j >= 0; j--) {
-            const algsurf_row *r = s->rows + s->levels[k].first + j;
-            double sum = 0;
-            for (int i = r->length - 1; i >= 0; i--) sum = sum * x[0] + fabs(s->coef[r->first + (size_t)i]);
-            level = level * x[1] + sum;
-        }
-        total = total * x[2] + level;
-    }
-    return total;
-}
-
-/* Coefficient j of (2t-1)^k in the Bernstein basis of degree n: the mean of the products of k out of j
- * factors +1 and n-j factors -1.  The sums are whole numbers below 2^53. */
-static void set_basis(double *basis, int n) {
-    double choose[MOST][MOST] = {{0}};
-    for (int a = 0; a <= n; a++) {
-        choose[a][0] = 1;
-        for (int b = 1; b <= a; b++) choose[a][b] = choose[a - 1][b - 1] + (b < a ? choose[a - 1][b] : 0);
-    }
-    for (int j = 0; j <= n; j++)
-        for (int k = 0; k <= n; k++) {
-            double sum = 0;
-            for (int l = 0; l <= k; l++)
-                if (l <= j && k - l <= n - j)
-                    sum += ((k - l) % 2 ? -1 : 1) * choose[j][l] * choose[n - j][k - l];
-            basis[j * (n + 1) + k] = sum / choose[n][k];
-        }
-}
-
 /* Returns the sum of all sizes. */
 static double set_sizes(algsurf_i_frame_form *frame, const solid *p) {
     double whole = 0;
@@ -189,9 +156,9 @@ int algsurf_i_frame_expand(const algsurf_surface *s, algsurf_i_frame_form *frame
                 if (!isfinite(p.q[at].hi)) return 0;
                 frame->q[at] = p.q[at].hi;
             }
-    frame->value_error = (16 * (n + 1) * ALGSURF_U + s->error) * magnitude(s, shown);
-    frame->error = 0x1p-90 * magnitude(s, reach) + 0x1p-900;
-    set_basis(frame->basis, n);
+    frame->value_error = (16 * (n + 1) * ALGSURF_U + s->error) * algsurf_i_surface_magnitude(s, shown);
+    frame->error = 0x1p-90 * algsurf_i_surface_magnitude(s, reach) + 0x1p-900;
+    algsurf_i_power_basis(frame->basis, n);
     frame->spread = s->error;
     if (s->error > 0) {
         take_magnitudes(world);

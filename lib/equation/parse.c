@@ -1,0 +1,395 @@
+/* parse.c - from an equation as text to a polynomial: recursive descent that computes.
+ *
+ *     text     = [ open ] [ head ] equation [ close ] [ ";" ]      open and close: $ or another pair of LaTeX
+ *     head     = name "(" "x" "," "y" "," "z" ")" "="
+ *     equation = sum [ "=" sum ]  |  "=" sum                       without head, that one
+ *     sum      = product { ("+" | "-") product }
+ *     product  = signed { "*" signed | "/" signed | power }        the last: implicit multiplication
+ *     signed   = { "+" | "-" } power
+ *     power    = primary [ "^" signed | superscript { superscript } ]
+ *     primary  = number | name | bracket | ("sqrt" | "sin" | "cos") bracket | root-sign primary
+ *              | ("sin" | "cos") primary                         behind that, no factor and no * / ^
+ *              | "\sqrt" argument | "\frac" argument argument
+ *     argument = bracket | digit                                   a bracket ( or {
+ *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
+ *
+ * The signs are those of read.h.  Every expression's value is a polynomial (value.h); what
+ * must be constant, divisors, exponents, arguments of roots, is seen from its value.  Depth is counted, so
+ * text cannot exhaust the stack.  A name is as long as it can be; one that is no constant is a product of
+ * what it consists of, letter by letter: variables, constants, pi.  A number never stands right of an
+ * implicit multiplication: x 2 could be a slip for x^2 as well as a product.
+ */
+#include "../base/arithmetic.h"
+#include "parse.h"
+
+#include <string.h>
+
+enum { DEPTH_LIMIT = 100 };
+
+typedef algsurf_i_parser parser;
+
+/* The next token that is not blank; p->at is its place, p->token itself. */
+static int peek(parser *p) {
+    p->at += algsurf_i_blanks(p->text + p->at);
+    p->token = algsurf_i_token_at(p->text + p->at);
+    return p->token.kind;
+}
+
+/* Moves behind the token that peek has seen. */
+static void take(parser *p) { p->at += p->token.width; }
+
+static int parse_sum(parser *p, algsurf_i_value *out);
+static int parse_signed(parser *p, algsurf_i_value *out);
+static int parse_primary(parser *p, algsurf_i_value *out);
+
+static int enter(parser *p, size_t offset) {
+    return ++p->depth <= DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
+}
+
+/* Refuses what stands here. */
+static int refuse_token(parser *p, const char *expected) {
+    (void)peek(p);
+    return algsurf_i_refuse_token(p, expected);
+}
+
+static const char *expected_closing(char closing) {
+    return closing == ')'   ? "expected an operator or ')'"
+           : closing == ']' ? "expected an operator or ']'"
+                            : "expected an operator or '}'";
+}
+
+static int parse_bracket(parser *p, algsurf_i_value *out) {
+    char closing = algsurf_i_closing(peek(p));
+    if (!closing) return algsurf_i_parse_refuse(p, p->at, "expected '('");
+    if (!enter(p, p->at)) return 0;
+    take(p);
+    if (!parse_sum(p, out)) return 0;
+    if (peek(p) != closing) {
+        algsurf_i_value_free(out);
+        return refuse_token(p, expected_closing(closing));
+    }
+    take(p);
+    p->depth--;
+    return 1;
+}
+
+/* The root of the operand that stands here. */
+static int parse_root_of(parser *p, int (*operand)(parser *, algsurf_i_value *), algsurf_i_value *out) {
+    (void)peek(p);
+    size_t offset = p->at;
+    return operand(p, out) && algsurf_i_parse_root(p, offset, out);
+}
+
+static int parse_root_sign(parser *p, algsurf_i_value *out) {
+    if (!enter(p, p->at)) return 0;
+    take(p);
+    if (!parse_root_of(p, parse_primary, out)) return 0;
+    p->depth--;
+    return 1;
+}
+
+/* What a command of LaTeX applies to: a bracket, or a digit, since \frac12 is 1/2. */
+static int parse_argument(parser *p, algsurf_i_value *out) {
+    int c = peek(p);
+    if (c == '{' || c == '(') return parse_bracket(p, out);
+    if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
+    take(p);
+    return algsurf_i_parse_double(p, c - '0', 0, out);
+}
+
+static int parse_latex_sqrt(parser *p, algsurf_i_value *out) {
+    take(p);
+    if (peek(p) == '[') return algsurf_i_parse_refuse(p, p->at, "of roots, only square roots are known");
+    return parse_root_of(p, parse_argument, out);
+}
+
+static int parse_fraction(parser *p, algsurf_i_value *out) {
+    algsurf_i_value below;
+    size_t offset = p->at;
+    if (!enter(p, offset)) return 0;
+    take(p);
+    if (!parse_argument(p, out)) return 0;
+    (void)peek(p);
+    size_t divisor = p->at;
+    if (!parse_argument(p, &below)) {
+        algsurf_i_value_free(out);
+        return 0;
+    }
+    p->depth--;
+    return algsurf_i_parse_divide(p, offset, divisor, out, &below);
+}
+
+/* Does a product with a variable stand here, as in sin x or sin ax?  p->token is seen. */
+static int variable_follows(parser *p) {
+    algsurf_i_names *names = &p->names;
+    const algsurf_constant *constant;
+    if (p->token.kind != ALGSURF_I_TOKEN_LETTER) return 0;
+    if (algsurf_i_names_read(names, p->text + p->at) != ALGSURF_OK || algsurf_i_names_whole(names)) return 0;
+    for (size_t i = 0, factor; i < names->count; i += factor) {
+        factor = algsurf_i_names_factor(names, i, &constant);
+        if (factor == 0) return 0;
+        if (!constant && algsurf_i_variable(names->letter[i].code)) return 1;
+    }
+    return 0;
+}
+
+/* Does a factor begin with this token, other than a number? */
+static int begins_factor(int c) {
+    return (c >= ALGSURF_I_TOKEN_ROOT && c <= ALGSURF_I_TOKEN_COSINE) || algsurf_i_closing(c);
+}
+
+static int begins_operand(const parser *p, int c) {
+    return algsurf_i_number_follows(p->text + p->at) || begins_factor(c) || c == ALGSURF_I_TOKEN_QUARTERS;
+}
+
+/* Does the product go on behind a factor?  c: the token there. */
+static int product_goes_on(const parser *p, int c) {
+    return begins_operand(p, c) || c == '*' || c == '/' || c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT;
+}
+
+/* What a sine without brackets is of, as in \cos\frac{2\pi}{5} or sin a.  Readers differ about what belongs
+ * to it when the product goes on: sin pi/5, \sin\frac{\pi}{5}x.  Hence only one thing alone is taken. */
+static int parse_bare_argument(parser *p, algsurf_i_value *out) {
+    static const char BRACKETS[] = "what sin or cos is of needs brackets here: sin(pi/5)";
+    size_t offset = p->at;
+    int c = p->token.kind;
+    if (c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT)
+        return algsurf_i_parse_refuse(p, offset, "an exponent behind sin or cos: write sin(a)^2");
+    if (!begins_operand(p, c)) return refuse_token(p, BRACKETS);
+    if (!enter(p, offset) || !parse_primary(p, out)) return 0;
+    p->depth--;
+    if (!product_goes_on(p, peek(p))) return 1;
+    algsurf_i_value_free(out);
+    return algsurf_i_parse_refuse(p, offset, BRACKETS);
+}
+
+/* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
+static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_value *out) {
+    size_t offset = p->at;
+    p->at += length;
+    int bracket = algsurf_i_closing(peek(p)) != '\0';
+    if (variable_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
+    return (bracket ? parse_bracket(p, out) : parse_bare_argument(p, out)) &&
+           algsurf_i_parse_sine(p, offset, quarters, out);
+}
+
+static int make_pi(parser *p, algsurf_i_value *out) {
+    return algsurf_i_parse_monomial(p, algsurf_i_monomial_pi(), p->at, out);
+}
+
+/* The next factor of the product that a name is. */
+static int parse_letters(parser *p, algsurf_i_value *out) {
+    const algsurf_constant *constant;
+    const algsurf_i_name_letter *letter = p->names.letter + p->letter;
+    size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
+    p->letter += letters;
+    p->at += letter[letters].at - letter->at;
+    if (constant) return algsurf_i_parse_double(p, constant->value, 0, out);
+    char variable = algsurf_i_variable(letter->code);
+    if (!variable) return make_pi(p, out);
+    int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
+    return algsurf_i_parse_double(p, 1, key, out);
+}
+
+static int parse_name(parser *p, algsurf_i_value *out) {
+    if (p->at < p->letters_end) return parse_letters(p, out);
+    const char *name = p->text + p->at;
+    algsurf_i_names *names = &p->names;
+    const algsurf_constant *constant;
+    if (!algsurf_i_parse_computed(p, algsurf_i_names_read(names, name), p->at)) return 0;
+    size_t length = names->letter[names->count].at;
+    constant = algsurf_i_names_whole(names);
+    if (constant) {
+        p->at += length;
+        return algsurf_i_parse_double(p, constant->value, 0, out);
+    }
+    int function = algsurf_i_listed("sin cos sqrt", name, length);
+    if (function == 1 || function == 2) return parse_sine(p, length, function - 1, out);
+    if (function) return p->at += length, parse_root_of(p, parse_bracket, out);
+    for (size_t i = 0, letters; i < names->count; i += letters) {
+        letters = algsurf_i_names_factor(names, i, &constant);
+        if (letters == 0) return algsurf_i_refuse_name(p, length, names->letter[i].at);
+    }
+    p->letter = 0;
+    p->letters_end = p->at + length;
+    return parse_letters(p, out);
+}
+
+static int parse_primary(parser *p, algsurf_i_value *out) {
+    int c = peek(p);
+    if (algsurf_i_number_follows(p->text + p->at)) return algsurf_i_parse_number(p, out);
+    if (algsurf_i_closing(c)) return parse_bracket(p, out);
+    switch (c) {
+    case ALGSURF_I_TOKEN_LETTER:
+        return parse_name(p, out);
+    case ALGSURF_I_TOKEN_ROOT:
+        return parse_root_sign(p, out);
+    case ALGSURF_I_TOKEN_SQRT:
+        return parse_latex_sqrt(p, out);
+    case ALGSURF_I_TOKEN_FRACTION:
+        return parse_fraction(p, out);
+    case ALGSURF_I_TOKEN_SINE:
+    case ALGSURF_I_TOKEN_COSINE:
+        return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE, out);
+    case ALGSURF_I_TOKEN_PI:
+        take(p);
+        return make_pi(p, out);
+    case ALGSURF_I_TOKEN_QUARTERS:
+        take(p);
+        return algsurf_i_parse_double(p, 0.25 * p->token.digit, 0, out);
+    default:
+        return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
+    }
+}
+
+/* The exponent behind '^', and *base raised to it. */
+static int parse_exponent(parser *p, algsurf_i_value *base) {
+    algsurf_i_value exponent;
+    size_t offset = p->at;
+    take(p);
+    (void)peek(p);
+    size_t exponent_offset = p->at;
+    if (!enter(p, offset) || !parse_signed(p, &exponent)) {
+        algsurf_i_value_free(base);
+        return 0;
+    }
+    p->depth--;
+    return algsurf_i_parse_power(p, offset, exponent_offset, base, &exponent);
+}
+
+/* Superscripts in a row, and *base raised to them. */
+static int parse_superscripts(parser *p, algsurf_i_value *base) {
+    size_t offset = p->at;
+    int n = 0;
+    do {
+        if (n <= ALGSURF_MAX_DEGREE) n = 10 * n + p->token.digit;
+        take(p);
+        p->token = algsurf_i_token_at(p->text + p->at);
+    } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
+    return algsurf_i_parse_raise(p, offset, offset, base, n);
+}
+
+static int parse_power(parser *p, algsurf_i_value *out) {
+    if (!parse_primary(p, out)) return 0;
+    int c = peek(p);
+    if (c == '^') return parse_exponent(p, out);
+    return c == ALGSURF_I_TOKEN_SUPERSCRIPT ? parse_superscripts(p, out) : 1;
+}
+
+static int parse_signed(parser *p, algsurf_i_value *out) {
+    int negative = 0;
+    for (int c = peek(p); c == '+' || c == '-'; take(p), c = peek(p)) negative ^= c == '-';
+    if (!parse_power(p, out)) return 0;
+    if (negative) algsurf_i_value_negate(out);
+    return 1;
+}
+
+static int parse_product(parser *p, algsurf_i_value *out) {
+    algsurf_i_value right;
+    if (!parse_signed(p, out)) return 0;
+    for (int ok = 1; ok;) {
+        int c = peek(p), written = c == '*' || c == '/';
+        size_t offset = p->at;
+        if (!written && !begins_factor(c)) return 1;
+        if (written) take(p), (void)peek(p);
+        size_t operand = p->at;
+        if (!(written ? parse_signed(p, &right) : parse_power(p, &right))) {
+            algsurf_i_value_free(out);
+            return 0;
+        }
+        ok = c == '/' ? algsurf_i_parse_divide(p, offset, operand, out, &right)
+                      : algsurf_i_parse_multiply(p, offset, out, &right);
+    }
+    return 0;
+}
+
+static int parse_sum(parser *p, algsurf_i_value *out) {
+    algsurf_i_value_sum sum = {.way = NULL};
+    algsurf_i_value product;
+    for (int sign = '+'; parse_product(p, &product); take(p)) {
+        if (sign == '-') algsurf_i_value_negate(&product);
+        algsurf_status status = algsurf_i_value_sum_add(&sum, &product);
+        sign = peek(p);
+        if (status == ALGSURF_OK && (sign == '+' || sign == '-')) continue;
+        return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&sum, status, out), p->at);
+    }
+    (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, out);
+    return 0;
+}
+
+/* Takes the signs that close the equation, where some opened it. */
+static void take_closing(parser *p) {
+    (void)peek(p);
+    if (!p->closing || strncmp(p->text + p->at, p->closing, strlen(p->closing)) != 0) return;
+    p->at += strlen(p->closing);
+    p->closing = NULL;
+}
+
+/* The end of the text, after a whole equation. */
+static int parse_end(parser *p, int equals_seen) {
+    take_closing(p);
+    if (!p->closing && peek(p) == ';') {
+        take(p);
+        if (peek(p) != '\0') return algsurf_i_parse_refuse(p, p->at, "nothing may follow ';'");
+    }
+    int c = peek(p);
+    if (c == '=') return algsurf_i_parse_refuse(p, p->at, "a second '='");
+    if (p->closing) return refuse_token(p, "expected an operator or the sign that closes the equation");
+    if (c == '\0') return 1;
+    return refuse_token(p, equals_seen ? "expected an operator or the end"
+                                       : "expected an operator, '=' or the end");
+}
+
+/* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
+static int take_signs(parser *p, const char *signs) {
+    parser ahead = *p;
+    for (const char *sign = signs; *sign; sign++) {
+        int c = peek(&ahead);
+        if (c == ALGSURF_I_TOKEN_LETTER) c = algsurf_i_variable(ahead.text[ahead.at]);
+        if (c != *sign) return 0;
+        take(&ahead);
+    }
+    p->at = ahead.at;
+    return 1;
+}
+
+/* The start of the text: signs about the whole, and P(x,y,z) = as a name of what is zero.  *named becomes
+ * whether that is there. */
+static int parse_head(parser *p, int *named) {
+    (void)peek(p);
+    const algsurf_i_quotes *quotes = algsurf_i_quotes_at(p->text + p->at);
+    if (quotes) p->at += strlen(quotes->open), p->closing = quotes->close;
+    (void)peek(p);
+    size_t start = p->at;
+    p->at += algsurf_i_name_length(p->text + start);
+    *named = p->at > start && take_signs(p, "(x,y,z)=");
+    if (*named) return 1;
+    int of_two = p->at > start && take_signs(p, "(x,y)=");
+    p->at = start;
+    return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
+}
+
+/* What stands behind '=', taken from *left, which is freed on failure. */
+static int parse_right(parser *p, algsurf_i_value *left) {
+    algsurf_i_value right;
+    size_t offset = p->at;
+    take(p);
+    if (parse_sum(p, &right)) return algsurf_i_parse_subtract(p, offset, left, &right);
+    algsurf_i_value_free(left);
+    return 0;
+}
+
+int algsurf_i_parse_equation(parser *p, algsurf_i_value *out) {
+    int named;
+    if (!parse_head(p, &named)) return 0;
+    int equals = !named && peek(p) == '=';
+    if (equals) take(p);
+    if (!parse_sum(p, out)) return 0;
+    if (!equals && peek(p) == '=') {
+        equals = 1;
+        if (!parse_right(p, out)) return 0;
+    }
+    if (parse_end(p, equals)) return 1;
+    algsurf_i_value_free(out);
+    return 0;
+}

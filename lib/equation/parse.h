@@ -1,0 +1,77 @@
+/* parse.h - from an equation as text to a polynomial: the reader's state, its operators, its refusals. */
+#ifndef ALGSURF_EQUATION_PARSE_H
+#define ALGSURF_EQUATION_PARSE_H
+#include "name.h"
+#include "read.h"
+#include "value.h"
+
+/* Set text and names, the rest to 0. */
+typedef struct algsurf_i_parser {
+    const char *text;
+    algsurf_i_names names;
+    size_t at;             /* how far the text is read */
+    size_t letter;         /* of the name that was read last, the one that comes next */
+    size_t letters_end;    /* up to here, it is a product of variables, constants and pi */
+    algsurf_i_token token; /* at that place */
+    const char *closing;   /* what is to close the signs about the whole, $ for one; null: there are none */
+    int depth;
+    algsurf_status status; /* the failure, if any */
+    algsurf_parse_error error;
+} algsurf_i_parser;
+
+/* parse.c.  Computes left minus right; returns 1, or 0 after a failure: then status is set, error for the
+ * statuses that have one, and *out is not. */
+int algsurf_i_parse_equation(algsurf_i_parser *p, algsurf_i_value *out);
+
+/* steps.c: the operators.  Each checks its conditions and computes, and returns 1; or 0 after a failure: then
+ * the parser's status and error are set, and what it changes or takes over is freed.  Offsets are places in
+ * the text, for the error. */
+
+/* Turns the outcome of arithmetic into 1 or 0. */
+int algsurf_i_parse_computed(algsurf_i_parser *p, algsurf_status status, size_t offset);
+
+/* A monomial as a value; v times the monomial of the key. */
+int algsurf_i_parse_monomial(algsurf_i_parser *p, algsurf_i_monomial m, size_t offset, algsurf_i_value *out);
+int algsurf_i_parse_double(algsurf_i_parser *p, double v, int key, algsurf_i_value *out);
+
+/* The number at p->at, which then is behind it. */
+int algsurf_i_parse_number(algsurf_i_parser *p, algsurf_i_value *out);
+
+/* *left -= right, *left *= right, *left /= right; right is taken over.  divisor: where that stands. */
+int algsurf_i_parse_subtract(algsurf_i_parser *p, size_t offset, algsurf_i_value *left,
+                             algsurf_i_value *right);
+int algsurf_i_parse_multiply(algsurf_i_parser *p, size_t offset, algsurf_i_value *left,
+                             algsurf_i_value *right);
+int algsurf_i_parse_divide(algsurf_i_parser *p, size_t offset, size_t divisor, algsurf_i_value *left,
+                           algsurf_i_value *right);
+
+/* *base becomes base^n, or base^exponent, which is taken over; place: where the exponent stands. */
+int algsurf_i_parse_raise(algsurf_i_parser *p, size_t offset, size_t place, algsurf_i_value *base, int n);
+int algsurf_i_parse_power(algsurf_i_parser *p, size_t offset, size_t place, algsurf_i_value *base,
+                          algsurf_i_value *exponent);
+
+/* *v becomes its square root, or its sine, quarters of a turn on. */
+int algsurf_i_parse_root(algsurf_i_parser *p, size_t offset, algsurf_i_value *v);
+int algsurf_i_parse_sine(algsurf_i_parser *p, size_t offset, int quarters, algsurf_i_value *v);
+
+/* refuse.c: why an equation is refused at a place: what people try there, and what to write instead.  Each
+ * function sets the parser's status and error, and returns 0. */
+
+/* Fails with a status and a message, which is static; refusing is to fail with E_SYNTAX. */
+int algsurf_i_parse_fail(algsurf_i_parser *p, algsurf_status status, size_t offset, const char *message);
+int algsurf_i_parse_refuse(algsurf_i_parser *p, size_t offset, const char *message);
+
+/* The message for functions. */
+#define ALGSURF_I_NOT_POLYNOMIAL                                                                             \
+    "not a polynomial: of functions, only sqrt, sin and cos of constants are known"
+
+/* Refuses the name at p->at, whose letters from number `known` on, in bytes, are no factor. */
+int algsurf_i_refuse_name(algsurf_i_parser *p, size_t length, size_t known);
+
+/* Refuses p->token, with an explanation where it is something people try, or with the words `expected`. */
+int algsurf_i_refuse_token(algsurf_i_parser *p, const char *expected);
+
+/* How many bytes of the text stand for what is wrong at its start: a name, a number, a sign; 0 at the end. */
+size_t algsurf_i_wrong_length(const char *text);
+
+#endif

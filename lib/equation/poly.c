@@ -1,0 +1,361 @@
+/* poly.c - polynomials in x, y, z with double-double coefficients of unlimited range.
+ *
+ * Coefficients: hi lies in [2^-128, 2^128) between operations, so that products and their errors
+ * stay far from both ends of the range of double; exponents differ in steps of 256, so that sums
+ * need no shift as a rule.  Errors: double-double operations are right to 2^-102; the constants
+ * below round that up for the rounding of the bounds themselves.  An operation on doubles without errors of
+ * which the double-double result is exact adds none: whole coefficients stay exact.
+ *
+ * A product of polynomials merges its rows, the multiples of the larger factor by the monomials of the
+ * smaller one, with a heap (Johnson, Sparse polynomial arithmetic, SIGSAM Bulletin 8, 1974): products come by
+ * increasing keys, and those of one key by the places of their parts in the first factor.
+ */
+#include "../base/arithmetic.h"
+#include "poly.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { RADIX_BITS = 256, EXPONENT_LIMIT = 1 << 20, MOST_POWERS = 65, ROWS = 64 };
+
+static const double operation_error = 0x1p-101;
+static const double quotient_error = 0x1p-99; /* of a quotient or a square root */
+
+static algsurf_i_monomial scaled(algsurf_i_monomial m, double power_of_two) {
+    m.v = algsurf_dd_scale(m.v, power_of_two);
+    m.err *= power_of_two;
+    return m;
+}
+
+static int is_zero(const algsurf_i_monomial *m) { return fabs(m->v.hi) <= m->err; }
+
+static algsurf_i_monomial normalised(algsurf_i_monomial m) {
+    for (; fabs(m.v.hi) >= 0x1p128; m.e++) m = scaled(m, 0x1p-256);
+    for (; m.v.hi != 0 && fabs(m.v.hi) < 0x1p-128; m.e--) m = scaled(m, 0x1p256);
+    return m;
+}
+
+algsurf_i_monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponent, int key) {
+    int x;
+    (void)frexp(v.hi, &x);
+    int e = (x + exponent) / RADIX_BITS, rest = exponent - RADIX_BITS * e;
+    algsurf_i_monomial m = {{ldexp(v.hi, rest), ldexp(v.lo, rest)}, ldexp(err, rest), e, key};
+    return normalised(m);
+}
+
+/* An exact double? */
+static int is_plain(const algsurf_i_monomial *m) { return m->v.lo == 0 && m->err == 0; }
+
+static inline algsurf_i_monomial product(const algsurf_i_monomial *a, const algsurf_i_monomial *b) {
+    algsurf_dd v = algsurf_dd_mul(a->v, b->v);
+    double err = fabs(a->v.hi) * b->err + fabs(b->v.hi) * a->err + a->err * b->err;
+    if (!is_plain(a) || !is_plain(b)) err += operation_error * fabs(v.hi);
+    return (algsurf_i_monomial){v, err, a->e + b->e, a->key + b->key};
+}
+
+void algsurf_i_monomial_multiply(algsurf_i_monomial *m, const algsurf_i_monomial *by) {
+    *m = normalised(product(m, by));
+}
+
+/* *sum += *m; both need not be normalised, but within 2^+-256. */
+static inline void accumulate(algsurf_i_monomial *sum, const algsurf_i_monomial *m) {
+    if (sum->v.hi == 0 && sum->err == 0) {
+        *sum = *m;
+        return;
+    }
+    int shift = m->e - sum->e, exact = shift == 0 && is_plain(sum) && is_plain(m);
+    double down = shift == 0 ? 1 : abs(shift) == 1 ? 0x1p-256 : abs(shift) == 2 ? 0x1p-512 : 0.0;
+    if (shift > 0) *sum = scaled(*sum, down), sum->e = m->e;
+    algsurf_i_monomial term = shift < 0 ? scaled(*m, down) : *m;
+    sum->v = algsurf_dd_add(sum->v, term.v);
+    sum->err += term.err + (exact ? 0 : operation_error * fabs(sum->v.hi));
+}
+
+/* Appends m unless it is zero; room must be there. */
+static algsurf_status append(algsurf_i_tripoly *p, algsurf_i_monomial m) {
+    if (is_zero(&m)) return ALGSURF_OK;
+    m = normalised(m);
+    if (abs(m.e) > EXPONENT_LIMIT) return ALGSURF_E_RANGE;
+    p->m[p->count++] = m;
+    return ALGSURF_OK;
+}
+
+double algsurf_i_monomial_round(const algsurf_i_monomial *m) {
+    algsurf_i_monomial n = normalised(*m);
+    if (abs(n.e) > 8) return n.e > 0 ? copysign(HUGE_VAL, n.v.hi) : 0.0;
+    int shift = RADIX_BITS * n.e, x;
+    (void)frexp(n.v.hi, &x);
+    if (x + shift > -1022) return ldexp(n.v.hi, shift);
+    if (x + shift < -1075) return 0.0; /* below half the least double, whose quantum may overflow here */
+    /* A subnormal result: round hi to a multiple of 2^-1074, then mend what lo says of a tie. */
+    double quantum = ldexp(1.0, -1074 - shift), anchor = copysign(0x1p52 * quantum, n.v.hi);
+    double rounded = (n.v.hi + anchor) - anchor, rest = n.v.hi - rounded;
+    if (rest == quantum / 2 && n.v.lo > 0) rounded += quantum;
+    if (rest == -quantum / 2 && n.v.lo < 0) rounded -= quantum;
+    return ldexp(rounded, shift);
+}
+
+/* Is p exactly a b, and are both of them doubles? */
+static int is_product(double p, algsurf_dd a, algsurf_dd b) {
+    algsurf_dd ab = algsurf_two_prod(a.hi, b.hi);
+    return a.lo == 0 && b.lo == 0 && ab.hi == p && ab.lo == 0;
+}
+
+algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m) {
+    if (m.e % 2 != 0) {
+        m = scaled(m, 0x1p256);
+        m.e--;
+    }
+    algsurf_dd root = algsurf_dd_sqrt(m.v);
+    double err = root.hi > 0 ? m.err / root.hi + quotient_error * root.hi : 0.0;
+    if (is_plain(&m) && is_product(m.v.hi, root, root)) err = 0;
+    return normalised((algsurf_i_monomial){root, err, m.e / 2, 0});
+}
+
+void algsurf_i_tripoly_free(algsurf_i_tripoly *p) {
+    free(p->m);
+    *p = (algsurf_i_tripoly){NULL, 0};
+}
+
+static algsurf_status reserve(algsurf_i_tripoly *p, size_t capacity) {
+    *p = (algsurf_i_tripoly){malloc((capacity ? capacity : 1) * sizeof *p->m), 0};
+    return p->m ? ALGSURF_OK : ALGSURF_E_NO_MEMORY;
+}
+
+/* Hands the result over, or frees it. */
+static algsurf_status deliver(algsurf_status status, algsurf_i_tripoly *result, algsurf_i_tripoly *out) {
+    if (status == ALGSURF_OK) {
+        *out = *result;
+    } else {
+        algsurf_i_tripoly_free(result);
+    }
+    return status;
+}
+
+algsurf_status algsurf_i_tripoly_make(algsurf_i_monomial m, algsurf_i_tripoly *out) {
+    algsurf_i_tripoly p;
+    algsurf_status status = reserve(&p, 1);
+    if (status == ALGSURF_OK) status = append(&p, m);
+    return deliver(status, &p, out);
+}
+
+void algsurf_i_tripoly_negate(algsurf_i_tripoly *p) {
+    for (size_t t = 0; t < p->count; t++) p->m[t].v = algsurf_dd_neg(p->m[t].v);
+}
+
+int algsurf_i_tripoly_degree(const algsurf_i_tripoly *p) {
+    int degree = 0;
+    for (size_t t = 0; t < p->count; t++) {
+        int d = algsurf_i_key_x(p->m[t].key) + algsurf_i_key_y(p->m[t].key) + algsurf_i_key_z(p->m[t].key);
+        if (degree < d) degree = d;
+    }
+    return degree;
+}
+
+size_t algsurf_i_tripoly_most_terms(int degree) {
+    size_t n = (size_t)degree;
+    return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
+int algsurf_i_tripoly_is_constant(const algsurf_i_tripoly *p) {
+    return p->count == 0 || (p->count == 1 && p->m[0].key == 0);
+}
+
+algsurf_status algsurf_i_tripoly_add(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
+                                     algsurf_i_tripoly *out) {
+    algsurf_i_tripoly sum;
+    algsurf_status status = reserve(&sum, a->count + b->count);
+    for (size_t s = 0, t = 0; status == ALGSURF_OK && (s < a->count || t < b->count);) {
+        int from_a = s < a->count && (t == b->count || a->m[s].key <= b->m[t].key);
+        int from_b = t < b->count && (s == a->count || b->m[t].key <= a->m[s].key);
+        algsurf_i_monomial m = from_a ? a->m[s] : b->m[t];
+        if (from_a && from_b) accumulate(&m, &b->m[t]);
+        status = append(&sum, m);
+        s += (size_t)from_a;
+        t += (size_t)from_b;
+    }
+    return deliver(status, &sum, out);
+}
+
+/* One factor has a single monomial: the order of the other's stays. */
+static algsurf_status multiply_by_monomial(const algsurf_i_tripoly *a, const algsurf_i_monomial *b,
+                                           algsurf_i_tripoly *out) {
+    algsurf_i_tripoly p;
+    algsurf_status status = reserve(&p, a->count);
+    for (size_t t = 0; status == ALGSURF_OK && t < a->count; t++) status = append(&p, product(&a->m[t], b));
+    return deliver(status, &p, out);
+}
+
+/* Where a monomial of the smaller factor stands in its row of products: at the monomial of the larger one. */
+typedef struct cursor {
+    uint64_t order; /* key of the product, then the place of its part from the first factor */
+    const algsurf_i_monomial *own, *at;
+} cursor;
+
+static void set_order(cursor *c, uint64_t place) {
+    c->order = (uint64_t)(c->own->key + c->at->key) << 16 | place;
+}
+
+/* Moves the first of a heap to its place. */
+static void sift_down(cursor *heap, size_t count) {
+    const cursor moved = heap[0];
+    size_t i = 0;
+    for (size_t child; (child = 2 * i + 1) < count; i = child) {
+        if (child + 1 < count && heap[child + 1].order < heap[child].order) child++;
+        if (moved.order <= heap[child].order) break;
+        heap[i] = heap[child];
+    }
+    heap[i] = moved;
+}
+
+/* Appends the rows' products, equal ones added, by increasing keys; at each key, rows by their order. */
+static algsurf_status merge(cursor *heap, size_t count, const algsurf_i_monomial *end, algsurf_i_tripoly *p) {
+    algsurf_i_monomial sum = {{0.0, 0.0}, 0.0, 0, -1};
+    algsurf_status status = ALGSURF_OK;
+    while (status == ALGSURF_OK && count > 0) {
+        algsurf_i_monomial m = product(heap->own, heap->at);
+        if (m.key == sum.key) {
+            accumulate(&sum, &m);
+        } else {
+            status = append(p, sum);
+            sum = m;
+        }
+        if (++heap->at == end) {
+            heap[0] = heap[--count];
+        } else {
+            set_order(heap, heap->order & 0xffff);
+        }
+        sift_down(heap, count);
+    }
+    return status == ALGSURF_OK ? append(p, sum) : status;
+}
+
+algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_monomial *b) {
+    algsurf_i_tripoly kept = {a->m, 0};
+    algsurf_status status = ALGSURF_OK;
+    double least = fabs(b->v.hi) - b->err;
+    for (size_t t = 0; status == ALGSURF_OK && t < a->count; t++) {
+        const algsurf_i_monomial m = a->m[t];
+        algsurf_dd v = algsurf_dd_div(m.v, b->v);
+        double err = (m.err + fabs(v.hi) * b->err) / least + quotient_error * fabs(v.hi);
+        if (is_plain(&m) && is_plain(b) && is_product(m.v.hi, v, b->v)) err = 0;
+        status = append(&kept, (algsurf_i_monomial){v, err, m.e - b->e, m.key});
+    }
+    *a = kept;
+    return status;
+}
+
+/* Replaces the last two parts by their sum. */
+static algsurf_status fold(algsurf_i_sum *sum) {
+    algsurf_i_tripoly *a = &sum->part[sum->parts - 2], *b = a + 1, total;
+    algsurf_status status = algsurf_i_tripoly_add(a, b, &total);
+    if (status != ALGSURF_OK) return status;
+    algsurf_i_tripoly_free(a);
+    algsurf_i_tripoly_free(b);
+    *a = total;
+    sum->parts--;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p) {
+    sum->part[sum->parts++] = p;
+    algsurf_status status = ALGSURF_OK;
+    while (status == ALGSURF_OK && sum->parts > 1 &&
+           sum->part[sum->parts - 2].count <= 2 * sum->part[sum->parts - 1].count) {
+        status = fold(sum);
+    }
+    return status;
+}
+
+algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out) {
+    while (status == ALGSURF_OK && sum->parts > 1) status = fold(sum);
+    if (status == ALGSURF_OK && sum->parts == 0) status = reserve(&sum->part[sum->parts++], 0);
+    if (status == ALGSURF_OK) *out = sum->part[--sum->parts];
+    algsurf_i_sum_free(sum);
+    return status;
+}
+
+void algsurf_i_sum_free(algsurf_i_sum *sum) {
+    while (sum->parts > 0) algsurf_i_tripoly_free(&sum->part[--sum->parts]);
+}
+
+/* The product of `count` monomials and the polynomial, whose part from the first factor comes first in it if
+ * `first`: then the last of the monomials comes first. */
+static algsurf_status multiply_rows(const algsurf_i_monomial *m, size_t count, const algsurf_i_tripoly *large,
+                                    int first, size_t most, algsurf_i_tripoly *out) {
+    cursor heap[ROWS];
+    algsurf_i_tripoly p;
+    algsurf_status status = reserve(&p, count * large->count < most ? count * large->count : most);
+    for (size_t row = 0; row < count; row++) {
+        heap[row] = (cursor){0, &m[row], large->m};
+        set_order(&heap[row], first ? count - 1 - row : row);
+    }
+    if (status == ALGSURF_OK) status = merge(heap, count, large->m + large->count, &p);
+    return deliver(status, &p, out);
+}
+
+algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
+                                          algsurf_i_tripoly *out) {
+    if (b->count == 1) return multiply_by_monomial(a, b->m, out);
+    if (a->count == 1) return multiply_by_monomial(b, a->m, out);
+    const algsurf_i_tripoly *small = a->count < b->count ? a : b, *large = small == a ? b : a;
+    size_t most = algsurf_i_tripoly_most_terms(algsurf_i_tripoly_degree(a) + algsurf_i_tripoly_degree(b));
+    algsurf_i_sum sum = {.parts = 0};
+    algsurf_status status = ALGSURF_OK;
+    for (size_t row = 0; status == ALGSURF_OK && row < small->count; row += ROWS) {
+        algsurf_i_tripoly part;
+        size_t rows = small->count - row < ROWS ? small->count - row : ROWS;
+        status = multiply_rows(small->m + row, rows, large, large == a, most, &part);
+        if (status == ALGSURF_OK) status = algsurf_i_sum_add(&sum, part);
+    }
+    return algsurf_i_sum_finish(&sum, status, out);
+}
+
+static algsurf_status monomial_powers(const algsurf_i_monomial *m, int n, algsurf_i_monomial *power) {
+    power[0] = algsurf_i_monomial_make(algsurf_dd_from(1), 0, 0, 0);
+    for (int k = 0; k < n; k++) {
+        power[k + 1] = normalised(product(&power[k], m));
+        if (abs(power[k + 1].e) > EXPONENT_LIMIT) return ALGSURF_E_RANGE;
+    }
+    return ALGSURF_OK;
+}
+
+/* n over k, for each k: at most 61 bits. */
+static void binomials(int n, algsurf_i_monomial *number) {
+    uint64_t c[MOST_POWERS] = {1};
+    for (int row = 0; row < n; row++)
+        for (int k = row + 1; k > 0; k--) c[k] += c[k - 1];
+    for (int k = 0; k <= n; k++) {
+        algsurf_dd v = algsurf_two_sum((double)(c[k] >> 32) * 0x1p32, (double)(c[k] & UINT32_MAX));
+        number[k] = algsurf_i_monomial_make(v, 0, 0, 0);
+    }
+}
+
+/* *term = r^k c m^(n-k), and *of_r, r^k, becomes r^(k+1). */
+static algsurf_status binomial_term(algsurf_i_monomial of_m, const algsurf_i_monomial *c,
+                                    const algsurf_i_tripoly *r, algsurf_i_tripoly *of_r, algsurf_i_sum *sum) {
+    algsurf_i_tripoly term, next;
+    of_m = normalised(product(&of_m, c));
+    algsurf_status status = multiply_by_monomial(of_r, &of_m, &term);
+    if (status == ALGSURF_OK) status = algsurf_i_sum_add(sum, term);
+    if (status == ALGSURF_OK) status = algsurf_i_tripoly_multiply(of_r, r, &next);
+    if (status != ALGSURF_OK) return status;
+    algsurf_i_tripoly_free(of_r);
+    *of_r = next;
+    return ALGSURF_OK;
+}
+
+algsurf_status algsurf_i_tripoly_raise(const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out) {
+    algsurf_i_monomial of_m[MOST_POWERS], c[MOST_POWERS];
+    const algsurf_i_monomial zero = {{0.0, 0.0}, 0.0, 0, 0}, *first = base->count ? base->m : &zero;
+    algsurf_i_tripoly r = {base->m + (base->count > 0), base->count - (base->count > 0)}, of_r = {NULL, 0};
+    algsurf_status status = monomial_powers(first, n, of_m);
+    algsurf_i_sum sum = {.parts = 0};
+    binomials(n, c);
+    if (status == ALGSURF_OK) status = algsurf_i_tripoly_make(of_m[0], &of_r);
+    for (int k = 0; status == ALGSURF_OK && k <= n && of_r.count > 0; k++)
+        status = binomial_term(of_m[n - k], &c[k], &r, &of_r, &sum);
+    algsurf_i_tripoly_free(&of_r);
+    return algsurf_i_sum_finish(&sum, status, out);
+}

@@ -1,0 +1,90 @@
+/* poly.h - polynomials in x, y, z with double-double coefficients of unlimited range, for
+ * the equation parser: the values its expressions take.
+ *
+ * A coefficient is (v + d) 2^(256 e) with |d| <= err: a double-double, a bound on its error, and an
+ * exponent of its own, so that 1e200*1e200*1e-300 is what it should be.  A coefficient that its
+ * bound cannot tell from zero is zero: p^2 - p - 1 vanishes for the golden ratio p.
+ */
+#ifndef ALGSURF_EQUATION_POLY_H
+#define ALGSURF_EQUATION_POLY_H
+#include <stddef.h>
+
+#include "algsurf/status.h"
+#include "../base/eft.h"
+
+/* (v +- err) 2^(256 e) x^i y^j z^k, key = i + 2^7 j + 2^14 k, i + j + k <= 64: keys of products add. */
+typedef struct algsurf_i_monomial {
+    algsurf_dd v;
+    double err;
+    int e, key;
+} algsurf_i_monomial;
+
+/* Monomials by increasing key, none zero; the zero polynomial has none. */
+typedef struct algsurf_i_tripoly {
+    algsurf_i_monomial *m;
+    size_t count;
+} algsurf_i_tripoly;
+
+enum { ALGSURF_I_KEY_X = 1, ALGSURF_I_KEY_Y = 1 << 7, ALGSURF_I_KEY_Z = 1 << 14 };
+static inline int algsurf_i_key_x(int key) { return key & 127; }
+static inline int algsurf_i_key_y(int key) { return (key >> 7) & 127; }
+static inline int algsurf_i_key_z(int key) { return key >> 14; }
+
+/* v 2^exponent times the monomial of the key; err as a part of v. */
+algsurf_i_monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponent, int key);
+
+/* The coefficient rounded once to double: subnormal, infinite or zero as need be. */
+double algsurf_i_monomial_round(const algsurf_i_monomial *m);
+
+/* Functions below that return a status fail with E_NO_MEMORY, or with E_RANGE when an exponent e
+ * leaves +-2^20; then *out is untouched.  *out may not be an operand. */
+algsurf_status algsurf_i_tripoly_make(algsurf_i_monomial m, algsurf_i_tripoly *out);
+void algsurf_i_tripoly_free(algsurf_i_tripoly *p);
+void algsurf_i_tripoly_negate(algsurf_i_tripoly *p);
+int algsurf_i_tripoly_degree(const algsurf_i_tripoly *p);      /* total; 0 for the zero polynomial */
+size_t algsurf_i_tripoly_most_terms(int degree);               /* of that degree */
+int algsurf_i_tripoly_is_constant(const algsurf_i_tripoly *p); /* the zero polynomial is */
+algsurf_status algsurf_i_tripoly_add(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
+                                     algsurf_i_tripoly *out);
+
+/* The degrees of a and b must add up to at most 64.  Cost: O(log) of the smaller number of monomials, for
+ * each pair of monomials. */
+algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
+                                          algsurf_i_tripoly *out);
+
+/* base^n, 0 <= n <= 64, and the degree at most 64, by the binomial theorem for the first monomial and the
+ * rest: each power of the rest is made once, and for independent monomials they are as large as the result
+ * all together. */
+algsurf_status algsurf_i_tripoly_raise(const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out);
+
+/* a / b in place, b a constant, not zero. */
+algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_monomial *b);
+
+/* *m *= by; the range is not checked. */
+void algsurf_i_monomial_multiply(algsurf_i_monomial *m, const algsurf_i_monomial *by);
+
+/* The square root of a constant >= 0. */
+algsurf_i_monomial algsurf_i_monomial_sqrt(algsurf_i_monomial m);
+
+/* sine.c.  sin(m + quarters pi/2), m a constant with |m| <= the limit, in radians, 0 <= quarters <= 3; and
+ * pi. */
+#define ALGSURF_I_SINE_LIMIT 100
+algsurf_i_monomial algsurf_i_monomial_sine(const algsurf_i_monomial *m, int quarters);
+algsurf_i_monomial algsurf_i_monomial_pi(void);
+
+/* A sum of many polynomials: partial sums whose lengths at least halve from one to the next, so that
+ * each monomial is copied O(log) times.  A polynomial has less than 2^16 monomials: 16 parts that are
+ * not zero, one that is, and a new one are the most there can be. */
+enum { ALGSURF_I_SUM_PARTS = 18 };
+typedef struct algsurf_i_sum {
+    algsurf_i_tripoly part[ALGSURF_I_SUM_PARTS];
+    int parts;
+} algsurf_i_sum;
+
+/* Adds p and takes it over, also on failure. */
+algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p);
+/* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
+algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out);
+void algsurf_i_sum_free(algsurf_i_sum *sum);
+
+#endif

@@ -1,0 +1,91 @@
+/* surface.c - a surface from an equation as text: constants in, coefficients out.
+ *
+ * The constants are checked, the parser (parse.h) computes the polynomial left
+ * minus right in double-double, each coefficient is rounded once, and the surface is made of them.
+ */
+#include "../base/arithmetic.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "parse.h"
+#include "../base/fpenv.h"
+#include "../surface/impl.h"
+
+/* What rounding a coefficient to the double a changed, or its computation may have, as a part of a. */
+static double relative_rounding(const algsurf_i_monomial *m, double a) {
+    if (m->v.lo == 0 && m->err == 0 && ldexp(a, -256 * m->e) == m->v.hi) return 0;
+    double part = (fabs(m->v.lo) + m->err) / fabs(m->v.hi);
+    return fabs(a) < 0x1p-1022 ? part + 0x1p-1074 / fabs(a) : part;
+}
+
+/* The polynomial with its coefficients rounded, as a surface.  offset: where to place an overflow. */
+static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, algsurf_surface **surface,
+                                 algsurf_parse_error *error) {
+    if (value->count == 0) return ALGSURF_E_ZERO;
+    algsurf_term *terms = malloc(value->count * sizeof *terms);
+    if (!terms) return ALGSURF_E_NO_MEMORY;
+    algsurf_status status = ALGSURF_OK;
+    double rounding = 0;
+    for (size_t t = 0; status == ALGSURF_OK && t < value->count; t++) {
+        int key = value->m[t].key;
+        double a = algsurf_i_monomial_round(&value->m[t]);
+        terms[t] = (algsurf_term){algsurf_i_key_x(key), algsurf_i_key_y(key), algsurf_i_key_z(key), a};
+        rounding = fmax(rounding, relative_rounding(&value->m[t], a));
+        if (!isfinite(a)) status = ALGSURF_E_RANGE;
+    }
+    if (status == ALGSURF_E_RANGE) {
+        *error = (algsurf_parse_error){offset, 0, "a coefficient is too large for a double"};
+    } else {
+        status = algsurf_i_surface_make(terms, value->count, 0, rounding * (1 + 0x1p-40), surface);
+    }
+    free(terms);
+    return status;
+}
+
+static int reserved(const char *name) {
+    return (strlen(name) == 1 && strchr("xyz", name[0])) || strcmp(name, "sqrt") == 0;
+}
+
+static algsurf_status check_constants(const algsurf_constant *constants, size_t count) {
+    for (size_t c = 0; c < count; c++) {
+        const char *name = constants[c].name;
+        size_t length = name ? algsurf_i_name_length(name) : 0;
+        if (length == 0 || name[length] != '\0' || reserved(name)) return ALGSURF_E_ARGUMENT;
+        if (!isfinite(constants[c].value)) return ALGSURF_E_NOT_FINITE;
+    }
+    return ALGSURF_OK;
+}
+
+static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
+    algsurf_i_value value;
+    if (!algsurf_i_parse_equation(p, &value)) return p->status;
+    algsurf_status status = to_surface(&value.p, p->at, surface, &p->error);
+    algsurf_i_value_free(&value);
+    return status;
+}
+
+static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
+                                            size_t count, algsurf_surface **surface) {
+    algsurf_status status = check_constants(constants, count);
+    if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, constants, count);
+    if (status == ALGSURF_OK) status = parse(p, surface);
+    algsurf_i_names_free(&p->names);
+    return status;
+}
+
+algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_constant *constants,
+                                             size_t count, algsurf_surface **surface,
+                                             algsurf_parse_error *error) {
+    if (!text || !surface || (count > 0 && !constants)) return ALGSURF_E_ARGUMENT;
+    algsurf_i_parser p = {.text = text};
+    algsurf_fpenv saved;
+    algsurf_fpenv_enter(&saved);
+    algsurf_status status = make(&p, constants, count, surface);
+    algsurf_fpenv_leave(&saved);
+    if (error && p.error.message) {
+        *error = p.error;
+        if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);
+    }
+    return status;
+}

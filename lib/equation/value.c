@@ -1,0 +1,199 @@
+/* value.c - see value.h.
+ *
+ * The weight of a value is the number of terms that a polynomial is multiplied by, one after the other, when
+ * it is multiplied by the value as it was made: of a polynomial its terms, of a sum or a product the sum of
+ * the weights, of a power the weight of its base times the exponent.  It is at most the number of constants
+ * and variables in the text times the exponents about each; these are at most 64 together, since a base that
+ * is constant has one term, and weight 1.  A way is kept only while it is lighter than the terms, and where
+ * it matters: equations as people write them are multiplied term by term.
+ */
+#include "../base/arithmetic.h"
+#include "value.h"
+
+#include <stdlib.h>
+
+enum { FEW_TERMS = 32 }; /* not worth a way */
+
+typedef algsurf_i_value value;
+
+/* The sum of the parts, or their product raised to the power; then times a monomial. */
+typedef struct algsurf_i_way {
+    int is_sum, power;
+    algsurf_i_monomial scale;
+    size_t weight, count, capacity;
+    value *part;        /* those with a way have no polynomial */
+    algsurf_i_sum made; /* of parts with a way, as long as there may be more */
+} way;
+
+static size_t weight_of(const value *v) { return v->way ? v->way->weight : v->p.count; }
+
+static void way_free(way *w) {
+    for (size_t i = 0; w && i < w->count; i++) algsurf_i_value_free(&w->part[i]);
+    if (w) free(w->part);
+    free(w);
+}
+
+void algsurf_i_value_free(value *v) {
+    algsurf_i_tripoly_free(&v->p);
+    way_free(v->way);
+    v->way = NULL;
+}
+
+void algsurf_i_value_negate(value *v) {
+    algsurf_i_tripoly_negate(&v->p);
+    if (v->way) v->way->scale.v = algsurf_dd_neg(v->way->scale.v);
+}
+
+static const algsurf_i_monomial one = {{1.0, 0.0}, 0.0, 0, 0};
+
+/* Appends the value to the parts of *w, which is made if it is null, and takes it over; times: how often a
+ * polynomial is multiplied by it. */
+static algsurf_status remember(way **w, int is_sum, value *v, int times) {
+    if (!*w) {
+        *w = calloc(1, sizeof **w);
+        if (*w) (*w)->is_sum = is_sum, (*w)->power = times, (*w)->scale = one;
+    }
+    if (*w && (*w)->count == (*w)->capacity) {
+        size_t capacity = 2 * (*w)->capacity + 2;
+        value *part = realloc((*w)->part, capacity * sizeof *part);
+        if (part) (*w)->part = part, (*w)->capacity = capacity;
+    }
+    if (!*w || (*w)->count == (*w)->capacity) {
+        algsurf_i_value_free(v);
+        return ALGSURF_E_NO_MEMORY;
+    }
+    (*w)->weight += weight_of(v) * (size_t)times;
+    if (v->way) algsurf_i_tripoly_free(&v->p);
+    (*w)->part[(*w)->count++] = *v;
+    *v = (value){{NULL, 0}, NULL};
+    return ALGSURF_OK;
+}
+
+/* Forgets the way of a value where it is no shorter. */
+static void weigh(value *v) {
+    if (v->p.count > FEW_TERMS && v->p.count > weight_of(v)) return;
+    way_free(v->way);
+    v->way = NULL;
+}
+
+static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out);
+
+/* a times the value as it was made. */
+static algsurf_status times(const algsurf_i_tripoly *a, const value *v, algsurf_i_tripoly *out) {
+    return v->way ? by_way(v->way, a, out) : algsurf_i_tripoly_multiply(a, &v->p, out);
+}
+
+static algsurf_status by_way(const way *w, const algsurf_i_tripoly *a, algsurf_i_tripoly *out) {
+    algsurf_i_monomial scale = w->scale;
+    algsurf_i_tripoly by = {&scale, 1}, last, next;
+    algsurf_i_sum sum = {.parts = 0};
+    algsurf_status status = algsurf_i_tripoly_multiply(a, &by, &last);
+    if (status != ALGSURF_OK) return status;
+    for (size_t i = 0; status == ALGSURF_OK && i < w->count * (size_t)w->power; i++) {
+        status = times(&last, &w->part[i % w->count], &next);
+        if (status != ALGSURF_OK) break;
+        if (w->is_sum) {
+            status = algsurf_i_sum_add(&sum, next);
+        } else {
+            algsurf_i_tripoly_free(&last);
+            last = next;
+        }
+    }
+    if (w->is_sum || status != ALGSURF_OK) algsurf_i_tripoly_free(&last);
+    if (w->is_sum) return algsurf_i_sum_finish(&sum, status, out);
+    if (status == ALGSURF_OK) *out = last;
+    return status;
+}
+
+/* Takes *by, a value of one term, into the way of the product, which is that of *of. */
+static void take_scale(value *product, value *of, const algsurf_i_monomial *by) {
+    product->way = of->way;
+    of->way = NULL;
+    if (product->way) algsurf_i_monomial_multiply(&product->way->scale, by);
+}
+
+/* Takes both factors into the way of the product. */
+static algsurf_status take_factors(value *product, value *left, value *right) {
+    if (left->way && !left->way->is_sum && left->way->power == 1) {
+        product->way = left->way;
+        left->way = NULL;
+    } else {
+        algsurf_status status = remember(&product->way, 0, left, 1);
+        if (status != ALGSURF_OK) return status;
+    }
+    return remember(&product->way, 0, right, 1);
+}
+
+algsurf_status algsurf_i_value_multiply(value *left, value *right) {
+    const algsurf_i_tripoly *a = &left->p, *b = &right->p;
+    size_t most = algsurf_i_tripoly_most_terms(algsurf_i_tripoly_degree(a) + algsurf_i_tripoly_degree(b));
+    int direct = !right->way || a->count * b->count <= weight_of(right) * most;
+    value product = {{NULL, 0}, NULL};
+    algsurf_status status =
+        direct ? algsurf_i_tripoly_multiply(a, b, &product.p) : by_way(right->way, a, &product.p);
+    if (status == ALGSURF_OK && b->count == 1) {
+        take_scale(&product, left, b->m);
+    } else if (status == ALGSURF_OK && a->count == 1) {
+        take_scale(&product, right, a->m);
+    } else if (status == ALGSURF_OK && product.p.count > FEW_TERMS) {
+        status = take_factors(&product, left, right);
+    }
+    weigh(&product);
+    algsurf_i_value_free(left);
+    algsurf_i_value_free(right);
+    *left = product;
+    if (status != ALGSURF_OK) algsurf_i_value_free(left);
+    return status;
+}
+
+algsurf_status algsurf_i_value_divide(value *v, const algsurf_i_monomial *b) {
+    algsurf_i_monomial scale = one;
+    algsurf_i_tripoly inverse = {&scale, 1};
+    algsurf_status status = algsurf_i_tripoly_divide(&v->p, b);
+    if (status == ALGSURF_OK && v->way) status = algsurf_i_tripoly_divide(&inverse, b);
+    if (status == ALGSURF_OK && v->way) algsurf_i_monomial_multiply(&v->way->scale, &scale);
+    if (status != ALGSURF_OK) algsurf_i_value_free(v);
+    return status;
+}
+
+algsurf_status algsurf_i_value_raise(value *v, int n) {
+    value power = {{NULL, 0}, NULL};
+    algsurf_i_monomial factor = one;
+    algsurf_i_tripoly unit = {&factor, 1};
+    algsurf_status status = ALGSURF_OK;
+    if (n == 1) return ALGSURF_OK;
+    if (!v->way || n == 0) status = algsurf_i_tripoly_raise(&v->p, n, &power.p);
+    if (status == ALGSURF_OK && n > 0) status = remember(&power.way, 0, v, n);
+    if (status == ALGSURF_OK && !power.p.m) status = by_way(power.way, &unit, &power.p);
+    weigh(&power);
+    algsurf_i_value_free(v);
+    *v = power;
+    if (status != ALGSURF_OK) algsurf_i_value_free(v);
+    return status;
+}
+
+algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, value *v) {
+    algsurf_i_tripoly p = v->p;
+    v->p = (algsurf_i_tripoly){NULL, 0};
+    if (!v->way) return algsurf_i_sum_add(&sum->plain, p);
+    algsurf_status status = remember(&sum->way, 1, v, 1);
+    if (status == ALGSURF_OK) return algsurf_i_sum_add(&sum->way->made, p);
+    algsurf_i_tripoly_free(&p);
+    return status;
+}
+
+algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_status status, value *out) {
+    value plain = {{NULL, 0}, NULL}, total = {{NULL, 0}, sum->way};
+    algsurf_i_tripoly made = {NULL, 0};
+    status = algsurf_i_sum_finish(&sum->plain, status, &plain.p);
+    if (total.way) status = algsurf_i_sum_finish(&total.way->made, status, &made);
+    if (status == ALGSURF_OK) status = algsurf_i_tripoly_add(&plain.p, &made, &total.p);
+    if (status == ALGSURF_OK && total.way) status = remember(&total.way, 1, &plain, 1);
+    weigh(&total);
+    algsurf_i_value_free(&plain);
+    algsurf_i_tripoly_free(&made);
+    sum->way = NULL;
+    *out = total;
+    if (status != ALGSURF_OK) algsurf_i_value_free(out);
+    return status;
+}

@@ -1,0 +1,50 @@
+/* scenes.h - surfaces and scenes as tests make them; after cmocka.h. */
+#ifndef SCENES_H
+#define SCENES_H
+#include "algsurf/algsurf.h"
+#include "exact.h"
+
+static inline algsurf_surface *surface_of(const char *equation) {
+    algsurf_surface *surface = NULL;
+    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    return surface;
+}
+
+static inline algsurf_surface *surface_of_terms(const algsurf_term *terms, size_t count) {
+    algsurf_surface *surface = NULL;
+    assert_int_equal(algsurf_surface_from_terms(terms, count, &surface), ALGSURF_OK);
+    assert_non_null(surface);
+    return surface;
+}
+
+/* Up to 60 terms, some of them alike, of coefficients from 2^low to 2^high. */
+static inline algsurf_surface *surface_of_random_terms(uint64_t *state, int degree, int low, int high) {
+    algsurf_term terms[60];
+    int count = 1 + exact_random_int(state, 60);
+    for (int t = 0; t < count; t++) {
+        int d = exact_random_int(state, degree + 1), i = exact_random_int(state, d + 1);
+        int j = exact_random_int(state, d - i + 1);
+        terms[t] = (algsurf_term){i, j, d - i - j, exact_random_wide(state, low, high)};
+    }
+    return surface_of_terms(terms, (size_t)count);
+}
+
+static inline algsurf_camera pinhole_of(const double eye[3], const double at[3], const double up[3],
+                                        double fov) {
+    algsurf_camera camera;
+    assert_int_equal(algsurf_camera_pinhole(eye, at, up, fov, &camera), ALGSURF_OK);
+    return camera;
+}
+
+/* With this extent, camera and way to intersect; what is null stays as it is. */
+static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
+                                      const algsurf_camera *camera, const algsurf_intersect_options *how) {
+    algsurf_scene *scene = NULL;
+    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    if (extent) assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
+    if (camera) assert_int_equal(algsurf_scene_set_camera(scene, camera), ALGSURF_OK);
+    if (how) assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+    return scene;
+}
+
+#endif

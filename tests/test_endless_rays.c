@@ -1,0 +1,258 @@
+/* test_endless_rays.c - rays without ends, with far ones, and without an extent, against exact arithmetic:
+ * they are answered like all others, and doubles alone decide nearly all of them.
+ *
+ * Breaks caught, each tried: a sign of a difference taken on one side of the piece only, or without its
+ * error; the pieces before the innermost one not searched, or in the wrong order; a ray's own begin or end
+ * not looked at; P's degree in place of that along the ray; rays that wait for their next piece answered in
+ * another's place; a ray along a plane told by rounded slopes.
+ */
+#include "intersect_case.h"
+
+#include <float.h>
+
+#define SEED 97u
+
+static intersect_case c;
+static intersect_answer answer;
+
+static const char *const equations[] = {
+    "x^2+y^2+z^2-1",
+    "x^2 z + y^2",
+    "z^3+x z+y",
+    "(x^2+y^2+z^2+5.44)^2 - 25(x^2+y^2)",
+    "x^2 y^2+x^2 z^2+y^2 z^2+x y z",
+    "(x^2+9y^2/4+z^2-1)^3 - x^2 z^3 - 9 y^2 z^3/80",
+    "4(2.6x^2-y^2)(2.6y^2-z^2)(2.6z^2-x^2)-4.2(x^2+y^2+z^2-1)^2",
+    "x^5+y^5+z^5-(x+y+z)^5/8 + x^2 y z - x + z/2 - 1/5",
+    "x + 2 y - 3 z - 1/3",
+    "((x-30)^2+(y+40)^2+z^2+5.44)^2 - 25((x-30)^2+(y+40)^2)",
+    "x^14+y^14+z^14-1",
+};
+
+enum { EQUATIONS = sizeof equations / sizeof *equations };
+
+/* Ends of all kinds, most of them none. */
+static void set_ends(uint64_t *seed) {
+    static const double ends[][2] = {{0, INFINITY},         {-INFINITY, INFINITY}, {-INFINITY, 0},
+                                     {0x1p-1074, DBL_MAX},  {-1e6, 1e6},           {-0.3, INFINITY},
+                                     {-INFINITY, 0x1.8p10}, {1e4, INFINITY}};
+    const double *e = ends[exact_random_int(seed, 3) ? exact_random_int(seed, 3) : exact_random_int(seed, 8)];
+    c.ray.t_min = e[0], c.ray.t_max = e[1];
+}
+
+/* Rays near the surface and from far away, towards it and past it, directions of all lengths. */
+static void set_ray(uint64_t *seed) {
+    double far = exact_random_int(seed, 2) ? 4 : ldexp(1, exact_random_int(seed, 30));
+    double length = exact_random_int(seed, 4) ? 1 : ldexp(1, exact_random_int(seed, 200) - 100);
+    for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_unit(seed);
+    for (int i = 0; i < 3; i++) {
+        c.ray.origin[i] = 1.5 * exact_random_unit(seed) - far * c.ray.direction[i];
+        c.ray.direction[i] *= length;
+    }
+    set_ends(seed);
+}
+
+/* Small whole numbers: degrees that drop, lines in the surface, roots that touch. */
+static void set_short_ray(uint64_t *seed) {
+    do {
+        for (int i = 0; i < 3; i++) c.ray.direction[i] = exact_random_int(seed, 5) - 2;
+    } while (c.ray.direction[0] == 0 && c.ray.direction[1] == 0 && c.ray.direction[2] == 0);
+    for (int i = 0; i < 3; i++) c.ray.origin[i] = 0.25 * (exact_random_int(seed, 17) - 8);
+    set_ends(seed);
+}
+
+/* Certified against integers; by doubles alone, what is said is true.  Returns whether it is decided. */
+static int judge(const algsurf_intersect_options *planes) {
+    algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
+    intersect_answer exact;
+    intersect_judge(&c, planes, &exact);
+    if (planes) bounded.planes = planes->planes, bounded.plane_count = planes->plane_count;
+    intersect_ask(&c, NULL, &bounded, &answer);
+    if (answer.first.state == ALGSURF_UNDECIDED) return 0;
+    if (answer.first.state != exact.first.state || answer.first.side != exact.first.side)
+        intersect_fail("doubles alone say something else", &c, &answer);
+    return 1;
+}
+
+static void random_rays(void **state) {
+    uint64_t seed = SEED;
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e++) {
+        int decided = 0, rounds = 150;
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < rounds; i++) {
+            set_ray(&seed);
+            decided += judge(NULL);
+        }
+        algsurf_surface_free(c.surface);
+        if (decided < rounds * 9 / 10)
+            fail_msg("seed %u, %s: only %d of %d decided", SEED, equations[e], decided, rounds);
+    }
+}
+
+static void short_rays(void **state) {
+    uint64_t seed = SEED;
+    int decided = 0;
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < 150; i++) {
+            set_short_ray(&seed);
+            decided += judge(NULL);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (decided < EQUATIONS * 150 / 2) fail_msg("seed %u: only %d decided", SEED, decided);
+}
+
+/* Surfaces, and rays with them, as large and as small as doubles allow. */
+static void scales(void **state) {
+    uint64_t seed = SEED;
+    int decided = 0, rounds = 0;
+    (void)state;
+    for (int e = 0; e < 5; e++)
+        for (int scale = -240; scale <= 240; scale += 60) {
+            algsurf_term terms[INTERSECT_TERMS];
+            intersect_equation(&c, equations[e]);
+            algsurf_surface_free(c.surface);
+            memcpy(terms, c.terms, (size_t)c.count * sizeof *terms);
+            for (int i = 0; i < c.count; i++)
+                terms[i].a =
+                    ldexp(terms[i].a, -scale * (terms[i].i + terms[i].j + terms[i].k - c.degree / 2));
+            assert_true(intersect_terms(&c, terms, c.count));
+            for (int i = 0; i < 8; i++, rounds++) {
+                set_ray(&seed);
+                for (int k = 0; k < 3; k++)
+                    c.ray.origin[k] = ldexp(c.ray.origin[k], scale),
+                    c.ray.direction[k] = ldexp(c.ray.direction[k], scale);
+                decided += judge(NULL);
+            }
+            algsurf_surface_free(c.surface);
+        }
+    if (decided < rounds * 97 / 100) fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
+}
+
+/* Directions 2^-k from one along which the degree drops: a root at about 2^k. */
+static void nearly_asymptotic(void **state) {
+    uint64_t seed = SEED;
+    int decided = 0, rounds = 0;
+    (void)state;
+    for (int e = 1; e <= 2; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int k = 0; k <= 70; k++)
+            for (int i = 0; i < 4; i++, rounds++) {
+                set_ray(&seed);
+                if (e == 1)
+                    c.ray.direction[exact_random_int(&seed, 2) * 2] = ldexp(exact_random_unit(&seed), -k);
+                if (e == 2) c.ray.direction[2] = ldexp(exact_random_unit(&seed), -k);
+                decided += judge(NULL);
+            }
+        algsurf_surface_free(c.surface);
+    }
+    if (decided < rounds * 2 / 5) fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
+}
+
+/* Planes that cut rays without ends, and some that rays are along: on either side, or in the plane. */
+static void planes(void **state) {
+    uint64_t seed = SEED;
+    int decided = 0, rounds = 0;
+    (void)state;
+    for (int e = 0; e < 5; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < 100; i++, rounds++) {
+            algsurf_plane plane[2] = {{{0}, 0}, {{0}, 0}};
+            const algsurf_intersect_options o = {
+                .size = sizeof o, .planes = plane, .plane_count = (size_t)(1 + exact_random_int(&seed, 2))};
+            int axis = exact_random_int(&seed, 3);
+            set_ray(&seed);
+            for (int k = 0; k < 2; k++) {
+                for (int j = 0; j < 3; j++) plane[k].normal[j] = exact_random_unit(&seed);
+                plane[k].offset = 0.7 * exact_random_unit(&seed);
+            }
+            if (exact_random_int(&seed, 2)) { /* along the first one */
+                for (int j = 0; j < 3; j++) plane[0].normal[j] = j == axis;
+                c.ray.direction[axis] = exact_random_int(&seed, 4) ? 0 : ldexp(1, -1074);
+                c.ray.origin[axis] = exact_random_int(&seed, 8) ? c.ray.origin[axis] : plane[0].offset;
+            }
+            decided += judge(&o);
+        }
+        algsurf_surface_free(c.surface);
+    }
+    if (decided < rounds * 4 / 5) fail_msg("seed %u: only %d of %d decided", SEED, decided, rounds);
+}
+
+/* Many rays together, by every kernel: each has the answer that it has alone. */
+static void packets(void **state) {
+    enum { RAYS = 203 };
+    static double numbers[8][RAYS], t[3][RAYS], x[6][RAYS];
+    static unsigned char active[RAYS], states[RAYS], occluded[RAYS];
+    static signed char sides[RAYS];
+    uint64_t seed = SEED;
+    const char *name;
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e++) {
+        intersect_equation(&c, equations[e]);
+        for (int i = 0; i < RAYS; i++) {
+            set_ray(&seed);
+            for (int k = 0; k < 3; k++)
+                numbers[k][i] = c.ray.origin[k], numbers[3 + k][i] = c.ray.direction[k];
+            numbers[6][i] = c.ray.t_min, numbers[7][i] = c.ray.t_max;
+            active[i] = exact_random_int(&seed, 9) > 0;
+        }
+        for (int kernel = 0; (name = algsurf_kernel_name(kernel)) != NULL; kernel++) {
+            const algsurf_intersect_options o = {.size = sizeof o, .kernel = name};
+            const algsurf_ray_packet rays = {.size = sizeof rays,
+                                             .count = RAYS,
+                                             .origin = {numbers[0], numbers[1], numbers[2]},
+                                             .direction = {numbers[3], numbers[4], numbers[5]},
+                                             .t_min = numbers[6],
+                                             .t_max = numbers[7],
+                                             .active = active};
+            const algsurf_hit_packet hits = {.size = sizeof hits,
+                                             .state = states,
+                                             .t = t[0],
+                                             .t_lo = t[1],
+                                             .t_hi = t[2],
+                                             .position = {x[0], x[1], x[2]},
+                                             .normal = {x[3], x[4], x[5]},
+                                             .side = sides};
+            memset(states, 77, sizeof states), memset(occluded, 77, sizeof occluded);
+            assert_int_equal(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits), ALGSURF_OK);
+            assert_int_equal(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded), ALGSURF_OK);
+            for (int i = 0; i < RAYS; i++) {
+                algsurf_hit h;
+                int any;
+                if (!active[i]) {
+                    assert_true(states[i] == 77 && occluded[i] == 77);
+                    continue;
+                }
+                c.ray = (algsurf_ray){{numbers[0][i], numbers[1][i], numbers[2][i]},
+                                      {numbers[3][i], numbers[4][i], numbers[5][i]},
+                                      numbers[6][i],
+                                      numbers[7][i]};
+                assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h), ALGSURF_OK);
+                assert_int_equal(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any), ALGSURF_OK);
+                int same = states[i] == h.state && sides[i] == h.side && occluded[i] == any &&
+                           (any == ALGSURF_HIT) == (h.state == ALGSURF_HIT);
+                const double one[3] = {h.t, h.t_lo, h.t_hi};
+                for (int k = 0; k < 3; k++)
+                    same &= intersect_same(t[k][i], one[k]) && intersect_same(x[k][i], h.position[k]) &&
+                            intersect_same(x[3 + k][i], h.normal[k]);
+                if (!same) {
+                    answer = (intersect_answer){.first = h, .occluded = any};
+                    fprintf(stderr, "seed %u, %s, ray %d: state %d, t %a\n", SEED, name, i, states[i],
+                            t[0][i]);
+                    intersect_fail("a packet says something else", &c, &answer);
+                }
+            }
+        }
+        algsurf_surface_free(c.surface);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(random_rays), cmocka_unit_test(short_rays),
+                                       cmocka_unit_test(scales),      cmocka_unit_test(nearly_asymptotic),
+                                       cmocka_unit_test(planes),      cmocka_unit_test(packets)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
