@@ -29,7 +29,10 @@ algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
                                .planes = p->view_planes,
                                .plane_count = p->plane_count,
                                .near = p->near,
-                               .tolerance = p->tolerance};
+                               .tolerance = p->tolerance,
+                               .thin_side = p->thin_side,
+                               .thin_before = 4 * p->thin_side,
+                               .thin_bends = p->thin_bends};
 }
 
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
@@ -110,9 +113,9 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
     if (!(fmax(fabs(v0), fabs(v1)) * spread + fabs(view->beta[1]) < BOUND)) return 0;
     int first = clear_up_to(&line, &pixels, -1, step), last = clear_up_to(&line, &pixels, 1, step);
     if (first >= last) return 1;
-    /* what is so many pixels or less from the middle is within the bounds */
-    double room = ((BOUND - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / fabs(per);
-    double least = step * ceil((line.half - room) / step), most = step * floor((line.half + room) / step);
+    /* what is so many pixels or less from where u is 0 is within the bounds */
+    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per), zero = line.half - p->origin[0] / per;
+    double least = step * ceil((zero - room) / step), most = step * floor((zero + room) / step);
     if (!(fmax(least, first) < fmin(most, last))) return 0;
     *begin = (int)fmax(least, first);
     *end = (int)fmin(most, last);

@@ -16,6 +16,7 @@ typedef struct algsurf_i_packets {
     /* the planes that cut something off, in the axes of the view and in those of the caller */
     algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
     int plane_count;
+    double thin_side, thin_bends[ALGSURF_MAX_VIEW_DEGREE + 1]; /* as in algsurf_i_row_job */
     double *beams;            /* in a tiled picture: algsurf_i_beam_expand's g */
     algsurf_i_taylor *taylor; /* where shadows are drawn; or null */
     /* complex space: as in algsurf_i_complex_job */

@@ -343,7 +343,6 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
             record(job, &leaf, (int)g.x[l]);
         } else {
             job->at[open_count] = (int)g.x[l];
-            if (job->within) job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
             job->from[open_count++] = fmax(from[l], depth_at(&g, l, p[l]));
         }
     }
