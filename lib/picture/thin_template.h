@@ -290,6 +290,11 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         for (int k = 0; k < 3; k++) to[k] = at[k] + times * n.step[k];
         most = larger(most, n.taken);
         follow_line(b, &n, less(all_lanes(1), n.taken) & less(most, all_lanes(3)), to);
+        const mask zero_here = open & at_most(absolute(value), error);
+        if (any(zero_here)) { /* what leads away from there is rounding */
+            const mask away = zero_here & less(8 * error, absolute(value_at(b, to, n.step, zero)));
+            for (int k = 0; k < 3; k++) to[k] = choose(away, at[k], to[k]);
+        }
         for (int k = 0; k < 3; k++) {
             moved = larger(moved, absolute(to[k] - at[k]));
             at[k] = choose(open, to[k], at[k]);
