@@ -30,6 +30,7 @@
 #include "sight_template.h"
 
 #define MOST_PIXELS 2 /* of a step */
+#define ASTRAY 8 /* pixels from the ray */
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
@@ -302,7 +303,7 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         p = expand_about(b->job->surface, at);
         const viewed s = look_at(b, at);
         lanes off = larger(absolute(s.across[0] + TO_ONE_SIDE), absolute(s.across[1] + TO_ONE_SIDE));
-        open &= at_most(off, all_lanes(MOST_PIXELS));
+        open &= at_most(off, all_lanes(ASTRAY));
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
         mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
