@@ -7,16 +7,17 @@
  * is wide.
  *
  * Large.  Let l be the largest second derivative about a point without width, or a line, and d the size of a
- * pixel: it is at most d / 2^(1/2) from the ray of its pixel, so that P is at most l d^2 / 4 there.  Four
- * times that is taken; and l is at most sum m (m-1) r^(m-2) M_m at a distance r from the view's centre, where
- * M_m bounds P's terms of degree m on the unit sphere (Banach). */
+ * pixel: it is at most d / 2^(1/2) from the ray of its pixel, so that P is at most l d^2 / 4 there.  Twice
+ * that is taken; and l is at most sum m (m-1) r^(m-2) M_m at a distance r from the view's centre, where M_m
+ * bounds P's terms of degree m on the unit sphere (Banach); thin.c takes M_m from some directions.
+ *
+ * Flat.  Where no coefficient of a part exceeds its error, P may be least anywhere: its middle is taken. */
 #ifndef ALGSURF_DIPS_TEMPLATE_H
 #define ALGSURF_DIPS_TEMPLATE_H
 #include "sight_template.h"
 
 #define DIP_TURNS 100  /* parts of a ray */
 #define OVERLAP 0x1p-5 /* of a part with those beside it: P may be least between them */
-#define MOST_DIPS ALGSURF_I_MOST_DIPS
 
 /* Depths between which a packet is searched. */
 typedef struct depth_range {

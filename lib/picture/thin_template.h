@@ -1,26 +1,25 @@
 /* thin_template.h - what is thin beside rays: points without width, lines without sheets, needles narrower
  * than a pixel.
  *
- * Such a thing is a critical point of P beside the ray, at which P is 0 or has the other sign.  So along the
- * part of a ray that is before its hit, or all of its chord:
- * 1. Places of least |P|: where the differences of P's Bernstein coefficients over a part of the ray show
- * that |P| falls and then grows, and some coefficient is not large; parts are halved until that happens once.
- * 2. From there Newton's method on P's gradient, with the exact second derivatives: in the directions in
- *    which P is curved towards 0 (eigenvectors, with P's sign) and which need a step of MOST_PIXELS at most.
- *    Where P is like a power of the distance, r^m, a step goes 1/(m-1) of the way, and P is (m-1)/m of the
- *    gradient times the step: so the whole way is known, and gone if that makes P TIMES as small as the step
- *    does.  Along one direction that is not curved, as of a line, on to where the pixel's middle column or
- *    row passes: a line is one pixel wide.
- * 3. Thin, if that ends in the pixel, within the chord, where P is 0 up to rounding or has the other sign.
- * It is an outline, and not thin,
+ * Such a thing is a critical point of P beside the ray, at which P is 0 or has the other sign.  So:
+ * 1. From the places where |P| is least along the ray, before its hit (dips_template.h), Newton's method on
+ *    P's gradient, with the exact second derivatives: in the directions in which P is curved towards 0
+ *    (eigenvectors, with P's sign) and which need a step of MOST_PIXELS at most.  Where P is like a power of
+ *    the distance, r^m, a step goes 1/(m-1) of the way, and P is (m-1)/m of the gradient times the step: so
+ *    the whole way is known, and gone if that makes P TIMES as small as the step does.  Along one direction
+ *    that is not curved, as of a line, on to where the pixel's middle column or row passes: so a line is one
+ *    pixel wide.  A step s leads P down by s times the gradient at most, else nothing is found.
+ * 2. Thin, if that ends in the pixel, within the chord, where P is 0, but for rounding, or has the other
+ * sign. It is an outline, and not thin,
+ * - if P has a gradient there, larger than what it is curved explains;
  * - if P has the other sign, too, as far behind that point as the ray is before it: the edge of something
- *   wide, as where y^2 + x^3 = 0 is viewed from x > 0;
+ *   wide, as where y^2 + x^3 = 0 is seen from x > 0;
  * - if P is curved the other way in another direction, a NARROW-th as much at least: a cone, whose inside is
  *   wide next to its tip;
- * - if it is 0 and curved in one direction alone: a double sheet, which rays beside this one hit.
- * What is large: a step s in a direction with curvature l changes the gradient by l s.  So |P| <= sum g_i s_i
- * <= sum |l_i| s_i^2, where the s_i are MOST_PIXELS at most; and the |l_i| add up to sum m (m-1) |q_ijk| at
- * most, m = i + j + k, in the view's unit.
+ * - if P is 0 and stays so in two directions: a double sheet, which rays beside this one hit.
+ *
+ * P is evaluated in the caller's axes: so that its terms vanish, and their roundings with them, about lines
+ * and points that are at the origin or on an axis.  Higher powers elsewhere drown in their rounding.
  *
  * That proves nothing.  What is shown as thin is an aid to the eye; what is shown as hit is proved elsewhere.
  */
@@ -30,6 +29,7 @@
 #include "sight_template.h"
 
 #define MOST_PIXELS 2 /* of a step */
+#define ASTRAY 8      /* pixels from the ray, on the way */
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
@@ -290,6 +290,11 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         for (int k = 0; k < 3; k++) to[k] = at[k] + times * n.step[k];
         most = larger(most, n.taken);
         follow_line(b, &n, less(all_lanes(1), n.taken) & less(most, all_lanes(3)), to);
+        const mask zero_here = open & at_most(absolute(value), error);
+        if (any(zero_here)) { /* what leads away from there is rounding */
+            const mask away = zero_here & less(8 * error, absolute(value_at(b, to, n.step, zero)));
+            for (int k = 0; k < 3; k++) to[k] = choose(away, at[k], to[k]);
+        }
         for (int k = 0; k < 3; k++) {
             moved = larger(moved, absolute(to[k] - at[k]));
             at[k] = choose(open, to[k], at[k]);
@@ -297,7 +302,7 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         p = expand_about(b->job->surface, at);
         const viewed s = look_at(b, at);
         lanes off = larger(absolute(s.across[0] + TO_ONE_SIDE), absolute(s.across[1] + TO_ONE_SIDE));
-        open &= at_most(off, all_lanes(MOST_PIXELS));
+        open &= at_most(off, all_lanes(ASTRAY));
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
         mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
