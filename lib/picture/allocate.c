@@ -53,7 +53,8 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
+                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
+                             picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .thin = picture->thin ? algsurf_i_thin_memory() : 0,
                    .beams = tiles || (real && picture->selective),
                    .lanes = real,

@@ -12,6 +12,7 @@
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "../poly/triangle_template.h"
+#include "../roots/beyond_template.h"
 #include "sight_template.h"
 
 #define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
@@ -43,12 +44,11 @@ INLINE void set_ends(packet *k, lanes blur, mask after, int n) {
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-/* LANES pixels whose rays have no root on their chords before low. */
-INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, packet *k,
-                         lanes *z, int n) {
-    const sight s = sight_at(job, pixel);
+/* LANES pixels whose rays have no root on their chords before low; searched: the depths that k->b is for. */
+INLINE void solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low, packet *k, lanes *z,
+                         depth_range *searched, int n) {
     depth_range r;
-    chord c = clip(job, &s, all_lanes(job->near), &k->open);
+    chord c = clip(job, s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
     k->watch = NULL;
     k->undecided = c.undecided;
@@ -59,7 +59,8 @@ INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, p
     if (!any(k->open)) return;
     r.lo = choose(k->open, r.lo, all_lanes(-1));
     r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
-    expand_pixels(job, &s.u, &r, k, n);
+    expand_pixels(job, &s->u, &r, k, n);
+    *searched = r;
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
@@ -70,6 +71,19 @@ INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, p
     if (!any(k->hit)) return;
     refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
     *z = r.lo + r.length * *z;
+}
+
+/* All of space: leaves undecided what depths beyond [-1,1] are not proved to have no part in. */
+APART void look_outside(const algsurf_i_row_job *job, const lanes *u, const lanes *low,
+                        const depth_range *searched, packet *k, int n) {
+    const depth_range whole = {all_lanes(-1), all_lanes(2)};
+    const mask inside = less(whole.lo, all_lanes(job->near - 2 * job->view->noise));
+    const mask open = ~(k->undecided | less(whole.lo, *low));
+    if (!any(open)) return;
+    if (any(open & less(searched->length, whole.length))) expand_pixels(job, u, &whole, k, n);
+    const beyond is = look_beyond(k->b, k->e, n, 0, all_lanes(job->degree));
+    k->undecided |= open & ~((is.none_before | inside) & (is.none_behind | k->hit));
+    k->hit &= ~k->undecided;
 }
 
 /* What was found of so many lanes, at most. */
@@ -89,8 +103,11 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
     for (int i = 0; i < p->count; i += LANES) {
         int count = p->count - i;
         packet k;
-        lanes z = all_lanes(0);
-        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count), &k, &z, n);
+        lanes z = all_lanes(0), low = load_some(p->low + i, count);
+        const sight s = sight_at(job, load_some_integers(p->at + i, count));
+        depth_range searched = {z, z};
+        solve_packet(job, &s, low, &k, &z, &searched, n);
+        if (job->extent->kind == ALGSURF_EXTENT_ALL) look_outside(job, &s.u, &low, &searched, &k, n);
         store_solved(&k, z, count, depth + i, state + i);
     }
 }

@@ -85,6 +85,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     picture->thin = picture->packets && scene->thin && !scene->complex &&
+                    scene->extent.kind != ALGSURF_EXTENT_ALL &&
                     scene->surface->degree <= ALGSURF_MAX_BEAM_DEGREE;
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
