@@ -99,19 +99,21 @@ static int suits_packets(const algsurf_scene *scene) {
            algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
-/* All of space: the view holds what is near the origin, where lines have their roots, and all of the picture's
- * rays if that is not much more.  What is beyond is looked at by proofs (pixels_template.h): so this is a
- * choice about time. */
+/* All of space: the view holds what is near the origin, where lines have their roots; and all of the picture's
+ * rays, and the eye of a surface that goes on behind it, if that costs few digits.  What is beyond is looked at
+ * by proofs (pixels_template.h): so this is a choice about time. */
 static double size_of_space(const algsurf_i_picture *picture, const double eye[3]) {
     const algsurf_camera *camera = &picture->scene->camera;
     const algsurf_surface *s = picture->scene->surface;
     double slope = camera->half_height * fmax(1, (double)picture->width / picture->height);
     double aside = fmax(fabs(algsurf_dot(eye, camera->right)), fabs(algsurf_dot(eye, camera->up)));
-    double away = fabs(algsurf_dot(eye, camera->forward)), size = WHOLE * s->spread;
+    double away = fabs(algsurf_dot(eye, camera->forward)), more = algsurf_i_exp2(MORE / s->degree);
+    double size = s->spread * (s->goes_far ? more : WHOLE);
     double across = camera->orthographic ? ldexp(slope, -s->unit) : away * slope;
     double most = camera->orthographic ? 4 : 4 - slope - 2 * aside / away;
     double all = most > 0 ? 1.1 * (aside + across) / most : HUGE_VAL;
-    return all > size && all < algsurf_i_exp2(MORE / s->degree) * size ? all : size;
+    if (s->goes_far && !(1.02 * away < all)) all = 1.02 * away;
+    return all > size && all < more * size ? all : size;
 }
 
 /* P's degree along the picture's rays, at most. */
