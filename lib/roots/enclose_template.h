@@ -29,13 +29,11 @@ typedef struct enclosure {
 /* Root x in [begin,end] of [-1,1] of each `open` lane's polynomial. */
 INLINE void begin_enclosure(const algsurf_i_polys_job *job, size_t at, const int *id, lanes begin, lanes end,
                             lanes x, mask open, enclosure *e, int n) {
-    ptrdiff_t from = (ptrdiff_t)at;
-    const double *first = job->c.at + from * job->c.polynomial;
-    lanes lo = gather(job->lo + from * job->interval, job->interval, id),
-          hi = gather(job->hi + from * job->interval, job->interval, id),
-          most = larger(absolute(lo), absolute(hi));
+    lanes lo, hi;
+    gather_interval(job, at, id, &lo, &hi);
+    lanes most = larger(absolute(lo), absolute(hi));
     lanes middle = 0.5 * lo + 0.5 * hi, half = 0.5 * hi - 0.5 * lo, margin = 0x1p-50 * most;
-    for (int k = 0; k <= n; k++) e->c[k] = gather(first + k * job->c.power, job->c.polynomial, id);
+    for (int k = 0; k <= n; k++) e->c[k] = gather_table(&job->c, k, at, id);
     e->from = choose(at_most(begin, all_lanes(-1)), lo, middle + begin * half + margin);
     e->to = choose(at_most(all_lanes(1), end), hi, middle + end * half - margin);
     e->t = middle + x * half;
