@@ -22,7 +22,7 @@
  * A ray that goes on with another piece waits until there are LANES such rays. */
 #ifndef ALGSURF_FAR_TEMPLATE_H
 #define ALGSURF_FAR_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../surface/impl.h"
 #include "chord_template.h"
 #include "powers_template.h"

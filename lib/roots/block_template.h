@@ -48,7 +48,7 @@ _Static_assert(ROWS_OF(10) * ROW_OF(10) <= ROOM, "rows");
 
 /* Polynomials and what was found. */
 typedef struct poly_block {
-    int degree, cells, hits; /* how many */
+    int degree, cells, hits;                                                       /* how many */
     double basis[(ALGSURF_MAX_POLYS_DEGREE + 1) * (ALGSURF_MAX_POLYS_DEGREE + 1)]; /* poly/basis.h */
     double rows[ROOM];
 } poly_block;
