@@ -83,20 +83,34 @@ APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block
     FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
+/* What certain_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
+ * so |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.  The ends of a cell as doubles, middle + half v,
+ * are off by 4 u M: points nearer to them than 2^-50 M are not used, but where the end is the interval's. */
+INLINE void begin_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
+                       const approaches *all, int w, lanes *c, enclosure *e, int n) {
+    const int first = i + w * LANES, *id = all->id[w];
+    mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
+    lanes lo, hi, begin = load_row(block, BEGIN, first, n), end = load_row(block, END, first, n);
+    gather_interval(job, at, id, &lo, &hi);
+    lanes most = larger(absolute(lo), absolute(hi)), margin = 0x1p-50 * most;
+    lanes middle = 0.5 * lo + 0.5 * hi, half = 0.5 * hi - 0.5 * lo;
+    for (int k = 0; k <= n; k++) c[k] = gather_table(&job->c, k, at, id);
+    begin_enclosure(e, choose(at_most(begin, all_lanes(-1)), lo, middle + begin * half + margin),
+                    choose(at_most(all_lanes(1), end), hi, middle + end * half - margin),
+                    middle + all->a[w].x * half,
+                    open & within(most, LARGE_END) & within(magnitude(c, n, most), LARGE_SIZE));
+}
+
 /* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
  * each step of the compensated scheme waits for the one before. */
 APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
                         const approaches *all, int n, enclosure *e) {
-    for (int w = 0; w < all->packets; w++) {
-        int first = i + w * LANES;
-        mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
-        begin_enclosure(job, at, all->id[w], load_row(block, BEGIN, first, n), load_row(block, END, first, n),
-                        all->a[w].x, open, e + w, n);
-    }
+    lanes c[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
+    for (int w = 0; w < all->packets; w++) begin_hits(job, block, at, i, all, w, c[w], e + w, n);
     for (int point = 0; point < MOST_POINTS; point++) {
         mask open = no_lane();
         for (int w = 0; w < all->packets; w++) {
-            newton(e + w, n);
+            newton(e + w, (terms){NULL, c[w]}, n);
             open |= e[w].open;
         }
         if (!any(open)) break;
