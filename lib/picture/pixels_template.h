@@ -1,5 +1,5 @@
 /* pixels_template.h - the first roots along the rays of some pixels of a row, LANES at once: coefficients by
- * Horner's rule in u, Descartes' walk (roots/packet_template.h), the root.
+ * Horner's rule in u, Descartes' walk (roots/first_walk_template.h), the root.
  *
  * Each lane has a range of depth of its own: its chord, cut to what is known of its root.  P along the ray is
  * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring

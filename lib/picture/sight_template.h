@@ -39,7 +39,7 @@
 #define ALGSURF_SIGHT_TEMPLATE_H
 #include "kernel.h"
 #define MOST_DEGREE ALGSURF_MAX_VIEW_DEGREE
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../simd/lanes.h"
 
 /* Choices: larger ones leave more rays to be solved alone. */

@@ -11,7 +11,7 @@
  * degree that p is known to have at most are 0 and left out. */
 #ifndef ALGSURF_ROOTS_BEYOND_TEMPLATE_H
 #define ALGSURF_ROOTS_BEYOND_TEMPLATE_H
-#include "packet_template.h"
+#include "first_walk_template.h"
 
 #define LITTLE_MORE (1 + 0x1p-44) /* for the rounding of radii */
 #define SIGN_BIT 0x8000000000000000u
