@@ -8,7 +8,14 @@
  * Ends.  Where it is known that no root lies before a depth inside the chord, the range begins there, and a
  * root in it counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in
  * units of its length: where |P| at that end of the range exceeds what it can change by within blur, no root
- * is between.  In both cases the end need not be looked at again. */
+ * is between.  In both cases the end need not be looked at again.
+ *
+ * All of space.  Chords are the depths [-1,1], from the eye on, as planes cut them; so what is found is the
+ * first hit if there is no root between the eye and the depth -1, and a miss is one if there is none beyond 1
+ * either.  The coefficients over [-1,1] tell that (roots/beyond_template.h), whatever planes cut off.  Their
+ * radius takes in the noise: it bounds how far the coefficients of the pixel's own ray are from those that are
+ * computed, and a proof about all within it holds for all depths of that ray.  Pixels not proved are
+ * undecided; they go as rays, which know how to go on. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "../poly/triangle_template.h"

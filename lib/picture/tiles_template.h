@@ -28,7 +28,12 @@
  *
  * Differences of the rest.  Over the tile's depths they are at most 2 max rest; n times that bounds the
  * derivative, and so in a part of a share s of these depths differences are at most 2 s max rest.  Rounding
- * has no derivative: it counts twice in full. */
+ * has no derivative: it counts twice in full.
+ *
+ * All of space.  A sheet is the first one if no ray has a root between the eye and the depth -1, and an empty
+ * tile is empty if none has one beyond 1 either: what is proved as for a pixel, from ranges of the coefficients
+ * of all rays (search_template.h).  The range is not cut by planes here: what they do at the depths beyond is
+ * not looked at. */
 #ifndef ALGSURF_TILES_TEMPLATE_H
 #define ALGSURF_TILES_TEMPLATE_H
 #include "../roots/beyond_template.h"

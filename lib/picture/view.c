@@ -152,19 +152,20 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
     algsurf_i_view *view = &p->frame.view;
+    const int endless = scene->extent.kind == ALGSURF_EXTENT_ALL;
+    const double origin[3] = {0, 0, 0};
     algsurf_extent wider = scene->extent;
     const algsurf_extent *extent =
         scene->complex ? &scene->extent : algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
     double eye[3], radius = extent == &wider ? wider.size[0] : picture->lighting.radius;
     if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
-        !natural(scene->surface, picture->lighting.centre, view->centre))
+        !natural(scene->surface, endless ? origin : scene->extent.centre, view->centre))
         return 0;
     for (int i = 0; i < 3; i++) {
         view->axis[0][i] = camera->right[i];
         view->axis[1][i] = camera->up[i];
         view->axis[2][i] = camera->forward[i];
     }
-    const int endless = scene->extent.kind == ALGSURF_EXTENT_ALL;
     view->size = endless ? size_of_space(picture, eye) : ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
     p->degree = degree_along(scene->surface, camera);
     p->orthographic = camera->orthographic;
