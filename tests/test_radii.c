@@ -118,7 +118,7 @@ static void judge_cuts(exact_form f[LANES], lanes *w, lanes *e, int own, uint64_
         double place = depth % 3 == 0 ? 0.5 : 0.5 + (0.5 - 0.5 / n) * exact_random_unit(random);
         double at = ldexp(floor(ldexp(place, 30)), -30);
         int right = exact_random_unit(random) > 0;
-        widen(w, e, n, own, 8 * n * 0x1p-53 * largest);
+        widen_radii(w, e, n, own, 8 * n * 0x1p-53 * largest);
         for (int j = 0; j <= n && !own; j++) e[j] = e[0];
         if (depth % 2) {
             split(w, left, n, all_lanes(at), all_lanes(1 - at));

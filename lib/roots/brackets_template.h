@@ -125,9 +125,9 @@ INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, si
     const lanes allowed = BLURRED * absolute(a->slope);
     mask blurred = less(numbered(), all_lanes(count)) & ~at_most(all->noise[w], allowed);
     mask open = a->moving | (a->stuck & blurred);
-    if (any(blurred))
-        open |= blurred & ~at_most(all->noise[w] * part_at(job, at, all->id[w], a->x, n), allowed);
-    unsigned undecided = bits(open);
+    if (any(blurred) && !job->r.at) /* radii may be all of c_0's, and the same everywhere */
+        blurred &= ~at_most(all->noise[w] * part_at(job, at, all->id[w], a->x, n), allowed);
+    unsigned undecided = bits(open | blurred);
     for (int l = 0; l < LANES && l < count; l++)
         *in_row(block, PLACE, all->id[w][l], n) = undecided >> l & 1 ? UNDECIDED : a->x[l];
     return undecided;

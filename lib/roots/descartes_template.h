@@ -36,7 +36,6 @@
 #include "algsurf/status.h"
 #include "watch.h"
 
-
 #ifndef MOST_DEGREE
 #define MOST_DEGREE ALGSURF_MAX_DEGREE
 #endif
@@ -80,7 +79,7 @@ INLINE mask ends_known(const lanes *w, const lanes *e, int n, int own, lanes mar
 
 /* What a split adds to the radii: g of the head comment, or cut_error, 8 n u max|w| of the whole polynomial.
  */
-INLINE void widen(const lanes *w, lanes *e, int n, int own, lanes cut_error) {
+INLINE void widen_radii(const lanes *w, lanes *e, int n, int own, lanes cut_error) {
     if (!own) e[0] += cut_error;
     for (int j = 0; own && j <= n; j++)
         e[j] = all_lanes(1 + 0x1p-42) * e[j] + all_lanes(8 * n * 0x1p-53) * absolute(w[j]);
@@ -119,12 +118,12 @@ INLINE void cut_cell(cell *c, const lanes *b, const lanes *e, int n, int own, la
     for (int j = 0; j <= n; j++) part.w[j] = b[j];
     for (int j = 0; j <= (own ? n : 0); j++) part.e[j] = e[j];
     if (any(which & less(all_lanes(0), from))) {
-        widen(part.w, part.e, n, own, cut_error);
+        widen_radii(part.w, part.e, n, own, cut_error);
         split_shares(part.w, left, n, from, 1 - from);
         if (own) split_shares(part.e, left, n, from, 1 - from);
     }
     if (any(which & less(to, all_lanes(1)))) {
-        widen(part.w, part.e, n, own, cut_error);
+        widen_radii(part.w, part.e, n, own, cut_error);
         split_shares(part.w, left, n, to - from, 1 - to);
         for (int j = 0; j <= n; j++) part.w[j] = left[j];
         if (own) split_shares(part.e, left, n, to - from, 1 - to);
@@ -165,7 +164,7 @@ INLINE mask divide(cell *c, int n, int own, lanes cut_error, mask which, lanes s
         at = split_point(c, n, turn), before = at - c->p, behind = c->q - at;
     for (int j = 0; j <= n; j++) right[j] = c->w[j];
     for (int j = 0; j <= (own ? n : 0); j++) right_e[j] = c->e[j];
-    widen(right, right_e, n, own, cut_error);
+    widen_radii(right, right_e, n, own, cut_error);
     split(right, left, n, before, behind);
     if (own)
         split(right_e, left_e, n, before, behind);

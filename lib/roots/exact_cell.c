@@ -12,6 +12,8 @@
 
 #include <math.h>
 
+#include "decide.h"
+
 /* Room for the cell's numbers in these widths, at the top of the stack. */
 static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
     size_t coefficients = (size_t)(cell->b.degree + 1) * (size_t)width;
@@ -26,7 +28,7 @@ static int take_block(algsurf_memory *m, algsurf_exact_cell *cell, int width, in
 
 /* The cell in wider coefficients and position.  Its block is the last one taken: it grows where it is, unless
  * it has to move to another block of the stack, where the old numbers stay until they have been copied. */
-static int widen(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
+static int widen_cell(algsurf_memory *m, algsurf_exact_cell *cell, int width, int position_width) {
     const algsurf_exact_cell old = *cell;
     if (cell->begin.last == m->last)
         algsurf_memory_release(m, cell->begin);
@@ -55,7 +57,7 @@ static int make_room(algsurf_memory *m, algsurf_exact_cell *cell, int bits) {
         if (algsurf_z_width(cell->bits + bits + 1) > width) width = algsurf_z_width(cell->bits + bits + 1);
     }
     if (width == cell->b.width && position_width <= cell->position_width) return 1;
-    return widen(m, cell, width, position_width + 1);
+    return widen_cell(m, cell, width, position_width + 1);
 }
 
 int algsurf_exact_variations(const algsurf_exact_cell *cell) {
@@ -206,7 +208,7 @@ int algsurf_exact_cells_begin(algsurf_exact_cells *cells, algsurf_memory *m, int
 }
 
 /* f(2^shift u), up to a power of two. */
-static int scaled(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_zpoly *g) {
+static int times_power(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_zpoly *g) {
     int n = f->degree, up = shift > 0 ? shift : -shift, least = ALGSURF_Z_NO_BIT, most = 0;
     for (int k = 0; k <= n; k++) {
         const algsurf_limb *c = algsurf_zpoly_at(f, k);
@@ -231,8 +233,32 @@ static int scaled(algsurf_memory *m, const algsurf_zpoly *f, int shift, algsurf_
 static int over_piece(algsurf_memory *m, const algsurf_zpoly *f, int unit, const algsurf_exact_piece *piece,
                       algsurf_zpoly *b) {
     algsurf_zpoly local = *f;
-    return (piece->unit == unit || scaled(m, f, piece->unit - unit, &local)) &&
+    return (piece->unit == unit || times_power(m, f, piece->unit - unit, &local)) &&
            algsurf_zpoly_bernstein(m, &local, piece->at, piece->length, b);
+}
+
+enum { TOLD_WORDS = 64 };
+
+int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell) {
+    algsurf_limb block[TOLD_WORDS], *a, *b;
+    algsurf_memory memory; /* of its own: watching leaves the walk's as it is */
+    int width, r, n = cell->b.degree;
+    signed char signs[ALGSURF_MAX_POLY_DEGREE + 1];
+    algsurf_memory_begin(&memory, block, TOLD_WORDS, ALGSURF_I_DECIDE_MEMORY);
+    algsurf_memory_mark begin = algsurf_memory_here(&memory);
+    int done = algsurf_exact_cell_ends(&memory, cell, &cells->piece, cells->unit, &a, &b, &width, &r);
+    for (int j = 0; j <= n; j++) signs[j] = (signed char)algsurf_exact_sign(cell, j);
+    if (done) {
+        const algsurf_cell told = {.lo = algsurf_z_round_down(a, width, cells->unit - r),
+                                   .hi = algsurf_z_round_down(b, width, cells->unit - r),
+                                   .variations = cell->variations,
+                                   .engine = ALGSURF_ENGINE_INTEGERS,
+                                   .degree = n,
+                                   .signs = signs};
+        algsurf_i_tell_cell(cells->watch, &told);
+    }
+    algsurf_memory_release(&memory, begin);
+    return done;
 }
 
 int algsurf_exact_cells_open(algsurf_exact_cells *cells, const algsurf_zpoly *f, int unit,

@@ -63,7 +63,7 @@ int algsurf_exact_cell_ends(algsurf_memory *m, const algsurf_exact_cell *cell,
                             const algsurf_exact_piece *piece, int unit, algsurf_limb **a, algsurf_limb **b,
                             int *width, int *r);
 
-/* exact_watch.c: shows a cell to whoever watches; returns 0 when there is no memory. */
+/* Shows a cell to whoever watches; returns 0 when there is no memory. */
 int algsurf_exact_tell_cell(const algsurf_exact_cells *cells, const algsurf_exact_cell *cell);
 
 /* A step to a cluster of v >= 2 roots of one polynomial: if all roots of the cell are proved to be in a much

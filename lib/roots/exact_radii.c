@@ -66,7 +66,7 @@ static int make_envelope(const set *s, int above, int upper, algsurf_zpoly *enve
 }
 
 /* The sign of f at t, which may be infinite; 0 for f = 0. */
-static int sign_of(const set *s, const algsurf_zpoly *f, double t, int *sign) {
+static int sign_at_double(const set *s, const algsurf_zpoly *f, double t, int *sign) {
     *sign = 0;
     if (f->degree < 0) return 1;
     if (isfinite(t)) return algsurf_exact_at_double(s->memory, f, s->unit, t, sign, NULL, NULL);
@@ -81,7 +81,7 @@ static int sign_at(const set *s, double t, int *sign) {
     algsurf_zpoly envelope;
     int at[2], done = 1;
     for (int i = 0; done && i < 2; i++)
-        done = make_envelope(s, t >= 0, i, &envelope) && sign_of(s, &envelope, t, at + i);
+        done = make_envelope(s, t >= 0, i, &envelope) && sign_at_double(s, &envelope, t, at + i);
     algsurf_memory_release(s->memory, mark);
     if (done) *sign = at[0] == at[1] ? at[0] : UNKNOWN;
     return done;
@@ -119,7 +119,7 @@ static int find_roots(const set *s, const algsurf_zpoly *f, double lo, double hi
         }
     }
     algsurf_memory_release(s->memory, mark);
-    if (roots->count == 0 && !sign_of(s, f, isfinite(lo) ? lo : hi, sign)) return 0;
+    if (roots->count == 0 && !sign_at_double(s, f, isfinite(lo) ? lo : hi, sign)) return 0;
     return found == ALGSURF_EXACT_END;
 }
 

@@ -20,7 +20,7 @@
 
 enum { MOST_BITS = 46 }; /* of v k: beyond, doubles do not tell the outer parts from 0 */
 
-static int sign_of(double x) { return (x > 0) - (x < 0); }
+static int sign_of_double(double x) { return (x > 0) - (x < 0); }
 
 /* One round of the scheme at x for entries 0 .. m. */
 static void mean_all(double *b, int m, double x) {
@@ -72,7 +72,7 @@ static double cluster_radius(const double *b, int n, int v, double *room, double
 
 /* Are all coefficients left of x (right of it) of the sign at that end, beyond the bound? */
 static int outer_is_clear(const double *b, int n, double *t, double x, int at_right, double bound) {
-    int sign = sign_of(at_right ? b[n] : b[0]);
+    int sign = sign_of_double(at_right ? b[n] : b[0]);
     memcpy(t, b, sizeof *t * (size_t)(n + 1));
     for (int i = n; i >= 0; i--) {
         if (!(sign * (at_right ? t[i] : t[0]) > bound)) return 0;
@@ -83,7 +83,7 @@ static int outer_is_clear(const double *b, int n, double *t, double x, int at_ri
 
 /* The new cell, last taken, to the place of the old one, with no more limbs than it needs; where one of them
  * began a new block of memory, both stay. */
-static int settle(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *part) {
+static int take_place(algsurf_memory *m, algsurf_exact_cell *cell, algsurf_exact_cell *part) {
     int n = part->b.degree, zeros = algsurf_zpoly_trailing(&part->b);
     for (int j = 0; zeros > 0 && zeros < ALGSURF_Z_NO_BIT && j <= n; j++)
         algsurf_z_shift_down(algsurf_zpoly_at(&part->b, j), part->b.width, zeros);
@@ -142,7 +142,7 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
     part.depth += k - 1;
     part.fine += 1;
     part.left_done = 0;
-    return settle(m, cell, &part);
+    return take_place(m, cell, &part);
 }
 
 int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done) {

@@ -47,8 +47,8 @@ static algsurf_status check_shape(const algsurf_real_batch *p) {
     return p->count > 0 && !(p->coefficients.at && p->lo && p->hi) ? ALGSURF_E_ARGUMENT : ALGSURF_OK;
 }
 
-static algsurf_status prepare(query *q, const algsurf_real_batch *batch,
-                              const algsurf_batch_options *options) {
+static algsurf_status read_batch(query *q, const algsurf_real_batch *batch,
+                                 const algsurf_batch_options *options) {
     q->options = (algsurf_batch_options){.size = sizeof q->options};
     if (!batch || !algsurf_options_read(&q->polys, sizeof q->polys, batch)) return ALGSURF_E_ARGUMENT;
     if (options && !algsurf_options_read(&q->options, sizeof q->options, options)) return ALGSURF_E_ARGUMENT;
@@ -145,12 +145,12 @@ static algsurf_status set_job(const query *q, algsurf_i_polys_job *job) {
 
 static int has_kernel(int degree) { return degree >= 1 && degree <= ALGSURF_MAX_POLYS_DEGREE; }
 
-static ALGSURF_NOINLINE algsurf_status find_first(const algsurf_real_batch *batch,
-                                                  const algsurf_batch_options *options, unsigned char *state,
-                                                  double *root) {
+static ALGSURF_NOINLINE algsurf_status first_roots(const algsurf_real_batch *batch,
+                                                   const algsurf_batch_options *options, unsigned char *state,
+                                                   double *root) {
     query q;
     algsurf_i_polys_job job;
-    algsurf_status status = prepare(&q, batch, options);
+    algsurf_status status = read_batch(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
     if (!state) return ALGSURF_E_ARGUMENT;
@@ -186,12 +186,12 @@ static algsurf_status find_alone(const algsurf_real_batch *p, size_t i, algsurf_
     return status;
 }
 
-static ALGSURF_NOINLINE algsurf_status find_all(const algsurf_real_batch *batch,
-                                                const algsurf_batch_options *options,
-                                                algsurf_real_root *roots, int *count) {
+static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch,
+                                                 const algsurf_batch_options *options,
+                                                 algsurf_real_root *roots, int *count) {
     query q;
     algsurf_i_polys_job job;
-    algsurf_status status = prepare(&q, batch, options);
+    algsurf_status status = read_batch(&q, batch, options);
     const algsurf_real_batch *p = &q.polys;
     if (status != ALGSURF_OK || p->count == 0) return status;
     if (!roots || !count || p->radii.at || q.options.relative_tolerance != 0) return ALGSURF_E_ARGUMENT;
@@ -212,7 +212,7 @@ algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                          double *root) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find_first(batch, options, state, root);
+    algsurf_status status = first_roots(batch, options, state, root);
     algsurf_fpenv_leave(&saved);
     return status;
 }
@@ -221,7 +221,7 @@ algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch, const a
                                         algsurf_real_root *roots, int *count) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
-    algsurf_status status = find_all(batch, options, roots, count);
+    algsurf_status status = all_roots(batch, options, roots, count);
     algsurf_fpenv_leave(&saved);
     return status;
 }

@@ -126,8 +126,8 @@ INLINE void store_states(uint8_t *state, mask hits, mask undecided, int count) {
 }
 
 /* The answers of polynomials i .. of the block; returns whether some are undecided. */
-INLINE int finish(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room,
-                  int n) {
+INLINE int store_answers(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i, int room,
+                         int n) {
     lanes v = load_row(block, PLACE, i, n);
     mask hit = less(v, all_lanes(UNDECIDED)), undecided = at_most(v, all_lanes(UNDECIDED)) & ~hit;
     store_states(job->state + at, hit, undecided, room);
@@ -149,7 +149,7 @@ INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t
         *in_row(block, PLACE, (int)*in_row(block, HIT_ID, i, n), n) = 0;
     for (int i = 0; i < block->hits && job->root; i += PAIR * LANES) refine_some(job, block, at, i, n);
     for (int i = 0; i < count; i += LANES)
-        undecided |= finish(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
+        undecided |= store_answers(job, block, at + (size_t)i, i, at_most_of(count - i, LANES), n);
     return undecided;
 }
 

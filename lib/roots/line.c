@@ -12,8 +12,8 @@
  * p(t) = q(t^k) becomes q (power.c).  All else is walked: in doubles (walk.c), from where the sizes of
  * coefficients let roots be, then, from the last bracket that was certain, in integers (decide.c).
  *
- * A root is final where its ends are neighbours, or equal.  Each way says why it is: boxes and narrow() halve
- * until no double is between, by exact signs; the settling kernel has two certain signs at neighbours
+ * A root is final where its ends are neighbours, or equal.  Each way says why it is: boxes and make_final()
+ * halve until no double is between, by exact signs; the settling kernel has two certain signs at neighbours
  * (settle_template.h), as has integers.c; the exact engine ends at neighbours (exact_refine.c). */
 #include "../base/arithmetic.h"
 #include "line.h"
@@ -63,7 +63,7 @@ static int halve(const algsurf_i_coefficients *p, algsurf_real_root *r) {
 }
 
 /* The same from farther away. */
-static int narrow(const algsurf_i_coefficients *p, algsurf_real_root *r) {
+static int make_final(const algsurf_i_coefficients *p, algsurf_real_root *r) {
     algsurf_refined_root found;
     if (!is_final(r)) {
         if (algsurf_i_refine_bracket(p, r->lo, r->hi, &found) != ALGSURF_OK) return 0;
@@ -79,8 +79,8 @@ static int narrow(const algsurf_i_coefficients *p, algsurf_real_root *r) {
 /* ---- doubles, integers ---- */
 
 /* Simple roots in brackets side by side, where nothing can overflow; multiplicity 0: not known. */
-static void settle(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
-                   algsurf_real_root *roots) {
+static void settle_brackets(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
+                            algsurf_real_root *roots) {
     const algsurf_i_coefficients middle = {p->c, NULL, p->degree};
     double most = ldexp(1, 400 / p->degree), largest = 0;
     for (int k = 0; k <= p->degree; k++) largest = fmax(largest, fabs(p->c[k]));
@@ -96,20 +96,20 @@ static algsurf_real_root root_of(const algsurf_bracket *b) {
 /* Roots in brackets of certain signs, refined; returns how many of them, from the first on. */
 static int take_refined(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
                         algsurf_real_root *roots) {
-    settle(p, b, count, roots);
+    settle_brackets(p, b, count, roots);
     for (int i = 0; i < count; i++) {
         if (roots[i].multiplicity) continue;
         roots[i] = root_of(b + i);
-        if (!narrow(p, roots + i)) return i;
+        if (!make_final(p, roots + i)) return i;
     }
     return count;
 }
 
 /* What doubles have isolated becomes roots, as asked for; returns how many of them, from the first on. */
-static int take(const algsurf_i_line *line, const algsurf_i_coefficients *p, const algsurf_bracket *b,
-                int count, algsurf_real_root *roots) {
+static int take_brackets(const algsurf_i_line *line, const algsurf_i_coefficients *p,
+                         const algsurf_bracket *b, int count, algsurf_real_root *roots) {
     if (line->refined && !line->p.z) return take_refined(p, b, count, roots);
-    if (line->refined) settle(p, b, count, roots);
+    if (line->refined) settle_brackets(p, b, count, roots);
     if (line->refined) return algsurf_i_integers_close_in(&line->p, b, count, roots);
     for (int i = 0; i < count; i++) roots[i] = root_of(b + i);
     return count;
@@ -167,7 +167,7 @@ static ALGSURF_NOINLINE int in_doubles(const algsurf_i_line *line, const algsurf
                                        int most, algsurf_real_root *roots, int *count, double *rest) {
     algsurf_bracket b[ALGSURF_MAX_DEGREE];
     int found = 0, done = algsurf_i_walk(p, line->lo, line->hi, level, most, b, &found, line->watch);
-    *count = take(line, p, b, found, roots);
+    *count = take_brackets(line, p, b, found, roots);
     if (*count == most || (done && *count == found)) return 1;
     *rest = *count < found ? b[*count].lo : found ? b[found - 1].hi : line->lo;
     return 0;
@@ -235,7 +235,7 @@ static ALGSURF_NOINLINE int by_power(const algsurf_i_line *line, algsurf_real_ro
     }
     if (!algsurf_i_power_roots(&w, p.c, line->lo, line->hi, roots, count)) return 0;
     for (int i = 0; line->refined && i < *count; i++)
-        if (!narrow(&p, roots + i)) return 0;
+        if (!make_final(&p, roots + i)) return 0;
     if (line->wanted == ALGSURF_I_FIRST && *count > 1) *count = 1;
     return 1;
 }

@@ -44,8 +44,8 @@ static ALGSURF_NOINLINE algsurf_status find(const algsurf_i_line *line, algsurf_
     return ALGSURF_OK;
 }
 
-static algsurf_status answer(algsurf_i_given p, double lo, double hi, algsurf_real_root *roots, int capacity,
-                             int *count) {
+static algsurf_status solve_given(algsurf_i_given p, double lo, double hi, algsurf_real_root *roots,
+                                  int capacity, int *count) {
     const algsurf_i_line line = {p, lo, hi, ALGSURF_I_ALL, 1, NULL, 0};
     if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
@@ -57,10 +57,10 @@ static algsurf_status answer(algsurf_i_given p, double lo, double hi, algsurf_re
 
 algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi, algsurf_real_root *roots,
                                   int capacity, int *count) {
-    return answer((algsurf_i_given){c, NULL, degree}, lo, hi, roots, capacity, count);
+    return solve_given((algsurf_i_given){c, NULL, degree}, lo, hi, roots, capacity, count);
 }
 
 algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo, double hi,
                                            algsurf_real_root *roots, int capacity, int *count) {
-    return answer((algsurf_i_given){NULL, c, degree}, lo, hi, roots, capacity, count);
+    return solve_given((algsurf_i_given){NULL, c, degree}, lo, hi, roots, capacity, count);
 }

@@ -19,8 +19,8 @@
 
 /* ---- what both entries share ---- */
 
-static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options *options, int *method,
-                              algsurf_observer **observer) {
+static algsurf_status read_options(algsurf_i_search *s, const algsurf_refine_options *options, int *method,
+                                   algsurf_observer **observer) {
     algsurf_refine_options known = {.size = sizeof known};
     if (options && !algsurf_options_read(&known, sizeof known, options)) return ALGSURF_E_ARGUMENT;
     if (!algsurf_i_observer_is_good(known.observer)) return ALGSURF_E_ARGUMENT;
@@ -61,7 +61,7 @@ static ALGSURF_NOINLINE algsurf_status refine_function(algsurf_i_search *s, algs
                                                        const algsurf_refine_options *options,
                                                        algsurf_refined_root *result) {
     int method;
-    algsurf_status status = prepare(s, options, &method, observer);
+    algsurf_status status = read_options(s, options, &method, observer);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (lo > hi) return ALGSURF_E_ARGUMENT;
@@ -211,7 +211,7 @@ static algsurf_status ALGSURF_NOINLINE refine_poly(algsurf_i_coefficients set, d
     algsurf_i_search s = {.data = &p};
     algsurf_bracket span;
     int method;
-    algsurf_status status = prepare(&s, options, &method, &p.observer);
+    algsurf_status status = read_options(&s, options, &method, &p.observer);
     if (status == ALGSURF_OK && set.r && method != ALGSURF_METHOD_DEFAULT) status = ALGSURF_E_ARGUMENT;
     if (status == ALGSURF_OK) status = check_ends(lo, hi, method);
     if (status == ALGSURF_OK) status = check_coefficients(&set);

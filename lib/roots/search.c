@@ -31,7 +31,7 @@
 
 /* ---- the bracket ---- */
 
-static double evaluate(algsurf_i_search *s, double x) {
+static double value_at(algsurf_i_search *s, double x) {
     double y = s->f(x, s->data);
     s->evaluations++;
     s->nan |= isnan(y) != 0;
@@ -49,7 +49,7 @@ static void order(algsurf_i_search *s) {
 /* Evaluates f at x and makes x an end of the bracket.  Returns 1 when x took the place of c, that is when the
  * root lies between x and the old b; 0 otherwise.  Brent's first rule: c stays on the other side. */
 static int step_to(algsurf_i_search *s, double x) {
-    double y = evaluate(s, x);
+    double y = value_at(s, x);
     s->iterations++;
     s->x = x, s->fx = y;
     s->a = s->b, s->fa = s->fb;
@@ -84,8 +84,8 @@ static int running(const algsurf_i_search *s) {
 
 int algsurf_i_search_begin(algsurf_i_search *s, double lo, double hi) {
     s->a = s->c = lo, s->b = s->x = hi;
-    s->fa = s->fc = evaluate(s, lo);
-    s->fb = s->fx = evaluate(s, hi);
+    s->fa = s->fc = value_at(s, lo);
+    s->fb = s->fx = value_at(s, hi);
     int opposite = (s->fc <= 0 && s->fb >= 0) || (s->fc >= 0 && s->fb <= 0);
     order(s);
     return opposite;

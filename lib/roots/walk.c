@@ -37,7 +37,7 @@ static int exponent_of(double a) {
     return e ? e - 1023 : ilogb(a);
 }
 
-static double scaled(double a, int e) {
+static double times_power(double a, int e) {
     if (e < -1022 || e > 1023) return ldexp(a, e);
     uint64_t bits = (uint64_t)(e + 1023) << 52;
     double power;
@@ -68,10 +68,10 @@ static double bound_of(half_line s) {
     if (!any) return s.from_last ? 0 : HUGE_VAL;
     for (int j = 0; j < GRID; j++) y[j] = s.from_last ? 1 / grid[GRID - j] : grid[j];
     for (int k = s.degree; k > 0; k--) {
-        double a = term[k] == 0 ? 0 : scaled(term[k], k * unit - lead);
+        double a = term[k] == 0 ? 0 : times_power(term[k], k * unit - lead);
         for (int j = 0; j < GRID; j++) sum[j] = (sum[j] + a) * y[j];
     }
-    double least = fabs(scaled(*first, -lead)) * (1 - 0x1p-30);
+    double least = fabs(times_power(*first, -lead)) * (1 - 0x1p-30);
     while (i + 1 < GRID && sum[i + 1] < least) i++; /* the first will do: 2 (0.26 + 0.26^2 + ..) < 1 */
     if (s.from_last) return -unit > -1000 ? ldexp(grid[GRID - i], -unit) : 0x1p-990;
     return unit > -1000 ? fmin(ldexp(grid[i], unit), DBL_MAX) : 0;
