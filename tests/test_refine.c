@@ -22,7 +22,7 @@
 #include "algsurf/refine.h"
 
 #define SEED 11u
-#define NEWTON_POINTS 248 /* 246 (newton.c) and the two ends */
+#define NEWTON_POINTS 248 /* 246 (search.c) and the two ends */
 static const int methods[] = {ALGSURF_METHOD_DEFAULT, ALGSURF_METHOD_BRENT, ALGSURF_METHOD_BISECTION,
                               ALGSURF_METHOD_REGULA_FALSI};
 

@@ -238,7 +238,7 @@ typedef struct algsurf_picture {
     double *t;             /* t of the sample along its ray, which has a direction of unit length; complex
                               space: |t|; +inf where no sample shows anything.  The error of t is at most
                               what rounding of the ray, of t and of P can cause, plus 2^-36 of the extent's
-                              radius */
+                              radius (all of space: of what the picture shows about the origin) */
     float *normals;        /* x, y, z of the unit normal there, as algsurf_hit.normal, not turned towards the
                               viewer; all 0 if that is 0, and where no sample shows anything */
     unsigned char *state;  /* an algsurf_hit_state.  HIT; UNDECIDED: t and normal are those of the undecided

@@ -52,7 +52,8 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
+                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
+                             picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .beams = tiles || (real && picture->selective),
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
                    .lanes = real,

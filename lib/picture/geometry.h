@@ -9,7 +9,7 @@ typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 /* What packets need to know of a picture. */
 typedef struct algsurf_i_packets {
     algsurf_i_frame_form frame;
-    int orthographic;
+    int orthographic, degree; /* P's along the rays, at most */
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */

@@ -22,7 +22,8 @@ typedef struct algsurf_i_row_job {
     const double *basis;                 /* of the frame */
     const algsurf_i_row_form *row;       /* its v is the row's */
     double offset, pixel, u0, du, slope; /* slope = alpha v + beta[1]; a is the slope alpha u + beta[0] */
-    const algsurf_extent *extent;        /* sphere or box, about the view's centre */
+    const algsurf_extent *extent;        /* sphere or box about the view's centre, or all of space */
+    int degree;                          /* P's along the rays, at most; for all of space */
     double extent_size[3];               /* in the view's unit */
     const algsurf_i_cut_plane *planes;   /* in the view's axes */
     int plane_count;
@@ -35,7 +36,8 @@ typedef struct algsurf_i_row_job {
     const double *thin_bends;
 } algsurf_i_row_job;
 
-/* Pixels of a row, any: no ray has a root on its chord before the depth `low`. */
+/* Pixels of a row, any: no ray has a root on its chord before the depth `low`.  In all of space chords are the
+ * depths [-1,1], and a low > -1 tells, too, that the ray has a root in [low,1] or none. */
 typedef struct algsurf_i_pixels {
     int count;
     const int *at;

@@ -1,5 +1,5 @@
 /* pixels_template.h - the first roots along the rays of some pixels of a row, LANES at once: coefficients by
- * Horner's rule in u, Descartes' walk (roots/packet_template.h), the root.
+ * Horner's rule in u, Descartes' walk (roots/first_walk_template.h), the root.
  *
  * Each lane has a range of depth of its own: its chord, cut to what is known of its root.  P along the ray is
  * made in powers of depth, which Taylor's shift to the range's middle, a factor and the change of basis bring
@@ -8,11 +8,19 @@
  * Ends.  Where it is known that no root lies before a depth inside the chord, the range begins there, and a
  * root in it counts.  Else it holds the chord's end and is longer than the chord by less than `blur`, in
  * units of its length: where |P| at that end of the range exceeds what it can change by within blur, no root
- * is between.  In both cases the end need not be looked at again. */
+ * is between.  In both cases the end need not be looked at again.
+ *
+ * All of space.  Chords are the depths [-1,1], from the eye on, as planes cut them; so what is found is the
+ * first hit if there is no root between the eye and the depth -1, and a miss is one if there is none beyond 1
+ * either.  The coefficients over [-1,1] tell that (roots/beyond_template.h), whatever planes cut off.  Their
+ * radius takes in the noise: it bounds how far the coefficients of the pixel's own ray are from those that are
+ * computed, and a proof about all within it holds for all depths of that ray.  Pixels not proved are
+ * undecided; they go as rays, which know how to go on. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "../poly/triangle_template.h"
 #include "dips_template.h"
+#include "../roots/beyond_template.h"
 #include "sight_template.h"
 
 #define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
@@ -68,6 +76,19 @@ INLINE mask solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low
     return searched;
 }
 
+/* All of space: leaves undecided what depths beyond [-1,1] are not proved to have no part in. */
+APART void look_outside(const algsurf_i_row_job *job, const lanes *u, const lanes *low, mask searched,
+                        const depth_range *r, packet *k, int n) {
+    const depth_range whole = {all_lanes(-1), all_lanes(2)};
+    const mask inside = less(whole.lo, all_lanes(job->near - 2 * job->view->noise));
+    const mask open = ~(k->undecided | less(whole.lo, *low));
+    if (!any(open)) return;
+    if (any(open & ~(searched & ~less(r->length, whole.length)))) expand_pixels(job, u, &whole, k, n);
+    const beyond is = look_beyond(k->b, k->e, n, 0, all_lanes(job->degree));
+    k->undecided |= open & ~((is.none_before | inside) & (is.none_behind | k->hit));
+    k->hit &= ~k->undecided;
+}
+
 /* What was found of so many lanes, at most. */
 INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uint8_t *state) {
     unsigned hits = bits(k->hit), undecided = bits(k->undecided);
@@ -88,7 +109,9 @@ static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p
         depth_range r;
         lanes z = all_lanes(0);
         const sight s = sight_at(job, load_some_integers(p->at + i, count));
-        mask searched = solve_packet(job, &s, load_some(p->low + i, count), &k, &r, &z, n);
+        const lanes low = load_some(p->low + i, count);
+        mask searched = solve_packet(job, &s, low, &k, &r, &z, n);
+        if (job->extent->kind == ALGSURF_EXTENT_ALL) look_outside(job, &s.u, &low, searched, &r, &k, n);
         store_solved(&k, z, count, depth + i, state + i);
         searched &= less(numbered(), all_lanes(count));
         if (dips && any(searched)) add_dips(job, &s, &r, &k, &z, &searched, p->at + i, dips, n);

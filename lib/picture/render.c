@@ -84,7 +84,8 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
-    picture->thin = picture->packets && scene->thin && !scene->complex;
+    picture->thin =
+        picture->packets && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))

@@ -14,7 +14,7 @@
  * coefficients in their range, has no root of any ray; one with one variation has one root of each. */
 #ifndef ALGSURF_SEARCH_TEMPLATE_H
 #define ALGSURF_SEARCH_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../simd/lanes.h"
 #include "../surface/beam.h"
 

@@ -18,7 +18,7 @@
 #ifndef ALGSURF_SEGMENTS_TEMPLATE_H
 #define ALGSURF_SEGMENTS_TEMPLATE_H
 #include "../poly/triangle_template.h"
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "lattice_template.h"
 #include "shadow_kernel.h"
 

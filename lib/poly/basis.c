@@ -1,6 +1,6 @@
 /* basis.c - see basis.h.  Coefficient j of v^k is the mean of the products of k out of j factors +1 and n-j
- * factors -1.  The sums are whole numbers, at most C(64,32) < 2^61; the two conversions and the quotient
- * round three times above 2^53, below once. */
+ * factors -1: what x^k has in (1+x)^j (1-x)^(n-j), over C(n,k).  These are whole numbers, at most C(64,32) <
+ * 2^61; the two conversions and the quotient round three times above 2^53, below once. */
 #include "../base/arithmetic.h"
 #include "basis.h"
 
@@ -9,16 +9,13 @@
 #include "algsurf/status.h"
 
 void algsurf_i_power_basis(double *matrix, int n) {
-    int64_t choose[ALGSURF_MAX_DEGREE + 1][ALGSURF_MAX_DEGREE + 1] = {{0}};
-    for (int a = 0; a <= n; a++) {
-        choose[a][0] = 1;
-        for (int b = 1; b <= a; b++) choose[a][b] = choose[a - 1][b - 1] + choose[a - 1][b];
+    int64_t ways[ALGSURF_MAX_DEGREE + 1] = {1}, g[ALGSURF_MAX_DEGREE + 1];
+    for (int a = 1; a <= n; a++)
+        for (int k = a; k >= 1; k--) ways[k] += ways[k - 1];
+    for (int k = 0; k <= n; k++) g[k] = k % 2 ? -ways[k] : ways[k];
+    for (int j = 0; j <= n; j++) {
+        for (int k = 0; k <= n; k++) *matrix++ = (double)g[k] / (double)ways[k];
+        for (int k = 1; k <= n && j < n; k++) g[k] += g[k - 1]; /* over 1-x */
+        for (int k = n; k >= 1 && j < n; k--) g[k] += g[k - 1]; /* times 1+x */
     }
-    for (int j = 0; j <= n; j++)
-        for (int k = 0; k <= n; k++) {
-            int64_t sum = 0;
-            for (int l = k > n - j ? k - n + j : 0; l <= j && l <= k; l++)
-                sum += ((k - l) % 2 ? -1 : 1) * choose[j][l] * choose[n - j][k - l];
-            matrix[j * (n + 1) + k] = (double)sum / (double)choose[n][k];
-        }
 }

@@ -1,7 +1,7 @@
 /* hits_template.h - from the roots of LANES polynomials along rays to points, normals and intervals of t. */
 #ifndef ALGSURF_HITS_TEMPLATE_H
 #define ALGSURF_HITS_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../surface/jets_template.h"
 #include "chord_template.h"
 #include "nodes_template.h"

@@ -9,7 +9,7 @@
  * coefficients with an error e of their own add e A S. */
 #ifndef ALGSURF_NODES_TEMPLATE_H
 #define ALGSURF_NODES_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../surface/impl.h"
 #include "chord_template.h"
 

@@ -1,5 +1,5 @@
 /* packet_template.h - rays in any order, LANES at once: the chord inside the extent, the polynomial along it,
- * its first root (roots/packet_template.h), the point there.
+ * its first root (roots/first_walk_template.h), the point there.
  *
  * The chord [near, far] has the middle t_c and half the length h, both doubles; its points are
  * X(v) = (o + t_c d) + v (h d), -1 <= v <= 1, where the middle M = o + t_c d comes from double-double: a far
@@ -18,7 +18,7 @@
  * ends, both chords have the same roots. */
 #ifndef ALGSURF_RAYS_PACKET_TEMPLATE_H
 #define ALGSURF_RAYS_PACKET_TEMPLATE_H
-#include "../roots/packet_template.h"
+#include "../roots/first_walk_template.h"
 #include "../simd/lanes.h"
 #include "chord_template.h"
 #include "far_template.h"

@@ -129,8 +129,8 @@ static int first_bracket(single_ray *s) {
         decide_from_powers(s->job, &s->line, &s->k, n);
     else
         decide_from_nodes(s->job, &s->line, &s->k, n);
-    if (any(which)) look_beyond(&s->k, n, own, &s->ends);
-    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, &s->k, n, &s->ends);
+    if (any(which)) look_out(&s->k, n, own, &s->ends);
+    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, n, &s->ends);
     for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
     mask before = lanes_before(&s->ray, &s->ends, which);
     return any(before) && next_piece(s, before, no_lane());

@@ -5,10 +5,10 @@
  * remain of a packet are appended without gaps (store_chosen), and the next packets are full again. */
 #ifndef ALGSURF_BLOCK_TEMPLATE_H
 #define ALGSURF_BLOCK_TEMPLATE_H
+#include "../poly/basis.h"
 #include "kernel.h"
 #define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
 #define MOST_OWN 0
-#include "../simd/degrees.h"
 #include "../simd/lanes.h"
 #include "centred_template.h"
 #include "descartes_template.h"
@@ -48,8 +48,8 @@ _Static_assert(ROWS_OF(10) * ROW_OF(10) <= ROOM, "rows");
 
 /* Polynomials and what was found. */
 typedef struct poly_block {
-    int degree, cells, hits; /* how many */
-    bernstein_basis basis;
+    int degree, cells, hits;                                                       /* how many */
+    double basis[(ALGSURF_MAX_POLYS_DEGREE + 1) * (ALGSURF_MAX_POLYS_DEGREE + 1)]; /* poly/basis.h */
     double rows[ROOM];
 } poly_block;
 
@@ -66,8 +66,7 @@ INLINE lanes gather_row(const poly_block *block, int row, const int *id, int n) 
 }
 
 static void begin_block(poly_block *block, int n) {
-    if (n < 1) __builtin_unreachable();
-    FOR_DEGREE(n, set_basis(&block->basis, N))
+    algsurf_i_power_basis(block->basis, n);
     block->degree = n;
     for (int i = 0; i < ROW_OF(n); i++)
         *in_row(block, ID, i, n) = *in_row(block, HIT_ID, i, n) = 0; /* lanes behind the last name one too */

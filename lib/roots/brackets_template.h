@@ -3,16 +3,14 @@
  * Halley's method on the power basis about the middle of the interval, beginning where the control polygon
  * crosses zero.
  *
- * Error.  About the rounded middle, a value at v is off by at most noise = (5n + 1) u S to first order: the
- * shift rounds 2n times, powers of h and their product n + 1 times, Horner's rule 2n times; S, which
- * centred_template.h has for the ends, is sum |c_k| (|m| + h |v|)^k.  A root is off by noise / |p'|, where
- * this is below BLURRED: as |p''| <= n^2 S, |p'| changes by less than 2^-10 of itself on such a way.  (The
- * last step's own error, below 2^-44 as the steps before show, is no bound.)  A root that may be off by more
- * is enclosed by values that are better than doubles (enclose_template.h), if its coefficients are exact;
- * otherwise it is undecided, as is a root to which the method does not converge. */
+ * Error.  A value at v is off by at most noise = (5n + 1) u S (centred_template.h), where S may be taken as
+ * sum |c_k| (|m| + h |v|)^k.  A root is off by noise / |p'|, where this is below BLURRED: as |p''| <= n^2 S,
+ * |p'| changes by less than 2^-10 of itself on such a way.  (The last step's own error, below 2^-44 as the
+ * steps before show, is no bound.)  A root that may be off by more is enclosed by values that are better than
+ * doubles (enclose_template.h), if its coefficients are exact; otherwise it is undecided, as is a root to
+ * which the method does not converge. */
 #ifndef ALGSURF_BRACKETS_TEMPLATE_H
 #define ALGSURF_BRACKETS_TEMPLATE_H
-#include "../poly/table.h"
 #include "../simd/degrees.h"
 #include "../simd/lanes.h"
 #include "block_template.h"
@@ -26,13 +24,14 @@
 #define BLURRED 0x1p-39         /* 0.91e-12 of the interval: errors of roots that are left to double-double */
 
 /* What of the sizes that S adds up is left at a distance of x halves from the middle. */
-INLINE
-double part_at(const algsurf_i_polys_job *job, size_t at, int n, double middle, double half, double x) {
-    double near = 0, far = 0, m = fabs(middle);
+INLINE lanes part_at(const algsurf_i_polys_job *job, size_t at, const int *id, lanes x, int n) {
+    lanes lo, hi, near = all_lanes(0), far = near;
+    gather_interval(job, at, id, &lo, &hi);
+    lanes m = absolute(0.5 * lo + 0.5 * hi), h = 0.5 * hi - 0.5 * lo;
     for (int k = n; k >= 0; k--) {
-        double c = fabs(algsurf_i_table_entry(&job->c, k, at));
-        near = near * (m + half * fabs(x)) + c;
-        far = far * (m + half) + c;
+        lanes c = absolute(gather_table(&job->c, k, at, id));
+        near = near * (m + h * absolute(x)) + c;
+        far = far * (m + h) + c;
     }
     return near / far;
 }
@@ -66,7 +65,7 @@ INLINE void approach_hits_n(const algsurf_i_polys_job *job, const poly_block *bl
         a[w].moving = less(numbered(), all_lanes(block->hits - first));
         a[w].slope = a[w].last;
         a[w].stuck = no_lane();
-        to->noise[w] = gather_row(block, RADIUS, id, n) * ((5.0 * n + 1) / (6 * n + 10));
+        to->noise[w] = gather_row(block, RADIUS, id, n) * part_of_values(job, n);
     }
     for (int round = 0; round < MOST_TURNS; round++) {
         mask moving = no_lane();
@@ -84,20 +83,34 @@ APART void approach_hits(const algsurf_i_polys_job *job, const poly_block *block
     FOR_DEGREE(n, approach_hits_n(job, block, i, N, to))
 }
 
+/* What certain_template.h asks for: only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count,
+ * so |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.  The ends of a cell as doubles, middle + half v,
+ * are off by 4 u M: points nearer to them than 2^-50 M are not used, but where the end is the interval's. */
+INLINE void begin_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
+                       const approaches *all, int w, lanes *c, enclosure *e, int n) {
+    const int first = i + w * LANES, *id = all->id[w];
+    mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
+    lanes lo, hi, begin = load_row(block, BEGIN, first, n), end = load_row(block, END, first, n);
+    gather_interval(job, at, id, &lo, &hi);
+    lanes most = larger(absolute(lo), absolute(hi)), margin = 0x1p-50 * most;
+    lanes middle = 0.5 * lo + 0.5 * hi, half = 0.5 * hi - 0.5 * lo;
+    for (int k = 0; k <= n; k++) c[k] = gather_table(&job->c, k, at, id);
+    begin_enclosure(e, choose(at_most(begin, all_lanes(-1)), lo, middle + begin * half + margin),
+                    choose(at_most(all_lanes(1), end), hi, middle + end * half - margin),
+                    middle + all->a[w].x * half,
+                    open & within(most, LARGE_END) & within(magnitude(c, n, most), LARGE_SIZE));
+}
+
 /* Brackets i, i+1 .. that have been approached, to neighbouring doubles: the same code for all degrees, for
  * each step of the compensated scheme waits for the one before. */
 APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block, size_t at, int i,
                         const approaches *all, int n, enclosure *e) {
-    for (int w = 0; w < all->packets; w++) {
-        int first = i + w * LANES;
-        mask open = less(numbered(), all_lanes(block->hits - first)) & ~all->a[w].moving;
-        begin_enclosure(job, at, all->id[w], load_row(block, BEGIN, first, n), load_row(block, END, first, n),
-                        all->a[w].x, open, e + w, n);
-    }
+    lanes c[PAIR][ALGSURF_MAX_POLYS_DEGREE + 1];
+    for (int w = 0; w < all->packets; w++) begin_hits(job, block, at, i, all, w, c[w], e + w, n);
     for (int point = 0; point < MOST_POINTS; point++) {
         mask open = no_lane();
         for (int w = 0; w < all->packets; w++) {
-            newton(e + w, n);
+            newton(e + w, (terms){NULL, c[w]}, n);
             open |= e[w].open;
         }
         if (!any(open)) break;
@@ -109,21 +122,14 @@ APART void enclose_hits(const algsurf_i_polys_job *job, const poly_block *block,
 INLINE unsigned store_hits(const algsurf_i_polys_job *job, poly_block *block, size_t at, int count, int n,
                            const approaches *all, int w) {
     const approach *a = all->a + w;
-    mask blurred = less(BLURRED * absolute(a->slope), all->noise[w]);
-    unsigned undecided = bits(a->moving | (a->stuck & blurred)), flat = bits(blurred);
-    for (int l = 0; l < LANES && l < count; l++) {
-        int id = all->id[w][l];
-        double x = a->x[l];
-        if (flat >> l & 1) {
-            size_t to = at + (size_t)id;
-            ptrdiff_t which = (ptrdiff_t)to * job->interval;
-            double middle = 0.5 * job->lo[which] + 0.5 * job->hi[which],
-                   half = 0.5 * job->hi[which] - 0.5 * job->lo[which];
-            double blur = all->noise[w][l] * part_at(job, to, n, middle, half, x);
-            undecided |= (unsigned)!(blur <= BLURRED * fabs(a->slope[l])) << l;
-        }
-        *in_row(block, PLACE, id, n) = undecided >> l & 1 ? UNDECIDED : x;
-    }
+    const lanes allowed = BLURRED * absolute(a->slope);
+    mask blurred = less(numbered(), all_lanes(count)) & ~at_most(all->noise[w], allowed);
+    mask open = a->moving | (a->stuck & blurred);
+    if (any(blurred))
+        open |= blurred & ~at_most(all->noise[w] * part_at(job, at, all->id[w], a->x, n), allowed);
+    unsigned undecided = bits(open);
+    for (int l = 0; l < LANES && l < count; l++)
+        *in_row(block, PLACE, all->id[w][l], n) = undecided >> l & 1 ? UNDECIDED : a->x[l];
     return undecided;
 }
 

@@ -1,21 +1,23 @@
-/* centred_template.h - LANES polynomials of many about the middles of their intervals, and their Bernstein
- * coefficients.
+/* centred_template.h - LANES polynomials of many about the middles of their intervals.
  *
  * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, v in
- * [-1,1]: a Taylor shift by Horner's rule.  A constant matrix makes Bernstein coefficients of d; its columns
- * are even or odd in j, so half of it does.
+ * [-1,1]: a Taylor shift.  A matrix makes Bernstein coefficients of d (poly/triangle_template.h).
  *
  * Error of the Bernstein coefficients.  Let M = max(|lo|, |hi|), S = sum |c_k| M^k.  The sizes of all that
  * is added to a coefficient are at most S together, for |m| + h = M.  The shift rounds 2n times at most, the
- * powers of h and their product n + 1 times, the matrix has relative error 2 u, and n/2 + 3 roundings follow:
- * together (3.5n + 6) u S.  m and h are rounded, which moves the ends by u M and a coefficient by n u S.  The
- * bound (6n + 10) u S takes in the higher orders and the rounding of S.
+ * powers of h and their product n times, the matrix once (poly/basis.h), and n/2 + 2 roundings follow, one
+ * product and the sums: together (3.5n + 3) u S.  m and h are rounded, which moves the ends by u M and a
+ * coefficient by n u S.  The bound (6n + 10) u S takes in the higher orders and the rounding of S.
+ *
+ * Error of values.  About the rounded middle d alone is off by 3n u S; a value by Horner's rule rounds 2n
+ * times more.  (5n + 1) u S takes in the higher orders.
  *
  * Range.  A lane whose M or S is far from 1 is first scaled by powers of two.  Then with h >= 2^-30 M,
  * degrees up to 20 and S >= 2^-300, what underflow changes is below 2^-600, hence below 2^-300 S. */
 #ifndef ALGSURF_CENTRED_TEMPLATE_H
 #define ALGSURF_CENTRED_TEMPLATE_H
 #include "../poly/table_template.h"
+#include "../poly/triangle_template.h"
 #include "../simd/lanes.h"
 #include "kernel.h"
 
@@ -31,6 +33,11 @@ typedef struct centred {
     lanes radius;               /* bound on the error of the Bernstein coefficients */
     mask sound;
 } centred;
+
+/* What values are off by, as a part of the radius.  With radii of the caller's, it may be as much. */
+INLINE double part_of_values(const algsurf_i_polys_job *job, int n) {
+    return job->r.at ? 1 : (5.0 * n + 1) / (6 * n + 10);
+}
 
 /* 2^-e where 2^e <= a < 2^(e+1), for a in (1/LARGEST, LARGEST). */
 INLINE lanes power_of_two(lanes a) { return (lanes)(0x7fe0000000000000u - ((words)a & 0x7ff0000000000000u)); }
@@ -81,9 +88,20 @@ INLINE lanes gather(const double *p, ptrdiff_t step, const int *id) {
     return a;
 }
 
+/* The coefficients of power k, and the intervals, of polynomials at + id. */
+INLINE lanes gather_table(const algsurf_table *t, int k, size_t at, const int *id) {
+    return gather(t->at + k * t->power + (ptrdiff_t)at * t->polynomial, t->polynomial, id);
+}
+
+INLINE void gather_interval(const algsurf_i_polys_job *job, size_t at, const int *id, lanes *lo, lanes *hi) {
+    ptrdiff_t first = (ptrdiff_t)at * job->interval;
+    *lo = gather(job->lo + first, job->interval, id);
+    *hi = gather(job->hi + first, job->interval, id);
+}
+
 /* Polynomials at .. at+count-1. */
 INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred *p, int n) {
-    lanes *d = p->d, power = all_lanes(1);
+    lanes *d = p->d;
     load_interval(job, at, count, &p->lo, &p->hi);
     for (int k = 0; k <= n; k++) d[k] = load_table(&job->c, k, at, count);
     lanes m = p->middle = 0.5 * p->lo + 0.5 * p->hi, h = p->half = 0.5 * p->hi - 0.5 * p->lo;
@@ -96,51 +114,7 @@ INLINE void centre(const algsurf_i_polys_job *job, size_t at, int count, centred
     if (any(extreme)) rescale(p, n, extreme, &m, &h, &most, &size);
     p->sound &= less(SHORTEST * most, h);
     p->radius = p->radius * (1 + 0x1p-40) + (6 * n + 10) * 0x1p-53 * size;
-    UNROLLED for (int i = 0; i < n; i++) for (int k = n - 1; k >= i; k--) d[k] += m * d[k + 1];
-    for (int k = 1; k <= n; k++) {
-        power *= h;
-        d[k] *= power;
-    }
-}
-
-/* What centred_to_bernstein needs: coefficient j <= n/2 of v^k over [-1,1] in the Bernstein basis of degree
- * n. It is that of x^k in (1+x)^j (1-x)^(n-j) over C(n,k), the numbers of ways to choose k ends of n.  All
- * but 1 / C(n,k) and the product with it is exact. */
-typedef struct bernstein_basis {
-    double at[ALGSURF_MAX_POLYS_DEGREE / 2 + 1][ALGSURF_MAX_POLYS_DEGREE + 1];
-} bernstein_basis;
-
-/* The inner loops of set_basis: where the compiler does not know n, UNROLLED would only repeat them. */
-#define UNROLLED_IF_KNOWN(n, loop, statement)                                                                \
-    if (__builtin_constant_p(n)) {                                                                           \
-        UNROLLED loop statement;                                                                             \
-    } else {                                                                                                 \
-        loop statement;                                                                                      \
-    }
-
-INLINE void set_basis(bernstein_basis *basis, int n) {
-    double binomial = 1, g[ALGSURF_MAX_POLYS_DEGREE + 1] = {1}, inverse[ALGSURF_MAX_POLYS_DEGREE + 1] = {1};
-    UNROLLED for (int k = 1; k <= n; k++) {
-        binomial = binomial * (n - k + 1) / k;
-        inverse[k] = 1 / binomial;
-        g[k] = k % 2 ? -binomial : binomial;
-    }
-    UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        UNROLLED_IF_KNOWN(n, for (int k = 0; k <= n; k++), basis->at[j][k] = g[k] * inverse[k])
-        UNROLLED_IF_KNOWN(n, for (int k = 1; k <= n; k++), g[k] += g[k - 1]) /* g / (1-x) */
-        UNROLLED_IF_KNOWN(n, for (int k = n; k >= 1; k--), g[k] += g[k - 1]) /* g (1+x) */
-    }
-}
-
-/* Coefficient j is an even part plus an odd one, coefficient n - j their difference. */
-INLINE void centred_to_bernstein(const bernstein_basis *basis, const lanes *d, lanes *b, int n) {
-    UNROLLED for (int j = 0; 2 * j <= n; j++) {
-        lanes even = d[0], odd = basis->at[j][1] * d[1];
-        for (int k = 2; k <= n; k += 2) even += basis->at[j][k] * d[k];
-        for (int k = 3; k <= n; k += 2) odd += basis->at[j][k] * d[k];
-        b[j] = even + odd;
-        b[n - j] = even - odd;
-    }
+    shift_and_scale(d, n, m, h);
 }
 
 #endif

@@ -10,6 +10,8 @@
  * (2 n + 4) u S covers the higher orders, and the rounding of S.
  */
 #include "../base/arithmetic.h"
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "../base/fpenv.h"

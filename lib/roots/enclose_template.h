@@ -1,16 +1,10 @@
-/* enclose_template.h - LANES roots, each between neighbouring doubles.
+/* enclose_template.h - LANES simple roots, each between two neighbouring doubles.
  *
- * Newton's method on the caller's coefficients, from where a root is about, until the last two points are
- * neighbouring doubles with different signs, both certain.
- *
- * Value.  certain_template.h.  Only lanes with |t| <= M, M in 2^+-20 and sum |c_k| M^k in 2^+-300 count: so
- * |c_k| < 2^700, |t|^n <= 2^400, and nothing overflows.
- *
- * Bracket.  A cell holds one root.  Its ends as doubles, middle + half v, are off by 4 u M; points nearer to
- * them than 2^-50 M are not used, but where the end is the interval's, which is a double. */
+ * Newton's method on the given coefficients, from where a root is about, until the last two points are
+ * neighbouring doubles in its bracket with different signs, both certain (certain_template.h).  That pair is
+ * unique, so the answer does not depend on how it was found. */
 #ifndef ALGSURF_ENCLOSE_TEMPLATE_H
 #define ALGSURF_ENCLOSE_TEMPLATE_H
-#include "centred_template.h"
 #include "certain_template.h"
 
 #define MOST_POINTS 8 /* of Newton's method; three are usual */
@@ -18,36 +12,21 @@
 
 /* Roots on their way to neighbouring doubles. */
 typedef struct enclosure {
-    lanes c[ALGSURF_MAX_POLYS_DEGREE + 1];
-    lanes from, to;  /* where points may be */
+    lanes from, to;  /* the bracket: where points may be */
     lanes t, before; /* the next point, and the one before */
     lanes last;      /* its value there */
-    lanes value;     /* of a root found: that of `before` and t with less |p| */
+    lanes value; /* of a root found: that of `before` and t with less |p|; the lower one if they are equal */
     mask open, found;
 } enclosure;
 
-/* Root x in [begin,end] of [-1,1] of each `open` lane's polynomial. */
-INLINE void begin_enclosure(const algsurf_i_polys_job *job, size_t at, const int *id, lanes begin, lanes end,
-                            lanes x, mask open, enclosure *e, int n) {
-    ptrdiff_t from = (ptrdiff_t)at;
-    const double *first = job->c.at + from * job->c.polynomial;
-    lanes lo = gather(job->lo + from * job->interval, job->interval, id),
-          hi = gather(job->hi + from * job->interval, job->interval, id),
-          most = larger(absolute(lo), absolute(hi));
-    lanes middle = 0.5 * lo + 0.5 * hi, half = 0.5 * hi - 0.5 * lo, margin = 0x1p-50 * most;
-    for (int k = 0; k <= n; k++) e->c[k] = gather(first + k * job->c.power, job->c.polynomial, id);
-    e->from = choose(at_most(begin, all_lanes(-1)), lo, middle + begin * half + margin);
-    e->to = choose(at_most(all_lanes(1), end), hi, middle + end * half - margin);
-    e->t = middle + x * half;
-    e->before = e->last = e->value = all_lanes(0);
-    e->open = open & within(most, LARGE_END) & within(magnitude(e->c, n, most), LARGE_SIZE);
-    e->found = no_lane();
+INLINE void begin_enclosure(enclosure *e, lanes from, lanes to, lanes t, mask open) {
+    *e = (enclosure){from, to, t, all_lanes(0), all_lanes(0), all_lanes(0), open, no_lane()};
 }
 
 /* Evaluates at t, and goes on to where Newton's method leads, to a neighbour at least.  Lanes leave with a
  * root between `before` and t, or without one. */
-INLINE void newton(enclosure *e, int n) {
-    lanes slope, computed, value = certain_value((terms){NULL, e->c}, n, e->t, &computed, &slope);
+INLINE void newton(enclosure *e, terms p, int n) {
+    lanes slope, computed, value = certain_value(p, n, e->t, &computed, &slope);
     lanes step = -value / slope;
     mask differ = negative((words)value ^ (words)e->last) & less(all_lanes(0), absolute(e->last));
     e->open &= at_most(e->from, e->t) & at_most(e->t, e->to) & less(all_lanes(0), absolute(value));

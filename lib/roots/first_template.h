@@ -14,7 +14,6 @@
 #include "closed_template.h"
 #include "descartes_template.h"
 #include "kernel.h"
-#include "../poly/table.h"
 
 /* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
  * Their signs become those that make the first coefficient positive. */
@@ -23,7 +22,7 @@ INLINE void classify(const algsurf_i_polys_job *job, poly_block *block, size_t a
     cell s;
     lanes largest = all_lanes(0), id = numbered() + i;
     centre(job, at, room, &p, n);
-    centred_to_bernstein(&block->basis, p.d, s.w, n);
+    powers_to_bernstein(block->basis, n + 1, p.d, s.w, n);
     s.side = take_sign(s.w, n, ~no_lane());
     for (int k = 0; k <= n; k++) {
         store(in_row(block, D + k, i, n), (lanes)((words)p.d[k] ^ s.side));
@@ -59,7 +58,7 @@ INLINE void go_on_n(const poly_block *block, cell *s, lanes id, lanes cut_error,
     to_index(id, index);
     for (int k = 0; k <= n; k++) d[k] = gather_row(block, D + k, index, n);
     radius = gather_row(block, RADIUS, index, n);
-    centred_to_bernstein(&block->basis, d, b, n);
+    powers_to_bernstein(block->basis, n + 1, d, b, n);
     cut_cell(s, b, &radius, n, 0, cut_error, which, s->q, s->limit);
 }
 
@@ -154,75 +153,49 @@ INLINE int solve_block(const algsurf_i_polys_job *job, poly_block *block, size_t
     return undecided;
 }
 
-/* LANES polynomials of degree 1 or 2 by the closed form; returns the lanes it leaves open. */
-INLINE unsigned solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
+/* LANES polynomials of degree 1 or 2 by the closed form; returns whether it leaves some open. */
+INLINE int solve_closed(const algsurf_i_polys_job *job, size_t at, int count, int n) {
     centred p;
     mask hit, undecided;
     centre(job, at, count, &p, n);
     lanes v = first_root_closed(&p, n, &hit, &undecided);
     store_states(job->state + at, hit, undecided, count);
-    if (job->root) {
-        lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
-        store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
-    }
-    return bits(undecided) & first_lanes(count);
+    if (!job->root) return any(undecided);
+    lanes t = smaller(larger(p.middle + v * p.half, p.lo), p.hi);
+    store_some(job->root + at, choose(hit, t, all_lanes(HUGE_VAL)), count);
+    return any(undecided);
 }
 
-enum { MOST_OPEN = 32 };
-
-/* The numbers of what the closed form leaves open, copied, and their answers. */
-typedef struct open_ones {
-    int count;
-    size_t which[MOST_OPEN];
-    double c[3 * MOST_OPEN], r[3 * MOST_OPEN], lo[MOST_OPEN], hi[MOST_OPEN], root[MOST_OPEN];
-    uint8_t state[MOST_OPEN];
-} open_ones;
-
-INLINE void add_open(const algsurf_i_polys_job *job, size_t at, open_ones *o) {
-    const int n = job->degree, i = o->count++;
-    const ptrdiff_t interval = (ptrdiff_t)at * job->interval;
-    o->which[i] = at;
-    o->lo[i] = job->lo[interval], o->hi[i] = job->hi[interval];
-    algsurf_i_table_row(&job->c, n, at, o->c + i * (n + 1));
-    if (job->r.at) algsurf_i_table_row(&job->r, n, at, o->r + i * (n + 1));
-}
-
-/* They are walked like all others. */
-APART int solve_open(const algsurf_i_polys_job *job, poly_block *block, open_ones *o) {
-    const int n = job->degree;
-    algsurf_i_polys_job few = *job;
-    few.c = (algsurf_table){o->c, 1, n + 1};
-    few.r = (algsurf_table){job->r.at ? o->r : NULL, 1, n + 1};
-    few.lo = o->lo, few.hi = o->hi, few.interval = 1;
-    few.state = o->state, few.root = job->root ? o->root : NULL;
-    int undecided = solve_block(&few, block, 0, o->count, n);
-    for (int i = 0; i < o->count; i++) {
-        job->state[o->which[i]] = o->state[i];
-        if (job->root) job->root[o->which[i]] = o->root[i];
-    }
-    o->count = 0;
+INLINE int solve_closed_n(const algsurf_i_polys_job *job, size_t count, int n) {
+    int undecided = 0;
+    for (size_t at = 0; at < count; at += LANES)
+        undecided |= solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
     return undecided;
 }
 
-INLINE int solve_low_n(const algsurf_i_polys_job *job, poly_block *block, size_t count, int n) {
-    open_ones o = {.count = 0};
-    int undecided = 0;
-    for (size_t at = 0; at < count; at += LANES) {
-        unsigned open = solve_closed(job, at, count - at < LANES ? (int)(count - at) : LANES, n);
-        if (!open) continue;
-        if (o.count > MOST_OPEN - LANES) undecided |= solve_open(job, block, &o);
-        for (int l = 0; open >> l; l++)
-            if (open >> l & 1) add_open(job, at + (size_t)l, &o);
+/* Degrees 1 and 2.  What the closed form leaves open is walked like all others. */
+static int solve_low(const algsurf_i_polys_job *job, size_t count) {
+    const int n = job->degree;
+    if (!(n == 2 ? solve_closed_n(job, count, 2) : solve_closed_n(job, count, 1))) return 0;
+    poly_block block;
+    int undecided = 0, open = 0;
+    begin_block(&block, n);
+    for (size_t at = 0; at <= count; at++) {
+        if (at < count && job->state[at] == ALGSURF_LANE_UNDECIDED && open < POLYS_OF(n)) {
+            open++;
+        } else if (open) {
+            undecided |= solve_block(job, &block, at - (size_t)open, open, n);
+            open = at < count && job->state[at] == ALGSURF_LANE_UNDECIDED;
+        }
     }
-    return o.count ? undecided | solve_open(job, block, &o) : undecided;
+    return undecided;
 }
 
 static int solve_polys(const algsurf_i_polys_job *job, size_t count) {
     int undecided = 0, n = job->degree;
+    if (n <= 2) return solve_low(job, count);
     poly_block block;
     begin_block(&block, n);
-    if (n == 1) return solve_low_n(job, &block, count, 1);
-    if (n == 2) return solve_low_n(job, &block, count, 2);
     const size_t together = (size_t)POLYS_OF(n);
     for (size_t at = 0; at < count; at += together)
         undecided |= solve_block(job, &block, at, (int)(count - at < together ? count - at : together), n);

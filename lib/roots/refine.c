@@ -1,4 +1,4 @@
-/* refine.c - the bracket shared by all methods, and the two ways in: a function, a polynomial.
+/* refine.c - roots refined (search.c): of a function, of a polynomial.
  *
  * Radii.  Outside of the ranges that integers find (algsurf_i_decide_ranges) no polynomial of the set has a
  * root in [lo,hi].  So each has the same sign from lo to the first range and from the last one to hi, and if
@@ -6,72 +6,16 @@
  * polynomial; only this one is refined by steps.
  */
 #include "../base/arithmetic.h"
+#include <float.h>
+#include <math.h>
+
 #include "algsurf/refine.h"
 
 #include "../base/fpenv.h"
 #include "../base/options.h"
 #include "decide.h"
 #include "refine_impl.h"
-
-/* ---- the bracket ---- */
-
-static double evaluate(algsurf_i_search *s, double x) {
-    double y = s->f(x, s->data);
-    s->evaluations++;
-    s->nan |= isnan(y) != 0;
-    return y;
-}
-
-/* Brent's second rule: b is the better end. */
-static void order(algsurf_i_search *s) {
-    if (!(fabs(s->fc) < fabs(s->fb))) return;
-    s->a = s->b, s->fa = s->fb;
-    s->b = s->c, s->fb = s->fc;
-    s->c = s->a, s->fc = s->fa;
-}
-
-/* Brent's first rule: c stays on the other side of the root. */
-int algsurf_i_search_step(algsurf_i_search *s, double x) {
-    double y = evaluate(s, x);
-    s->iterations++;
-    s->x = x, s->fx = y;
-    s->a = s->b, s->fa = s->fb;
-    s->b = x, s->fb = y;
-    int crossed = (y > 0 && s->fc > 0) || (y < 0 && s->fc < 0);
-    if (crossed) s->c = s->a, s->fc = s->fa;
-    order(s);
-    return crossed;
-}
-
-static int converged(const algsurf_i_search *s) {
-    return s->fb == 0 || s->settled || fabs(s->c - s->b) <= 2.0 * algsurf_i_search_tolerance(s);
-}
-
-int algsurf_i_search_running(const algsurf_i_search *s) {
-    return !s->nan && !converged(s) && s->iterations < s->max_iterations;
-}
-
-/* Values at both ends; the newest point is hi.  Do the signs differ, or is one of them zero? */
-static int search_start(algsurf_i_search *s, double lo, double hi) {
-    s->a = s->c = lo, s->b = s->x = hi;
-    s->fa = s->fc = evaluate(s, lo);
-    s->fb = s->fx = evaluate(s, hi);
-    int opposite = (s->fc <= 0 && s->fb >= 0) || (s->fc >= 0 && s->fb <= 0);
-    order(s);
-    return opposite;
-}
-
-static algsurf_status search_finish(const algsurf_i_search *s, algsurf_refined_root *result) {
-    if (s->nan) return ALGSURF_E_NOT_FINITE;
-    *result = (algsurf_refined_root){.root = s->b,
-                                     .lo = fmin(s->b, s->c),
-                                     .hi = fmax(s->b, s->c),
-                                     .residual = s->fb,
-                                     .evaluations = s->evaluations,
-                                     .iterations = s->iterations,
-                                     .converged = converged(s)};
-    return result->converged ? ALGSURF_OK : ALGSURF_NOT_CONVERGED;
-}
+#include "search.h"
 
 /* ---- what both entries share ---- */
 
@@ -90,19 +34,6 @@ static algsurf_status prepare(algsurf_i_search *s, const algsurf_refine_options 
     *method = known.method;
     *observer = known.observer;
     return ALGSURF_OK;
-}
-
-static void run(algsurf_i_search *s, int method) {
-    switch (method) {
-    case ALGSURF_METHOD_BISECTION:
-        algsurf_i_refine_bisection(s);
-        break;
-    case ALGSURF_METHOD_REGULA_FALSI:
-        algsurf_i_refine_regula_falsi(s);
-        break;
-    default:
-        algsurf_i_refine_brent(s);
-    }
 }
 
 /* ---- a function ---- */
@@ -134,13 +65,10 @@ static ALGSURF_NOINLINE algsurf_status refine_function(algsurf_i_search *s, algs
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
     if (lo > hi) return ALGSURF_E_ARGUMENT;
-    int bracketed = search_start(s, lo, hi);
+    int bracketed = algsurf_i_search_begin(s, lo, hi);
     if (!s->nan && !bracketed) return ALGSURF_E_ARGUMENT;
-    if (newton && method == ALGSURF_METHOD_DEFAULT)
-        algsurf_i_refine_newton(s, newton);
-    else
-        run(s, method);
-    return search_finish(s, result);
+    algsurf_i_search_run(s, method, newton);
+    return algsurf_i_search_finish(s, result);
 }
 
 algsurf_status algsurf_refine_function(algsurf_function f, void *data, double lo, double hi,
@@ -227,13 +155,13 @@ static algsurf_status refine_certain(algsurf_i_search *s, algsurf_i_polynomial *
     algsurf_i_polynomial_scale(p, fmin(fmax(fabs(lo), fabs(hi)), DBL_MAX), c, r);
     s->rounding = 0x1p-53;
     s->settled = nextafter(lo, hi) == hi;
-    int bracketed = search_start(s, lo, hi);
+    int bracketed = algsurf_i_search_begin(s, lo, hi);
     if (!s->nan && !bracketed) {
         algsurf_status status = s->settled ? find_root_between(p, lo, hi) : ALGSURF_E_ARGUMENT;
         if (status != ALGSURF_OK) return status;
     }
-    algsurf_i_refine_newton(s, &p->newton);
-    algsurf_status status = p->no_memory ? ALGSURF_E_NO_MEMORY : search_finish(s, result);
+    algsurf_i_search_run(s, ALGSURF_METHOD_DEFAULT, &p->newton);
+    algsurf_status status = p->no_memory ? ALGSURF_E_NO_MEMORY : algsurf_i_search_finish(s, result);
     if (status == ALGSURF_OK && result->residual == 0 && !s->settled) result->lo = result->hi = result->root;
     return status;
 }
@@ -249,10 +177,10 @@ static algsurf_status refine_plain(algsurf_i_search *s, algsurf_i_polynomial *p,
                                    int method, algsurf_refined_root *result) {
     double room[ALGSURF_MAX_POLY_DEGREE + 1];
     balance(p, room);
-    int bracketed = search_start(s, lo, hi);
+    int bracketed = algsurf_i_search_begin(s, lo, hi);
     if (!s->nan && !bracketed) return ALGSURF_E_ARGUMENT;
-    run(s, method);
-    return search_finish(s, result);
+    algsurf_i_search_run(s, method, NULL);
+    return algsurf_i_search_finish(s, result);
 }
 
 /* Finite ends; or the largest double and infinity, between which the default method has nothing to do. */

@@ -1,52 +1,9 @@
-/* refine_impl.h - the bracket that all refinement methods share.
- *
- * b is the best end, the one with the smaller |f|; c the other, f(b) f(c) <= 0; a the b before
- * (Brent's letters).  A method chooses the next point x, algsurf_i_search_step does the rest.
- */
+/* refine_impl.h - refinement, called inside the library; and the certain values of a polynomial. */
 #ifndef ALGSURF_REFINE_IMPL_H
 #define ALGSURF_REFINE_IMPL_H
-#include <float.h>
-#include <math.h>
-
 #include "algsurf/refine.h"
 #include "coefficients.h"
 #include "watch.h"
-
-typedef struct algsurf_i_search {
-    algsurf_function f;
-    void *data;
-    double tolerance; /* wanted half width of the bracket, without the rounding part */
-    double rounding;  /* that, relative to b */
-    int max_iterations;
-    double a, b, c, fa, fb, fc;
-    double x, fx; /* the newest point */
-    int evaluations, iterations;
-    int nan, settled; /* f returned NaN; the method itself decided to stop */
-} algsurf_i_search;
-
-/* Evaluates f at x and makes x an end of the bracket.  Returns 1 when x took the place of c, that is
- * when the root lies between x and the old b; 0 otherwise. */
-int algsurf_i_search_step(algsurf_i_search *s, double x);
-
-/* Neither a zero, nor narrow enough, nor stopped, nor at the limit of iterations? */
-int algsurf_i_search_running(const algsurf_i_search *s);
-
-/* The half width at which the bracket is narrow enough: tolerance + rounding * max(|b|, smallest normal),
- * and at least the smallest double. */
-static inline double algsurf_i_search_tolerance(const algsurf_i_search *s) {
-    double size = fabs(s->b);
-    return s->tolerance + fmax(s->rounding * (size > DBL_MIN ? size : DBL_MIN), DBL_TRUE_MIN);
-}
-
-/* (c - b)/2 without overflow. */
-static inline double algsurf_i_search_half(const algsurf_i_search *s) {
-    double width = s->c - s->b;
-    return isfinite(width) ? 0.5 * width : 0.5 * s->c - 0.5 * s->b;
-}
-
-void algsurf_i_refine_brent(algsurf_i_search *s);
-void algsurf_i_refine_bisection(algsurf_i_search *s);
-void algsurf_i_refine_regula_falsi(algsurf_i_search *s);
 
 /* As algsurf_refine_poly with no options, for a bracket that is one. */
 algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double lo, double hi,
@@ -58,10 +15,6 @@ algsurf_status algsurf_i_refine_bracket(const algsurf_i_coefficients *p, double 
 algsurf_status algsurf_i_refine_function(algsurf_function f, void *data, const double *newton, double lo,
                                          double hi, const algsurf_refine_options *options,
                                          algsurf_refined_root *result);
-
-/* *newton is Newton's step from s->x, -f/f', written whenever f is called.  The bracket is as sure as the
- * signs of f. */
-void algsurf_i_refine_newton(algsurf_i_search *s, const double *newton);
 
 /* What a polynomial's values are computed from: 2^exponent p(t) = sum c_k (t / 2^unit)^k. */
 typedef struct algsurf_i_polynomial {

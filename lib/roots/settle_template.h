@@ -1,20 +1,16 @@
 /* settle_template.h - simple roots of one polynomial, side by side, from their brackets to between two
- * neighbouring doubles, of which the value is that with less |p|.
+ * neighbouring doubles (enclose_template.h).
  *
- * Approach: Halley's method in doubles, kept to the bracket, whose ends follow the signs that doubles see,
- * and one more step with a compensated value; all this proves nothing.  Proof: two neighbouring doubles
- * within the bracket have values of different sign, both certain (certain_template.h).  That pair is unique,
- * so the answer does not depend on how it was found.  The caller gives |c_k| <= 2^401 and ends with |t|^n
- * <= 2^400. */
+ * Approach: Halley's method in doubles, kept to the bracket, whose ends follow the signs that doubles see;
+ * this proves nothing.  The caller gives |c_k| <= 2^401 and ends with |t|^n <= 2^400. */
 #ifndef ALGSURF_SETTLE_TEMPLATE_H
 #define ALGSURF_SETTLE_TEMPLATE_H
-#include "certain_template.h"
+#include "enclose_template.h"
 #include "kernel.h"
 
 #define MOST_STEPS 40
 #define CLOSE 0x1p-12 /* of a last step: it leaves its third power, and another one the ninth */
 #define BLUR 0x1p-16  /* steps this short that do not shrink are rounding errors */
-#define ROUNDS 3
 
 typedef struct settling {
     lanes lo, hi; /* the sign of the value at lo is that before the root, as far as is known */
@@ -69,39 +65,13 @@ INLINE void approach_roots(const double *c, int n, settling *s) {
     }
 }
 
-/* Returns the lanes where lo and hi are neighbours with the root between, value the one with less |p|,
- * as computed; lo if they are equal. */
-INLINE mask between(const double *c, int n, settling *s, lanes *value) {
-    const lanes sign = (lanes)(s->side | (words)all_lanes(1)), zero = all_lanes(0), one = all_lanes(1);
-    const terms p = {c, NULL};
-    mask settled = no_lane();
-    for (int k = 0; k < ROUNDS && any(~settled); k++) {
-        lanes slope, bend, at, at_up, at_down, unused;
-        (void)plain(c, n, s->x, &slope, &bend);
-        (void)certain_value(p, n, s->x, &at, &unused);
-        lanes x = s->x = choose(settled, s->x, s->x - halleys_step(at, slope, bend));
-        lanes up = next_double(x, one), down = next_double(x, -one);
-        lanes sure = certain_value(p, n, x, &at, &unused) * sign;
-        lanes sure_up = certain_value(p, n, up, &at_up, &unused) * sign;
-        lanes sure_down = certain_value(p, n, down, &at_down, &unused) * sign;
-        mask over = less(zero, sure) & less(sure_up, zero), under = less(sure, zero) & less(zero, sure_down);
-        mask now = (over | under) & ~settled;
-        s->lo = choose(now, choose(over, x, down), s->lo);
-        s->hi = choose(now, choose(over, up, x), s->hi);
-        mask lower = at_most(absolute(choose(over, at, at_down)), absolute(choose(over, at_up, at)));
-        *value = choose(now, choose(lower, s->lo, s->hi), *value);
-        settled |= now;
-    }
-    return settled;
-}
-
 void KERNEL(algsurf_i_roots_settle)(const algsurf_i_coefficients *p, const algsurf_bracket *b, int count,
                                     algsurf_real_root *roots) {
     double lo[LANES], hi[LANES], side[LANES], value[LANES];
     for (int at = 0; at < count; at += LANES) {
         int some = count - at < LANES ? count - at : LANES;
         settling s;
-        lanes near = all_lanes(0);
+        enclosure e;
         for (int l = 0; l < LANES; l++) {
             const algsurf_bracket *one = b + at + (l < some ? l : 0);
             lo[l] = one->lo, hi[l] = one->hi, side[l] = one->sign;
@@ -109,13 +79,12 @@ void KERNEL(algsurf_i_roots_settle)(const algsurf_i_coefficients *p, const algsu
         s.lo = load(lo), s.hi = load(hi);
         s.side = (words)load(side) & (words)all_lanes(-0.0);
         approach_roots(p->c, p->degree, &s);
-        unsigned settled = bits(between(p->c, p->degree, &s, &near));
-        store(lo, s.lo), store(hi, s.hi), store(value, near);
-        for (int l = 0; l < some; l++) {
-            const algsurf_bracket *one = b + at + l;
-            int inside = (settled >> l & 1) && one->lo <= lo[l] && hi[l] <= one->hi;
-            roots[at + l] = (algsurf_real_root){value[l], lo[l], hi[l], inside, one->sign};
-        }
+        begin_enclosure(&e, load(lo), load(hi), s.x, ~no_lane());
+        for (int k = 0; k < MOST_POINTS && any(e.open); k++) newton(&e, (terms){p->c, NULL}, p->degree);
+        store(lo, smaller(e.before, e.t)), store(hi, larger(e.before, e.t)), store(value, e.value);
+        for (int l = 0; l < some; l++)
+            roots[at + l] =
+                (algsurf_real_root){value[l], lo[l], hi[l], bits(e.found) >> l & 1, b[at + l].sign};
     }
 }
 

@@ -1,4 +1,4 @@
-/* single_template.h - all roots of one polynomial: the walk of packet_template.h in one lane, again and again
+/* single_template.h - all roots of one polynomial: the walk of first_walk_template.h in one lane, again and again
  * from the last bracket's end.  (Packets of two: a lone double is no faster.)
  *
  * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, as in
@@ -25,7 +25,7 @@
 #include "../base/eft.h"
 #include "coefficients.h"
 #include "kernel.h"
-#include "packet_template.h"
+#include "first_walk_template.h"
 
 /* One polynomial over [0,1], and where it came from. */
 typedef struct single {

@@ -1,7 +1,7 @@
 /* watch.h - what a call tells its observer (algsurf/observe.h).
  *
  * Code that can be watched has a pointer to a watch, null if there is no observer.  The packet code for
- * single polynomials and rays is compiled twice from its template (packet_template.h), with a watch and
+ * single polynomials and rays is compiled twice from its template (first_walk_template.h), with a watch and
  * without: so an observer costs nothing where there is none.
  */
 #ifndef ALGSURF_WATCH_H

@@ -1,11 +1,11 @@
-/* packet_template.h - the first root of each lane's polynomial: the walk over the cells of
+/* first_walk_template.h - the first root of each lane's polynomial: the walk over the cells of
  * descartes_template.h, then a bracketed iteration.
  *
  * Only the part [start,stop] of [0,1] is searched, its ends known up to `blur`.  A lane whose cell is
  * exhausted goes on with its polynomial cut at the place it has reached.  A lane that would need a sign that
  * is not known leaves as undecided, and so does one that does not come to an end. */
-#ifndef ALGSURF_ROOTS_PACKET_TEMPLATE_H
-#define ALGSURF_ROOTS_PACKET_TEMPLATE_H
+#ifndef ALGSURF_FIRST_WALK_TEMPLATE_H
+#define ALGSURF_FIRST_WALK_TEMPLATE_H
 #include "../simd/degrees.h"
 #include "descartes_template.h"
 
