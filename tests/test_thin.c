@@ -10,6 +10,7 @@
  *   points_are_one_dot: no longer steps where P is like a power; pixels that are closed on both sides
  *   lines_are_a_pixel_wide: lines that are not followed to the pixel's column; a sheet's test that takes flat
  *       directions for sheets; places that are only looked for where rays miss
+ *   curves_have_no_gaps: lines that are not followed where tangents seem curved on the way
  *   others_have_nothing_thin: no test of the gradient; of cones; of sheets; of what is behind
  *
  *     test_thin [views [seed]]
@@ -323,6 +324,35 @@ static void undecided_places_hide_nothing(void **state) {
     algsurf_surface_free(surface);
 }
 
+/* A closed curve has no ends: each of its pixels has two neighbours, but for one or two where it turns. */
+static void curves_have_no_gaps(void **state) {
+    enum { SIZE = 300 };
+    const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
+    static const double centre[3] = {0, 0, 0.4};
+    (void)state;
+    uint64_t seed = first_seed;
+    algsurf_surface *surface = surface_of("(x^2 + y^2 - 1)^2 + (z - x^2)^2");
+    for (int view = 0; view < 2 * views; view++) {
+        algsurf_camera camera;
+        random_camera(&seed, 7, centre, 25, view % 5 == 4, &camera);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera);
+        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        draw(scene, SIZE, &first);
+        int ends = 0;
+        for (int y = 1; y < SIZE - 1; y++)
+            for (int x = 1; x < SIZE - 1; x++) {
+                int near = 0;
+                for (int k = 0; k < 9; k++)
+                    near += is_drawn(first.states[(y + k / 3 - 1) * SIZE + x + k % 3 - 1]);
+                ends += is_drawn(first.states[y * SIZE + x]) && near < 3;
+            }
+        assert_true(first.stats.thin > SIZE / 2);
+        if (ends > 2) fail_msg("view %d: %d ends", view, ends);
+        algsurf_scene_free(scene);
+    }
+    algsurf_surface_free(surface);
+}
+
 /* ---- what is not ---- */
 
 static void others_have_nothing_thin(void **state) {
@@ -493,13 +523,11 @@ static void samples_are_finer_pixels(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(points_are_one_dot),
-                                       cmocka_unit_test(lines_are_a_pixel_wide),
-                                       cmocka_unit_test(others_have_nothing_thin),
-                                       cmocka_unit_test(small_things_are_not_thin),
-                                       cmocka_unit_test(undecided_places_hide_nothing),
-                                       cmocka_unit_test(out_of_reach_is_as_before),
-                                       cmocka_unit_test(nothing_changes_a_byte),
-                                       cmocka_unit_test(samples_are_finer_pixels)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_one_dot),        cmocka_unit_test(lines_are_a_pixel_wide),
+        cmocka_unit_test(curves_have_no_gaps),       cmocka_unit_test(others_have_nothing_thin),
+        cmocka_unit_test(small_things_are_not_thin), cmocka_unit_test(undecided_places_hide_nothing),
+        cmocka_unit_test(out_of_reach_is_as_before), cmocka_unit_test(nothing_changes_a_byte),
+        cmocka_unit_test(samples_are_finer_pixels)};
     return cmocka_run_group_tests_name("thin", tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
 #define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
-#define NEWTON_ROUNDS 10
+#define NEWTON_ROUNDS 14
 
 /* ---- P about a point ---- */
 
@@ -191,14 +191,15 @@ INLINE lanes value_at(const beside *b, const lanes at[3], const lanes step[3], l
 typedef struct newton_step {
     lanes step[3], falls;        /* the gradient along it, times -1 */
     lanes taken;                 /* so many directions, */
-    lanes left[3];               /* and the last one of the others */
+    lanes left[3];               /* the least curved one, */
+    mask is_line;                /* by far */
     lanes axis[3][3], curved[3]; /* directions, and how much P is curved away from 0 in them */
 } newton_step;
 
 INLINE newton_step step_of(const expansion *p, lanes sign, lanes pixel) {
     const lanes g[3] = {p->x, p->y, p->z}, zero = all_lanes(0);
     lanes l[3];
-    newton_step n = {.step = {zero, zero, zero}, .falls = zero, .taken = zero, .left = {zero, zero, zero}};
+    newton_step n = {.step = {zero, zero, zero}, .falls = zero, .taken = zero};
     find_axes(p, l, n.axis);
     lanes least = FLAT * larger(larger(absolute(l[0]), absolute(l[1])), absolute(l[2]));
     for (int i = 0; i < 3; i++) {
@@ -207,12 +208,17 @@ INLINE newton_step step_of(const expansion *p, lanes sign, lanes pixel) {
         lanes step = choose(take, -slope / choose(take, l[i], all_lanes(1)), zero);
         for (int k = 0; k < 3; k++) {
             n.step[k] += step * n.axis[i][k];
-            n.left[k] = choose(take, n.left[k], n.axis[i][k]);
         }
         n.falls -= sign * slope * step;
         n.taken += choose(take, all_lanes(1), zero);
         n.curved[i] = curved;
     }
+    mask first = at_most(absolute(l[0]), smaller(absolute(l[1]), absolute(l[2]))),
+         second = at_most(absolute(l[1]), absolute(l[2]));
+    for (int k = 0; k < 3; k++)
+        n.left[k] = choose(first, n.axis[0][k], choose(second, n.axis[1][k], n.axis[2][k]));
+    n.is_line =
+        less(smaller(absolute(l[0]), smaller(absolute(l[1]), absolute(l[2]))), 0x1p-10 / FLAT * least);
     return n;
 }
 
@@ -226,14 +232,15 @@ INLINE lanes lengthen(const beside *b, const newton_step *n, const lanes at[3], 
     return choose(less(TIMES * absolute(further), absolute(there)), times, one);
 }
 
-/* Along the direction that is left, if it is one, to where the pixel's middle column or row passes. */
-INLINE void follow_line(const beside *b, const newton_step *n, mask is_line, lanes at[3]) {
+/* Along the direction that is left, so many pixels at most, to where the pixel's middle column or row passes.
+ */
+INLINE void follow_line(const beside *b, const newton_step *n, lanes pixels, lanes at[3]) {
     lanes across[2];
     viewed p = look_at(b, at);
     look_along(b, n->left, across);
     mask flat = at_most(absolute(across[1]), absolute(across[0]));
     lanes along = choose(flat, across[0], across[1]), off = choose(flat, p.across[0], p.across[1]);
-    mask slanted = is_line & less(all_lanes(0x1p-7), absolute(along));
+    mask slanted = less(absolute(off), pixels * absolute(along));
     lanes by = choose(slanted, off / choose(slanted, along, all_lanes(1)), all_lanes(0)) * p.pixel;
     for (int k = 0; k < 3; k++) at[k] -= by * n->left[k];
 }
@@ -281,20 +288,24 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
                 side = choose(at_most(first, rounding_of(b, &p)), p.xx + p.yy + p.zz, p.v);
     const lanes sign = choose(less(side, zero), all_lanes(-1), all_lanes(1));
     lanes pixel = look_at(b, at).pixel, most = zero;
-    mask found = no_lane();
+    mask found = no_lane(), settled = found, followed = found;
     for (int round = 0; any(open) && round < NEWTON_ROUNDS; round++) {
         newton_step n = step_of(&p, sign, pixel);
         lanes value = sign * p.v, error = error_of(b, &p, pixel), moved = zero, to[3], behind[3];
         open &= at_most(value, n.falls + 2 * error);
         lanes times = lengthen(b, &n, at, value, open);
         for (int k = 0; k < 3; k++) to[k] = at[k] + times * n.step[k];
-        most = larger(most, n.taken);
-        follow_line(b, &n, less(all_lanes(1), n.taken) & less(most, all_lanes(3)), to);
         const mask zero_here = open & at_most(absolute(value), error);
         if (any(zero_here)) { /* what leads away from there is rounding */
             const mask away = zero_here & less(8 * error, absolute(value_at(b, to, n.step, zero)));
             for (int k = 0; k < 3; k++) to[k] = choose(away, at[k], to[k]);
         }
+        most = larger(most, n.taken);
+        /* where tangents seem curved on the way, lines are followed at last, once: or else it is a point */
+        const mask once = settled & ~followed & n.is_line;
+        followed |= once;
+        const mask is_line = less(all_lanes(1), n.taken) & less(most, all_lanes(3));
+        follow_line(b, &n, choose(is_line, all_lanes(64), choose(once, all_lanes(4), zero)), to);
         for (int k = 0; k < 3; k++) {
             moved = larger(moved, absolute(to[k] - at[k]));
             at[k] = choose(open, to[k], at[k]);
@@ -306,6 +317,9 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
         mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
+        const mask settles = ends & less(all_lanes(2), most) & ~settled;
+        settled |= settles;
+        ends &= ~settles;
         open &= ~ends;
         ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far) &
                 at_most(pixel * slope_of(&p), 0x1p-4 * pixel * pixel * bend_of(&p) + error);
