@@ -124,7 +124,7 @@ static void set_laguerre(double *c, int n) {
 }
 
 static void set_mignotte(double *c, int n) {
-    const double a = 1024;
+    const double a = 1000; /* no power of two, which halving would meet */
     c[n] = 1;
     c[0] -= 2;
     c[1] += 4 * a;

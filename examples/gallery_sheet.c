@@ -71,8 +71,7 @@ static void draw_tile(const canvas *sheet, int x, int y, const catalogue_entry *
     demand(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), entry->name);
     demand(algsurf_scene_set_antialias(scene, VIEW_ANTIALIAS), entry->name);
     demand(algsurf_scene_set_antialias_threshold(scene, VIEW_THRESHOLD), entry->name);
-    if (entry->degree <= VIEW_USUALLY_THIN)
-        demand(algsurf_scene_set_thin(scene, material.outside), entry->name);
+    demand(algsurf_scene_set_thin(scene, material.outside), entry->name);
     demand(algsurf_render(scene, &how, &tile, NULL), entry->name);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);

@@ -52,10 +52,8 @@ static void demand(algsurf_status status) {
 
 /* Where coefficients have an error, nothing can be proved to be absent near the surface: all of it seems
  * thin. */
-static int shows_thin(const render_options *options, const algsurf_surface *surface) {
-    int usual = options->thin == THIN_USUAL && algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN &&
-                !options->surface.rounded;
-    return usual || options->thin == THIN_ASKED;
+static int shows_thin(const render_options *options) {
+    return options->thin == THIN_ASKED || (options->thin == THIN_USUAL && !options->surface.rounded);
 }
 
 static algsurf_scene *make_scene(const render_options *options, const algsurf_surface *surface,
@@ -71,7 +69,7 @@ static algsurf_scene *make_scene(const render_options *options, const algsurf_su
     demand(algsurf_scene_set_antialias_threshold(scene, options->antialias_threshold));
     double thin_colour[3] = {material.outside[0], material.outside[1], material.outside[2]};
     if (options->look.thin.given) colour_of(&options->look.thin, thin_colour);
-    demand(algsurf_scene_set_thin(scene, shows_thin(options, surface) ? thin_colour : NULL));
+    demand(algsurf_scene_set_thin(scene, shows_thin(options) ? thin_colour : NULL));
     demand(algsurf_scene_set_intersect(scene, &options->intersect));
     demand(algsurf_scene_set_clip(scene, options->clip.plane, options->clip.count));
     demand(algsurf_scene_set_coherence(scene, options->space.coherence));
@@ -335,7 +333,7 @@ static void choose_view(const run *r, view *shown) {
     const int chosen[3] = {0, sweep->pictures - 1, (sweep->pictures - 1) / 2};
     algsurf_surface *surface[3];
     if (sweep->kind != SWEEP_LET) {
-        fit_view(shown, &options->view, r->surface, extent_only, shows_thin(options, r->surface));
+        fit_view(shown, &options->view, r->surface, extent_only, shows_thin(options));
         return;
     }
     for (int i = 0; i < 3; i++) surface[i] = make_surface(options, chosen[i]);

@@ -148,8 +148,8 @@ static const cli_option options_table[] = {
      set_threshold, FIELD(antialias_threshold)},
     {"--thin", "COLOUR|none",
      "the colour of parts without width, which rays miss: isolated points, lines,\n"
-     "needles.  They are drawn a pixel wide: by default in the surface's colour, up to\n"
-     "degree 6; with a COLOUR, up to degree 12; with none they are left out",
+     "needles.  They are drawn a pixel wide, up to degree 24: by default in the\n"
+     "surface's colour; with none they are left out.  An aid to the eye: not proved",
      set_thin, 0, 0, 0},
     CLI_HEADING("Animations"),
     {"--sweep", "turn:N|let:NAME:A:B:N|delta:A:B:N|imag:K:A:B:N",
@@ -227,8 +227,7 @@ static const cli_option options_table[] = {
      "rays: samples of the picture; hits, undecided: of these, rays that meet the\n"
      "surface, or are left open; thin: samples that show a thin part;\n"
      "single_rays: rays not solved together with others of their row; exact_rays: of\n"
-     "these, and of rays beside thin parts, decided by integers; empty_rays,\n"
-     "sheet_rays: decided by tiles;\n"
+     "these, decided by integers; empty_rays, sheet_rays: decided by tiles;\n"
      "shadow_rays: rays to lights and around that were solved one by one;\n"
      "tiles: squares of pixels that were looked at as a whole; empty_tiles, sheet_tiles:\n"
      "of these, decided for all of their rays; leaf_tiles: the smallest that were not;\n"

@@ -8,7 +8,7 @@
 #include "render_space.h"
 #include "view.h"
 
-#define RENDER_THIN_DEGREE 12 /* algsurf_scene_set_thin */
+#define RENDER_THIN_DEGREE 24 /* algsurf_scene_set_thin */
 
 typedef struct render_options {
     int list;
@@ -21,7 +21,7 @@ typedef struct render_options {
     algsurf_quality quality;
     int antialias;
     double antialias_threshold;
-    enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn up to VIEW_USUALLY_THIN */
+    enum { THIN_USUAL, THIN_ASKED, THIN_NONE } thin; /* usual: it is drawn as far as it can be */
     algsurf_intersect_options intersect;
     cli_planes clip;
     int threads;

@@ -6,9 +6,6 @@
 #include "cli.h"
 #include "jsurf_file.h"
 
-/* Degrees up to which a program shows what is thin (algsurf_scene_set_thin) without being asked: beyond it
- * the search takes longer than the picture. */
-#define VIEW_USUALLY_THIN 6
 #define VIEW_ANTIALIAS 4   /* samples of a pixel each way, */
 #define VIEW_THRESHOLD 0.1 /* where it differs by so much from a neighbour */
 

@@ -265,7 +265,7 @@ int main(int argc, char **argv) {
     algsurf_surface *surface = cli_make_surface(&options.surface);
     view shown = view_make(&options.view, given->name ? catalogue_find(given->name) : NULL);
     if (!given->name && options.pixel.given)
-        fit_view(&shown, &options.view, surface, 0, algsurf_surface_degree(surface) <= VIEW_USUALLY_THIN);
+        fit_view(&shown, &options.view, surface, 0, 1);
     algsurf_ray ray = choose_ray(&options, &shown);
     chord on;
     int meets;

@@ -212,8 +212,8 @@ static void break_picture(void);
 TABLE(picture)
 
 static void wrong_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                         uint8_t *state) {
-    real_picture->solve_pixels(job, pixels, depth, state);
+                         uint8_t *state, algsurf_i_dips *dips) {
+    real_picture->solve_pixels(job, pixels, depth, state, dips);
     for (int i = 0; i < pixels->count; i++)
         if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
 }

@@ -26,11 +26,7 @@ static render_look look_of(const page_state *state) {
                          .place = {state->azimuth, state->elevation, 0}};
 }
 
-static int shows_thin(const page_state *state, int degree) {
-    return state->thin == THIN_ASKED || (state->thin == THIN_USUAL && degree <= VIEW_USUALLY_THIN);
-}
-
-static void set_colours(const page_state *state, const render_look *look, int degree, algsurf_scene *scene,
+static void set_colours(const page_state *state, const render_look *look, algsurf_scene *scene,
                         algsurf_status *failed) {
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
@@ -39,7 +35,7 @@ static void set_colours(const page_state *state, const render_look *look, int de
     algsurf_material material = *lighting.material;
     render_paint(look, &material);
     keep(failed, algsurf_scene_set_material(scene, &material));
-    keep(failed, algsurf_scene_set_thin(scene, shows_thin(state, degree) ? material.outside : NULL));
+    keep(failed, algsurf_scene_set_thin(scene, state->thin != THIN_NONE ? material.outside : NULL));
 }
 
 /* A scene as render makes it for the options that say the same as the state; null: there is none.  The
@@ -58,7 +54,7 @@ algsurf_scene *page_scene(const algsurf_surface *surface, const page_state *stat
     if (failed == ALGSURF_OK) {
         keep(&failed, algsurf_scene_set_extent(scene, &extent));
         keep(&failed, algsurf_scene_set_clip(scene, planes, plane_count));
-        set_colours(state, &look, algsurf_surface_degree(surface), scene, &failed);
+        set_colours(state, &look, scene, &failed);
         keep(&failed, algsurf_scene_set_antialias_threshold(scene, VIEW_THRESHOLD));
         keep(&failed, algsurf_scene_set_camera(scene, &camera));
         keep(&failed, render_light_scene(&look, &camera, &extent, scene));
@@ -122,7 +118,7 @@ int page_fit(const algsurf_surface *surface, const page_state *state, int width,
         options.centre = (cli_vector){{state->centre[0], state->centre[1], state->centre[2]}, 1};
     }
     algsurf_status status = fit_choose(&v, &options, surface, state->complex_given != 0,
-                                       shows_thin(state, algsurf_surface_degree(surface)), &choice);
+                                       state->thin != THIN_NONE, &choice);
     if (status != ALGSURF_OK) return status;
     const double *const threes[] = {v.extent.centre, v.extent.size, v.eye, v.look_at, v.up};
     for (int i = 0; i < 5; i++) memcpy(fitted + 3 * i, threes[i], sizeof v.eye);

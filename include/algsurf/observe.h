@@ -52,9 +52,8 @@ typedef struct algsurf_cell {
                        ends: exactly one root, verified */
     int engine;     /* an algsurf_engine */
     int degree;     /* of the polynomial whose coefficients these are */
-    const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null if
-                                 variations were found without them: with radii, of the places that integers
-                                 find */
+    const signed char *signs; /* an algsurf_sign for each of its degree + 1 Bernstein coefficients; null for
+                                 the places that integers find with radii, which have none */
 } algsurf_cell;
 
 /* Told of each cell, in the order of the search; data is the caller's, passed through. */

@@ -63,37 +63,31 @@ ALGSURF_API algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const 
 ALGSURF_API algsurf_status algsurf_scene_set_background(algsurf_scene *scene, const double colour[3]);
 /* Draws what is so thin that rays pass it by: isolated points, lines without sheets such as the handle of
  * Whitney's umbrella, needles, tips.  With a colour, in linear light, what is thin has it, without light or
- * shadow; null, the default: no thin part is drawn.  A picture may show thin parts that are not there, but
- * leaves out none, except in the cases listed below.
+ * shadow; null, the default: no thin part is drawn.
+ *
+ * An aid to the eye: what is drawn as thin is not proved to be there, and what is left out not to be absent.
+ * What is drawn as a hit is proved as ever.
  *
  * Cells.  A sample stands for its cell: a square 1/n of a pixel wide, with the sample in the middle.  (With a
  * threshold of antialiasing cells are whole pixels, and a pixel that shows the colour gets no more samples.)
- * Looked at is the part of space behind a cell; if the cell's ray hits something, that part ends 4 cells'
- * widths before it (an undecided place is no hit here, whatever it is drawn as).  The cell shows the colour
- * unless one of the following is known of that part:
- * - it is proved to hold no point of the surface;
- * - it holds a sheet: within half a cell of it, P grows along the view, or in two directions across the view
- *   that are 45 degrees apart;
- * - it holds the edge of what a ray beside it sees: at the same depth and at most half a cell to the side, P
- *   has the other sign, in a region connected with the ray through a diagonal neighbour's middle;
- * - it is connected with what a neighbouring cell's ray hits, on that neighbour's side of the cell.
+ * Looked for are critical points of P in the cell at which P is 0 or has another sign than along the sample's
+ * ray; if that hits something, up to 4 cells' widths before it (an undecided place is no hit here, whatever it
+ * is drawn as).  They begin where |P| is least along the ray.  Not shown are edges and outlines of what is
+ * wide: where P has the other sign behind the point, too, or is curved the other way in some direction, or is
+ * 0 on a sheet.  So an isolated point is one cell, and a line is one cell wide.
  *
- * So no isolated point and no line without sheets is lost, however thin, unless it is hidden, or within half
- * a cell of what is seen there: a line is one or two cells wide, without gaps.  More samples draw it finer,
- * and paler.  If no part of a surface is narrower, or more sharply bent, than some cells, its picture is byte
- * for byte that without a colour.  Where the gradient vanishes, as at the tips of cones, single cells may show
- * the colour; so they may where P is small but not 0.
+ * What falls short: P like a high power of the distance, about points that are not at the origin, drowns in
+ * its rounding: (x-1)^12 + (y-1)^12 + z^12 may be lost; so may what is thinner than others within a cell.
  *
- * Exceptions, where nothing thin is drawn:
- * - complex space; all of space as extent; another method than the default; a degree above 12;
- * - the eye is almost at the centre of the extent, or more than some 10^7 radii away from it; if the eye is
+ * Nothing thin is drawn
+ * - in complex space; with all of space as extent; by another method than the default; in degrees above 24;
+ * - if the eye is almost at the centre of the extent, or more than some 10^7 radii away from it; if the eye is
  *   nearer than two radii: parts more than some 50 degrees off the direction of view;
- * - numbers near the limits of double.
+ * - for numbers near the limits of double.
  *
  * Errors: as above.
- * Cost: a tenth to twice the picture's time; many times it where much is thin or singular, some 0.2
- * milliseconds for each sample that shows it in degree 4, 1 in degree 10.
- * Source: beams, as tiles (algsurf_render); of their parts the range of P and of its gradient.  Since 1.0. */
+ * Cost: some hundredths of the picture's time, to a sixth.
+ * Source: Newton's method.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_scene_set_thin(algsurf_scene *scene, const double colour[3]);
 /* The lighting of the scene, also if its light is the default one.  With it algsurf_shade() returns the
  * colours of the scene's pictures.
@@ -204,8 +198,7 @@ typedef struct algsurf_render_stats {
     uint64_t leaf_tiles;  /* of them */
     uint64_t empty_rays;  /* of all rays: those in empty tiles */
     uint64_t sheet_rays;  /* of all rays: those whose hit is their tile's sheet */
-    uint64_t exact_rays;  /* of the single rays, and of those asked beside what may be thin: those that
-                             integers decided */
+    uint64_t exact_rays;  /* of the single rays: those that integers decided */
     uint64_t thin;        /* samples that show something thin (algsurf_scene_set_thin), be there a hit behind
                              it or not */
 } algsurf_render_stats;

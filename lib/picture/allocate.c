@@ -4,7 +4,6 @@
 #include "../base/arithmetic.h"
 #include "impl.h"
 #include "srgb.h"
-#include "thin.h"
 #include "shadow_rays.h"
 
 #include <stdlib.h>
@@ -36,7 +35,7 @@ typedef struct sizes {
     size_t lights, shares; /* where there are shadows; shares of light: one more */
     size_t taylor;         /* of shadow rays: 1, or 0 */
     size_t places;         /* leaves of a band */
-    size_t thin;           /* of a search for what is thin */
+    size_t dips;           /* of a row */
     int beams;             /* 1: there are tiles, of a band or of single pixels */
     int lanes;             /* 1: pixels of real space are solved side by side */
     size_t roots;          /* in complex space */
@@ -47,15 +46,16 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
     const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled || picture->thin, real = picture->packets && !picture->scene->complex;
+    const int tiles = picture->tiled, real = picture->packets && !picture->scene->complex;
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE,
-                   .thin = picture->thin ? algsurf_i_thin_memory() : 0,
+                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
+                             picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .beams = tiles || (real && picture->selective),
+                   .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
                    .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
                    .roots = picture->packets && picture->scene->complex ? degree : 0,
@@ -121,7 +121,6 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     }
     t->beam.c = take_doubles(a, s->side * s->side * s->side);
     t->square = take_doubles(a, s->side * s->side);
-    t->thin = take_bytes(a, s->thin);
     t->from = take_doubles(a, s->width + 2 * s->places);
     t->at = take_ints(a, s->width + 2 * s->places);
     t->low = take_doubles(a, s->width);
@@ -134,6 +133,9 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
     t->pixel_depth = take_doubles(a, s->width);
     t->pixel = take_ints(a, s->dense * s->width);
     t->pixel_state = take_bytes(a, s->width);
+    t->dips.at = take_ints(a, s->dips);
+    t->dips.depth = take_doubles(a, s->dips);
+    t->thin = take_doubles(a, s->dips);
 }
 
 static void lay_out_worker(arena *a, const sizes *s, int selective, algsurf_i_worker *worker) {

@@ -118,9 +118,8 @@ static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worke
                      : list_apart(picture, row, begin, end, &worker->middles, t->at);
     for (int i = 0; !band && i < count; i++) t->from[i] = -1;
     if (count == 0) return 0;
-    algsurf_i_cells pixels = algsurf_i_cells_of(picture, 1, row, 0.5, 0.5);
-    pixels.share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
-    count = algsurf_i_search_cells(&pixels, 1, count, 0, t);
+    const double share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
+    count = algsurf_i_search_cells(picture, row, share, count, t);
     for (int i = 0; i < count; i++) {
         line->list[i] = t->at[i];
         t->list_low[i] = t->from[i];

@@ -145,17 +145,16 @@ static void find_points(const algsurf_i_picture *picture, const algsurf_i_comple
         (void)algsurf_i_drop_unsure(line, 0);
 }
 
-algsurf_status algsurf_i_solve_complex_row(const algsurf_i_picture *picture, int row, double sx, double sy,
-                                           algsurf_i_worker *worker, algsurf_i_tally *tally) {
+/* Points of the row by forms; what is left is undecided. */
+static void solve_forms(const algsurf_i_picture *picture, int row, double sx, double sy,
+                        algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
     int begin, end;
     double begun = algsurf_i_render_clock(picture);
-    tally->rays += (uint64_t)line->wanted_count;
     start_row(picture, row, worker);
     int misses = begin_row(picture, row + sy, sx, worker, &job, &begin, &end);
     double solving = algsurf_i_render_clock(picture);
-    tally->expand_s += solving - begun;
     algsurf_i_begin_states(line, misses);
     const algsurf_i_complex_job complex = complex_job_of(picture, &job, worker);
     if (begin < end) {
@@ -167,9 +166,20 @@ algsurf_status algsurf_i_solve_complex_row(const algsurf_i_picture *picture, int
     double solved = algsurf_i_render_clock(picture);
     if (line->count > 0) find_points(picture, &complex, line);
     tally->hits += (uint64_t)line->count;
-    double pointed = algsurf_i_render_clock(picture);
-    algsurf_status status = solve_undecided(picture, row + sy, sx, line, tally);
-    tally->point_s += pointed - solved;
-    tally->solve_s += (solved - solving) + (algsurf_i_render_clock(picture) - pointed);
+    tally->expand_s += solving - begun;
+    tally->solve_s += solved - solving;
+    tally->point_s += algsurf_i_render_clock(picture) - solved;
+}
+
+algsurf_status algsurf_i_solve_complex_row(const algsurf_i_picture *picture, int row, double sx, double sy,
+                                           algsurf_i_worker *worker, algsurf_i_tally *tally) {
+    tally->rays += (uint64_t)worker->line.wanted_count;
+    if (picture->packets)
+        solve_forms(picture, row, sx, sy, worker, tally);
+    else
+        algsurf_i_begin_states(&worker->line, 0);
+    double begun = algsurf_i_render_clock(picture);
+    algsurf_status status = solve_undecided(picture, row + sy, sx, &worker->line, tally);
+    tally->solve_s += algsurf_i_render_clock(picture) - begun;
     return status;
 }

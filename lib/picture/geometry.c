@@ -8,7 +8,8 @@
  * positive.  Then, if g(u) > 0 on one side of the vertex, it is so for all u further out.
  *     c = CLEAR is larger than 1 by 2^-10, which covers the view's noise, below 2^-22, and the roundings of
  * u, v and g: for |v|, |beta| <= 4 these are below 2^-40 (1 + u^2) where g is convex, and g has to exceed
- * SURE (1 + u^2). */
+ * SURE (1 + u^2).
+ *     In all of space no ray is clear. */
 #include "../base/arithmetic.h"
 #include "geometry.h"
 
@@ -25,11 +26,15 @@ algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
                                .u0 = p->origin[0],
                                .du = p->per_slope,
                                .extent = &picture->scene->extent,
+                               .degree = p->degree,
                                .extent_size = {p->extent_size[0], p->extent_size[1], p->extent_size[2]},
                                .planes = p->view_planes,
                                .plane_count = p->plane_count,
                                .near = p->near,
-                               .tolerance = p->tolerance};
+                               .tolerance = p->tolerance,
+                               .thin_side = p->thin_side,
+                               .thin_before = 4 * p->thin_side,
+                               .thin_bends = p->thin_bends};
 }
 
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
@@ -100,8 +105,12 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
                  middle = 0.5 * picture->height;
     const double v0 = p->origin[1] + per * (middle - top), v1 = p->origin[1] + per * (middle - bottom);
     const pixel_line line = {p->origin[0], per, 0.5 * picture->width, picture->width};
-    const clearance rows = clearance_across(view, 1);
-    const clearance pixels = top < bottom ? clearance_across(view, 0) : clearance_at(view, v0);
+    const clearance never = {0, 0, 0};
+    const int endless = picture->scene->extent.kind == ALGSURF_EXTENT_ALL;
+    const clearance rows = endless ? never : clearance_across(view, 1);
+    const clearance pixels = endless        ? never
+                             : top < bottom ? clearance_across(view, 0)
+                                            : clearance_at(view, v0);
     *begin = *end = 0;
     if (!(fabs(view->beta[0]) < BOUND && fabs(view->beta[1]) < BOUND)) return 0;
     if ((is_clear(&rows, v0, 1) && is_clear(&rows, v1, 1)) ||
@@ -110,9 +119,9 @@ int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top,
     if (!(fmax(fabs(v0), fabs(v1)) * spread + fabs(view->beta[1]) < BOUND)) return 0;
     int first = clear_up_to(&line, &pixels, -1, step), last = clear_up_to(&line, &pixels, 1, step);
     if (first >= last) return 1;
-    /* what is so many pixels or less from the middle is within the bounds */
-    double room = ((BOUND - fabs(view->beta[0])) / spread - fabs(p->origin[0])) / fabs(per);
-    double least = step * ceil((line.half - room) / step), most = step * floor((line.half + room) / step);
+    /* what is so many pixels or less from where u is 0 is within the bounds */
+    double room = (BOUND - fabs(view->beta[0])) / spread / fabs(per), zero = line.half - p->origin[0] / per;
+    double least = step * ceil((zero - room) / step), most = step * floor((zero + room) / step);
     if (!(fmax(least, first) < fmin(most, last))) return 0;
     *begin = (int)fmax(least, first);
     *end = (int)fmin(most, last);

@@ -9,13 +9,14 @@ typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 /* What packets need to know of a picture. */
 typedef struct algsurf_i_packets {
     algsurf_i_frame_form frame;
-    int orthographic;
+    int orthographic, degree; /* P's along the rays, at most */
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */
     /* the planes that cut something off, in the axes of the view and in those of the caller */
     algsurf_i_cut_plane view_planes[ALGSURF_MAX_CLIP_PLANES], planes[ALGSURF_MAX_CLIP_PLANES];
     int plane_count;
+    double thin_side, thin_bends[ALGSURF_MAX_VIEW_DEGREE + 1]; /* as in algsurf_i_row_job */
     double *beams;            /* in a tiled picture: algsurf_i_beam_expand's g */
     algsurf_i_taylor *taylor; /* where shadows are drawn; or null */
     /* complex space: as in algsurf_i_complex_job */

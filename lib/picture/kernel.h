@@ -22,21 +22,36 @@ typedef struct algsurf_i_row_job {
     const double *basis;                 /* of the frame */
     const algsurf_i_row_form *row;       /* its v is the row's */
     double offset, pixel, u0, du, slope; /* slope = alpha v + beta[1]; a is the slope alpha u + beta[0] */
-    const algsurf_extent *extent;        /* sphere or box, about the view's centre */
+    const algsurf_extent *extent;        /* sphere or box about the view's centre, or all of space */
+    int degree;                          /* P's along the rays, at most; for all of space */
     double extent_size[3];               /* in the view's unit */
     const algsurf_i_cut_plane *planes;   /* in the view's axes */
     int plane_count;
     double plane_room; /* added to their offsets */
     double near;       /* depth of the eye; the ray begins there */
     double tolerance;  /* wanted error of the depth; 0: all that the coefficients tell */
+    /* what is thin: of a pixel the side in u and v; what belongs to a hit before it; |P| is large, at r from
+     * the view's centre, beyond sum thin_bends[m] r^(m-2), m >= 2 */
+    double thin_side, thin_before;
+    const double *thin_bends;
 } algsurf_i_row_job;
 
-/* Pixels of a row, any: no ray has a root on its chord before the depth `low`. */
+/* Pixels of a row, any: no ray has a root on its chord before the depth `low`.  In all of space chords are the
+ * depths [-1,1], and a low > -1 tells, too, that the ray has a root in [low,1] or none. */
 typedef struct algsurf_i_pixels {
     int count;
     const int *at;
     const double *low;
 } algsurf_i_pixels;
+
+/* Places before the hits of a row, or anywhere along rays that miss, where |P| is least, and not large: the
+ * pixels, from the left, and the depths, which increase in each. */
+typedef struct algsurf_i_dips {
+    int count, *at;
+    double *depth;
+} algsurf_i_dips;
+
+#define ALGSURF_I_MOST_DIPS 4 /* of a pixel */
 
 #define ALGSURF_I_LEAF 4 /* pixels: the sides of the smallest tiles */
 
@@ -62,7 +77,6 @@ typedef struct algsurf_i_tile_job {
     int y, size;    /* of the first pixels; a power of two */
     int count, *at; /* the tiles' first pixels, */
     double *from;   /* no ray has a root on its chord before this depth */
-    double *within; /* receives a depth on each chord of the tiles that are left; 2: none is known; or null */
     double noise;   /* bound on rounding of P as the points' kernel evaluates it */
     int *cell;      /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is empty,
                        -side, as the caller has set it; null: tiles are not kept, and those of any size
@@ -123,9 +137,9 @@ typedef struct algsurf_i_complex_job {
 } algsurf_i_complex_job;
 
 typedef struct algsurf_i_picture_kernel {
-    /* depth[i], state[i] of pixel i of those: the first root along its ray. */
+    /* depth[i], state[i] of pixel i of those: the first root along its ray.  dips: receives those; or null. */
     void (*solve_pixels)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                         uint8_t *state);
+                         uint8_t *state, algsurf_i_dips *dips);
     /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
      * are leaves. */
     void (*search_tiles)(algsurf_i_tile_job *job);
@@ -135,6 +149,8 @@ typedef struct algsurf_i_picture_kernel {
      * are not asked for.  sure[i]: the root was found; returns whether all were. */
     int (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                   const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points);
+    /* depth[i]: of what is thin beside a ray, found from dip i; HUGE_VAL: there is nothing. */
+    void (*find_thin)(const algsurf_i_point_job *job, algsurf_i_dips *dips, double *depth);
     /* The pixels begin .. end-1 of a row in complex space; returns how many corrections of roots it took. */
     uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
     /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the

@@ -7,11 +7,13 @@
 #include "complex_template.h"
 #include "pixels_template.h"
 #include "points_template.h"
+#include "thin_template.h"
 #include "tiles_template.h"
 
 const algsurf_i_picture_kernel KERNEL(algsurf_i_picture) = {.solve_pixels = solve_pixels,
                                                             .search_tiles = search_tiles,
                                                             .points = find_points,
+                                                            .find_thin = find_thin,
                                                             .solve_complex = solve_complex,
                                                             .complex_points = find_complex_points};
 

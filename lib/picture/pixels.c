@@ -124,10 +124,11 @@ static int find_sheets(const algsurf_i_picture *picture, const algsurf_i_point_j
 static int solve_pixels(const algsurf_i_picture *picture, const algsurf_i_row_job *job,
                         algsurf_i_worker *worker) {
     algsurf_i_line *line = &worker->line;
-    const algsurf_i_tiling *t = &worker->tiling;
+    algsurf_i_tiling *t = &worker->tiling;
     const algsurf_i_pixels pixels = {t->pixels, t->pixel, t->pixel_low};
     int undecided = 0;
-    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state);
+    picture->code->solve_pixels(job, &pixels, t->pixel_depth, t->pixel_state,
+                                picture->thin && line->dense == 1 ? &t->dips : NULL);
     for (int i = 0; i < t->pixels; i++) {
         int x = t->pixel[i];
         line->state[x] = t->pixel_state[i];
@@ -167,6 +168,7 @@ algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, do
     double begun = algsurf_i_render_clock(picture);
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     int undecided = 0;
+    worker->tiling.dips.count = 0;
     tally->rays += (uint64_t)line->wanted_count;
     algsurf_i_make_row(picture, row + sy, sx, &worker->form, &job);
     if (band)

@@ -12,14 +12,11 @@
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H
 #include "../poly/triangle_template.h"
+#include "dips_template.h"
+#include "../roots/beyond_template.h"
 #include "sight_template.h"
 
 #define END_ROUNDING 0x1p-39 /* more than what floor40 moves an end by */
-
-/* Depths between which a packet is searched. */
-typedef struct depth_range {
-    lanes lo, length;
-} depth_range;
 
 INLINE void expand_pixels_n(const algsurf_i_row_job *job, lanes u, const depth_range *r, packet *p, int n) {
     lanes c[ALGSURF_MAX_VIEW_DEGREE + 1];
@@ -43,33 +40,46 @@ INLINE void set_ends(packet *k, lanes blur, mask after, int n) {
     k->stop = choose(before, all_lanes(2), all_lanes(1));
 }
 
-/* LANES pixels whose rays have no root on their chords before low. */
-INLINE void solve_packet(const algsurf_i_row_job *job, lanes pixel, lanes low, packet *k,
+/* LANES pixels whose rays have no root on their chords before low.  Returns those that have chords behind it,
+ * and these with their errors as ranges. */
+INLINE mask solve_packet(const algsurf_i_row_job *job, const sight *s, lanes low, packet *k, depth_range *r,
                          lanes *z, int n) {
-    const sight s = sight_at(job, pixel);
-    depth_range r;
-    chord c = clip(job, &s, all_lanes(job->near), &k->open);
+    chord c = clip(job, s, all_lanes(job->near), &k->open);
     lanes gap = 2 * c.blur, sure = gap + END_ROUNDING;
     k->watch = NULL;
     k->undecided = c.undecided;
     k->hit = no_lane();
-    r.lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
+    r->lo = larger(floor40(larger(c.near - gap, low)), all_lanes(-1));
     lanes hi = smaller(-floor40(-(c.far + gap)), all_lanes(1));
-    k->open &= less(r.lo, hi);
-    if (!any(k->open)) return;
-    r.lo = choose(k->open, r.lo, all_lanes(-1));
-    r.length = choose(k->open, hi, all_lanes(1)) - r.lo;
-    expand_pixels(job, &s.u, &r, k, n);
+    const mask searched = k->open &= less(r->lo, hi);
+    if (!any(searched)) return searched;
+    r->lo = choose(searched, r->lo, all_lanes(-1));
+    r->length = choose(searched, hi, all_lanes(1)) - r->lo;
+    expand_pixels(job, &s->u, r, k, n);
     begin(k, n, 0);
     leave_undecided(k, ~ends_known(k->b, k->e, n, 0, all_lanes(0)));
     k->open &= ~k->s.none;
-    if (!any(k->open)) return;
+    if (!any(k->open)) return searched;
     bound_errors(k, n, 0);
-    set_ends(k, 2 * sure / r.length, less(c.near + sure, low), n);
+    set_ends(k, 2 * sure / r->length, less(c.near + sure, low), n);
     isolate(k, n);
-    if (!any(k->hit)) return;
+    if (!any(k->hit)) return searched;
     refine(k, n, 0.5 * (job->tolerance > ENOUGH ? job->tolerance : ENOUGH), z);
-    *z = r.lo + r.length * *z;
+    *z = r->lo + r->length * *z;
+    return searched;
+}
+
+/* All of space: leaves undecided what depths beyond [-1,1] are not proved to have no part in. */
+APART void look_outside(const algsurf_i_row_job *job, const lanes *u, const lanes *low, mask searched,
+                        const depth_range *r, packet *k, int n) {
+    const depth_range whole = {all_lanes(-1), all_lanes(2)};
+    const mask inside = less(whole.lo, all_lanes(job->near - 2 * job->view->noise));
+    const mask open = ~(k->undecided | less(whole.lo, *low));
+    if (!any(open)) return;
+    if (any(open & ~(searched & ~less(r->length, whole.length)))) expand_pixels(job, u, &whole, k, n);
+    const beyond is = look_beyond(k->b, k->e, n, 0, all_lanes(job->degree));
+    k->undecided |= open & ~((is.none_before | inside) & (is.none_behind | k->hit));
+    k->hit &= ~k->undecided;
 }
 
 /* What was found of so many lanes, at most. */
@@ -83,15 +93,21 @@ INLINE void store_solved(const packet *k, lanes z, int count, double *depth, uin
 }
 
 static void solve_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *p, double *depth,
-                         uint8_t *state) {
+                         uint8_t *state, algsurf_i_dips *dips) {
     int n = job->row->degree;
     if (n < 1) __builtin_unreachable();
     for (int i = 0; i < p->count; i += LANES) {
         int count = p->count - i;
         packet k;
+        depth_range r;
         lanes z = all_lanes(0);
-        solve_packet(job, load_some_integers(p->at + i, count), load_some(p->low + i, count), &k, &z, n);
+        const sight s = sight_at(job, load_some_integers(p->at + i, count));
+        const lanes low = load_some(p->low + i, count);
+        mask searched = solve_packet(job, &s, low, &k, &r, &z, n);
+        if (job->extent->kind == ALGSURF_EXTENT_ALL) look_outside(job, &s.u, &low, searched, &r, &k, n);
         store_solved(&k, z, count, depth + i, state + i);
+        searched &= less(numbered(), all_lanes(count));
+        if (dips && any(searched)) add_dips(job, &s, &r, &k, &z, &searched, p->at + i, dips, n);
     }
 }
 

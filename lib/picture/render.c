@@ -1,6 +1,7 @@
 /* render.c - a picture: arguments, totals. */
 #include "../base/arithmetic.h"
 #include "impl.h"
+#include "thin.h"
 #include "geometry.h"
 #include "shadow.h"
 #include "srgb.h"
@@ -83,9 +84,9 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->code = algsurf_i_picture_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
+    picture->thin =
+        picture->packets && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
     picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
-    picture->thin = picture->packets && scene->thin && !scene->complex &&
-                    scene->surface->degree <= ALGSURF_MAX_BEAM_DEGREE;
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -131,6 +132,7 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->packets = NULL;
         picture->tiled = picture->thin = 0;
     }
+    if (picture->thin) algsurf_i_prepare_thin(picture->packets, picture->selective ? 1 : picture->scene->antialias);
     if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)

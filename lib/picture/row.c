@@ -15,7 +15,7 @@
 #include "solve.h"
 #include "shadow.h"
 #include "srgb.h"
-#include "thin_row.h"
+#include "thin.h"
 #include "tiling.h"
 
 #include <math.h>
@@ -221,13 +221,12 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
     if (line->way)
         memset(line->way + line->dense * line->begin, ALGSURF_WAY_ROW,
                (size_t)(line->dense * (line->end - line->begin)));
-    algsurf_status status = !picture->packets ? algsurf_i_solve_rays(picture, row, sx, sy, line, tally)
-                            : picture->scene->complex
+    algsurf_status status = picture->scene->complex
                                 ? algsurf_i_solve_complex_row(picture, row, sx, sy, worker, tally)
-                                : algsurf_i_solve_row(picture, row, sx, sy, worker, tally);
+                            : picture->packets ? algsurf_i_solve_row(picture, row, sx, sy, worker, tally)
+                                               : algsurf_i_solve_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
-    if (status == ALGSURF_OK && picture->thin && picture->packets &&
-        !(picture->selective && line->across > 1))
+    if (status == ALGSURF_OK && picture->thin && !(picture->selective && line->across > 1))
         algsurf_i_add_thin(picture, row, sx, sy, worker, tally);
     return status;
 }

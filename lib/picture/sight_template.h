@@ -74,10 +74,11 @@ INLINE chord chord_in_sphere(const algsurf_i_row_job *job, const sight *s, doubl
     return c;
 }
 
+/* All of space: without faces. */
 INLINE chord chord_in_box(const algsurf_i_row_job *job, const sight *s, double e) {
     const double(*axis)[3] = job->view->axis;
     chord c = {all_lanes(-1), all_lanes(1), all_lanes(e), less(s->u, s->u)};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < (job->extent->kind == ALGSURF_EXTENT_ALL ? 0 : 3); k++) {
         lanes at = s->u * all_lanes(axis[0][k]) + s->v * all_lanes(axis[1][k]),
               h = all_lanes(job->extent_size[k]);
         lanes d = s->a * all_lanes(axis[0][k]) + (s->b * all_lanes(axis[1][k]) + all_lanes(axis[2][k]));

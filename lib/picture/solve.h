@@ -16,11 +16,11 @@ algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, do
 int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy, algsurf_i_worker *worker,
                            algsurf_i_tally *tally);
 
-/* In a picture with a view, in complex space. */
+/* In complex space: by forms in a picture with a view, else each pixel's own ray. */
 algsurf_status algsurf_i_solve_complex_row(const algsurf_i_picture *picture, int row, double sx, double sy,
                                            algsurf_i_worker *worker, algsurf_i_tally *tally);
 
-/* In a picture without a view: each pixel's own ray. */
+/* In a picture without a view, in real space: each pixel's own ray. */
 algsurf_status algsurf_i_solve_rays(const algsurf_i_picture *picture, int row, double sx, double sy,
                                     algsurf_i_line *line, algsurf_i_tally *tally);
 

@@ -15,7 +15,8 @@
 #include <math.h>
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
-#define FEW 0.21 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10 */
+#define FEW 0.21 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10, */
+#define FEW_THIN 0.5 /* where what is thin is looked for, in what they leave open */
 
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
@@ -27,7 +28,8 @@ int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packet
     const algsurf_scene *scene = picture->scene;
     int n = scene->surface->degree, samples = picture->selective ? 1 : scene->antialias;
     double side = fabs(p->per_slope) * p->pixel / samples;
-    return !scene->complex && n <= ALGSURF_MAX_BEAM_DEGREE && side * n * n <= FEW;
+    return !scene->complex && n <= ALGSURF_MAX_BEAM_DEGREE &&
+           side * n * n <= (picture->thin ? FEW_THIN : FEW);
 }
 
 static int stride_of(const algsurf_i_picture *picture) {

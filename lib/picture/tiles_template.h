@@ -31,6 +31,7 @@
  * has no derivative: it counts twice in full. */
 #ifndef ALGSURF_TILES_TEMPLATE_H
 #define ALGSURF_TILES_TEMPLATE_H
+#include "../roots/beyond_template.h"
 #include "kernel.h"
 #include "sight_template.h"
 #include "search_template.h"
@@ -76,6 +77,7 @@ INLINE void clip_tiles(const algsurf_i_tile_job *job, lanes from, tile_packet *g
                      .a = all_lanes(view->alpha) * g->u + all_lanes(view->beta[0]),
                      .b = all_lanes(view->alpha * g->v + view->beta[1])};
     (void)widen_extent(&wide, apart);
+    if (wide.extent->kind == ALGSURF_EXTENT_ALL) wide.plane_count = 0;
     chord c = chord_of(&wide, &s);
     lanes slack = 4 * c.blur + SLACK;
     g->open &= less(c.near - slack, c.far + slack);
@@ -102,7 +104,7 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
     const algsurf_i_view *view = job->row->view;
     lanes rest = all_lanes(0), reach = absolute(g->u) + all_lanes(fabs(g->hu));
     lanes x = reach + all_lanes(fabs(view->alpha)) * reach + all_lanes(fabs(view->beta[0]) + view->noise);
-    lanes radius = all_lanes(0), beyond = radius;
+    lanes radius = all_lanes(0), further = radius;
     for (int k = 0; k <= n; k++) {
         lanes sum = all_lanes(0);
         for (int j = 0; j <= n; j++) {
@@ -126,8 +128,8 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
                 if (i + j > n) g->t[term_at[i][j]][k] = all_lanes(0);
     }
     for (int i = n; i >= 0; i--) radius = radius * x + all_lanes(row->radius[i]);
-    for (int i = n; i >= 0; i--) beyond = beyond * reach + all_lanes(row->beyond[i]);
-    g->rest = (rest + beyond) * all_lanes(1 + 0x1p-20);
+    for (int i = n; i >= 0; i--) further = further * reach + all_lanes(row->beyond[i]);
+    g->rest = (rest + further) * all_lanes(1 + 0x1p-20);
     g->rounding = radius * all_lanes(1 + 0x1p-20);
 }
 
@@ -287,6 +289,17 @@ INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *
                             .high = depth_at(g, l, to)};
 }
 
+/* All of space: the tiles none of whose rays has a root before the range, or outside of it.  Where no root is
+ * before `from`, both have been found before. */
+APART mask outside(const algsurf_i_row_job *job, const tile_packet *g, const beam *whole, mask *before, int n) {
+    cell c;
+    const mask known = less(all_lanes(0), g->from);
+    cell_of(whole, g->rounding, &c, n);
+    const beyond is = look_beyond(c.w, c.e, n, 1, all_lanes(job->degree));
+    *before = is.none_before | less(all_lanes(0), g->lo) | known;
+    return (is.none_behind & *before) | known;
+}
+
 /* Tells of each tile what it is, and returns those that are not decided: no ray has a root before p. */
 INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     beam whole;
@@ -294,8 +307,14 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     range_of(g, &whole, n);
     verdict v;
     search(&whole, g->rounding, g->open, n, &v);
-    mask sheets = g->open & v.one;
     *p = v.p;
+    if (job->row->extent->kind == ALGSURF_EXTENT_ALL) {
+        mask before, none = outside(job->row, g, &whole, &before, n);
+        v.one &= before;
+        v.empty &= none;
+        *p = choose(none, v.p, all_lanes(-HUGE_VAL));
+    }
+    mask sheets = g->open & v.one;
     if (any(sheets)) {
         lanes z[ALGSURF_I_SERIES], from = v.p, to = v.q, steep;
         series_n(g, &whole, middle_root(&whole, v.guess, from, to, v.side, n), z, n);
@@ -343,7 +362,6 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
             record(job, &leaf, (int)g.x[l]);
         } else {
             job->at[open_count] = (int)g.x[l];
-            if (job->within) job->within[open_count] = g.least[l] <= g.most[l] ? 2 * g.least[l] - 1 : 2;
             job->from[open_count++] = fmax(from[l], depth_at(&g, l, p[l]));
         }
     }

@@ -30,7 +30,6 @@ typedef struct algsurf_i_tiling {
     algsurf_i_band band[2]; /* band b is at b % 2 */
     algsurf_i_beam_row beam;
     double *square; /* (degree+1)^2 */
-    void *thin;     /* algsurf_i_thin_memory() bytes, where what is thin is drawn */
     int *at;        /* of two levels of tiles that are to be searched: */
     double *from;   /* as in algsurf_i_tile_job */
     /* of a row in the making: the sheets of the line's entries, */
@@ -41,6 +40,8 @@ typedef struct algsurf_i_tiling {
     int pixels, *pixel;
     double *pixel_low, *pixel_depth;
     uint8_t *pixel_state;
+    algsurf_i_dips dips; /* of these; */
+    double *thin;        /* depths of what is thin */
 } algsurf_i_tiling;
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */

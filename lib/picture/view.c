@@ -22,6 +22,7 @@
 #include "../base/arithmetic.h"
 #include <stdlib.h>
 
+#include "../base/elementary.h"
 #include "../rays/expand_impl.h"
 #include "../rays/own_ball.h"
 #include "../rays/planes.h"
@@ -66,6 +67,9 @@ static double noise_of(const algsurf_i_packets *p, const double eye[3], const do
            (8 * (algsurf_max_abs(eye) / p->frame.view.size + offset + 2 * p->per_slope * slopes + 2));
 }
 
+#define WHOLE 1.5 /* of the surface's size: see size_of_space */
+#define MORE 12   /* so many bits of P's terms may that cost */
+
 static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
     const algsurf_camera *camera = &picture->scene->camera;
     algsurf_i_view *view = &p->frame.view;
@@ -85,18 +89,40 @@ static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, co
     view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
 }
 
-/* Is the scene one for packets: a bounded extent, the default method, an eye that is not in the plane of u
- * and v? */
+/* Is the scene one for packets: the default method, axes of length 1, in all of space real roots? */
 static int suits_packets(const algsurf_scene *scene) {
     const algsurf_camera *camera = &scene->camera;
-    return scene->extent.kind != ALGSURF_EXTENT_ALL && abs(scene->surface->unit) <= 1000 &&
+    return !(scene->complex && scene->extent.kind == ALGSURF_EXTENT_ALL) && abs(scene->surface->unit) <= 1000 &&
            scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
            (scene->complex ||
             (scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0)) &&
            algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
-/* Planes that keep all of the ball about what is shown are left out.  Returns 0 where the distance of one
+/* All of space: the view holds what is near the origin, where lines have their roots; and all of the picture's
+ * rays, and the eye of a surface that goes on behind it, if that costs few digits.  What is beyond is looked at
+ * by proofs (pixels_template.h): so this is a choice about time. */
+static double size_of_space(const algsurf_i_picture *picture, const double eye[3]) {
+    const algsurf_camera *camera = &picture->scene->camera;
+    const algsurf_surface *s = picture->scene->surface;
+    double slope = camera->half_height * fmax(1, (double)picture->width / picture->height);
+    double aside = fmax(fabs(algsurf_dot(eye, camera->right)), fabs(algsurf_dot(eye, camera->up)));
+    double away = fabs(algsurf_dot(eye, camera->forward)), more = algsurf_i_exp2(MORE / s->degree);
+    double size = s->spread * (s->goes_far ? more : WHOLE);
+    double across = camera->orthographic ? ldexp(slope, -s->unit) : away * slope;
+    double most = camera->orthographic ? 4 : 4 - slope - 2 * aside / away;
+    double all = most > 0 ? 1.1 * (aside + across) / most : HUGE_VAL;
+    if (s->goes_far && !(1.02 * away < all)) all = 1.02 * away;
+    return all > size && all < more * size ? all : size;
+}
+
+/* P's degree along the picture's rays, at most. */
+static int degree_along(const algsurf_surface *s, const algsurf_camera *camera) {
+    const double *d = camera->forward;
+    return camera->orthographic ? s->degree_in[(d[0] != 0) + 2 * (d[1] != 0) + 4 * (d[2] != 0)] : s->degree;
+}
+
+/* Planes that keep all of what is shown are left out.  Returns 0 where the distance of one
  * from the centre is not known well enough.
  *   Errors: the distance has a few roundings of its terms; a normal of length 1 is off by some 2^-51 in each
  * component, which points of size 4 or less take along, and their sum with it: 2^-46 in all. */
@@ -112,7 +138,7 @@ static int place_planes(const algsurf_scene *scene, algsurf_i_packets *p) {
         double size = fabs(plane.offset) + (fabs(n[0] * c[0]) + fabs(n[1] * c[1]) + fabs(n[2] * c[2]));
         world->offset = (plane.offset - algsurf_dot(n, c)) / unit;
         world->error = 0x1p-50 * size / unit + 0x1p-46;
-        if (world->offset > 4 && world->error <= 0.5 * world->offset) continue;
+        if (world->offset > 6 && world->error <= 0.5 * world->offset) continue;
         if (!(world->error < 0x1p-30)) return 0;
         (void)algsurf_unit(n, world->normal);
         *in_view = *world;
@@ -126,23 +152,25 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
     algsurf_i_view *view = &p->frame.view;
-    algsurf_extent wider;
+    algsurf_extent wider = scene->extent;
     const algsurf_extent *extent =
         scene->complex ? &scene->extent : algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
     double eye[3], radius = extent == &wider ? wider.size[0] : picture->lighting.radius;
     if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
-        !natural(scene->surface, scene->extent.centre, view->centre))
+        !natural(scene->surface, picture->lighting.centre, view->centre))
         return 0;
     for (int i = 0; i < 3; i++) {
         view->axis[0][i] = camera->right[i];
         view->axis[1][i] = camera->up[i];
         view->axis[2][i] = camera->forward[i];
     }
-    view->size = ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
+    const int endless = scene->extent.kind == ALGSURF_EXTENT_ALL;
+    view->size = endless ? size_of_space(picture, eye) : ldexp(radius * (1 + 0x1p-20), -scene->surface->unit);
+    p->degree = degree_along(scene->surface, camera);
     p->orthographic = camera->orthographic;
     place_eye(p, picture, eye);
     for (int i = 0; i < 3; i++)
-        p->extent_size[i] = ldexp(extent->size[i], -scene->surface->unit) / view->size;
+        p->extent_size[i] = endless ? 1 : ldexp(extent->size[i], -scene->surface->unit) / view->size;
     /* a depth of 1 is at most this much of t */
     p->top = -1;
     if (scene->complex) {
@@ -151,5 +179,5 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     }
     p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
     return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
-           fabs(p->near) > 0x1p-10 && view->noise * scene->surface->degree < 0x1p-22;
+           fabs(p->near) > 0x1p-10 && !(endless && p->near > 0.5) && view->noise * scene->surface->degree < 0x1p-22;
 }

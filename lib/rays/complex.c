@@ -25,6 +25,7 @@
 #include "../base/fpenv.h"
 #include "exact.h"
 #include "intersect_impl.h"
+#include "normal.h"
 #include "../base/options.h"
 #include "../poly/interval_impl.h"
 #include "ray_impl.h"
@@ -113,11 +114,13 @@ static algsurf_complex slope(const complex_query *q, algsurf_complex v) {
     return (algsurf_complex){d.re / q->frame.step, d.im / q->frame.step};
 }
 
-static void set_normal(const complex_query *q, algsurf_complex v, double normal[3]) {
+/* Where root and p' are real it is that of real space but for its side, exact where it has to be. */
+static void set_normal(const complex_query *q, algsurf_complex v, const double position[3],
+                       double normal[3]) {
     const algsurf_i_frame *f = &q->frame;
     algsurf_i_complex x[3], g[3];
     algsurf_complex p = slope(q, v);
-    double d2 = p.re * p.re + p.im * p.im, w[3];
+    double d2 = p.re * p.re + p.im * p.im, w[3], real[3];
     for (int i = 0; i < 3; i++) x[i] = (algsurf_i_complex){f->X[i].hi + f->D[i] * v.re, f->D[i] * v.im};
     algsurf_i_surface_gradient_complex(q->surface, x, g);
     for (int i = 0; i < 3; i++) w[i] = (g[i].re * p.re + g[i].im * p.im) / d2;
@@ -126,6 +129,11 @@ static void set_normal(const complex_query *q, algsurf_complex v, double normal[
      * imaginary but for rounding, as on the complex part of a sphere, this is the side that is seen. */
     double sign = p.re < -0x1p-30 * sqrt(d2) ? -1 : 1;
     for (int i = 0; i < 3; i++) w[i] = sign * (w[i] + (v.im == 0 && p.im == 0 ? 0 : along * f->V[i]));
+    if (v.im == 0 && p.im == 0 && !algsurf_i_surface_clear_gradient(q->surface, position, real)) {
+        algsurf_i_set_normal(q->surface, &q->ray, position, 0, ALGSURF_DEFAULT_MEMORY, normal);
+        for (int i = 0; i < 3; i++) normal[i] *= sign;
+        return;
+    }
     if (!algsurf_is_finite3(w) || !algsurf_unit(w, normal)) normal[0] = normal[1] = normal[2] = 0;
 }
 
@@ -154,7 +162,8 @@ static void set_hit(const complex_query *q, const algsurf_complex_root *local, c
         double x = ldexp(algsurf_dd_add(f->X[i], algsurf_two_prod(offset, f->V[i])).hi, q->surface->unit);
         hit->position[i] = isfinite(x) ? x : algsurf_i_coordinate_at(&q->ray, i, hit->t);
     }
-    if (local->multiplicity == 1) set_normal(q, local->root, hit->normal); /* a cluster has none */
+    if (local->multiplicity == 1)
+        set_normal(q, local->root, hit->position, hit->normal); /* a cluster has none */
     if (root) *root = (algsurf_complex){ldexp(s->root.re, -f->exponent), ldexp(s->root.im, -f->exponent)};
 }
 

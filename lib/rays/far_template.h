@@ -1,16 +1,8 @@
 /* far_template.h - rays without ends, or with far ones: the pieces that LANES of them are searched in.
  *
- * Where no root is.  By Taylor, p(x + y) = sum p^(k)(x) y^k / k!: if all derivatives at x have one sign, p
- * has no root from x on, and if those of (-1)^k p^(k) have, none up to x.  Over [0,1], p^(k)(0) and p^(k)(1)
- * are positive multiples of the first and the last k-th difference of the Bernstein coefficients: so the
- * coefficients over a piece tell what is beyond its ends.  (They do as soon as the real parts of all complex
- * roots are in the piece: then p is a product of factors with positive coefficients in y.)
- *
- * Errors.  Coefficients known to e, at most b in size, have k-th differences off by 2^k (e + k u b) to first
- * order, as each subtraction doubles what there is and adds a rounding of a number below 2^k b; the code has
- * 2 n for k.  Where each has its own radius, the radii add up as the coefficients do.  Differences beyond P's
- * degree are 0 and left out, and so are those beyond its degree in the coordinates that change along the ray,
- * by the caller's direction: a component that has underflown since is none that does not change.
+ * What Bernstein coefficients over a piece tell of what is beyond its ends: roots/beyond_template.h.  P's
+ * degree along a ray is that in the coordinates that change, by the caller's direction: a component that has
+ * underflown since is none that does not change.
  *
  * Pieces.  The innermost one is about the ray's point nearest to the origin of space, where the surface's
  * unit balances P's terms.  Those before and behind end 8 times as far from that point each, so that on each
@@ -22,21 +14,13 @@
  * A ray that goes on with another piece waits until there are LANES such rays. */
 #ifndef ALGSURF_FAR_TEMPLATE_H
 #define ALGSURF_FAR_TEMPLATE_H
-#include "../roots/first_walk_template.h"
+#include "../roots/beyond_template.h"
 #include "../surface/impl.h"
 #include "chord_template.h"
 #include "powers_template.h"
 
-#define LONG 8                    /* half a chord, in sizes of the surface: longer ones go by pieces */
-#define MOST_PIECES 16            /* on either side */
-#define LITTLE_MORE (1 + 0x1p-44) /* for the rounding of radii */
-#define SIGN_BIT 0x8000000000000000u
-
-/* Lanes whose polynomials have no root before, none behind a piece; and those whose degree is not shown,
- * which have no end. */
-typedef struct beyond {
-    mask none_before, none_behind, lost;
-} beyond;
+#define LONG 8         /* half a chord, in sizes of the surface: longer ones go by pieces */
+#define MOST_PIECES 16 /* on either side */
 
 typedef struct far_rays {
     lanes first, last;   /* the rays' ends */
@@ -44,7 +28,7 @@ typedef struct far_rays {
     lanes piece;         /* 0: that one; 1, 2, .. those behind; -1, -2, .. those before */
     lanes degree;        /* P's along the ray, at most */
     mask far, looking;   /* lanes that go by pieces; those that still look for the first one */
-    beyond is;           /* the piece that was searched last */
+    beyond is;           /* the piece that was searched last; lost: there is no end of them */
 } far_rays;
 
 /* The end of piece i, where i + 1 begins. */
@@ -91,35 +75,17 @@ INLINE void begin_far(const algsurf_i_rays_job *job, const places *w, ray_lanes 
 }
 
 /* What the packet's coefficients of degree n, over the pieces that have been searched, tell. */
-APART void look_beyond(const packet *k, int n, int own, far_rays *f) {
-    lanes d[MOST_DEGREE + 1], e[MOST_DEGREE + 1], rounding = 2 * n * 0x1p-53 * k->largest;
-    beyond is = {~no_lane(), ~no_lane(), no_lane()};
-    mask innermost = at_most(absolute(f->piece), all_lanes(0));
-    words minus = {0}, before = (words)k->b[0] & SIGN_BIT, behind = (words)k->b[n] & SIGN_BIT;
-    for (int j = 0; j <= n; j++) d[j] = k->b[j];
-    for (int j = 0; j <= (own ? n : 0); j++) e[j] = k->e[j];
-    for (int i = 0; i <= n; i++) {
-        lanes begin_error = LITTLE_MORE * e[0] + rounding;
-        lanes end_error = LITTLE_MORE * e[own ? n - i : 0] + rounding;
-        mask no_more = less(f->degree, all_lanes(i)), highest = at_most(f->degree, all_lanes(i)) & ~no_more;
-        is.none_before &= no_more | less(begin_error, (lanes)((words)d[0] ^ before ^ minus));
-        is.none_behind &= no_more | less(end_error, (lanes)((words)d[n - i] ^ behind));
-        is.lost |= highest & innermost & ~less(begin_error, absolute(d[0]));
-        for (int j = 0; j < n - i; j++) d[j] = d[j + 1] - d[j];
-        for (int j = 0; j < (own ? n - i : 1); j++) e[j] += e[own ? j + 1 : j];
-        rounding += rounding;
-        minus ^= SIGN_BIT;
-    }
-    f->is = is;
+APART void look_out(const packet *k, int n, int own, far_rays *f) {
+    f->is = look_beyond(k->b, k->e, n, own, f->degree);
+    f->is.lost &= at_most(absolute(f->piece), all_lanes(0));
 }
 
 /* By powers, whose radii are less, of lanes that nodes do not show the degree of. */
-APART void look_again(const algsurf_surface *s, const chord_line *line, const packet *k, int n, far_rays *f) {
+APART void look_again(const algsurf_surface *s, const chord_line *line, int n, far_rays *f) {
     packet again;
     const beyond is = f->is;
     coefficients_from_powers(s, line, n, again.b, again.e);
-    again.largest = k->largest;
-    look_beyond(&again, n, 1, f);
+    look_out(&again, n, 1, f);
     f->is.none_before |= is.none_before;
     f->is.none_behind |= is.none_behind;
     f->is.lost &= is.lost;
@@ -152,8 +118,8 @@ APART mask next_pieces(const algsurf_i_rays_job *job, const ray_lanes *r, far_ra
     mask which = f->far & opened;
     if (job->any) which &= ~k->hit;
     if (!any(which)) return which;
-    look_beyond(k, n, own, f);
-    if (!own && any(which & f->is.lost)) look_again(job->surface, line, k, n, f);
+    look_out(k, n, own, f);
+    if (!own && any(which & f->is.lost)) look_again(job->surface, line, n, f);
     mask before = lanes_before(r, f, which);
     mask behind = lanes_behind(r, f, which & ~(before | k->hit | k->undecided));
     return go_on(f, k, before, behind);

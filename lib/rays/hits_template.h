@@ -9,8 +9,6 @@
 #define MOST_STEPS 3              /* before the last one */
 #define LONGEST_LAST_STEP 0x1p-40 /* in lengths of the bracket, as in intersect.c */
 
-#define LITTLE_STEP 0x1p-32 /* likewise: the gradient where the last one begins is the hit's */
-
 /* What becomes of the lanes' hits, with the caller's t. */
 typedef struct lanes_hit {
     lanes t, t_lo, t_hi, position[3], normal[3];
@@ -84,26 +82,32 @@ INLINE void narrow(const algsurf_surface *s, const ray_lanes *r, lanes half, con
     hit->t_hi = choose(behind, smaller(hit->t_hi, t[1]), hit->t_hi);
 }
 
-/* P's gradient may be off by (4 n + 8) u S_i, S its scheme on magnitudes (surface/eval.c).  Where that leaves
- * less than ALGSURF_I_CLEAR asks for, or the last step is not short, the normal is NaN, and found apart
- * (normal.h).  S_i is at most n L^(n-1) times the coefficients' size, L = max(1, |x|); or, S being convex, at
- * most (S(|x| + d) - S(|x|)) / d in each coordinate, for d along all of them. */
-#define CLEAR(s) (ALGSURF_I_CLEAR * (4 * (s)->degree + 8) * 0x1p-53)
-
-APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes gradient) {
+/* Lanes of which the gradient at x is not known to be that at the hit, a step away, to what ALGSURF_I_CLEAR
+ * asks for: their normals are NaN, and found apart (normal.h).
+ *
+ * With S, P's scheme on magnitudes at |x|, rounding puts S_i off by (4 n + 8) u S_i at most (surface/eval.c),
+ * a step along r, |r_j| < 2, by 2 |step| sum_j S_ij.  With L = max(1, |x|) and the sum A of the coefficients'
+ * sizes S_i <= n A L^(n-1), and that sum is at most 63 / L times as much.  S is convex: with all coordinates
+ * larger by d, S_i <= S / d and sum_j S_ij <= 4 S / d^2.  For d = L / 8 both times the error is below (4 n +
+ * 8) u + 128 |step| / L times the bound on S_i. */
+APART mask unclear_by_terms(const algsurf_surface *s, const lanes x[3], lanes size, lanes error,
+                            lanes gradient) {
     lanes reach[3], d = 0.125 * size;
     for (int i = 0; i < 3; i++) {
         reach[i] = absolute(x[i]) + d;
         if (s->stride[i] == 2) reach[i] *= reach[i];
     }
-    return ~less(CLEAR(s) * surface_magnitude(s, reach), d * gradient);
+    return ~less(error * surface_magnitude(s, reach), d * gradient);
 }
 
-INLINE mask unclear(const algsurf_surface *s, const lanes x[3], const lanes gradient[3], mask which) {
-    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(CLEAR(s) * s->degree * s->size);
+INLINE mask unclear(const algsurf_surface *s, const lanes x[3], const lanes gradient[3], lanes step,
+                    mask which) {
+    lanes size = larger(all_lanes(1), largest_of(x)), power = all_lanes(s->degree * s->size);
+    lanes error = ALGSURF_I_CLEAR * ((4 * s->degree + 8) * 0x1p-53 * size + 128 * absolute(step));
+    lanes gradient_size = largest_of(gradient) * size; /* like the error, times L */
     for (int i = 1; i < s->degree; i++) power *= size;
-    mask not_yet = which & ~less(power, largest_of(gradient));
-    return any(not_yet) ? not_yet & unclear_by_terms(s, x, size, largest_of(gradient)) : not_yet;
+    mask not_yet = which & ~less(power * error, gradient_size);
+    return any(not_yet) ? not_yet & unclear_by_terms(s, x, size, error, gradient_size) : not_yet;
 }
 
 /* From roots v of the polynomials, -1 <= v <= 1, to hits.  A point is kept as t + low: where the origin is
@@ -112,7 +116,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
                       int ends, int normals, packet *k, lanes_hit *hit) {
     const cell *c = &k->at;
     lanes low, x[PAIR][3], gradient[3], t = exact_sum(middle, half * v, &low);
-    lanes length = 2 * half * (c->q - c->p), far = LONGEST_LAST_STEP * length, little = LITTLE_STEP * length;
+    lanes far = 2 * LONGEST_LAST_STEP * half * (c->q - c->p);
     if (watch_of(k)) {
         const lanes begin[3] = {far, t, low};
         tell_last_step(job->surface, r, k, begin);
@@ -134,9 +138,7 @@ INLINE void find_hits(const algsurf_i_rays_job *job, const ray_lanes *r, lanes m
     hit->t *= r->t_unit;
     hit->t_lo *= r->t_unit;
     hit->t_hi *= r->t_unit;
-    mask none =
-        normals ? unclear(job->surface, x[0], gradient, k->hit) | (k->hit & ~at_most(absolute(step), little))
-                : no_lane();
+    mask none = normals ? unclear(job->surface, x[0], gradient, step, k->hit) : no_lane();
     make_unit(gradient);
     for (int i = 0; i < 3; i++) {
         hit->position[i] = (x[0][i] + step * r->direction[i]) * r->unit;

@@ -20,7 +20,7 @@
 #include "../surface/exact_form.h"
 #include "../surface/impl.h"
 
-enum { FORM_WORDS = 1024 }; /* before any memory is allocated */
+enum { FORM_WORDS = 512 }; /* before any memory is allocated */
 
 #define FEW_ROUNDINGS 0x1p-50 /* of a length */
 

@@ -71,7 +71,7 @@ static void hit_as_it_is(const single_ray *s, double v, lanes_hit *hit) {
     lanes t = point_at(s, v, x[0]);
     jets p = surface_jets(s->job->surface, x, 1);
     normal[0] = p.x[0], normal[1] = p.y[0], normal[2] = p.z[0];
-    mask none = unclear(s->job->surface, x[0], normal, s->k.hit);
+    mask none = unclear(s->job->surface, x[0], normal, all_lanes(0), s->k.hit);
     make_unit(normal);
     hit->t = smaller(larger(t * s->ray.t_unit, hit->t_lo), hit->t_hi);
     for (int i = 0; i < 3; i++)
@@ -129,8 +129,8 @@ static int first_bracket(single_ray *s) {
         decide_from_powers(s->job, &s->line, &s->k, n);
     else
         decide_from_nodes(s->job, &s->line, &s->k, n);
-    if (any(which)) look_beyond(&s->k, n, own, &s->ends);
-    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, &s->k, n, &s->ends);
+    if (any(which)) look_out(&s->k, n, own, &s->ends);
+    if (!own && any(which & s->ends.is.lost)) look_again(s->job->surface, &s->line, n, &s->ends);
     for (int j = 1; !own && j <= n; j++) s->k.e[j] = s->k.e[0];
     mask before = lanes_before(&s->ray, &s->ends, which);
     return any(before) && next_piece(s, before, no_lane());

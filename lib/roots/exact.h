@@ -45,10 +45,10 @@ typedef struct algsurf_exact_size {
 typedef struct algsurf_exact_pieces {
     algsurf_exact_size *size; /* of each coefficient */
     int degree, unit;
-    double lo, hi;      /* of t, finite or not; ends belong to it */
-    int scattered;      /* 0: one piece; 1: cut at 0 and powers of two */
-    int least, most;    /* exponents between which p can have roots */
-    int inner;          /* scattered: those below 2^least are one piece on either side, else there are none */
+    double lo, hi;   /* of t, finite or not; ends belong to it */
+    int scattered;   /* 0: one piece; 1: cut at 0 and powers of two */
+    int least, most; /* exponents between which p can have roots */
+    int inner; /* scattered: those below 2^inner are in one piece on either side; least: there are none */
     int side, exponent; /* scattered: the next piece is 2^exponent <= |t| <= 2^(exponent+1) on this side */
     int done;
 } algsurf_exact_pieces;

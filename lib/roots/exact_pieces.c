@@ -96,8 +96,7 @@ static int fits_one_piece(algsurf_exact_pieces *s) {
     if (s->most - s->least > NOT_FAR || s->size[0].sign == 0) return 0;
     if (n >= CUT_FROM) {
         int mean = s->unit + ceiling_of_quotient(s->size[0].bits - s->size[n].bits, n);
-        s->least = mean < s->least ? s->least : mean > s->most ? s->most : mean;
-        s->inner = 1;
+        s->inner = mean < s->least ? s->least : mean > s->most ? s->most : mean;
         return 0;
     }
     if (s->most > 1023 || s->most < -1074) return s->most > 1023 && bounded;
@@ -130,6 +129,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
     find_root_bounds(s);
     int beyond = isfinite(farthest) ? ilogb(fmax(farthest, 0x1p-1074)) + 1 : s->most; /* 2^beyond > all |t| */
     if (beyond < s->most) s->most = beyond > s->least ? beyond : s->least;
+    s->inner = s->least;
     s->scattered = !fits_one_piece(s);
     algsurf_exact_pieces_again(s);
     return 1;
@@ -137,7 +137,7 @@ int algsurf_exact_pieces_begin(algsurf_exact_pieces *s, algsurf_memory *m, const
 
 /* Is [2^e, 2^(e+1)], or the innermost piece, on this side of 0, outside of [lo,hi]? */
 static int is_outside(const algsurf_exact_pieces *s, int side, int e) {
-    double near = e < s->least || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
+    double near = e < s->inner || e < -1074 ? 0 : e > 1023 ? HUGE_VAL : power_of_two(e);
     double far = e + 1 > 1023 ? HUGE_VAL : power_of_two(e + 1);
     return side > 0 ? far < s->lo || near > s->hi
                     : -far > s->hi || -near < s->lo || (-near == s->lo && isfinite(near));
@@ -152,35 +152,39 @@ static int sign_of_term(const algsurf_exact_pieces *s, int k, int side) {
 static int leave_out(const algsurf_exact_pieces *s, int side, int e) {
     const algsurf_exact_size *c = s->size;
     int m = -1, spare = algsurf_limb_bits((algsurf_limb)s->degree) + 1, at = e - s->unit;
-    int least = s->least - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
+    int least = s->inner - s->unit, most = s->most - 1 - s->unit; /* where the term m serves */
     for (int k = 0; k <= s->degree; k++)
         if (c[k].sign && (m < 0 || c[k].bits + at * k > c[m].bits + at * m)) m = k;
-    double sum = 0;
     for (int k = 0; k <= s->degree; k++) {
         if (sign_of_term(s, k, side) != -sign_of_term(s, m, side)) continue;
         int excess = c[k].bits - c[m].bits + spare, bound;
-        sum += ldexp(c[k].part / c[m].part, c[k].exponent - c[m].exponent + (k > m ? at + 1 : at) * (k - m));
         if (k < m && (bound = ceiling_of_quotient(excess, m - k)) > least) least = bound;
         if (k > m && (bound = -ceiling_of_quotient(excess, k - m) - 1) < most) most = bound;
     }
-    if (at < least || at > most) return sum < 1 - 0x1p-30 ? e + side : e;
-    return s->unit + (side > 0 ? most + 1 : least - 1);
+    if (at >= least && at <= most) return s->unit + (side > 0 ? most + 1 : least - 1);
+    double sum = 0;
+    for (int k = 0; k <= s->degree; k++)
+        if (sign_of_term(s, k, side) == -sign_of_term(s, m, side))
+            sum +=
+                ldexp(c[k].part / c[m].part, c[k].exponent - c[m].exponent + (k > m ? at + 1 : at) * (k - m));
+    return sum < 1 - 0x1p-30 ? e + side : e;
 }
 
 /* The next piece in units of powers of two. */
 static int next_scattered(algsurf_exact_pieces *s, algsurf_exact_piece *piece) {
     for (;;) {
-        if (s->side < 0 && s->exponent < s->least - s->inner) {
+        int innermost = s->inner - (s->inner > s->least);
+        if (s->side < 0 && s->exponent < innermost) {
             s->side = 1;
-            s->exponent = s->least - s->inner;
+            s->exponent = innermost;
             if (s->size[0].sign == 0) return ALGSURF_EXACT_ZERO;
         }
-        int side = s->side, e = s->exponent, innermost = e < s->least;
+        int side = s->side, e = s->exponent, about = e < s->inner; /* about 0 */
         if (side > 0 && e >= s->most) return ALGSURF_EXACT_NO_PIECE;
-        if (!innermost && (s->exponent = leave_out(s, side, e)) != e) continue;
+        if (!about && (s->exponent = leave_out(s, side, e)) != e) continue;
         s->exponent += side;
         if (is_outside(s, side, e)) continue;
-        *piece = (algsurf_exact_piece){.unit = e + innermost, .at = side > 0 ? 1 - innermost : innermost - 2};
+        *piece = (algsurf_exact_piece){.unit = e + about, .at = side > 0 ? 1 - about : about - 2};
         return ALGSURF_EXACT_PIECE;
     }
 }

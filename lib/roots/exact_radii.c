@@ -186,9 +186,8 @@ static int times_index(algsurf_memory *memory, const algsurf_zpoly *f, int m, in
 /* Of the doubles in [lo,hi] on one side of 0 the middle one. */
 static double middle_of(double lo, double hi) {
     if (lo <= 0 && hi >= 0) return lo + 0.5 * (hi - lo);
-    uint64_t a = algsurf_exact_order_of(lo), b = algsurf_exact_order_of(hi);
-    double middle = algsurf_exact_double_at(a + (b - a) / 2);
-    return isinf(middle) ? hi : middle;
+    double middle = algsurf_exact_between(lo, hi);
+    return isinf(middle) ? lo : middle;
 }
 
 /* f_k as mantissa and exponent. */

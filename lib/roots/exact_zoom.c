@@ -28,9 +28,9 @@ static void mean_all(double *b, int m, double x) {
 }
 
 /* The place of a root of the (v-1)-th derivative in (0,1), and the v-th derivative there over v!; 0: none
- * found. */
-static double cluster_centre(const double *b, int n, int v, double *lead) {
-    double w[ALGSURF_MAX_POLY_DEGREE + 1], t[ALGSURF_MAX_POLY_DEGREE + 1], x = 0.5, slope = 0;
+ * found.  room: for 2 (n + 1) doubles, here and below. */
+static double cluster_centre(const double *b, int n, int v, double *room, double *lead) {
+    double *w = room, *t = room + n + 1, x = 0.5, slope = 0;
     int m = n - (v - 1);
     memcpy(w, b, sizeof *w * (size_t)(n + 1));
     for (int d = n; d > m; d--) /* differences: divided by d, as binomials are below */
@@ -50,8 +50,8 @@ static double cluster_centre(const double *b, int n, int v, double *lead) {
 
 /* How far from x the v roots nearest to it are, roughly: p about x is sum C(n,i) D_i (y - x)^i, with
  * differences D_i of the coefficients over [x, x + 1], and D_v = lead. */
-static double cluster_radius(const double *b, int n, int v, double x, double lead) {
-    double t[ALGSURF_MAX_POLY_DEGREE + 1], right[ALGSURF_MAX_POLY_DEGREE + 1], binomial = 1, radius = 0;
+static double cluster_radius(const double *b, int n, int v, double *room, double x, double lead) {
+    double *t = room, *right = room + n + 1, binomial = 1, radius = 0;
     memcpy(t, b, sizeof *t * (size_t)(n + 1));
     for (int i = n; i >= 0; i--) {
         right[i] = t[i];
@@ -71,8 +71,7 @@ static double cluster_radius(const double *b, int n, int v, double x, double lea
 }
 
 /* Are all coefficients left of x (right of it) of the sign at that end, beyond the bound? */
-static int outer_is_clear(const double *b, int n, double x, int at_right, double bound) {
-    double t[ALGSURF_MAX_POLY_DEGREE + 1];
+static int outer_is_clear(const double *b, int n, double *t, double x, int at_right, double bound) {
     int sign = sign_of_double(at_right ? b[n] : b[0]);
     memcpy(t, b, sizeof *t * (size_t)(n + 1));
     for (int i = n; i >= 0; i--) {
@@ -148,22 +147,24 @@ static int make_middle(algsurf_memory *m, algsurf_exact_cell *cell, int k, algsu
 
 int algsurf_exact_zoom(algsurf_memory *m, algsurf_exact_cell *cell, int v, int *done) {
     int n = cell->b.degree;
-    double b[ALGSURF_MAX_POLY_DEGREE + 1], lead = 0, bound = (3 * n + 6) * 0x1p-52;
+    algsurf_memory_mark mark = algsurf_memory_here(m);
+    double *b = (double *)(void *)algsurf_memory_take(m, 3 * (size_t)(n + 1));
+    double lead = 0, x = 0, bound = (3 * n + 6) * 0x1p-52;
     *done = 0;
+    if (!b) return 0;
+    double *room = b + n + 1;
     algsurf_exact_cell_doubles(cell, b);
-    double centre = cluster_centre(b, n, v, &lead);
-    if (!(centre > 0 && lead > 0)) return 1;
-    double radius = cluster_radius(b, n, v, centre, lead);
+    double centre = cluster_centre(b, n, v, room, &lead);
+    double radius = centre > 0 && lead > 0 ? cluster_radius(b, n, v, room, centre, lead) : 1;
     int most = MOST_BITS / v, k = radius < ldexp(1, -most - 2) ? most : -ilogb(radius) - 3;
     for (; k >= 4; k -= 3) {
         double where = ldexp(centre, k);
         if (!(where >= 1 && where < ldexp(1, k) - 2)) continue;
-        double x = floor(where - 0.5);
-        if (outer_is_clear(b, n, ldexp(x, -k), 0, bound) &&
-            outer_is_clear(b, n, ldexp(x + 2, -k), 1, bound)) {
-            *done = 1;
-            return make_middle(m, cell, k, (algsurf_limb)x);
-        }
+        x = floor(where - 0.5);
+        *done = outer_is_clear(b, n, room, ldexp(x, -k), 0, bound) &&
+                outer_is_clear(b, n, room, ldexp(x + 2, -k), 1, bound);
+        if (*done) break;
     }
-    return 1;
+    algsurf_memory_release(m, mark);
+    return !*done || make_middle(m, cell, k, (algsurf_limb)x);
 }

@@ -34,6 +34,8 @@ typedef struct task {
     algsurf_bracket *b;       /* of a set, else null */
     algsurf_real_root *roots; /* of an exact polynomial, else null */
     int count, capacity;
+    algsurf_bracket *to; /* the caller's brackets, null: none are asked for; room for so many */
+    int most;
 } task;
 
 /* Of the set of polynomials within the radii. */
@@ -110,17 +112,20 @@ static algsurf_status run(task *t) {
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_status status = check_and_isolate(t);
+    if (status >= 0 && t->to && t->count > t->most) status = ALGSURF_E_ARGUMENT;
+    for (int i = 0; status >= 0 && t->to && i < t->count; i++) t->to[i] = bracket_at(t, i);
     algsurf_fpenv_leave(&saved);
     for (int i = 0; status == ALGSURF_OK && t->b && i < t->count; i++) status = t->b[i].status;
     return status;
 }
 
 static int begin(task *t, const double *c, const double *r, int degree, double lo, double hi, int wanted,
-                 const algsurf_i_watch *watch) {
+                 const algsurf_i_watch *watch, algsurf_bracket *to, int most) {
     int many = degree > ALGSURF_MAX_DEGREE && degree <= ALGSURF_MAX_POLY_DEGREE;
     t->p = (algsurf_i_coefficients){c, r, degree};
     t->lo = lo, t->hi = hi, t->wanted = wanted;
     t->watch = watch && watch->observer ? watch : NULL;
+    t->to = to, t->most = most;
     t->b = NULL, t->roots = NULL, t->count = 0, t->capacity = degree > 0 ? degree : 1;
     t->room = many ? malloc((size_t)degree * sizeof *t->few) : t->few;
     return t->room != NULL;
@@ -145,10 +150,9 @@ algsurf_status algsurf_isolate_first(const double *c, const double *r, int degre
     task t;
     algsurf_i_watch watch = {.observer = NULL};
     if (!bracket || !found || !read_options(options, &watch.observer)) return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_FIRST, &watch)) return ALGSURF_E_NO_MEMORY;
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_FIRST, &watch, bracket, 1)) return ALGSURF_E_NO_MEMORY;
     algsurf_status status = run(&t);
     if (status >= 0) *found = t.count;
-    if (status >= 0 && t.count) *bracket = bracket_at(&t, 0);
     end(&t);
     return status;
 }
@@ -160,10 +164,9 @@ algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree,
     algsurf_i_watch watch = {.observer = NULL};
     if (!brackets || !count || capacity < 0 || !read_options(options, &watch.observer))
         return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_ALL, &watch)) return ALGSURF_E_NO_MEMORY;
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_ALL, &watch, brackets, capacity))
+        return ALGSURF_E_NO_MEMORY;
     algsurf_status status = run(&t);
-    if (status >= 0 && t.count > capacity) status = ALGSURF_E_ARGUMENT;
-    for (int i = 0; status >= 0 && i < t.count; i++) brackets[i] = bracket_at(&t, i);
     if (status >= 0) *count = t.count;
     end(&t);
     return status;
@@ -175,7 +178,7 @@ algsurf_status algsurf_count_roots(const double *c, const double *r, int degree,
     task t;
     int undecided = 0;
     if (!count) return ALGSURF_E_ARGUMENT;
-    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_NUMBER, NULL)) return ALGSURF_E_NO_MEMORY;
+    if (!begin(&t, c, r, degree, lo, hi, ALGSURF_I_NUMBER, NULL, NULL, 0)) return ALGSURF_E_NO_MEMORY;
     algsurf_status status = run(&t);
     for (int i = 0; status >= 0 && t.b && i < t.count; i++)
         undecided += t.b[i].kind == ALGSURF_BRACKET_UNDECIDED;

@@ -55,6 +55,7 @@ struct algsurf_surface {
     /* For rays without ends.  Along a line through the origin the roots that are not far out have real parts
      * up to about this, in natural units: where to look first, no bound. */
     double spread;
+    int goes_far; /* 1: P's highest terms are not of one sign, as far as was looked: roots are far out, too */
     unsigned char degree_in[8]; /* P's degree in those coordinates whose bits, 1, 2, 4, are set */
 };
 

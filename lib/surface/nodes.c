@@ -93,7 +93,7 @@ static int is_beyond(const double *c, int n, double t, int side) {
 /* See impl.h.  Where P's highest terms have both signs the surface goes to infinity, and lines have roots at
  * all distances; where they are 0 in some directions, complex ones: then it is worth to look further, as long
  * as doubles allow it. */
-static double spread_of(const algsurf_surface *s) {
+static double spread_of(algsurf_surface *s) {
     double c[ALGSURF_MAX_DEGREE + 1], size = 0x1p-4;
     int signs = 0;
     for (int number = 0; number < 13; number++) { /* of 27 directions, 0 and the opposite ones left out */
@@ -106,6 +106,7 @@ static double spread_of(const algsurf_surface *s) {
         while (reach < 16 && !(is_beyond(c, n, reach, 1) && is_beyond(c, n, reach, -1))) reach *= 1.25;
         if (reach < 16) size = reach;
     }
+    s->goes_far = (signs & 3) == 3 || signs & 4;
     double more = (signs & 3) == 3 ? 4 : signs & 4 ? 2 : 1;
     return fmax(size, fmin(more * size, algsurf_i_exp2(24.0 / s->degree)));
 }

@@ -4,7 +4,6 @@ import { stemOf } from "./command.js";
 import { isInOwnColours, radiusOf } from "../state/state.js";
 
 const EDGE = 0.45, DISTANCE = 16; // of a light that is told by angles, as render has it
-const USUALLY_THIN = 6; // the degree up to which render shows what is thin without being asked
 
 /** A string literal; other bytes than printable ASCII are octal, three digits, so that nothing can follow. */
 function literal(text) {
@@ -71,8 +70,8 @@ function lightLines(state) {
     ];
 }
 
-function thinLines(state, degree) {
-    const isThin = !state.complex && (state.thin ?? degree <= USUALLY_THIN);
+function thinLines(state) {
+    const isThin = !state.complex && (state.thin ?? true);
     return isThin ? ["    check(algsurf_scene_set_thin(scene, material.outside));"] : [];
 }
 
@@ -108,8 +107,8 @@ function backgroundLines({ background }) {
     ];
 }
 
-/** The text of the file; degree: the surface's. */
-export function programOf(state, { width, height, quality = "standard", antialias = 4, degree }) {
+/** The text of the file. */
+export function programOf(state, { width, height, quality = "standard", antialias = 4 }) {
     const { eye, lookAt, up, fov } = state.camera, { kind, size, centre } = state.extent;
     const letters = Object.entries(state.parameters);
     const given = letters.length > 0 ? "constants" : "NULL", shape = kind === "box" ? "BOX" : "SPHERE";
@@ -162,7 +161,7 @@ export function programOf(state, { width, height, quality = "standard", antialia
         "    check(algsurf_scene_set_material(scene, &material));",
         ...backgroundLines(state.colours),
         ...lightLines(state),
-        ...thinLines(state, degree),
+        ...thinLines(state),
         ...complexLines(state),
         `    check(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_${drawn.toUpperCase()}));`,
         `    check(algsurf_scene_set_antialias(scene, ${antialias}));`,

@@ -5,7 +5,7 @@ import { element } from "../base/dom.js";
 import { radiusOf } from "../state/state.js";
 
 const DECADES = 2; // of the radius, around the one that was fitted
-const THIN_DEGREE = 12; // above it the library draws nothing that is thin
+const THIN_DEGREE = 24; // above it the library draws nothing that is thin
 
 /** services: { store, text, motion, fit(what): "view" chooses extent and camera, "camera" the camera, reset
  * } */

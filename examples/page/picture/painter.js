@@ -21,7 +21,6 @@ const SLOW = 1500; // milliseconds: a first coarse picture that takes longer is 
 const LATE = 150; // milliseconds: a moving picture that takes longer may be given up
 const PATIENCE = 120; // milliseconds after which a picture at rest is shown band by band
 const THIN_SHARE = 1 / 8; // of the height, in samples: with so many, moving pictures show what is thin
-const USUALLY_THIN = 6; // the degree up to which thin features are drawn without being asked for
 const KINDS = ["compile", "fit", "pick", "isolate", "refine", "complexRoots", "thumbnail"];
 
 /** What kinds of work go first. */
@@ -334,8 +333,8 @@ function surfaceIn({ equation, parameters }) {
 }
 
 /** Does the drawing look for thin features, which moving pictures do without as a rule? */
-function drawsThin({ state, degree, stageNumber }) {
-    return stageNumber > 0 || (state.thin ?? degree <= USUALLY_THIN);
+function drawsThin({ state, stageNumber }) {
+    return stageNumber > 0 || (state.thin ?? true);
 }
 
 /** Gives the canvas the size of the drawing, and what it showed, scaled, if it is to be replaced bit by

@@ -1,0 +1,162 @@
+/* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through it
+ * hits, wherever that is, and few rays have to be solved by themselves.
+ *
+ * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind
+ * them; that of tiles; pixels of a tile of which nothing is proved behind that begin where its cells end; tiles
+ * cut by planes; lines of sight that miss the ball about what is near taken for empty.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "render_case.h"
+
+#define SEED 41u
+
+static const char *const equations[] = {
+    "x^2+y^2+z^2-1",
+    "x^2 z + y^2",
+    "z^3+x z+y",
+    "(x^2+y^2+z^2+5.44)^2 - 25(x^2+y^2)",
+    "x^2 y^2+x^2 z^2+y^2 z^2+x y z",
+    "(x^2+9y^2/4+z^2-1)^3 - x^2 z^3 - 9 y^2 z^3/80",
+    "4(2.6x^2-y^2)(2.6y^2-z^2)(2.6z^2-x^2)-4.2(x^2+y^2+z^2-1)^2",
+    "(x^2+y^2+z^2-1)((x-40)^2+(y+10)^2+(z-5)^2-400)",
+    "(x^2+y^2-z^2-1)(z-90)(z+70)",
+    "x + 2 y - 3 z - 1/3",
+    "x^14+y^14+z^14-1",
+};
+
+enum { EQUATIONS = sizeof equations / sizeof *equations };
+
+static void fail_pixel(const char *what, int e, const algsurf_camera *camera, int x, int y, double t,
+                       const algsurf_hit *hit) {
+    exact_print_doubles("eye", camera->eye, 3), exact_print_doubles("forward", camera->forward, 3);
+    exact_print_doubles("right", camera->right, 3), exact_print_doubles("up", camera->up, 3);
+    exact_print_doubles("half height", &camera->half_height, 1);
+    fail_msg("seed %u: %s, %s: pixel %d,%d t %a, by itself state %d t %a", SEED, what, equations[e], x, y, t,
+             hit->state, hit->t);
+}
+
+/* What the ray by itself hits. */
+static void judge(const algsurf_surface *surface, int e, const algsurf_camera *camera,
+                  const algsurf_intersect_options *options, const picture *p) {
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            algsurf_ray ray;
+            algsurf_hit hit;
+            const double t = p->hits[y * W + x];
+            assert_int_equal(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
+            assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, options, &hit), ALGSURF_OK);
+            if (p->states[y * W + x] != hit.state) fail_pixel("another state", e, camera, x, y, t, &hit);
+            if (hit.state != ALGSURF_HIT) continue;
+            double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
+                                hit.normal[2] * ray.direction[2]);
+            double room = fmin(1e-8 / slant, 1e-5);
+            if (!(fabs(t - hit.t) <= room * (1 + fabs(hit.t)))) fail_pixel("another t", e, camera, x, y, t, &hit);
+        }
+}
+
+/* Near, far, inside and looking past; some parallel, some along an axis. */
+static algsurf_camera random_camera(uint64_t *seed, int number) {
+    static const double away[] = {6, 2.5, 40, 0.4, 1e4, 15};
+    double eye[3], at[3], forward[3], far = away[number % 6], length = 0;
+    algsurf_camera camera;
+    for (int i = 0; i < 3; i++) forward[i] = exact_random_unit(seed), length += forward[i] * forward[i];
+    if (number % 5 == 4) forward[0] = forward[1] = 0, forward[2] = length = 1;
+    for (int i = 0; i < 3; i++) {
+        at[i] = (number % 4 == 3 ? 4 : 0.5) * exact_random_unit(seed);
+        eye[i] = at[i] - far * forward[i] / sqrt(length);
+    }
+    const double up[3] = {0.1, 1, 0.2};
+    if (number % 5 > 2)
+        assert_int_equal(algsurf_camera_orthographic(eye, at, up, number % 2 ? 1.5 : 6, &camera), ALGSURF_OK);
+    else
+        camera = pinhole_of(eye, at, up, far > 1e3 ? 0.02 : number % 2 ? 60 : 25);
+    return camera;
+}
+
+static void pixels_show_what_their_rays_hit(void **state) {
+    uint64_t seed = SEED;
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e++) {
+        algsurf_surface *surface = surface_of(equations[e]);
+        for (int number = 0; number < 48; number++) {
+            const algsurf_camera camera = random_camera(&seed, number);
+            const algsurf_plane plane = {{exact_random_unit(&seed), exact_random_unit(&seed), 1}, 0.3};
+            algsurf_intersect_options options = {.size = sizeof options};
+            algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
+            if (number % 3 == 2) {
+                assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+                options.planes = &plane, options.plane_count = 1;
+            }
+            picture *p = drawn(scene, 1);
+            judge(surface, e, &camera, &options, p);
+            free(p);
+            algsurf_scene_free(scene);
+        }
+        algsurf_surface_free(surface);
+    }
+}
+
+/* By slices, threads and kernels; antialiased, at edges only. */
+static void the_same_bytes_by_all_ways(void **state) {
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e += 3) {
+        algsurf_surface *surface = surface_of(equations[e]);
+        const algsurf_camera camera = camera_at(5, 4, 3, 40);
+        algsurf_intersect_options how = {.size = sizeof how};
+        algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
+        assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
+        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.05), ALGSURF_OK);
+        picture *all = drawn(scene, 1), *threads = drawn(scene, 3);
+        assert_same_picture(all, threads);
+        blank(threads);
+        for (int row = 0; row < H; row += 5) {
+            algsurf_render_options o = options_for(1);
+            o.row_begin = row, o.row_end = row + 5 < H ? row + 5 : H;
+            render(scene, &o, threads);
+        }
+        for (int row = 0; row < H; row++) assert_same_row(all, threads, row);
+        free(threads);
+        for (int k = 0; (how.kernel = algsurf_kernel_name(k)); k++) {
+            assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+            picture *other = drawn(scene, 1);
+            assert_same_picture(all, other);
+            free(other);
+        }
+        free(all);
+        algsurf_scene_free(scene);
+        algsurf_surface_free(surface);
+    }
+}
+
+/* Rays by themselves, of all: none where what there is is near. */
+static void few_rays_go_by_themselves(void **state) {
+    static const int share[EQUATIONS] = {[0] = 30, [1] = 8, [3] = 30, [4] = 8, [5] = 30, [6] = 8};
+    (void)state;
+    for (int e = 0; e < EQUATIONS; e++) {
+        if (share[e] == 0) continue;
+        algsurf_surface *surface = surface_of(equations[e]);
+        const algsurf_camera camera = camera_at(5, 4, 3, 40);
+        algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
+        picture *p = drawn(scene, 1);
+        if (p->stats.single_rays * (uint64_t)share[e] > W * H)
+            fail_msg("%s: %d rays by themselves", equations[e], (int)p->stats.single_rays);
+        free(p);
+        algsurf_scene_free(scene);
+        algsurf_surface_free(surface);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pixels_show_what_their_rays_hit),
+        cmocka_unit_test(the_same_bytes_by_all_ways),
+        cmocka_unit_test(few_rays_go_by_themselves),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
