@@ -1,9 +1,9 @@
 /* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through it
  * hits, wherever that is, and few rays have to be solved by themselves.
  *
- * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind
- * them; that of tiles; pixels of a tile of which nothing is proved behind that begin where its cells end; tiles
- * cut by planes; lines of sight that miss the ball about what is near taken for empty.
+ * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind them;
+ * empty tiles without it; pixels that begin where a tile's cells end of which nothing is proved; tiles cut by
+ * planes; and, with a view of 0.02 to 0.7 times the surface's size, sheets without a proof of what is before.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,6 +28,7 @@ static const char *const equations[] = {
     "(x^2+y^2-z^2-1)(z-90)(z+70)",
     "x + 2 y - 3 z - 1/3",
     "x^14+y^14+z^14-1",
+    "(x^8+y^8+z^8-1)(x-3000)",
 };
 
 enum { EQUATIONS = sizeof equations / sizeof *equations };
@@ -102,6 +103,27 @@ static void pixels_show_what_their_rays_hit(void **state) {
     }
 }
 
+/* A sheet far in front of what is near the origin, or far behind it, hides it or shows beside it. */
+static void what_is_far_is_seen(void **state) {
+    static const double places[] = {50, 300, -3000, 1e5}, away[] = {20, 1000, 9000};
+    (void)state;
+    for (int i = 0; i < 24; i++) {
+        const int n = i % 6 < 3 ? 8 : 10;
+        char text[64];
+        (void)snprintf(text, sizeof text, "(x^%d+y^%d+z^%d-1)(x-%g)", n, n, n, places[i / 6]);
+        algsurf_surface *surface = surface_of(text);
+        const double far = away[i % 3], fov = i % 4 ? 20 : 120;
+        const algsurf_camera camera = camera_at(far, far / 20, far / 30, fov / far);
+        const algsurf_intersect_options options = {.size = sizeof options};
+        algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
+        picture *p = drawn(scene, 1);
+        judge(surface, EQUATIONS - 1, &camera, &options, p);
+        free(p);
+        algsurf_scene_free(scene);
+        algsurf_surface_free(surface);
+    }
+}
+
 /* By slices, threads and kernels; antialiased, at edges only. */
 static void the_same_bytes_by_all_ways(void **state) {
     (void)state;
@@ -155,6 +177,7 @@ static void few_rays_go_by_themselves(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pixels_show_what_their_rays_hit),
+        cmocka_unit_test(what_is_far_is_seen),
         cmocka_unit_test(the_same_bytes_by_all_ways),
         cmocka_unit_test(few_rays_go_by_themselves),
     };
