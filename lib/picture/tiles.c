@@ -16,7 +16,8 @@
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
 #define FEW 0.21 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10, */
-#define FEW_THIN 0.5 /* where what is thin is looked for, in what they leave open */
+#define FEW_MORE 0.5 /* where what is thin is looked for, in what they leave open; in all of space, where they
+                        spare the pixels a proof */
 
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
@@ -29,7 +30,7 @@ int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packet
     int n = scene->surface->degree, samples = picture->selective ? 1 : scene->antialias;
     double side = fabs(p->per_slope) * p->pixel / samples;
     return !scene->complex && n <= ALGSURF_MAX_BEAM_DEGREE &&
-           side * n * n <= (picture->thin ? FEW_THIN : FEW);
+           side * n * n <= (picture->thin || scene->extent.kind == ALGSURF_EXTENT_ALL ? FEW_MORE : FEW);
 }
 
 static int stride_of(const algsurf_i_picture *picture) {
