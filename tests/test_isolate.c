@@ -223,7 +223,7 @@ static void test_discriminants(void **state) {
     }
 }
 
-/* Degrees beyond those that doubles decide: the line in quarters. */
+/* Degrees beyond those that doubles decide. */
 static void test_many_terms(void **state) {
     (void)state;
     uint64_t seed = SEED;
