@@ -40,9 +40,9 @@ static const contest_chapter chapter = {
     .section = "pictures",
     .title = "Pictures, 1024x768, one sample a pixel, one thread: CPU time of the picture proper, two point "
              "lights, no\n"
-             "shadows.  hits: pixels that show the surface; lacking, extra: pixels where the picture of the "
-             "certified\n"
-             "tier differs; off%: by how much the number of hits does, * where it is more than 0.1 %.",
+             "shadows.  hits: pixels that show the surface; lacking, extra: pixels that differ from the picture "
+             "that is\n"
+             "proved, without thin parts; off%: by how much the number of hits does, * where it is more than 0.1 %.",
     .unit = "ms",
     .count = "hits",
     .missed = "lacking",

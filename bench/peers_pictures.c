@@ -1,8 +1,9 @@
 /* peers_pictures.c - pictures by this library, by POV-Ray and by surf, of the same scenes.
  *
  * Time is CPU time of one thread for the picture proper: the call of algsurf_render; POV-Ray's own line on
- * tracing; surf's process less one that has nothing to draw.  Which pixels show the surface is compared with
- * the picture of the certified tier, where every hit and every miss is proved.  The programs take turns.
+ * tracing; surf's process less one that has nothing to draw.  This library draws what is thin, as `render` does
+ * by default, and once more without it ("thin none").  Which pixels show the surface is compared with the latter,
+ * where every hit and every miss is proved.  The programs take turns.
  */
 #define _XOPEN_SOURCE 700 /* fork, getrusage */
 #include <fcntl.h>
@@ -21,38 +22,34 @@
 
 enum { PIXELS = PEERS_WIDTH * PEERS_HEIGHT };
 
-typedef enum artist { CERTIFIED, BOUNDED, SURF, SURF_EMPTY, POVRAY, POVRAY_STURM, ARTISTS } artist;
+typedef enum artist { USUAL, THIN_NONE, SURF, SURF_EMPTY, POVRAY, POVRAY_STURM, ARTISTS } artist;
 
-static const char *const artist_name[ARTISTS] = {"algsurf",     "algsurf bounded", "surf-alggeo",
-                                                 "surf, empty", "POV-Ray",         "POV-Ray sturm"};
+static const char *const artist_name[ARTISTS] = {"algsurf",     "algsurf, thin none", "surf-alggeo",
+                                                 "surf, empty", "POV-Ray",            "POV-Ray sturm"};
 
 typedef struct studio {
     const peers_programs *programs;
     peers_scene scene;
     uint8_t *pixels;
     double *hits;
-    uint64_t undecided;   /* pixels of the bounded tier */
     char *shows[ARTISTS]; /* 1 where the surface is seen */
 } studio;
 
 /* ---- this library ---- */
 
 static double draw_here(studio *s, artist who) {
-    const algsurf_intersect_options intersect = {
-        .size = sizeof intersect, .tier = who == BOUNDED ? ALGSURF_TIER_BOUNDED : ALGSURF_TIER_CERTIFIED};
+    static const double thin_colour[3] = {0.8, 0.5, 0.2};
     const algsurf_render_options options = {
         .size = sizeof options, .width = PEERS_WIDTH, .height = PEERS_HEIGHT, .threads = 1};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = s->pixels, .t = s->hits};
-    algsurf_render_stats stats = {.size = sizeof stats};
-    algsurf_status status = algsurf_scene_set_intersect(s->scene.scene, &intersect);
+    algsurf_status status = algsurf_scene_set_thin(s->scene.scene, who == USUAL ? thin_colour : NULL);
     /* After fork() the first write to a page copies it.  That time is none of the picture. */
     memset(s->pixels, 0, (size_t)3 * PIXELS);
     memset(s->hits, 0, PIXELS * sizeof *s->hits);
     double begun = measure_cpu();
-    if (status == ALGSURF_OK) status = algsurf_render(s->scene.scene, &options, &picture, &stats);
+    if (status == ALGSURF_OK) status = algsurf_render(s->scene.scene, &options, &picture, NULL);
     double seconds = measure_cpu() - begun;
     if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", s->scene.name, algsurf_status_text(status));
-    if (who == BOUNDED) s->undecided = stats.undecided;
     for (int i = 0; i < PIXELS; i++) s->shows[who][i] = (char)(isinf(s->hits[i]) == 0);
     return seconds;
 }
@@ -167,14 +164,12 @@ static int takes_part(const studio *s, artist who) {
 static void compare(const studio *s, artist who, contest_row *row) {
     size_t truth = 0;
     for (int i = 0; i < PIXELS; i++) {
-        int seen = s->shows[who][i], there = s->shows[CERTIFIED][i];
+        int seen = s->shows[who][i], there = s->shows[THIN_NONE][i];
         truth += there != 0;
         row->count += seen != 0;
         row->missed += there && !seen;
         row->extra += seen && !there;
     }
-    if (who == BOUNDED && row->missed + row->extra > s->undecided)
-        cli_fail(CLI_BROKEN, "%s: the bounded and the certified tier contradict each other", s->scene.name);
     row->error = 100 * fabs((double)row->count - (double)truth) / (double)truth;
 }
 
@@ -184,7 +179,7 @@ static void hang(const studio *s, double (*seconds)[CONTEST_MOST_TAKES], int tak
         measure_sort(seconds[SURF_EMPTY], (size_t)takes);
         nothing = measure_quantile(seconds[SURF_EMPTY], (size_t)takes, 0.5);
     }
-    for (artist who = CERTIFIED; who < ARTISTS; who++) {
+    for (artist who = USUAL; who < ARTISTS; who++) {
         contest_row row = {.section = "pictures",
                            .task = s->scene.name,
                            .degree = s->scene.degree,
@@ -212,11 +207,11 @@ void peers_pictures(const char *const *surfaces, int takes, const peers_programs
     for (const char *const *name = surfaces; *name; name++) {
         double seconds[ARTISTS][CONTEST_MOST_TAKES];
         peers_scene_open(&s.scene, catalogue_find(*name));
-        (void)draw_here(&s, CERTIFIED); /* touches all memory */
+        (void)draw_here(&s, USUAL); /* touches all memory */
         for (int take = 0; take < takes; take++)
-            for (artist who = CERTIFIED; who < ARTISTS; who++)
+            for (artist who = USUAL; who < ARTISTS; who++)
                 if (takes_part(&s, who))
-                    seconds[who][take] = who <= BOUNDED ? draw_here(&s, who) : draw_there(&s, who);
+                    seconds[who][take] = who <= THIN_NONE ? draw_here(&s, who) : draw_there(&s, who);
         hang(&s, seconds, takes, table);
         peers_scene_close(&s.scene);
     }
