@@ -12,7 +12,7 @@
 #include "exact.h"
 
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
-    int common = -0x7fffffff;
+    int common = -(1 << 20); /* below all: (degree + 1) times a subnormal's exponent is -551,000 */
     for (int k = 0; k <= p->degree; k++) {
         double a = fmax(fabs(p->c[k]), p->r ? p->r[k] : 0);
         if (a > 0 && ilogb(a) + k * unit > common) common = ilogb(a) + k * unit;
