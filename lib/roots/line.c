@@ -325,5 +325,6 @@ static ALGSURF_NOINLINE algsurf_status solve_integers(const algsurf_i_line *line
 
 algsurf_status algsurf_i_line_solve(const algsurf_i_line *line, algsurf_real_root *roots, int *count) {
     *count = 0;
+    if (line->lo == HUGE_VAL || line->hi == -HUGE_VAL) return ALGSURF_OK; /* [inf,inf] holds no number */
     return line->p.c ? solve_doubles(line, roots, count) : solve_integers(line, roots, count);
 }
