@@ -119,7 +119,7 @@ static void find_axes(const expansion *p, lanes l[3], lanes v[3][3]) {
         for (int k = 0; k < 3; k++) v[i][k] = all_lanes(i == k);
     for (int sweep = 0; sweep < 5; sweep++) {
         lanes off = absolute(a[0][1]) + absolute(a[0][2]) + absolute(a[1][2]);
-        if (!any(less(0x1p-80 * (absolute(a[0][0]) + absolute(a[1][1]) + absolute(a[2][2])), off))) break;
+        if (!any(less(0x1p-56 * (absolute(a[0][0]) + absolute(a[1][1]) + absolute(a[2][2])), off))) break;
         rotate(a, v, 0, 1);
         rotate(a, v, 0, 2);
         rotate(a, v, 1, 2);
@@ -279,6 +279,13 @@ INLINE mask is_narrow(const beside *b, const newton_step *n, const lanes at[3], 
     return open & ~sheet;
 }
 
+/* Where the second derivatives are no more than what rounding makes of them, n^2 / |X|^2 times P's: powers of
+ * what vanishes there. */
+INLINE mask is_shapeless(const beside *b, const expansion *p, const lanes at[3]) {
+    const int n = b->job->surface->degree;
+    return less(bend_of(p) * dot(at, at), 4.0 * n * n * rounding_of(b, p));
+}
+
 /* Is there something thin beside the rays at points of theirs?  Then it is at *depth. */
 static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *depth) {
     const lanes zero = all_lanes(0);
@@ -313,7 +320,7 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         p = expand_about(b->job->surface, at);
         const viewed s = look_at(b, at);
         lanes off = larger(absolute(s.across[0] + TO_ONE_SIDE), absolute(s.across[1] + TO_ONE_SIDE));
-        open &= at_most(off, all_lanes(ASTRAY));
+        open &= at_most(off, all_lanes(ASTRAY)) & ~is_shapeless(b, &p, at);
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
         mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
@@ -348,7 +355,7 @@ INLINE mask take_dips(const algsurf_i_point_job *points, const row_rays *rows, c
     return open & less(numbered(), all_lanes(count));
 }
 
-/* Keeps the dips where P may be 0 in the pixel. */
+/* Keeps the dips where P may be 0 in the pixel, and its gradient, too. */
 static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, algsurf_i_dips *dips) {
     int kept = 0;
     for (int i = 0; i < dips->count; i += LANES) {
@@ -357,9 +364,10 @@ static void keep_small(const algsurf_i_point_job *points, const row_rays *rows, 
         mask open = take_dips(points, rows, dips, i, &b, at);
         const expansion p = expand_about(points->surface, at);
         const lanes pixel = look_at(&b, at).pixel;
-        lanes value = absolute(p.v) - error_of(&b, &p, pixel);
-        const unsigned which = bits(open & at_most(value, 0.5 * pixel * pixel * bend_of(&p)) &
-                                    at_most(value, 0.5 * pixel * slope_of(&p)));
+        lanes value = absolute(p.v) - error_of(&b, &p, pixel), bend = bend_of(&p), slope = slope_of(&p);
+        const unsigned which =
+            bits(open & at_most(value, 0.5 * pixel * pixel * bend) & at_most(value, 0.5 * pixel * slope) &
+                 at_most(slope, pixel * bend + rounding_of(&b, &p) / pixel));
         for (int l = 0; which >> l && l < LANES; l++) {
             if (!(which >> l & 1)) continue;
             dips->at[kept] = dips->at[i + l];
