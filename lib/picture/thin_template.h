@@ -28,13 +28,13 @@
 #include "points_template.h"
 #include "sight_template.h"
 
-#define MOST_PIXELS 2 /* of a step */
+#define MOST_PIXELS 4 /* of a step */
 #define ASTRAY 8      /* pixels from the ray, on the way */
 #define NARROW 16
 #define FLAT 0x1p-46 /* what is less curved than so much of the most curved direction */
 #define TIMES 10
 #define TO_ONE_SIDE 0x1p-7 /* pixels: so that what is in the middle between pixels is in one of them */
-#define NEWTON_ROUNDS 14
+#define NEWTON_ROUNDS 20
 
 /* ---- P about a point ---- */
 
@@ -295,7 +295,8 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
                 side = choose(at_most(first, rounding_of(b, &p)), p.xx + p.yy + p.zz, p.v);
     const lanes sign = choose(less(side, zero), all_lanes(-1), all_lanes(1));
     lanes pixel = look_at(b, at).pixel, most = zero;
-    mask found = no_lane(), settled = found, followed = found;
+    mask found = no_lane(), settles = found;
+    lanes settled = zero; /* so often */
     for (int round = 0; any(open) && round < NEWTON_ROUNDS; round++) {
         newton_step n = step_of(&p, sign, pixel);
         lanes value = sign * p.v, error = error_of(b, &p, pixel), moved = zero, to[3], behind[3];
@@ -308,11 +309,10 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
             for (int k = 0; k < 3; k++) to[k] = choose(away, at[k], to[k]);
         }
         most = larger(most, n.taken);
-        /* where tangents seem curved on the way, lines are followed at last, once: or else it is a point */
-        const mask once = settled & ~followed & n.is_line;
-        followed |= once;
+        /* where tangents seem curved on the way, lines are followed at last, twice: or else it is a point */
+        const mask at_last = settles & n.is_line;
         const mask is_line = less(all_lanes(1), n.taken) & less(most, all_lanes(3));
-        follow_line(b, &n, choose(is_line, all_lanes(64), choose(once, all_lanes(4), zero)), to);
+        follow_line(b, &n, choose(is_line, all_lanes(64), choose(at_last, all_lanes(4), zero)), to);
         for (int k = 0; k < 3; k++) {
             moved = larger(moved, absolute(to[k] - at[k]));
             at[k] = choose(open, to[k], at[k]);
@@ -324,8 +324,8 @@ static mask is_thin(const beside *b, const lanes start[3], mask open, lanes *dep
         error = 4 * error_of(b, &p, pixel);
         value = sign * p.v;
         mask ends = open & at_most(moved, 0x1p-9 * pixel) & at_most(value, 0x1p-10 * first + error);
-        const mask settles = ends & less(all_lanes(2), most) & ~settled;
-        settled |= settles;
+        settles = ends & less(all_lanes(2), most) & less(settled, all_lanes(2));
+        settled += choose(settles, all_lanes(1), zero);
         ends &= ~settles;
         open &= ~ends;
         ends &= at_most(off, all_lanes(0.5)) & at_most(b->near, s.depth) & at_most(s.depth, b->far) &
