@@ -4,8 +4,9 @@
  * their edges among them.  A row of tiles: the Bernstein coefficients of P along a ray may differ from those
  * of the form by what its radius says.  Tiles that a kernel has searched: along a ray of an empty one P has
  * no root on its chord, along a ray of a sheet one root between low and high, none on the chord before, and
- * |P'| is there what `enough` says; along a ray of a leaf there is no root on the chord before low.  P is what the frame has, each of its doubles taken as it is; the frame
- * itself is attacked through pictures, by test_masks.
+ * |P'| is there what `enough` says; along a ray of a leaf there is no root on the chord before low.  P is
+ * what the frame has, each of its doubles taken as it is; the frame itself is attacked through pictures, by
+ * test_masks.
  *
  * Breaks tried, each caught by the test named:
  *   terms of the fourth order left out of the rest, or those beyond it; the rest a tenth: the_rest_is_felt
@@ -14,6 +15,7 @@
  *   tiles four fifths as large: both
  *   a number of turns that depends on what is searched beside: kernels_find_the_same_tiles
  *   no rounding: errors_are_felt
+ *   what noise makes of P left out of what is enough: noise_is_felt
  * Caught with 20000 rays: a size left out of the search.
  * Caught with 60000 rays: the first sign taken as known.  Not caught: a hundredth of the rounding's weight,
  * which is far below what else a tile leaves open.
@@ -250,8 +252,7 @@ static void search_band(test_band *b, test_view *t, const algsurf_i_picture_kern
         int at[PLACES];
         double from[PLACES], half = 0.5 * b->size, h = b->side * half + ALGSURF_I_WIDER;
         job.count = 0, job.at = at, job.from = from;
-        for (int x = 0; x < PIXELS; x += b->size)
-            at[job.count] = x, from[job.count++] = -1;
+        for (int x = 0; x < PIXELS; x += b->size) at[job.count] = x, from[job.count++] = -1;
         algsurf_i_beam_row_expand(&t->frame, t->g, b->v0 - b->side * (job.y + half), -h, h, t->square, &row);
         code->search_tiles(&job);
         if (b->size == ALGSURF_I_LEAF) continue;
@@ -445,6 +446,44 @@ static void errors_are_felt(void **state) {
     assert_true(tiles > 1000);
 }
 
+/* s z - x = 0 with a small s: what noise moves points by across, changes P by 1 / s times what it changes P
+ * by in depth. */
+static void noise_is_felt(void **state) {
+    (void)state;
+    uint64_t seed = first_seed;
+    long sheets[2] = {0, 0};
+    for (int turn = 0; turn < 200; turn++) {
+        static test_view t;
+        static test_band b;
+        double s = ldexp(uniform(&seed, 1, 2), -9 - turn % 4);
+        const algsurf_term terms[] = {{1, 0, 0, -1}, {0, 0, 1, s}};
+        make_frame(&t, &seed, 1, terms, 2);
+        algsurf_i_view *view = &t.frame.view;
+        view->size = 1, view->alpha = view->beta[0] = view->beta[1] = 0;
+        for (int i = 0; i < 3; i++) view->centre[i] = 0;
+        view->noise = ldexp(uniform(&seed, 1, 2), turn % 2 ? -24 : -40);
+        void *memory = malloc(algsurf_i_frame_memory(1));
+        assert_int_equal(algsurf_i_frame_expand(t.surface, &t.frame, memory), 1);
+        free(memory);
+        algsurf_i_beam_expand(&t.frame, t.g);
+        set_band(&b, &t, &seed);
+        b.size = ALGSURF_I_LEAF, b.side = s / 64, b.rays.pixel = b.side, b.rays.u0 = 0, b.v0 = 0.1;
+        search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+        double felt = t.frame.value_error + view->noise * (fabs(t.q[4]) + fabs(t.q[1]));
+        for (int c = 0; c < PLACES * PLACES; c++) {
+            const algsurf_i_tile *tile = b.cell[c] > 0 ? b.tiles + b.cell[c] - 1 : NULL;
+            if (!tile || tile->enough == 0) continue;
+            sheets[turn % 2]++;
+            if (!(felt <= tile->enough * (1 + 0x1p-20)))
+                fail_msg("turn %d (seed %#llx): s %a, noise %a: %a is enough", turn,
+                         (unsigned long long)first_seed, s, view->noise, tile->enough);
+        }
+        algsurf_surface_free(t.surface);
+    }
+    printf("noise: %ld sheets with little of it, %ld with much\n", sheets[0], sheets[1]);
+    assert_true(sheets[0] > 1000);
+}
+
 static void kernels_find_the_same_tiles(void **state) {
     (void)state;
     uint64_t seed = first_seed;
@@ -477,7 +516,9 @@ int main(int argc, char **argv) {
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
     const struct CMUnitTest tests[] = {cmocka_unit_test(rows_of_tiles_keep_their_bound),
                                        cmocka_unit_test(tiles_are_what_is_said),
-                                       cmocka_unit_test(the_rest_is_felt), cmocka_unit_test(errors_are_felt),
+                                       cmocka_unit_test(the_rest_is_felt),
+                                       cmocka_unit_test(errors_are_felt),
+                                       cmocka_unit_test(noise_is_felt),
                                        cmocka_unit_test(kernels_find_the_same_tiles)};
     return cmocka_run_group_tests_name("beam", tests, NULL, NULL);
 }

@@ -23,17 +23,24 @@
  * The middle ray's root and its series in xi and eta, by implicit differentiation, tell where to look; what
  * they say is a guess.  Proved is a narrower cell [low,high]: the signs at its ends are sure and differ, and
  * all differences b_k - b_(k+1) have one sign, whatever the coefficients, with a size of m > 0 at least.
- * Hence P is monotone between, |dP/dz| >= n m / (high - low), and where |P(z)| <= enough, rounding included,
- * the root is within ALGSURF_I_NEAR of z.  All chords reach beyond [low,high], by the smaller extent.
+ * Hence P is monotone between, and |dP/dz| >= steep = n m / (high - low).  All chords reach beyond
+ * [low,high], by the smaller extent.
+ *
+ * Near.  Newton's method ends at a depth z, with a value V that doubles find for P at the point of the line
+ * of sight there.  P on the ray itself differs from V by V's rounding, and by what the view's noise makes of
+ * P between ray and line, which is in `rounding`: by E in all.  So where |V| + E <= ALGSURF_I_NEAR steep, the
+ * ray's root is within ALGSURF_I_NEAR of z.  E may be half of that, or it is no sheet; |V| the other half,
+ * `enough`.  V's rounding is bounded for |x|, |y|, |z| <= 1; the terms of P are at most r^n times as large
+ * where these are below r.
  *
  * Differences of the rest.  Over the tile's depths they are at most 2 max rest; n times that bounds the
  * derivative, and so in a part of a share s of these depths differences are at most 2 s max rest.  Rounding
  * has no derivative: it counts twice in full.
  *
  * All of space.  A sheet is the first one if no ray has a root between the eye and the depth -1, and an empty
- * tile is empty if none has one beyond 1 either: what is proved as for a pixel, from ranges of the coefficients
- * of all rays (search_template.h).  The range is not cut by planes here: what they do at the depths beyond is
- * not looked at. */
+ * tile is empty if none has one beyond 1 either: what is proved as for a pixel, from ranges of the
+ * coefficients of all rays (search_template.h).  The range is not cut by planes here: what they do at the
+ * depths beyond is not looked at. */
 #ifndef ALGSURF_TILES_TEMPLATE_H
 #define ALGSURF_TILES_TEMPLATE_H
 #include "../roots/beyond_template.h"
@@ -52,7 +59,8 @@ typedef struct tile_packet {
     lanes lo, hi;                    /* places: all chords are between */
     lanes from;                      /* place: no root is before */
     lanes least, most;               /* places: each chord reaches from least to most; most < least: none */
-    lanes rest, rounding;            /* bounds, of each coefficient, on the terms left out and the errors */
+    lanes rest, rounding;            /* bounds, of each coefficient, on the terms left out and the errors; */
+    lanes unsure;                    /* of P at a ray's point, on what doubles find: see Near */
     lanes x, u;                      /* the first pixel, the middle ray */
     double y, v, hu, hv;             /* the same for all; half sizes */
     mask open;
@@ -136,6 +144,12 @@ INLINE void expand_tiles_n(const algsurf_i_tile_job *job, tile_packet *g, int n)
     for (int i = n; i >= 0; i--) further = further * reach + all_lanes(row->beyond[i]);
     g->rest = (rest + further) * all_lanes(1 + 0x1p-20);
     g->rounding = radius * all_lanes(1 + 0x1p-20);
+    const double across = fabs(g->v) + fabs(g->hv);
+    const double y = across + fabs(view->alpha) * across + fabs(view->beta[1]) + view->noise;
+    const lanes most = larger(x, all_lanes(fmax(y, 1)));
+    g->unsure = all_lanes(job->noise);
+    for (int i = 0; i < n; i++) g->unsure *= most;
+    g->unsure += g->rounding;
 }
 
 /* ---- deciding them ---- */
@@ -263,7 +277,7 @@ INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, cons
         m = smaller(m, c.w[k] - c.w[k + 1] - spread);
     }
     *steep = all_lanes(n) * m / (2 * (to - from) * length) * all_lanes(1 - 0x1p-20);
-    return sound & less(all_lanes(2 * job->noise / ALGSURF_I_NEAR), *steep);
+    return sound & less(all_lanes(2 / ALGSURF_I_NEAR) * g->unsure, *steep);
 }
 
 /* ---- recording them ---- */
@@ -296,7 +310,8 @@ INLINE algsurf_i_tile tile_of(const algsurf_i_tile_job *job, const tile_packet *
 
 /* All of space: the tiles none of whose rays has a root before the range, or outside of it.  Where no root is
  * before `from`, both have been found before. */
-APART mask outside(const algsurf_i_row_job *job, const tile_packet *g, const beam *whole, mask *before, int n) {
+APART mask outside(const algsurf_i_row_job *job, const tile_packet *g, const beam *whole, mask *before,
+                   int n) {
     cell c;
     const mask known = less(all_lanes(0), g->from);
     cell_of(whole, g->rounding, &c, n);
