@@ -1,9 +1,9 @@
-/* lattice_reference.h - points of a sample's lattice (picture/lattice.h) once more, in integers. */
+/* lattice_reference.h - points of a sample's lattice (beams/lattice.h) once more, in integers. */
 #ifndef ALGSURF_LATTICE_REFERENCE_H
 #define ALGSURF_LATTICE_REFERENCE_H
 #include <stdint.h>
 
-#include "picture/lattice.h"
+#include "beams/lattice.h"
 
 /* 0 <= p, q < 1. */
 static inline void lattice_points(const algsurf_i_sample *sample, int purpose, int each, double *p,

@@ -238,7 +238,7 @@ static void set_band(test_band *b, const test_view *t, uint64_t *seed) {
 }
 
 /* All tiles of the band, of one size. */
-static void search_band(test_band *b, test_view *t, const algsurf_i_picture_kernel *code) {
+static void search_band(test_band *b, test_view *t, const algsurf_i_beams_kernel *code) {
     algsurf_i_beam_row row = {.c = t->c};
     algsurf_i_tile_job job = {.row = &b->rays,
                               .beam = &row,
@@ -372,7 +372,7 @@ static void tiles_are_what_is_said(void **state) {
             if (turn > 0) algsurf_surface_free(t.surface);
             set_view(&t, &seed, 1 + (int)(turn / 20 % MOST));
             set_band(&b, &t, &seed);
-            search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+            search_band(&b, &t, algsurf_i_beams_kernel_for(algsurf_i_kernel_find(NULL)));
         }
         check_ray(&t, &b, 0, PIXELS / b.size, &seed, turn);
     }
@@ -410,7 +410,7 @@ static void the_rest_is_felt(void **state) {
         set_band(&b, &t, &seed);
         b.size = 16, b.side = h * unit / 8, b.rays.pixel = b.side, b.rays.u0 = -8 * b.side;
         b.v0 = 40 * b.side; /* the tile from pixel (32,32) on has its middle at 0 */
-        search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+        search_band(&b, &t, algsurf_i_beams_kernel_for(algsurf_i_kernel_find(NULL)));
         for (int i = 0; i < 20; i++) check_ray(&t, &b, 2, 1, &seed, turn);
         algsurf_surface_free(t.surface);
     }
@@ -432,7 +432,7 @@ static void errors_are_felt(void **state) {
         set_band(&b, &t, &seed);
         b.size = ALGSURF_I_LEAF;
         t.frame.spread = 4;
-        search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+        search_band(&b, &t, algsurf_i_beams_kernel_for(algsurf_i_kernel_find(NULL)));
         for (int c = 0; c < PLACES * PLACES; c++) {
             double chord[2], middle = 0.5 * ALGSURF_I_LEAF;
             double x = c % PLACES * ALGSURF_I_LEAF + middle, y = c / PLACES * ALGSURF_I_LEAF + middle;
@@ -468,7 +468,7 @@ static void noise_is_felt(void **state) {
         algsurf_i_beam_expand(&t.frame, t.g);
         set_band(&b, &t, &seed);
         b.size = ALGSURF_I_LEAF, b.side = s / 64, b.rays.pixel = b.side, b.rays.u0 = 0, b.v0 = 0.1;
-        search_band(&b, &t, algsurf_i_picture_kernel_for(algsurf_i_kernel_find(NULL)));
+        search_band(&b, &t, algsurf_i_beams_kernel_for(algsurf_i_kernel_find(NULL)));
         double felt = t.frame.value_error + view->noise * (fabs(t.q[4]) + fabs(t.q[1]));
         for (int c = 0; c < PLACES * PLACES; c++) {
             const algsurf_i_tile *tile = b.cell[c] > 0 ? b.tiles + b.cell[c] - 1 : NULL;
@@ -494,11 +494,11 @@ static void kernels_find_the_same_tiles(void **state) {
         memset(&b, 0, sizeof b);
         set_band(&b, &t, &seed);
         other = b;
-        search_band(&b, &t, &algsurf_i_picture_baseline);
+        search_band(&b, &t, &algsurf_i_beams_baseline);
         for (int i = 0; i < ALGSURF_KERNELS; i++) {
             const algsurf_i_kernel *kernel = algsurf_i_kernel_at(i);
             if (!kernel) continue;
-            search_band(&other, &t, algsurf_i_picture_kernel_for(kernel));
+            search_band(&other, &t, algsurf_i_beams_kernel_for(kernel));
             for (int c = 0; c < PLACES * PLACES; c++) {
                 assert_int_equal(b.cell[c] > 0, other.cell[c] > 0);
                 assert_int_equal(b.cell[c] < 0, other.cell[c] < 0);

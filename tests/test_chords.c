@@ -1,6 +1,6 @@
 /* test_chords.c - the ends of a row's chords are off by less than their blur, over rationals.
  *
- * Two attacks on lib/picture/sight_template.h.  Lines: u, v and the slopes anywhere within the bounds of
+ * Two attacks on lib/beams/sight_template.h.  Lines: u, v and the slopes anywhere within the bounds of
  * forms, extents and planes about them; the line is exact, so that only the chord's own rounding is judged.
  * Pictures: cameras, extents and planes as a caller sets them; the chord judged is that of the ray that
  * algsurf_camera_ray gives, so that the view's noise is part of it.  Both look for what is hard: rays that
@@ -32,7 +32,7 @@
 #include "picture/impl.h"
 #include "base/vec.h"
 #include "simd/baseline.h"
-#include "picture/sight_template.h"
+#include "beams/sight_template.h"
 
 static long line_count = 20000, picture_count = 1500;
 static uint64_t first_seed = 20261125;

@@ -15,7 +15,7 @@
 
 #include "base/vec.h"
 #include "exact.h"
-#include "picture/kernel.h"
+#include "beams/kernels.h"
 #include "picture/shade_impl.h"
 #include "picture/srgb.h"
 #include "shade_reference.h"
@@ -78,7 +78,7 @@ static void random_batch(batch *b, const algsurf_i_colour_job *job, uint64_t *st
             b->point[e][i] = (e % 16 == 7 ? 1e13 : 1) * exact_random_unit(state);
             if (e % 8 == 3) b->normal[e][i] = 0;
         }
-        algsurf_i_set_look(job, b->point[e], b->normal[e], b->direction[e], e, &looks);
+        algsurf_i_set_look(&job->frame, b->point[e], b->normal[e], b->direction[e], e, &looks);
     }
     for (int i = 0; i < MOST * (LIGHTS + 1); i++) {
         int kind = exact_random_int(state, 3);
@@ -198,7 +198,7 @@ static void extremes(void **state) {
             double along = algsurf_dot(normal, direction), far = e % 3 ? 1 : 1e300;
             for (int i = 0; i < 3; i++) normal[i] -= along * direction[i], t.b.point[e][i] *= far;
             (void)algsurf_unit(normal, normal);
-            algsurf_i_set_look(&t.job, t.b.point[e], normal, direction, e, &looks);
+            algsurf_i_set_look(&t.job.frame, t.b.point[e], normal, direction, e, &looks);
         }
         for (int k = 0; k < 3; k++) {
             if (!algsurf_i_kernel_find(kernel_names[k])) continue;

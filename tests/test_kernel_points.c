@@ -21,7 +21,7 @@
 #include "catalogue.h"
 #include "scenes.h"
 #include "exact.h"
-#include "picture/kernel.h"
+#include "beams/kernels.h"
 #include "base/vec.h"
 
 enum { WIDTH = 64, HEIGHT = 48, SPARE = 8, OUTPUTS = 10 };
@@ -101,7 +101,7 @@ static void run(const algsurf_i_kernel *kernel, const stage *s, const int *pixel
                                {out->at[7], out->at[8], out->at[9]},
                                {{NULL}, {NULL}, {NULL}}};
     const algsurf_i_point_job job = {s->surface, &s->job, NULL};
-    algsurf_i_picture_kernel_for(kernel)->points(&job, pixel, depth, count, NULL, out->sure, &points);
+    algsurf_i_beams_kernel_for(kernel)->points(&job, pixel, depth, count, NULL, out->sure, &points);
 }
 
 static void get(const batch *b, int entry, int first, double v[3]) {
@@ -116,7 +116,7 @@ static double off(const double got[3], const double expected[3]) {
     return largest;
 }
 
-/* The rows of picture/kernel.h and surface/view.h written down for one pixel, against what a kernel gave; 0
+/* The rows of beams/kernels.h and surface/view.h written down for one pixel, against what a kernel gave; 0
  * where rounding decides whether the step is taken. */
 static int check_entry(const stage *s, int pixel, double depth, const batch *out, int entry) {
     const algsurf_i_view *view = &s->view;

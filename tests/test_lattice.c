@@ -22,7 +22,7 @@
 #include "lattice_reference.h"
 #include "simd/baseline.h"
 
-#include "picture/lattice_template.h"
+#include "beams/lattice_template.h"
 
 enum { MOST_POINTS = 16 * 512 };
 

@@ -20,7 +20,8 @@
 #include "base/rounding.h"
 #include "complex/kernel.h"
 #include "environments.h"
-#include "picture/shadow_kernel.h"
+#include "beams/kernels.h"
+#include "picture/colours.h"
 #include "rays/kernel.h"
 #include "roots/kernel.h"
 #include "simd/operations.h"
@@ -208,31 +209,31 @@ static void break_ray(void) {
     if (broken == ONE_RAY) wrong_ray.first = wrong_ray_solve;
 }
 
-static void break_picture(void);
-TABLE(picture)
+static void break_beams(void);
+TABLE(beams)
 
 static void wrong_pixels(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
                          uint8_t *state, algsurf_i_dips *dips) {
-    real_picture->solve_pixels(job, pixels, depth, state, dips);
+    real_beams->solve_pixels(job, pixels, depth, state, dips);
     for (int i = 0; i < pixels->count; i++)
         if (state[i] == ALGSURF_LANE_HIT) state[i] = ALGSURF_LANE_MISS;
 }
 
 static void wrong_tiles(algsurf_i_tile_job *job) {
     int before = job->tile_count;
-    real_picture->search_tiles(job);
+    real_beams->search_tiles(job);
     for (int i = before; i < job->tile_count; i++) job->tiles[i].enough = 0, job->tiles[i].low = 1;
 }
 
 static int wrong_points(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
                         const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points) {
-    int all = real_picture->points(job, pixel, depth, count, sheets, sure, points);
+    int all = real_beams->points(job, pixel, depth, count, sheets, sure, points);
     for (int i = 0; i < count && !sheets == (broken == POINTS); i++) points->t[i] = other(points->t[i]);
     return all;
 }
 
 static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int end) {
-    uint64_t corrections = real_picture->solve_complex(job, begin, end);
+    uint64_t corrections = real_beams->solve_complex(job, begin, end);
     for (int x = begin; x < end; x++)
         if (job->state[x] == ALGSURF_LANE_HIT) job->state[x] = ALGSURF_LANE_MISS;
     return corrections;
@@ -241,17 +242,32 @@ static uint64_t wrong_complex(const algsurf_i_complex_job *job, int begin, int e
 static int wrong_complex_points(const algsurf_i_complex_job *job, const algsurf_surface *surface,
                                 const int *pixel, const double *re, const double *im, int count,
                                 uint8_t *sure, const algsurf_i_points *points) {
-    int all = real_picture->complex_points(job, surface, pixel, re, im, count, sure, points);
+    int all = real_beams->complex_points(job, surface, pixel, re, im, count, sure, points);
     for (int i = 0; i < count; i++) points->t[i] = other(points->t[i]);
     return all;
 }
 
-static void break_picture(void) {
-    if (broken == PIXELS) wrong_picture.solve_pixels = wrong_pixels;
-    if (broken == TILES) wrong_picture.search_tiles = wrong_tiles;
-    if (broken == SHEETS || broken == POINTS) wrong_picture.points = wrong_points;
-    if (broken == COMPLEX_ROW) wrong_picture.solve_complex = wrong_complex;
-    if (broken == COMPLEX_POINTS) wrong_picture.complex_points = wrong_complex_points;
+static void wrong_starts(const algsurf_i_points *points, int first, int count, double height,
+                         algsurf_i_starts *starts) {
+    real_beams->lift(points, first, count, height, starts);
+    for (int i = 0; i < count; i++) starts->facing[2][i] = -starts->facing[2][i];
+}
+
+static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
+                              const algsurf_i_solids *solids, int from, int rays,
+                              algsurf_i_undecided *undecided) {
+    real_beams->see_rays(job, starts, solids, from, rays, undecided);
+    for (int i = 0; i < starts->count; i++) *starts->seen[i] *= 0.5;
+}
+
+static void break_beams(void) {
+    if (broken == PIXELS) wrong_beams.solve_pixels = wrong_pixels;
+    if (broken == TILES) wrong_beams.search_tiles = wrong_tiles;
+    if (broken == SHEETS || broken == POINTS) wrong_beams.points = wrong_points;
+    if (broken == COMPLEX_ROW) wrong_beams.solve_complex = wrong_complex;
+    if (broken == COMPLEX_POINTS) wrong_beams.complex_points = wrong_complex_points;
+    if (broken == STARTS) wrong_beams.lift = wrong_starts;
+    if (broken == SHADOW_RAYS) wrong_beams.see_rays = wrong_shadow_rays;
 }
 
 static void break_colour(void);
@@ -266,27 +282,6 @@ static void wrong_colours(const algsurf_i_colour_job *job, const algsurf_i_looks
 
 static void break_colour(void) {
     if (broken == COLOURS) wrong_colour.colours = wrong_colours;
-}
-
-static void break_shadow(void);
-TABLE(shadow)
-
-static void wrong_starts(const algsurf_i_points *points, int first, int count, double height,
-                         algsurf_i_starts *starts) {
-    real_shadow->lift(points, first, count, height, starts);
-    for (int i = 0; i < count; i++) starts->facing[2][i] = -starts->facing[2][i];
-}
-
-static void wrong_shadow_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *starts,
-                              const algsurf_i_solids *solids, int from, int rays,
-                              algsurf_i_undecided *undecided) {
-    real_shadow->see_rays(job, starts, solids, from, rays, undecided);
-    for (int i = 0; i < starts->count; i++) *starts->seen[i] *= 0.5;
-}
-
-static void break_shadow(void) {
-    if (broken == STARTS) wrong_shadow.lift = wrong_starts;
-    if (broken == SHADOW_RAYS) wrong_shadow.see_rays = wrong_shadow_rays;
 }
 
 static void wrong_kernels_are_found(void **state) {

@@ -20,9 +20,6 @@ typedef struct algsurf_i_allroots_kernel {
                  algsurf_complex_root *roots, int *found);
 } algsurf_i_allroots_kernel;
 
-extern const algsurf_i_allroots_kernel algsurf_i_allroots_avx512, algsurf_i_allroots_avx2,
-    algsurf_i_allroots_baseline;
-
-const algsurf_i_allroots_kernel *algsurf_i_allroots_kernel_for(const algsurf_i_kernel *kernel);
+ALGSURF_KERNEL_TABLES(allroots);
 
 #endif

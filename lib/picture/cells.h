@@ -1,7 +1,7 @@
 /* cells.h - pixels as the smallest tiles. */
 #ifndef ALGSURF_CELLS_H
 #define ALGSURF_CELLS_H
-#include "kernel.h"
+#include "../beams/rows.h"
 #include "tiling.h"
 
 /* Are there forms for tiles as small as the row's pixels?  Those begin <= x < end are within their bounds

@@ -1,6 +1,6 @@
 /* colours_avx2.c - colours of points in packets of eight floats, for AVX2. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "colours.h"
 
 #define SINGLE
 #include "../simd/avx2.h"

@@ -1,6 +1,6 @@
 /* colours_avx512.c - colours of points in packets of 16 floats, for AVX-512. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "colours.h"
 
 #define SINGLE
 #include "../simd/avx512.h"

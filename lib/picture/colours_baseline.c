@@ -1,6 +1,6 @@
 /* colours_baseline.c - colours of points in packets of four floats, for any machine. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "colours.h"
 
 #define SINGLE
 #include "../simd/baseline.h"

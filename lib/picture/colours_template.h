@@ -5,7 +5,7 @@
 #ifndef ALGSURF_COLOURS_TEMPLATE_H
 #define ALGSURF_COLOURS_TEMPLATE_H
 #include "../simd/lanes.h"
-#include "kernel.h"
+#include "colours.h"
 #include "srgb.h"
 
 #define FARTHEST_PLACE 0x1p40

@@ -26,7 +26,7 @@ void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *pa
     while (packets->top >= 0 && scene->space.imaginary[packets->top] == 0) packets->top--;
     for (int k = 0; k <= packets->top; k++)
         packets->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
-    packets->frame.view.noise *= 4; /* complex_template.h */
+    packets->frame.view.noise *= 4; /* complex_pixels_template.h */
 }
 
 static void forget(algsurf_i_predictor *predictor, int begin, int end) {
@@ -39,7 +39,7 @@ static algsurf_i_complex_job complex_job_of(const algsurf_i_picture *picture, co
                                    .sector = &picture->packets->sector,
                                    .imaginary = picture->packets->imaginary,
                                    .top = picture->packets->top,
-                                   .colours = worker->line.colours,
+                                   .looks = &picture->colours.frame,
                                    .x = worker->predictor.x,
                                    .y = worker->predictor.y,
                                    .stride = picture->width,

@@ -1,7 +1,7 @@
 /* complex_impl.h - complex space: a row starts from the roots of the row above. */
 #ifndef ALGSURF_COMPLEX_IMPL_H
 #define ALGSURF_COMPLEX_IMPL_H
-#include "kernel.h"
+#include "../beams/rows.h"
 #include "line.h"
 #include "geometry.h"
 #include "scene_impl.h"

@@ -1,15 +1,16 @@
-/* geometry.h - a picture's geometry: all its rays share a view (view.c), those of a row are pixels of one job. */
+/* geometry.h - a picture's geometry: all its rays share a view (view.c), those of a row are pixels of one
+ * job. */
 #ifndef ALGSURF_GEOMETRY_H
 #define ALGSURF_GEOMETRY_H
-#include "kernel.h"
-#include "shadow_kernel.h"
+#include "../beams/rows.h"
+#include "../beams/segments.h"
 
 typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 
 /* What packets need to know of a picture. */
 typedef struct algsurf_i_packets {
     algsurf_i_frame_form frame;
-    int orthographic, degree; /* P's along the rays, at most */
+    int orthographic, degree;           /* P's along the rays, at most */
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
     double near;                        /* depth of the eye */
     double extent_size[3], tolerance;   /* in the view's unit */

@@ -8,7 +8,8 @@
 
 #include "antialias.h"
 #include "complex_impl.h"
-#include "kernel.h"
+#include "../beams/kernels.h"
+#include "colours.h"
 #include "line.h"
 #include "geometry.h"
 #include "scene_impl.h"
@@ -28,7 +29,7 @@ typedef struct algsurf_i_picture {
     int shadows;     /* 1: light_samples is there, and shadows are drawn */
     algsurf_i_samples light_samples;
     const algsurf_i_kernel *kernel;
-    const algsurf_i_picture_kernel *code; /* for that kernel */
+    const algsurf_i_beams_kernel *code; /* for that kernel */
     const algsurf_i_colour_kernel *shader;
     algsurf_i_packets *packets; /* null: every ray by itself */
     int timed;                  /* 1: the caller asks for stats */

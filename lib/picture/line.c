@@ -26,7 +26,8 @@ void algsurf_i_line_add(algsurf_i_line *line, int x, const algsurf_ray *ray, con
         points->direction[k][i] = ray->direction[k];
     }
     if (line->colours)
-        algsurf_i_set_look(line->colours, hit->position, hit->normal, ray->direction, i, &points->looks);
+        algsurf_i_set_look(&line->colours->frame, hit->position, hit->normal, ray->direction, i,
+                           &points->looks);
 }
 
 static void move_point(const algsurf_i_points *p, int from, int to) {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "algsurf/intersect.h"
-#include "kernel.h"
+#include "colours.h"
 #include "tally.h"
 
 typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */

@@ -164,7 +164,7 @@ algsurf_status algsurf_i_solve_row(const algsurf_i_picture *picture, int row, do
                                    algsurf_i_worker *worker, algsurf_i_tally *tally) {
     algsurf_i_line *line = &worker->line;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
+    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours.frame};
     double begun = algsurf_i_render_clock(picture);
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, &worker->tiling) : NULL;
     int undecided = 0;
@@ -198,7 +198,7 @@ int algsurf_i_solve_listed(const algsurf_i_picture *picture, int row, double sy,
     algsurf_i_line *line = &worker->line;
     const int before = line->count, dense = line->dense;
     algsurf_i_row_job job;
-    const algsurf_i_point_job points = {picture->scene->surface, &job, line->colours};
+    const algsurf_i_point_job points = {picture->scene->surface, &job, &picture->colours.frame};
     tally->rays += (uint64_t)(dense * line->wanted_count);
     algsurf_i_make_row(picture, row + sy, 0.5, &worker->form, &job);
     job.offset = 0.5 - 0.5 * picture->width * dense;

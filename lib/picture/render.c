@@ -81,7 +81,7 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
                              &picture->colours);
     algsurf_i_count_samples(picture);
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
-    picture->code = algsurf_i_picture_kernel_for(picture->kernel);
+    picture->code = algsurf_i_beams_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
     if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
     picture->thin =
@@ -132,7 +132,8 @@ static algsurf_status make_frame(algsurf_i_picture *picture) {
         picture->packets = NULL;
         picture->tiled = picture->thin = 0;
     }
-    if (picture->thin) algsurf_i_prepare_thin(picture->packets, picture->selective ? 1 : picture->scene->antialias);
+    if (picture->thin)
+        algsurf_i_prepare_thin(picture->packets, picture->selective ? 1 : picture->scene->antialias);
     if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
     if (picture->packets && picture->packets->beams)

@@ -256,7 +256,8 @@ void algsurf_i_scene_lighting(const algsurf_scene *scene, algsurf_light lights[A
 algsurf_status algsurf_scene_lighting(const algsurf_scene *scene, algsurf_light lights[ALGSURF_MAX_LIGHTS],
                                       algsurf_lighting *lighting) {
     algsurf_lighting ours;
-    if (!scene || !lights || !lighting || !algsurf_options_fit(lighting, sizeof ours)) return ALGSURF_E_ARGUMENT;
+    if (!scene || !lights || !lighting || !algsurf_options_fit(lighting, sizeof ours))
+        return ALGSURF_E_ARGUMENT;
     algsurf_fpenv saved;
     algsurf_fpenv_enter(&saved);
     algsurf_i_scene_lighting(scene, lights, &ours);

@@ -12,6 +12,8 @@
 #define UNIT_SLACK 1e-6
 #define FARTHEST_LIGHT 0x1p40 /* in radii; one farther away is brought here */
 
+ALGSURF_KERNEL_CHOICE(colour)
+
 /* Each of them from 0 to high: OK, E_ARGUMENT or E_NOT_FINITE. */
 static algsurf_status check_range(const double *x, int count, double high) {
     for (int i = 0; i < count; i++)
@@ -88,7 +90,7 @@ static void place_light(const algsurf_light *light, const algsurf_lighting *ligh
 void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job) {
     *job = (algsurf_i_colour_job){.material = *lighting->material,
                                   .light_count = preview ? 0 : lighting->light_count,
-                                  .per_radius = 1 / fmax(lighting->radius, SHORTEST_RADIUS),
+                                  .frame.per_radius = 1 / fmax(lighting->radius, SHORTEST_RADIUS),
                                   .bounded = lighting->bounded,
                                   .preview = preview};
     job->material.roughness = fmax(job->material.roughness, LEAST_ROUGHNESS);
@@ -97,19 +99,19 @@ void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, alg
     for (int i = 0; i < 3; i++) {
         job->up[i] = lighting->up[i];
         job->forward[i] = lighting->forward[i];
-        job->centre[i] = lighting->centre[i];
+        job->frame.centre[i] = lighting->centre[i];
     }
     for (int l = 0; l < job->light_count; l++) {
         const algsurf_light *light = &lighting->lights[l];
-        place_light(light, lighting, job->per_radius, job->light[l]);
+        place_light(light, lighting, job->frame.per_radius, job->light[l]);
         for (int i = 0; i < 3; i++) job->light_colour[l][i] = light->colour[i];
     }
 }
 
-void algsurf_i_set_look(const algsurf_i_colour_job *job, const double position[3], const double normal[3],
+void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position[3], const double normal[3],
                         const double direction[3], int i, const algsurf_i_looks *looks) {
     for (int k = 0; k < 3; k++) {
-        looks->place[k][i] = (float)((position[k] - job->centre[k]) * job->per_radius);
+        looks->place[k][i] = (float)((position[k] - frame->centre[k]) * frame->per_radius);
         looks->normal[k][i] = (float)normal[k];
         looks->direction[k][i] = (float)direction[k];
     }
@@ -174,7 +176,7 @@ static void shade(const algsurf_i_colour_job *job, const sight *s, const double 
     const algsurf_i_looks looks = {{&look[0][0], &look[0][1], &look[0][2]},
                                    {&look[1][0], &look[1][1], &look[1][2]},
                                    {&look[2][0], &look[2][1], &look[2][2]}};
-    algsurf_i_set_look(job, s->point, s->normal, s->direction, 0, &looks);
+    algsurf_i_set_look(&job->frame, s->point, s->normal, s->direction, 0, &looks);
     algsurf_i_colour_baseline.colours(job, &looks, 1, visible, shown, NULL);
     for (int k = 0; k < 3; k++) colour[k] = shown[k];
 }

@@ -2,7 +2,7 @@
 #ifndef ALGSURF_SHADE_IMPL_H
 #define ALGSURF_SHADE_IMPL_H
 #include "algsurf/shade.h"
-#include "kernel.h"
+#include "colours.h"
 
 #define ALGSURF_MAX_LIGHT_SAMPLES 64 /* along one edge */
 
@@ -24,7 +24,7 @@ void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double pos
 void algsurf_i_colour_prepare(const algsurf_lighting *lighting, int preview, algsurf_i_colour_job *job);
 
 /* Of entry i of `looks`. */
-void algsurf_i_set_look(const algsurf_i_colour_job *job, const double position[3], const double normal[3],
+void algsurf_i_set_look(const algsurf_i_look_frame *frame, const double position[3], const double normal[3],
                         const double direction[3], int i, const algsurf_i_looks *looks);
 
 #endif

@@ -12,7 +12,7 @@
 #include "../base/arithmetic.h"
 #include "shadow.h"
 
-#include "lattice.h"
+#include "../beams/lattice.h"
 #include "shade_impl.h"
 #include "shadow_rays.h"
 
@@ -67,8 +67,9 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
                                 .extent_kind = picture->scene->extent.kind};
     if (!around) {
         const algsurf_i_samples *samples = &picture->light_samples;
-        job.light = &picture->lights[light];
-        for (int k = 0; k < 2 && job.light->samples_u > 0; k++)
+        const algsurf_light *l = &picture->lights[light];
+        job.light[0] = l->position, job.light[1] = l->edge_u, job.light[2] = l->edge_v;
+        for (int k = 0; k < 2 && l->samples_u > 0; k++)
             job.place[k] = samples->place[k] + samples->first[light];
     }
     if (!packets) return job;
@@ -99,7 +100,7 @@ static void set_lattices(const algsurf_i_picture *picture, const algsurf_i_line 
 static algsurf_status see_one(algsurf_i_shadow_rays *rays, const algsurf_i_line *line, int row, int light,
                               int first) {
     const algsurf_i_picture *picture = rays->picture;
-    const algsurf_i_shadow_kernel *code = algsurf_i_shadow_kernel_for(picture->kernel);
+    const algsurf_i_beams_kernel *code = algsurf_i_beams_kernel_for(picture->kernel);
     const algsurf_i_shadow_job *job = &rays->jobs[light];
     algsurf_i_starts *starts = &rays->starts;
     const int count = count_rays(picture, line, light);
@@ -128,7 +129,7 @@ static void make_shares(const algsurf_i_picture *picture, const algsurf_i_line *
 
 algsurf_status algsurf_i_render_shadows(const algsurf_i_picture *picture, int row, algsurf_i_line *line,
                                         algsurf_i_tally *tally) {
-    const algsurf_i_shadow_kernel *code = algsurf_i_shadow_kernel_for(picture->kernel);
+    const algsurf_i_beams_kernel *code = algsurf_i_beams_kernel_for(picture->kernel);
     const double height = 1e-6 * picture->lighting.radius;
     algsurf_i_shadow_rays *rays = line->rays;
     algsurf_i_begin_shadow_rays(rays, picture);

@@ -3,7 +3,7 @@
 #define ALGSURF_SHADOW_H
 #include "algsurf/shade.h"
 #include "line.h"
-#include "shadow_kernel.h"
+#include "../beams/segments.h"
 #include "tally.h"
 
 typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */

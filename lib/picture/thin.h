@@ -1,7 +1,7 @@
 /* thin.h - what is thin beside the rays of a row (thin_template.h tells how it is found). */
 #ifndef ALGSURF_PICTURE_THIN_H
 #define ALGSURF_PICTURE_THIN_H
-#include "kernel.h"
+#include "../beams/rows.h"
 #include "tally.h"
 #include "tiling.h"
 

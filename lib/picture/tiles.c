@@ -16,8 +16,9 @@
 
 #define LEVELS_ROWS (ALGSURF_I_TILES / ALGSURF_I_LEAF)
 #define FEW 0.21 /* pixel's side, in the view's unit, times degree^2; measured from degree 4 to 10, */
-#define FEW_MORE 0.5 /* where what is thin is looked for, in what they leave open; in all of space, where they
-                        spare the pixels a proof */
+#define FEW_MORE                                                                                             \
+    0.5 /* where what is thin is looked for, in what they leave open; in all of space, where they            \
+           spare the pixels a proof */
 
 /* Tiles in a row of them that are to be searched. */
 typedef struct tile_list {
@@ -138,9 +139,9 @@ const algsurf_i_band *algsurf_i_band_of(const algsurf_i_picture *picture, int ro
     algsurf_i_band *band = &tiling->band[number % 2];
     if (band->number != number) {
         band->number = number;
-        band->whole = algsurf_i_pixels_within_bounds(picture, number * ALGSURF_I_TILES,
-                                                     (number + 1) * ALGSURF_I_TILES, ALGSURF_I_TILES,
-                                                     &band->begin, &band->end);
+        band->whole =
+            algsurf_i_pixels_within_bounds(picture, number * ALGSURF_I_TILES, (number + 1) * ALGSURF_I_TILES,
+                                           ALGSURF_I_TILES, &band->begin, &band->end);
         band->counts = (algsurf_i_tile_counts){0};
         band->searched = 0;
     }

@@ -4,7 +4,7 @@
  * surface, or it is quartered.  The pixels of what is left, leaves, are solved side by side (pixels.c). */
 #ifndef ALGSURF_TILING_H
 #define ALGSURF_TILING_H
-#include "kernel.h"
+#include "../beams/rows.h"
 #include "line.h"
 #include "tally.h"
 
@@ -35,7 +35,7 @@ typedef struct algsurf_i_tiling {
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
-    double *list_low; /* of those that get all their samples: their rays have no root before; */
+    double *list_low;         /* of those that get all their samples: their rays have no root before; */
     /* and the pixels that are solved side by side, in the order of the row */
     int pixels, *pixel;
     double *pixel_low, *pixel_depth;

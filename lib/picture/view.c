@@ -7,8 +7,8 @@
  * Noise.  A pixel's ray is, by definition, that of algsurf_camera_ray, rounded.  Noise bounds how far that
  * ray is, in each of x, y, z, from the one that is computed with, and how far u, v and the slopes of the
  * latter are from exact ones.  Let s be the largest |p| + |q| of the picture and o = |e_x| + |e_y|.
- * - The rounded ray: x + sx, or (x + 1/2) / n of n samples side by side, rounds to 2 u s, as x may be twice as
- *   large as the distance from the picture's centre; two more roundings give p.  The direction, of length L
+ * - The rounded ray: x + sx, or (x + 1/2) / n of n samples side by side, rounds to 2 u s, as x may be twice
+ * as large as the distance from the picture's centre; two more roundings give p.  The direction, of length L
  *   before it is made a unit, is off by u (2 |p| + 2 |q| + 2 L) more, L <= 1 + |p| + |q|.  That is
  *   u (2 + 8 s) in all, and at the far end of the extent D + 1 times as much.
  * - Computing with it: D p takes eight roundings (the pixel's place two, a third where samples are side by
@@ -92,16 +92,17 @@ static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, co
 /* Is the scene one for packets: the default method, axes of length 1, in all of space real roots? */
 static int suits_packets(const algsurf_scene *scene) {
     const algsurf_camera *camera = &scene->camera;
-    return !(scene->complex && scene->extent.kind == ALGSURF_EXTENT_ALL) && abs(scene->surface->unit) <= 1000 &&
-           scene->surface->degree >= 1 && scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
+    return !(scene->complex && scene->extent.kind == ALGSURF_EXTENT_ALL) &&
+           abs(scene->surface->unit) <= 1000 && scene->surface->degree >= 1 &&
+           scene->surface->degree <= ALGSURF_MAX_VIEW_DEGREE &&
            (scene->complex ||
             (scene->intersect.method == ALGSURF_METHOD_DEFAULT && scene->intersect.max_iterations == 0)) &&
            algsurf_are_orthonormal(camera->right, camera->up, camera->forward, 0x1p-48);
 }
 
-/* All of space: the view holds what is near the origin, where lines have their roots; and all of the picture's
- * rays, and the eye of a surface that goes on behind it, if that costs few digits.  What is beyond is looked at
- * by proofs (pixels_template.h): so this is a choice about time. */
+/* All of space: the view holds what is near the origin, where lines have their roots; and all of the
+ * picture's rays, and the eye of a surface that goes on behind it, if that costs few digits.  What is beyond
+ * is looked at by proofs (pixels_template.h): so this is a choice about time. */
 static double size_of_space(const algsurf_i_picture *picture, const double eye[3]) {
     const algsurf_camera *camera = &picture->scene->camera;
     const algsurf_surface *s = picture->scene->surface;
@@ -180,5 +181,6 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     }
     p->tolerance = scene->intersect.absolute_tolerance / ldexp(view->size, scene->surface->unit);
     return place_planes(scene, p) && view->size > 0x1p-500 && view->size < 0x1p500 &&
-           fabs(p->near) > 0x1p-10 && !(endless && p->near > 0.5) && view->noise * scene->surface->degree < 0x1p-22;
+           fabs(p->near) > 0x1p-10 && !(endless && p->near > 0.5) &&
+           view->noise * scene->surface->degree < 0x1p-22;
 }

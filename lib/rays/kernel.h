@@ -47,7 +47,7 @@ typedef struct algsurf_i_rays_kernel {
     void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
 } algsurf_i_rays_kernel;
 
-extern const algsurf_i_rays_kernel algsurf_i_rays_avx512, algsurf_i_rays_avx2, algsurf_i_rays_baseline;
+ALGSURF_KERNEL_TABLES(rays);
 
 /* The code for the job's one ray: packets of two, of which one lane is idle. */
 typedef struct algsurf_i_ray_kernel {
@@ -58,10 +58,6 @@ typedef struct algsurf_i_ray_kernel {
     int (*all)(const algsurf_i_rays_job *job, const algsurf_refine_options *how, int most, algsurf_hit *hits);
 } algsurf_i_ray_kernel;
 
-extern const algsurf_i_ray_kernel algsurf_i_ray_avx512, algsurf_i_ray_avx2, algsurf_i_ray_baseline;
-
-/* The code for a kernel. */
-const algsurf_i_rays_kernel *algsurf_i_rays_kernel_for(const algsurf_i_kernel *kernel);
-const algsurf_i_ray_kernel *algsurf_i_ray_kernel_for(const algsurf_i_kernel *kernel);
+ALGSURF_KERNEL_TABLES(ray);
 
 #endif

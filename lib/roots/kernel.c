@@ -2,11 +2,7 @@
 #include "../base/arithmetic.h"
 #include "kernel.h"
 
-const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel) {
-    static const algsurf_i_roots_kernel *const table[ALGSURF_KERNELS] =
-        ALGSURF_KERNEL_TABLE(&algsurf_i_roots);
-    return table[kernel->index];
-}
+ALGSURF_KERNEL_CHOICE(roots)
 
 algsurf_i_roots_single *algsurf_i_roots_single_fastest(void) {
     static algsurf_i_roots_single *const table[ALGSURF_KERNELS] =

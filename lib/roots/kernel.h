@@ -52,11 +52,10 @@ typedef void algsurf_i_roots_settle(const algsurf_i_coefficients *p, const algsu
 algsurf_i_roots_settle algsurf_i_roots_settle_avx512, algsurf_i_roots_settle_avx2,
     algsurf_i_roots_settle_baseline;
 
-extern const algsurf_i_roots_kernel algsurf_i_roots_avx512, algsurf_i_roots_avx2, algsurf_i_roots_baseline;
+ALGSURF_KERNEL_TABLES(roots);
 
-/* The code for a kernel; the fastest for single polynomials. */
+/* The fastest for single polynomials. */
 algsurf_i_roots_single *algsurf_i_roots_single_fastest(void);
 algsurf_i_roots_settle *algsurf_i_roots_settle_fastest(void);
-const algsurf_i_roots_kernel *algsurf_i_roots_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

@@ -29,6 +29,19 @@ typedef struct algsurf_i_kernel {
     int index; /* in tables */
 } algsurf_i_kernel;
 
+/* A room's tables, algsurf_i_room_kernel for each kernel, and which of them is a kernel's: a header of the
+ * room declares them, one file defines the choice. */
+#define ALGSURF_KERNEL_TABLES(room)                                                                          \
+    extern const algsurf_i_##room##_kernel algsurf_i_##room##_avx512, algsurf_i_##room##_avx2,               \
+        algsurf_i_##room##_baseline;                                                                         \
+    const algsurf_i_##room##_kernel *algsurf_i_##room##_kernel_for(const algsurf_i_kernel *kernel)
+#define ALGSURF_KERNEL_CHOICE(room)                                                                          \
+    const algsurf_i_##room##_kernel *algsurf_i_##room##_kernel_for(const algsurf_i_kernel *kernel) {         \
+        static const algsurf_i_##room##_kernel *const table[ALGSURF_KERNELS] =                               \
+            ALGSURF_KERNEL_TABLE(&algsurf_i_##room);                                                         \
+        return table[kernel->index];                                                                         \
+    }
+
 /* The kernels this processor and operating system can run, the fastest first; null beyond the last. */
 const algsurf_i_kernel *algsurf_i_kernel_at(int index);
 

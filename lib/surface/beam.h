@@ -5,7 +5,7 @@
  * each of its Bernstein coefficients over -1 <= z <= 1 is a polynomial in xi and eta,
  *     b_k = sum over i + j <= n of T_k,ij xi^i eta^j:
  * what holds for all xi and eta holds for each ray of the tile.  P is brought to (u,v,z) once a frame, to a
- * tile's v once for a row of tiles; the tiles of such a row are made side by side (picture/tiles_template.h).
+ * tile's v once for a row of tiles; the tiles of such a row are made side by side (beams/tiles_template.h).
  */
 #ifndef ALGSURF_SURFACE_BEAM_H
 #define ALGSURF_SURFACE_BEAM_H

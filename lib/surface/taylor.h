@@ -3,7 +3,7 @@
  * In the caller's axes, with a point at x, P is the sum of r_ijk(x) X^i Y^j Z^k, r_ijk its Taylor
  * coefficients; along x + t d, the coefficient of t^m is the sum of r_ijk d_1^i d_2^j d_3^k with i + j + k =
  * m.  P is brought to the unit of what is shown once a frame; points, and rays, are done side by side
- * (picture/segments_template.h).
+ * (beams/segments_template.h).
  */
 #ifndef ALGSURF_SURFACE_TAYLOR_H
 #define ALGSURF_SURFACE_TAYLOR_H

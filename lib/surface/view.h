@@ -50,7 +50,7 @@ typedef struct algsurf_i_row_form {
     double v;
     double c[(ALGSURF_MAX_VIEW_DEGREE + 1) * ALGSURF_ROW_STRIDE]; /* c_km at k stride + m; 0 for m > degree */
     /* Bernstein coefficients over any part of -1 <= z <= 1, made from it by Horner's rule in u and a change of
-     * basis (picture/pixels_template.h), are off by at most sum radius[i] x^i, x = |u| + |alpha u| + |beta[0]|, for x <= 4 */
+     * basis (beams/pixels_template.h), are off by at most sum radius[i] x^i, x = |u| + |alpha u| + |beta[0]|, for x <= 4 */
     double radius[ALGSURF_MAX_VIEW_DEGREE + 1];
 } algsurf_i_row_form;
 

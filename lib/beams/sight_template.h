@@ -37,7 +37,7 @@
  * blur for lines without noise. */
 #ifndef ALGSURF_SIGHT_TEMPLATE_H
 #define ALGSURF_SIGHT_TEMPLATE_H
-#include "kernel.h"
+#include "rows.h"
 #define MOST_DEGREE ALGSURF_MAX_VIEW_DEGREE
 #include "../roots/first_walk_template.h"
 #include "../simd/lanes.h"

@@ -1,11 +1,8 @@
-/* shadows_template.h - the packet code of shadows as one kernel. */
-#ifndef ALGSURF_SHADOWS_TEMPLATE_H
-#define ALGSURF_SHADOWS_TEMPLATE_H
-#define COMMON_DEGREES DEGREES_PAY /* in WebAssembly, too */
-#define WATCHED 0
-#define MOST_DEGREE ALGSURF_MAX_BEAM_DEGREE
-#include "shadow_kernel.h"
-#include "segments_template.h"
+/* lift_template.h - points lifted off the surface, so that rays from them do not meet it where they begin. */
+#ifndef ALGSURF_LIFT_TEMPLATE_H
+#define ALGSURF_LIFT_TEMPLATE_H
+#include "../simd/lanes.h"
+#include "segments.h"
 
 /* A millionth of what is shown is invisible, and well above the error of a hit's position, which the second
  * term bounds for far eyes and far extents: position and t are rounded to 2^-53, and 2^-48 leaves room for
@@ -32,8 +29,5 @@ static void lift(const algsurf_i_points *points, int first, int count, double he
     }
     starts->count = count;
 }
-
-const algsurf_i_shadow_kernel KERNEL(algsurf_i_shadow) = {
-    .lift = lift, .expand = expand, .see_rays = see_rays};
 
 #endif

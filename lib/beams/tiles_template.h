@@ -44,7 +44,7 @@
 #ifndef ALGSURF_TILES_TEMPLATE_H
 #define ALGSURF_TILES_TEMPLATE_H
 #include "../roots/beyond_template.h"
-#include "kernel.h"
+#include "rows.h"
 #include "sight_template.h"
 #include "search_template.h"
 
@@ -253,8 +253,8 @@ INLINE mask in_chords(const tile_packet *g, lanes from, lanes to) {
 }
 
 /* Is that a sheet?  Narrows [p,q] to its cell; steep: n m / (high - low). */
-INLINE mask is_sheet_n(const algsurf_i_tile_job *job, const tile_packet *g, const beam *whole, const lanes *z,
-                       lanes *p, lanes *q, lanes *steep, int n) {
+INLINE mask is_sheet_n(const tile_packet *g, const beam *whole, const lanes *z, lanes *p, lanes *q,
+                       lanes *steep, int n) {
     beam part;
     cell c;
     lanes first = absolute(z[1]) + absolute(z[2]);
@@ -338,7 +338,7 @@ INLINE mask decide_n(algsurf_i_tile_job *job, tile_packet *g, lanes *p, int n) {
     if (any(sheets)) {
         lanes z[ALGSURF_I_SERIES], from = v.p, to = v.q, steep;
         series_n(g, &whole, middle_root(&whole, v.guess, from, to, v.side, n), z, n);
-        sheets &= is_sheet_n(job, g, &whole, z, &from, &to, &steep, n);
+        sheets &= is_sheet_n(g, &whole, z, &from, &to, &steep, n);
         unsigned which = bits(sheets);
         for (int l = 0; l < LANES; l++) {
             if (!(which >> l & 1)) continue;

@@ -1,6 +1,6 @@
-/* kernel.h - a row of pixels: depths, points, colours, by every kernel. */
-#ifndef ALGSURF_PICTURE_KERNEL_H
-#define ALGSURF_PICTURE_KERNEL_H
+/* rows.h - what is asked of the kernels about rows of pixels and of tiles, and what they tell. */
+#ifndef ALGSURF_BEAMS_ROWS_H
+#define ALGSURF_BEAMS_ROWS_H
 #include <stdint.h>
 
 #include "../complex/edges.h"
@@ -8,7 +8,6 @@
 #include "../surface/beam.h"
 #include "../surface/view.h"
 #include "algsurf/ray.h"
-#include "algsurf/shade.h"
 
 /* A cutting plane about a view's centre and in its unit: it keeps normal.X <= offset, with a normal of length
  * 1, but for `error` in the distance of points X of what is shown. */
@@ -36,8 +35,8 @@ typedef struct algsurf_i_row_job {
     const double *thin_bends;
 } algsurf_i_row_job;
 
-/* Pixels of a row, any: no ray has a root on its chord before the depth `low`.  In all of space chords are the
- * depths [-1,1], and a low > -1 tells, too, that the ray has a root in [low,1] or none. */
+/* Pixels of a row, any: no ray has a root on its chord before the depth `low`.  In all of space chords are
+ * the depths [-1,1], and a low > -1 tells, too, that the ray has a root in [low,1] or none. */
 typedef struct algsurf_i_pixels {
     int count;
     const int *at;
@@ -88,9 +87,14 @@ typedef struct algsurf_i_tile_job {
 
 /* What a colour depends on, of N points: structure of arrays. */
 typedef struct algsurf_i_looks {
-    float *place[3];                 /* from the lighting's centre, in its radius */
+    float *place[3];                 /* from a centre, in a radius */
     float *normal[3], *direction[3]; /* unit vectors */
 } algsurf_i_looks;
+
+/* Where places of looks are measured from, and one over the radius they are measured in. */
+typedef struct algsurf_i_look_frame {
+    double centre[3], per_radius;
+} algsurf_i_look_frame;
 
 /* N points of the surface, or rays that reach them: structure of arrays. */
 typedef struct algsurf_i_points {
@@ -98,23 +102,11 @@ typedef struct algsurf_i_points {
     algsurf_i_looks looks;
 } algsurf_i_points;
 
-/* An algsurf_lighting, checked, as colours are computed from it. */
-typedef struct algsurf_i_colour_job {
-    algsurf_material material;
-    double richer[2][3]; /* of outside, inside: what their shade has more of */
-    int light_count;
-    double light[ALGSURF_MAX_LIGHTS][3]; /* their middles, from the centre, in the radius */
-    double light_colour[ALGSURF_MAX_LIGHTS][3];
-    double up[3], forward[3], centre[3], per_radius;
-    int bounded, preview;
-    const uint8_t *curve; /* of sRGB, where bytes are asked for */
-} algsurf_i_colour_job;
-
 /* From depths to points, for pixels of one row. */
 typedef struct algsurf_i_point_job {
     const algsurf_surface *surface;
     const algsurf_i_row_job *row;
-    const algsurf_i_colour_job *colours; /* for the points' looks, if they are asked for */
+    const algsurf_i_look_frame *looks; /* of the points, if they are asked for */
 } algsurf_i_point_job;
 
 /* What algsurf_i_tile tells of the sheet of each entry. */
@@ -127,57 +119,13 @@ typedef struct algsurf_i_sheets {
 typedef struct algsurf_i_complex_job {
     const algsurf_i_row_job *row;
     const algsurf_i_sector_edges *sector;
-    const double *imaginary;             /* parts of t^k in natural units and scale, */
-    int top;                             /* k <= top; -1: there are none */
-    const algsurf_i_colour_job *colours; /* as in algsurf_i_point_job */
-    double *x, *y;                       /* roots to start from, NaN for none; then those found */
+    const double *imaginary;           /* parts of t^k in natural units and scale, */
+    int top;                           /* k <= top; -1: there are none */
+    const algsurf_i_look_frame *looks; /* as in algsurf_i_point_job */
+    double *x, *y;                     /* roots to start from, NaN for none; then those found */
     int stride;
     double *re, *im; /* depth of the root that is seen */
     uint8_t *state;
 } algsurf_i_complex_job;
-
-typedef struct algsurf_i_picture_kernel {
-    /* depth[i], state[i] of pixel i of those: the first root along its ray.  dips: receives those; or null. */
-    void (*solve_pixels)(const algsurf_i_row_job *job, const algsurf_i_pixels *pixels, double *depth,
-                         uint8_t *state, algsurf_i_dips *dips);
-    /* Finds out which tiles are empty or sheets.  The others become the job's tiles, or, of the least size,
-     * are leaves. */
-    void (*search_tiles)(algsurf_i_tile_job *job);
-    /* Entry i of points from depth[i] at pixel[i], which is on its sheet, if there are sheets: after Newton
-     * steps on P itself, t along the unit ray from the eye, position, unit normal (0 at a singular point),
-     * unit direction, in the caller's units; looks.  Position and direction, normal, looks may be null: they
-     * are not asked for.  sure[i]: the root was found; returns whether all were. */
-    int (*points)(const algsurf_i_point_job *job, const int *pixel, const double *depth, int count,
-                  const algsurf_i_sheets *sheets, uint8_t *sure, const algsurf_i_points *points);
-    /* depth[i]: of what is thin beside a ray, found from dip i; HUGE_VAL: there is nothing. */
-    void (*find_thin)(const algsurf_i_point_job *job, algsurf_i_dips *dips, double *depth);
-    /* The pixels begin .. end-1 of a row in complex space; returns how many corrections of roots it took. */
-    uint64_t (*solve_complex)(const algsurf_i_complex_job *job, int begin, int end);
-    /* points in complex space: entry i from the root re[i], im[i], whose own derivative and gradient tell the
-     * normal. */
-    int (*complex_points)(const algsurf_i_complex_job *job, const algsurf_surface *surface, const int *pixel,
-                          const double *re, const double *im, int count, uint8_t *sure,
-                          const algsurf_i_points *points);
-} algsurf_i_picture_kernel;
-
-extern const algsurf_i_picture_kernel algsurf_i_picture_avx512, algsurf_i_picture_avx2,
-    algsurf_i_picture_baseline;
-
-/* In floats, twice as many at once. */
-typedef struct algsurf_i_colour_kernel {
-    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red + 256 green +
-     * 65536 blue.  visible: null or light_count + 1 for each entry. */
-    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
-                    const double *visible, float *colour, uint32_t *bytes);
-    /* Sets marks[i] to 1 where bytes[i] is further than the limit from others[i]. */
-    void (*mark_bytes)(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks);
-} algsurf_i_colour_kernel;
-
-extern const algsurf_i_colour_kernel algsurf_i_colour_avx512, algsurf_i_colour_avx2,
-    algsurf_i_colour_baseline;
-
-/* The code for a kernel. */
-const algsurf_i_picture_kernel *algsurf_i_picture_kernel_for(const algsurf_i_kernel *kernel);
-const algsurf_i_colour_kernel *algsurf_i_colour_kernel_for(const algsurf_i_kernel *kernel);
 
 #endif

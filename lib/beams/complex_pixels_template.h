@@ -1,5 +1,5 @@
-/* complex_template.h - the pixels of a row in complex space: the polynomial in the depth z, the root that is
- * seen (complex/lanes_template.h), its point.
+/* complex_pixels_template.h - the pixels of a row in complex space: the polynomial in the depth z, the root
+ * that is seen (complex/lanes_template.h), its point.
  *
  * Parameter.  With w = z - near, a ray's parameter is t = L w, L = size |direction|: arguments and order of
  * magnitude are those of w.  Imaginary parts are sum a_k t^k, brought to z by Horner's rule over polynomials;
@@ -235,7 +235,7 @@ INLINE int find_complex_packet(const algsurf_i_complex_job *job, const algsurf_s
         normal[i] += along * ray.along[i];
         normal[i] = choose(inward, -normal[i], normal[i]);
     }
-    finish_packet(s, &ray, ray.z, normal, job->colours, points, first, count);
+    finish_packet(s, &ray, ray.z, normal, job->looks, points, first, count);
     store_some(points->t + first, far * length * s->unit, count);
     return tell_sure(near, sure, first, count);
 }

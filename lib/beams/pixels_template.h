@@ -13,8 +13,8 @@
  * All of space.  Chords are the depths [-1,1], from the eye on, as planes cut them; so what is found is the
  * first hit if there is no root between the eye and the depth -1, and a miss is one if there is none beyond 1
  * either.  The coefficients over [-1,1] tell that (roots/beyond_template.h), whatever planes cut off.  Their
- * radius takes in the noise: it bounds how far the coefficients of the pixel's own ray are from those that are
- * computed, and a proof about all within it holds for all depths of that ray.  Pixels not proved are
+ * radius takes in the noise: it bounds how far the coefficients of the pixel's own ray are from those that
+ * are computed, and a proof about all within it holds for all depths of that ray.  Pixels not proved are
  * undecided; they go as rays, which know how to go on. */
 #ifndef ALGSURF_PIXELS_TEMPLATE_H
 #define ALGSURF_PIXELS_TEMPLATE_H

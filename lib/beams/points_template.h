@@ -30,7 +30,7 @@
 
 #include "../simd/lanes.h"
 #include "../surface/jets_template.h"
-#include "kernel.h"
+#include "rows.h"
 
 /* Of Newton steps, in the view's unit: see Steps. */
 #define FARTHEST_STEP 0x1p-16    /* a longer one is not taken, */
@@ -115,9 +115,9 @@ INLINE int tell_sure(mask found, uint8_t *sure, int first, int count) {
 }
 
 /* What colours of points depend on: position, normal, direction along an axis. */
-INLINE void store_looks(const algsurf_i_colour_job *job, int axis, lanes position, lanes normal,
+INLINE void store_looks(const algsurf_i_look_frame *frame, int axis, lanes position, lanes normal,
                         lanes direction, const algsurf_i_looks *looks, int first, int count) {
-    lanes place = (position - all_lanes(job->centre[axis])) * all_lanes(job->per_radius);
+    lanes place = (position - all_lanes(frame->centre[axis])) * all_lanes(frame->per_radius);
     store_some_floats(looks->place[axis] + first, place, count);
     store_some_floats(looks->normal[axis] + first, normal, count);
     store_some_floats(looks->direction[axis] + first, direction, count);
@@ -126,7 +126,7 @@ INLINE void store_looks(const algsurf_i_colour_job *job, int axis, lanes positio
 /* The points at z, of which what is asked for goes to the entries from `first` on; the gradient becomes the
  * unit normal. */
 INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lanes normal[3],
-                          const algsurf_i_colour_job *colours, const algsurf_i_points *points, int first,
+                          const algsurf_i_look_frame *frame, const algsurf_i_points *points, int first,
                           int count) {
     lanes length = root(dot(r->along, r->along)), inverse = 1 / length;
     make_unit(normal);
@@ -135,7 +135,7 @@ INLINE void finish_packet(const row_rays *s, const packet_rays *r, lanes z, lane
         lanes position = (r->foot[i] + z * r->along[i]) * all_lanes(s->unit);
         lanes direction = r->along[i] * inverse;
         if (points->looks.place[i])
-            store_looks(colours, i, position, normal[i], direction, &points->looks, first, count);
+            store_looks(frame, i, position, normal[i], direction, &points->looks, first, count);
         if (points->normal[i]) store_some(points->normal[i] + first, normal[i], count);
         if (!points->position[i]) continue;
         store_some(points->position[i] + first, position, count);
@@ -181,7 +181,7 @@ INLINE int find_packets(const algsurf_i_point_job *job, const row_rays *s, const
         mask found = ~much[w];
         if (sheets) found &= on_sheets(s, &r[w], p.v[w], sheets, from, count);
         all &= tell_sure(found, sure, from, count);
-        finish_packet(s, &r[w], r[w].z + step[w], normal, job->colours, points, from, count);
+        finish_packet(s, &r[w], r[w].z + step[w], normal, job->looks, points, from, count);
     }
     return all;
 }

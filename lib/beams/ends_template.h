@@ -2,7 +2,7 @@
 #ifndef ALGSURF_ENDS_TEMPLATE_H
 #define ALGSURF_ENDS_TEMPLATE_H
 #include "../simd/lanes.h"
-#include "shadow_kernel.h"
+#include "segments.h"
 
 #define END_SLACK 0x1p-30 /* of an extent, relative: far more than the rounding of its ends */
 

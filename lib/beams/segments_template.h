@@ -21,7 +21,7 @@
 #include "../roots/first_walk_template.h"
 #include "ends_template.h"
 #include "lattice_template.h"
-#include "shadow_kernel.h"
+#include "segments.h"
 
 #define TAYLOR_DEGREE ALGSURF_MAX_TAYLOR_DEGREE
 #define SHORTEST_END 0x1p-60 /* of a ray that begins outside and stays there */
@@ -52,7 +52,7 @@ INLINE void add_row(lanes *a, const lanes *b, int n, lanes x) {
 }
 
 /* S of taylor.c. */
-APART lanes size_of(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
+APART lanes size_about(const algsurf_i_frame_form *frame, const lanes x[3], int n) {
     lanes whole = all_lanes(0);
     for (int i = n; i >= 0; i--) {
         lanes level = all_lanes(0);
@@ -86,10 +86,11 @@ INLINE void expand_solids_n(const algsurf_i_taylor *taylor, lanes span[KINDS][3]
     for (int k = 0; k < 3; k++) at[k] = absolute(s->x[k]);
     for (int kind = 0; kind < KINDS; kind++) {
         for (int k = 0; k < 3; k++) span[kind][k] += at[k];
-        s->size[kind] = size_of(&taylor->frame, span[kind], n);
+        s->size[kind] = size_about(&taylor->frame, span[kind], n);
         s->error[kind] = taylor->weight * s->size[kind] + taylor->least_error;
     }
-    s->known = less(taylor->weight * size_of(&taylor->frame, at, n) + taylor->least_error, absolute(s->r[0]));
+    s->known =
+        less(taylor->weight * size_about(&taylor->frame, at, n) + taylor->least_error, absolute(s->r[0]));
     const lanes sign = choose(less(s->r[0], all_lanes(0)), all_lanes(-1), all_lanes(1));
     r = s->r;
     for (int i = 0; i <= n; i++)
@@ -301,16 +302,16 @@ INLINE void find_point_of_circle(lanes share, lanes point[2]) {
 
 /* Directions of ray j of each start. */
 INLINE void aim(const algsurf_i_shadow_job *job, const start_packet *p, int j, lanes direction[3]) {
-    const algsurf_light *light = job->light;
+    const double *const *light = job->light;
     lanes u, v;
     if (job->place[0]) {
         u = all_lanes(job->place[0][j]), v = all_lanes(job->place[1][j]);
     } else {
         find_lattice_points(p->number + ALGSURF_I_LATTICE_STEP * j, p->across, p->up, job->lattice, &u, &v);
     }
-    if (light) {
+    if (light[0]) {
         for (int k = 0; k < 3; k++)
-            direction[k] = (light->position[k] + u * light->edge_u[k] + v * light->edge_v[k]) - p->at[k];
+            direction[k] = (light[0][k] + u * light[1][k] + v * light[2][k]) - p->at[k];
         return;
     }
     lanes z = -2 * u, wide = root(1 - z * z), circle[2];
@@ -361,21 +362,21 @@ static void see_rays(const algsurf_i_shadow_job *job, const algsurf_i_starts *st
                      const algsurf_i_solids *solids, int from, int rays, algsurf_i_undecided *undecided) {
     const solid_packet *s = solids ? (const solid_packet *)(const void *)solids->packets : NULL;
     for (int first = 0; first < starts->count; first += LANES) {
-        lanes seen = all_lanes(0);
+        lanes arrived = all_lanes(0);
         mask asked = less(numbered(), all_lanes(starts->count - first));
         start_packet p;
         load_starts(starts, first, &p);
         for (int j = from; j < from + rays; j++) {
             lanes direction[3];
             aim(job, &p, j, direction);
-            ray_packet k = {.kind = job->light ? TO_LIGHTS : AROUND,
+            ray_packet k = {.kind = job->light[0] ? TO_LIGHTS : AROUND,
                             .open = asked & less(all_lanes(0), dot(direction, p.facing)),
                             .hit = no_lane()};
             if (s) judge(job, s + first / LANES, direction, &k);
-            seen += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
+            arrived += choose(k.open | k.hit, all_lanes(0), all_lanes(1));
             if (any(k.open)) add_undecided(bits(k.open), first, direction, undecided);
         }
-        for (int l = 0; l < LANES && first + l < starts->count; l++) *starts->seen[first + l] += seen[l];
+        for (int l = 0; l < LANES && first + l < starts->count; l++) *starts->seen[first + l] += arrived[l];
     }
 }
 

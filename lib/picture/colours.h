@@ -1,0 +1,32 @@
+/* colours.h - colours of points, by every kernel. */
+#ifndef ALGSURF_PICTURE_COLOURS_H
+#define ALGSURF_PICTURE_COLOURS_H
+#include "../beams/rows.h"
+#include "algsurf/shade.h"
+
+/* An algsurf_lighting, checked, as colours are computed from it. */
+typedef struct algsurf_i_colour_job {
+    algsurf_material material;
+    double richer[2][3]; /* of outside, inside: what their shade has more of */
+    int light_count;
+    double light[ALGSURF_MAX_LIGHTS][3]; /* their middles, from the centre, in the radius */
+    double light_colour[ALGSURF_MAX_LIGHTS][3];
+    algsurf_i_look_frame frame;
+    double up[3], forward[3];
+    int bounded, preview;
+    const uint8_t *curve; /* of sRGB, where bytes are asked for */
+} algsurf_i_colour_job;
+
+/* In floats, twice as many at once. */
+typedef struct algsurf_i_colour_kernel {
+    /* colour[3 i ..] of entry i, as algsurf_shade; or, where colour is null, bytes[i], red + 256 green +
+     * 65536 blue.  visible: null or light_count + 1 for each entry. */
+    void (*colours)(const algsurf_i_colour_job *job, const algsurf_i_looks *looks, int count,
+                    const double *visible, float *colour, uint32_t *bytes);
+    /* Sets marks[i] to 1 where bytes[i] is further than the limit from others[i]. */
+    void (*mark_bytes)(const uint8_t *bytes, const uint8_t *others, int count, int limit, uint8_t *marks);
+} algsurf_i_colour_kernel;
+
+ALGSURF_KERNEL_TABLES(colour);
+
+#endif

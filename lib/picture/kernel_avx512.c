@@ -1,9 +1,0 @@
-/* kernel_avx512.c - rows of pictures in packets of eight, for AVX-512. */
-#include "../base/arithmetic.h"
-#include "kernel.h"
-
-#include "../simd/avx512.h"
-#ifdef LANES
-#include "kernel_template.h"
-#endif
-#include "../simd/end.h"
