@@ -78,8 +78,7 @@ typedef struct algsurf_i_tile_job {
     double *from;   /* no ray has a root on its chord before this depth */
     double noise;   /* bound on rounding of P as the points' kernel evaluates it */
     int *cell;      /* of each leaf's place, at (y / 4) stride + x / 4: its tile + 1; or, if that is empty,
-                       -side, as the caller has set it; null: tiles are not kept, and those of any size
-                       are left in the list */
+                       -side, as the caller has set it */
     int stride, from_y;    /* y of the first places */
     algsurf_i_tile *tiles; /* room for as many as there are places */
     int tile_count;

@@ -284,7 +284,6 @@ INLINE mask is_sheet_n(const tile_packet *g, const beam *whole, const lanes *z, 
 
 /* A tile of the job's size: the places from x on. */
 static void record(algsurf_i_tile_job *job, const algsurf_i_tile *tile, int x) {
-    if (!job->cell) return;
     int first = x / ALGSURF_I_LEAF, size = job->size / ALGSURF_I_LEAF;
     int row = (job->y - job->from_y) / ALGSURF_I_LEAF, end = row + size;
     int end_x = first + size < job->stride ? first + size : job->stride;
@@ -376,7 +375,7 @@ INLINE int search_packet(algsurf_i_tile_job *job, int first, int count, int open
     unsigned open = bits(decide(job, &g, &p, job->beam->degree));
     for (int l = 0; l < LANES; l++) {
         if (!(open >> l & 1)) continue;
-        if (job->cell && job->size == ALGSURF_I_LEAF) {
+        if (job->size == ALGSURF_I_LEAF) {
             algsurf_i_tile leaf = tile_of(job, &g, l, p[l], 1);
             leaf.low = fmax(leaf.low, from[l]);
             record(job, &leaf, (int)g.x[l]);

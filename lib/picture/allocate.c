@@ -36,7 +36,6 @@ typedef struct sizes {
     size_t taylor;         /* of shadow rays: 1, or 0 */
     size_t places;         /* leaves of a band */
     size_t dips;           /* of a row */
-    int beams;             /* 1: there are tiles, of a band or of single pixels */
     int lanes;             /* 1: pixels of real space are solved side by side */
     size_t roots;          /* in complex space */
     const algsurf_picture *planes;
@@ -54,7 +53,6 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
                    .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
                              picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
-                   .beams = tiles || (real && picture->selective),
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
                    .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
@@ -119,10 +117,10 @@ static void lay_out_tiling(arena *a, const sizes *s, algsurf_i_tiling *t) {
         t->band[b].cell = take_ints(a, s->places);
         t->band[b].tiles = take(a, s->places, sizeof *t->band[b].tiles);
     }
-    t->beam.c = take_doubles(a, s->side * s->side * s->side);
+    t->beam.c = take_doubles(a, s->places > 0 ? s->side * s->side * s->side : 0);
     t->square = take_doubles(a, s->side * s->side);
-    t->from = take_doubles(a, s->width + 2 * s->places);
-    t->at = take_ints(a, s->width + 2 * s->places);
+    t->from = take_doubles(a, 2 * s->places);
+    t->at = take_ints(a, 2 * s->places);
     t->low = take_doubles(a, s->width);
     t->high = take_doubles(a, s->width);
     t->enough = take_doubles(a, s->width);
@@ -161,9 +159,7 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
 
 static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
     lay_out_frame(a, s, &packets->frame);
-    packets->beams = s->beams && s->side <= ALGSURF_MAX_BEAM_DEGREE + 1
-                         ? take_doubles(a, s->side * s->side * s->side)
-                         : NULL;
+    packets->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
     packets->taylor = s->taylor > 0 ? take(a, 1, sizeof *packets->taylor) : NULL;
     algsurf_i_frame_form elsewhere; /* while there are none yet */
     if (s->taylor > 0) lay_out_frame(a, s, a->base ? &packets->taylor->frame : &elsewhere);

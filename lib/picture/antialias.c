@@ -6,9 +6,9 @@
  * those of the row below the one in the making; the rows above and below what it was given are drawn once
  * more by their own worker, and only there they count.  Colours are compared as the bytes a picture of the
  * middles alone would have, with alpha, which states tell where it is no byte: what is chosen does not hang
- * on which planes are asked for.  A pixel between whose samples no edge goes, by proof, is not chosen;
- * where there are tiles only pixels of leaves are compared.  Nor is one that shows something thin, which many
- * samples would make pale.
+ * on which planes are asked for.  Where there are tiles only pixels of leaves are compared: through the
+ * others, by proof, no edge goes.  One that shows something thin is not chosen: many samples would make it
+ * pale.
  *
  * In complex space a row's middles and its first pass begin without roots of others: which ones there were
  * would depend on how rows are shared out.
@@ -16,8 +16,8 @@
 #include "../base/arithmetic.h"
 #include <string.h>
 
-#include "cells.h"
 #include "antialias.h"
+#include "geometry.h"
 #include "impl.h"
 
 static algsurf_status draw_middles(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
@@ -95,36 +95,32 @@ static int list_in_leaves(const algsurf_i_picture *picture, const algsurf_i_band
     const int places = (picture->width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
     const int *cell = band->cell + row % ALGSURF_I_TILES / ALGSURF_I_LEAF * places;
     algsurf_i_tiling *t = &worker->tiling;
-    int count = 0;
+    int *list = worker->line.list, count = 0;
     if (t->runs_row != row / ALGSURF_I_LEAF) find_runs(picture, cell, band->tiles, t);
     t->runs_row = row / ALGSURF_I_LEAF;
     for (int i = 0; i < t->runs; i++)
-        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, t->at + count);
-    for (int i = 0; i < count; i++) t->from[i] = band->tiles[cell[t->at[i] / ALGSURF_I_LEAF] - 1].low;
+        count += list_apart(picture, row, t->run[2 * i], t->run[2 * i + 1], &worker->middles, list + count);
+    for (int i = 0; i < count; i++) t->list_low[i] = band->tiles[cell[list[i] / ALGSURF_I_LEAF] - 1].low;
     return count;
 }
 
-/* Lists the pixels that show another colour than a neighbour and have an edge in them, as far as a proof does
- * not tell otherwise: pixels of empty tiles and of sheets have none, nor have those that are such tiles
- * themselves.  Of the others it is known up to which depth their rays have no root. */
-static int list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
+/* Lists the pixels that show another colour than a neighbour, where edges may go; line->dense tells how many
+ * samples of them may be solved side by side: where rays have forms within their bounds, a row of them. */
+static void list_edges(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker) {
     algsurf_i_tiling *t = &worker->tiling;
     algsurf_i_line *line = &worker->line;
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
     int begin, end;
-    if (!algsurf_i_has_cells(picture, row, &begin, &end))
-        return list_apart(picture, row, 0, picture->width, &worker->middles, line->list);
-    int count = band ? list_in_leaves(picture, band, row, worker)
-                     : list_apart(picture, row, begin, end, &worker->middles, t->at);
-    for (int i = 0; !band && i < count; i++) t->from[i] = -1;
-    if (count == 0) return 0;
-    const double share = 1 - 1.0 / picture->scene->antialias; /* from the first sample to the last one */
-    count = algsurf_i_search_cells(picture, row, share, count, t);
-    for (int i = 0; i < count; i++) {
-        line->list[i] = t->at[i];
-        t->list_low[i] = t->from[i];
+    const int within = picture->packets && !picture->scene->complex &&
+                       algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
+    line->dense = within ? picture->scene->antialias : 1;
+    if (band && within) {
+        line->wanted_count = list_in_leaves(picture, band, row, worker);
+        return;
     }
-    return count;
+    if (!within) begin = 0, end = picture->width;
+    line->wanted_count = list_apart(picture, row, begin, end, &worker->middles, line->list);
+    for (int i = 0; within && i < line->wanted_count; i++) t->list_low[i] = -1;
 }
 
 algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row, algsurf_i_worker *worker,
@@ -137,7 +133,7 @@ algsurf_status algsurf_i_choose_pixels(const algsurf_i_picture *picture, int row
         if (status != ALGSURF_OK) return status;
     }
     algsurf_i_tally_add(tally, &middles->counts[row % 3]);
-    line->wanted_count = list_edges(picture, row, worker);
+    list_edges(picture, row, worker);
     memset(middles->wanted, 0, (size_t)picture->width);
     for (int i = 0; i < line->wanted_count; i++) middles->wanted[line->list[i]] = 1;
     line->wanted = middles->wanted;

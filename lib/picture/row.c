@@ -9,7 +9,6 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
 #include "antialias.h"
-#include "cells.h"
 #include "impl.h"
 #include "line.h"
 #include "solve.h"
@@ -314,9 +313,8 @@ static algsurf_status render_samples(const algsurf_i_picture *picture, int row, 
     line->as_bytes = 0;
     if (status == ALGSURF_OK && line->wanted_count > 0) {
         algsurf_i_begin_shown(&line->shown, picture->width);
-        int begin, end, dense = picture->selective && algsurf_i_has_cells(picture, row, &begin, &end);
-        status =
-            dense ? render_dense(picture, row, worker, tally) : render_passes(picture, row, worker, tally);
+        status = picture->selective && line->dense > 1 ? render_dense(picture, row, worker, tally)
+                                                       : render_passes(picture, row, worker, tally);
     }
     if (status != ALGSURF_OK) return status;
     if (picture->selective)

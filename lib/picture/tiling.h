@@ -35,7 +35,7 @@ typedef struct algsurf_i_tiling {
     /* of a row in the making: the sheets of the line's entries, */
     double *low, *high, *enough;
     int runs_row, runs, *run; /* in a row of leaves: the pixels where each run begins and ends */
-    double *list_low;         /* of those that get all their samples: their rays have no root before; */
+    double *list_low;         /* of the line's list: their rays have no root before; */
     /* and the pixels that are solved side by side, in the order of the row */
     int pixels, *pixel;
     double *pixel_low, *pixel_depth;
