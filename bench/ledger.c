@@ -1,0 +1,270 @@
+/* ledger.c - the tasks of the ledger in lib/README.md, each timed by itself: ledger [--kernel NAME] TASK...
+ *
+ * Prints a line for each task: its name, and nanoseconds of CPU time for a pixel, a ray or a polynomial, the
+ * least of some takes.  The script bench/ledger runs it in turn with one of a library without a mechanism.
+ * TASK is KIND/WHAT: a kind of the table below, and a surface of the catalogue or a family of polynomials.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "catalogue.h"
+#include "cli.h"
+#include "measure.h"
+#include "rays.h"
+
+static const double BUDGET = 0.1; /* seconds for a task */
+enum { RAYS = 4096, POLYNOMIALS = 512, ROOM = 160 };
+
+static const char *kernel; /* null: the fastest */
+
+static void must(algsurf_status status, const char *what) {
+    if (status < 0) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
+}
+
+static const catalogue_entry *entry_of(const char *name) {
+    const catalogue_entry *entry = catalogue_find(name);
+    if (!entry) cli_fail(CLI_BAD_INPUT, "no surface %s", name);
+    return entry;
+}
+
+static algsurf_surface *surface_of(const catalogue_entry *entry) {
+    algsurf_surface *surface;
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
+    return surface;
+}
+
+/* ---- pictures ---- */
+
+enum { PLAIN, WIDE, ANTIALIAS, FULL, COMPLEX };
+
+static double time_picture(const char *name, int kind) {
+    const catalogue_entry *entry = entry_of(name);
+    algsurf_surface *surface = surface_of(entry);
+    algsurf_scene *scene;
+    algsurf_camera camera;
+    const algsurf_complex_space space = {.size = sizeof space, .sector = {0.2, 0.5}};
+    const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_render_options o = {.size = sizeof o,
+                                      .width = kind == WIDE      ? 3840
+                                               : kind == COMPLEX ? 320
+                                                                 : 640,
+                                      .height = kind == WIDE      ? 2160
+                                                : kind == COMPLEX ? 240
+                                                                  : 480,
+                                      .threads = 1};
+    const size_t pixels = (size_t)o.width * (size_t)o.height;
+    uint8_t *bytes = malloc(3 * pixels);
+    const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes};
+    if (!bytes) cli_no_memory();
+    rays_camera(&entry->extent, &camera);
+    must(algsurf_scene_create(surface, &scene), name);
+    must(algsurf_scene_set_extent(scene, &entry->extent), name);
+    must(algsurf_scene_set_camera(scene, &camera), name);
+    must(algsurf_scene_set_intersect(scene, &how), name);
+    if (kind == FULL) must(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), name);
+    if (kind == COMPLEX) must(algsurf_scene_set_complex_space(scene, &space), name);
+    if (kind == ANTIALIAS) {
+        must(algsurf_scene_set_antialias(scene, 4), name);
+        must(algsurf_scene_set_antialias_threshold(scene, 0.1), name);
+    }
+    double least = HUGE_VAL, begun = measure_cpu();
+    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
+        const double before = measure_cpu();
+        must(algsurf_render(scene, &o, &planes, NULL), name);
+        least = fmin(least, measure_cpu() - before);
+    }
+    free(bytes);
+    algsurf_scene_free(scene);
+    algsurf_surface_free(surface);
+    return least / (double)pixels;
+}
+
+/* ---- rays ---- */
+
+enum { SINGLE, PACKET, ENDLESS, ENDLESS_PACKET };
+
+static double time_rays(const char *name, int kind) {
+    static algsurf_ray ray[RAYS];
+    static double origin[3][RAYS], direction[3][RAYS], t[RAYS];
+    static unsigned char state[RAYS];
+    const catalogue_entry *entry = entry_of(name);
+    const algsurf_extent *extent = kind >= ENDLESS ? NULL : &entry->extent;
+    const algsurf_intersect_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_ray_packet rays = {.size = sizeof rays,
+                                     .count = RAYS,
+                                     .origin = {origin[0], origin[1], origin[2]},
+                                     .direction = {direction[0], direction[1], direction[2]}};
+    const algsurf_hit_packet hits = {.size = sizeof hits, .state = state, .t = t};
+    algsurf_surface *surface = surface_of(entry);
+    algsurf_camera camera;
+    measure_random random = {7};
+    rays_camera(&entry->extent, &camera);
+    for (int i = 0; i < RAYS; i++) {
+        must(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
+                                measure_uniform(&random, 0, 768), &ray[i]),
+             name);
+        for (int k = 0; k < 3; k++) origin[k][i] = ray[i].origin[k], direction[k][i] = ray[i].direction[k];
+    }
+    double least = HUGE_VAL, begun = measure_cpu();
+    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
+        const double before = measure_cpu();
+        algsurf_hit hit;
+        if (kind == PACKET || kind == ENDLESS_PACKET)
+            must(algsurf_intersect_packet(surface, extent, &rays, &how, &hits), name);
+        else
+            for (int i = 0; i < RAYS; i++)
+                must(algsurf_intersect_first(surface, extent, &ray[i], &how, &hit), name);
+        least = fmin(least, measure_cpu() - before);
+    }
+    algsurf_surface_free(surface);
+    return least / RAYS;
+}
+
+/* ---- polynomials ---- */
+
+/* "random 40": coefficients in [-1,1]; "power 24": t^n - a; "legendre 20", in t^2; else those along the rays
+ * of a surface.  Returns the degree. */
+static int make_polynomials(const char *name, double *c) {
+    measure_random random = {1};
+    int number = 0;
+    const char *digits = strpbrk(name, "0123456789");
+    if (digits) number = atoi(digits);
+    if (strncmp(name, "random", 6) == 0) {
+        for (int i = 0; i < POLYNOMIALS * (number + 1); i++) c[i] = measure_uniform(&random, -1, 1);
+        return number;
+    }
+    if (strncmp(name, "power", 5) == 0) {
+        for (int i = 0; i < POLYNOMIALS * (number + 1); i++)
+            c[i] = i % (number + 1) == number ? 1 : i % (number + 1) ? 0 : -measure_uniform(&random, 0.1, 2);
+        return number;
+    }
+    if (strncmp(name, "legendre", 8) == 0) {
+        double p[ROOM] = {1}, q[ROOM] = {0, 1};
+        for (int n = 1; n < number; n++)
+            for (int k = n + 1; k >= 0; k--) {
+                double next = ((2 * n + 1) * (k > 0 ? q[k - 1] : 0) - n * p[k]) / (n + 1);
+                p[k] = next;
+                if (k == 0)
+                    for (int j = 0; j <= n + 1; j++) next = p[j], p[j] = q[j], q[j] = next;
+            }
+        for (int i = 0; i < POLYNOMIALS; i++)
+            memcpy(c + i * (number + 1), q, (size_t)(number + 1) * sizeof *c);
+        return number;
+    }
+    const catalogue_entry *entry = entry_of(name);
+    rays_polynomials(entry, 1, POLYNOMIALS, c);
+    return entry->degree;
+}
+
+enum { FIRST, ROOTS, LINE, NUMBER, ISOLATE, BOXES };
+
+static void solve(const double *c, int n, int kind) {
+    static algsurf_real_root roots[ROOM];
+    static algsurf_complex_root boxes[ROOM];
+    algsurf_bracket bracket;
+    int count;
+    for (int i = 0; i < POLYNOMIALS; i++, c += n + 1) {
+        if (kind == ROOTS) must(algsurf_real_roots(c, n, -1, 1, roots, n, &count), "roots");
+        if (kind == LINE) must(algsurf_real_roots(c, n, -HUGE_VAL, HUGE_VAL, roots, n, &count), "line");
+        if (kind == NUMBER) must(algsurf_count_roots(c, NULL, n, -HUGE_VAL, HUGE_VAL, &count), "number");
+        if (kind == ISOLATE)
+            must(algsurf_isolate_first(c, NULL, n, -1, 1, NULL, &bracket, &count), "isolate");
+        if (kind == BOXES) must(algsurf_complex_roots_of_real(c, NULL, n, boxes, &count), "boxes");
+    }
+}
+
+static double time_polynomials(const char *name, int kind) {
+    static double c[POLYNOMIALS * (ROOM + 1)], root[POLYNOMIALS], lo = -1, hi = 1;
+    static unsigned char state[POLYNOMIALS];
+    const int n = make_polynomials(name, c);
+    const algsurf_batch_options how = {.size = sizeof how, .kernel = kernel};
+    const algsurf_real_batch batch = {.size = sizeof batch,
+                                      .count = POLYNOMIALS,
+                                      .degree = n,
+                                      .coefficients = {c, 1, n + 1},
+                                      .lo = &lo,
+                                      .hi = &hi};
+    double least = HUGE_VAL, begun = measure_cpu();
+    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
+        const double before = measure_cpu();
+        if (kind == FIRST)
+            must(algsurf_first_roots_batch(&batch, &how, state, root), name);
+        else
+            solve(c, n, kind);
+        least = fmin(least, measure_cpu() - before);
+    }
+    return least / POLYNOMIALS;
+}
+
+/* "40": (2^40 (8 t - 5))^2 - 1, whose roots are 2^-42 apart, in integers. */
+static double time_cluster(const char *what, int kind) {
+    const int bits = atoi(what) * 2, limbs = bits / 64 + 2;
+    uint64_t *limb = calloc(3 * (size_t)limbs, sizeof *limb);
+    if (!limb) cli_no_memory();
+    const uint64_t terms[3] = {25, 80, 64};
+    for (int k = 0; k < 3; k++) {
+        limb[k * limbs + bits / 64] = terms[k] << bits % 64;
+        limb[k * limbs + bits / 64 + 1] = bits % 64 ? terms[k] >> (64 - bits % 64) : 0;
+    }
+    for (int i = 0; limb[i]-- == 0; i++) continue;
+    const algsurf_integer c[3] = {{limb, limbs}, {limb + limbs, -limbs}, {limb + 2 * limbs, limbs}};
+    double least = HUGE_VAL, begun = measure_cpu();
+    (void)kind;
+    for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
+        const double before = measure_cpu();
+        for (int i = 0; i < POLYNOMIALS; i++) {
+            algsurf_real_root roots[2];
+            int count;
+            must(algsurf_real_roots_integers(c, 2, 0, 1, roots, 2, &count), "cluster");
+            if (count != 2) cli_fail(CLI_BROKEN, "cluster of %s: %d roots", what, count);
+        }
+        least = fmin(least, measure_cpu() - before);
+    }
+    free(limb);
+    return least / POLYNOMIALS;
+}
+
+/* ---- tasks ---- */
+
+static const struct task_kind {
+    const char *name;
+    double (*time)(const char *what, int kind);
+    int kind;
+} kinds[] = {{"picture", time_picture, PLAIN},
+             {"wide", time_picture, WIDE},
+             {"antialias", time_picture, ANTIALIAS},
+             {"full", time_picture, FULL},
+             {"complex", time_picture, COMPLEX},
+             {"ray", time_rays, SINGLE},
+             {"packet", time_rays, PACKET},
+             {"endless", time_rays, ENDLESS},
+             {"endless-packet", time_rays, ENDLESS_PACKET},
+             {"first", time_polynomials, FIRST},
+             {"roots", time_polynomials, ROOTS},
+             {"line", time_polynomials, LINE},
+             {"number", time_polynomials, NUMBER},
+             {"isolate", time_polynomials, ISOLATE},
+             {"boxes", time_polynomials, BOXES},
+             {"cluster", time_cluster, 0}};
+
+static void run(const char *task) {
+    const char *slash = strchr(task, '/');
+    for (size_t i = 0; slash && i < sizeof kinds / sizeof *kinds; i++) {
+        if (strncmp(kinds[i].name, task, (size_t)(slash - task)) || kinds[i].name[slash - task]) continue;
+        printf("%s\t%.3f\n", task, 1e9 * kinds[i].time(slash + 1, kinds[i].kind));
+        return;
+    }
+    cli_fail(CLI_BAD_INPUT, "no task %s", task);
+}
+
+int main(int argc, char **argv) {
+    int i = 1;
+    if (argc == 2 && strcmp(argv[1], "--help") == 0)
+        return puts("usage: ledger [--kernel NAME] KIND/WHAT..."), 0;
+    if (argc > 2 && strcmp(argv[1], "--kernel") == 0) kernel = argv[2], i = 3;
+    if (i == argc) cli_fail(CLI_BAD_INPUT, "usage: ledger [--kernel NAME] KIND/WHAT...");
+    for (; i < argc; i++) run(argv[i]);
+    return 0;
+}
