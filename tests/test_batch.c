@@ -23,7 +23,7 @@
 #include "algsurf/batch.h"
 #include "algsurf/poly.h"
 #include "environments.h"
-#include "roots/kernel.h"
+#include "roots/polys.h"
 
 #define SEED 71u
 enum { MOST = 131, TOP = 40 };

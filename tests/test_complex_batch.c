@@ -18,7 +18,7 @@
 #include <string.h>
 
 #include "algsurf/allroots.h"
-#include "complex/kernel.h"
+#include "complex/boxes.h"
 #include "exact_complex.h"
 
 enum { MANY = 11 }; /* packets that are full, and one that is not, whatever the kernel */

@@ -13,7 +13,7 @@
 
 #include "exact_known.h"
 
-#include "roots/exact.h"
+#include "roots/exact_walk.h"
 
 #include <cmocka.h>
 

@@ -22,7 +22,7 @@
 #include "exact_roots.h"
 
 #include "algsurf/isolate.h"
-#include "roots/exact.h"
+#include "roots/exact_walk.h"
 
 #include <cmocka.h>
 

@@ -9,7 +9,7 @@
  */
 #include "intersect_case.h"
 
-#include "rays/exact.h"
+#include "rays/exact_ray.h"
 
 #define SEED 53u
 

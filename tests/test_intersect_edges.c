@@ -12,7 +12,7 @@
 
 #include <float.h>
 
-#include "rays/exact.h"
+#include "rays/exact_ray.h"
 
 #define SEED 71u
 

@@ -13,8 +13,8 @@
 
 #include "catalogue.h"
 #include "environments.h"
-#include "rays/exact.h"
-#include "rays/kernel.h"
+#include "rays/exact_ray.h"
+#include "rays/packets.h"
 
 #define SEED 47u
 enum { MOST = 33 };

@@ -10,7 +10,7 @@
  */
 #include "intersect_case.h"
 
-#include "rays/exact.h"
+#include "rays/exact_ray.h"
 
 #define SEED 73u
 

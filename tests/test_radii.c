@@ -18,7 +18,7 @@
 
 #define LANES 2
 #define KERNEL(name) name##_of_test
-#include "rays/kernel.h"
+#include "rays/packets.h"
 #include "rays/packet_template.h"
 
 #define SEED 20261122u

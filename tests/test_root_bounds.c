@@ -17,7 +17,7 @@
 #include "exact.h"
 
 #include "complex/impl.h"
-#include "roots/exact.h"
+#include "roots/exact_walk.h"
 
 /* The sign of c[0] + .. + c[n] t^n at 2^e. */
 static int sign_at(const double *c, int n, int e) { return exact_poly_sign(c, n, ldexp(1, e)); }

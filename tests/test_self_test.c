@@ -18,12 +18,12 @@
 #include "algsurf/algsurf.h"
 #include "base/fpenv.h"
 #include "base/rounding.h"
-#include "complex/kernel.h"
+#include "complex/boxes.h"
 #include "environments.h"
 #include "beams/kernels.h"
 #include "picture/colours.h"
-#include "rays/kernel.h"
-#include "roots/kernel.h"
+#include "rays/packets.h"
+#include "roots/polys.h"
 #include "simd/operations.h"
 
 /* ---- operations ---- */

@@ -14,7 +14,7 @@
 #include <gmp.h>
 
 #include "exact.h"
-#include "roots/kernel.h"
+#include "roots/polys.h"
 #include "simd/baseline.h"
 #undef KERNEL
 #define KERNEL(name) name##_here

@@ -13,7 +13,7 @@
 
 #include "catalogue.h"
 #include "exact.h"
-#include "rays/kernel.h"
+#include "rays/packets.h"
 
 #define SEED 20261122u
 enum { RAYS = 60 };

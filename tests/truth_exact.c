@@ -11,7 +11,7 @@
 
 #include "poly_corpus.h"
 
-#include "roots/exact.h"
+#include "roots/exact_walk.h"
 
 static int violations;
 static long roots, multiple;

@@ -17,7 +17,7 @@
  * then is left to the single ray.
  *
  * The point is found by one more step on P itself, at the complex point of the ray: as accurate as the step
- * from the root of a rounded polynomial can be.  The normal is that of rays/complex.c. */
+ * from the root of a rounded polynomial can be.  The normal is that of rays/complex_ray.c. */
 #ifndef ALGSURF_PICTURE_COMPLEX_TEMPLATE_H
 #define ALGSURF_PICTURE_COMPLEX_TEMPLATE_H
 #include "../complex/lanes_template.h"
@@ -26,7 +26,7 @@
 
 #define OFF_AXIS 0x1p-10 /* a fraction of a pixel: real roots that become a pair have to leave the axis */
 #define MARGIN_OF_ENDS 0x1p-44 /* of the distance from the eye: where a single ray may clip otherwise */
-#define EITHER_SIDE 0x1p-30    /* rays/complex.c */
+#define EITHER_SIDE 0x1p-30    /* rays/complex_ray.c */
 
 /* Adds the imaginary part for rays of length `scale` a unit of w. */
 INLINE void add_imaginary(const algsurf_i_complex_job *job, lanes scale, polynomials *p) {
@@ -156,7 +156,7 @@ INLINE complex_lanes times_plus(complex_lanes a, complex_lanes z, complex_lanes 
     return (complex_lanes){c.re + b.re, c.im + b.im};
 }
 
-/* surface/complex.c, and P. */
+/* surface/complex_gradient.c, and P. */
 INLINE complex_jets complex_surface_jets(const algsurf_surface *s, const complex_lanes x[3]) {
     const complex_lanes zero = {all_lanes(0), all_lanes(0)};
     complex_jets p = {zero, {zero, zero, zero}};

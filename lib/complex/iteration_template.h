@@ -5,7 +5,7 @@
 #ifndef ALGSURF_COMPLEX_ITERATION_TEMPLATE_H
 #define ALGSURF_COMPLEX_ITERATION_TEMPLATE_H
 #include "../simd/lanes.h"
-#include "kernel.h"
+#include "boxes.h"
 
 #define MOST_ROOTS ALGSURF_MOST_ROOTS_IN_LANES
 #define ROUNDING 0x1p-53

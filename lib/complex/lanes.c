@@ -9,7 +9,7 @@
 #include "../base/options.h"
 #include "../poly/table.h"
 #include "impl.h"
-#include "kernel.h"
+#include "boxes.h"
 
 /* Real coefficients, one by one as complex ones; large: of more than ALGSURF_MAX_DEGREE. */
 #define RUN_REAL(name, most)                                                                                 \

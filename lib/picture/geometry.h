@@ -1,5 +1,5 @@
-/* geometry.h - a picture's geometry: all its rays share a view (view.c), those of a row are pixels of one
- * job. */
+/* geometry.h - a picture's geometry: all its rays share a view (scene_view.c), those of a row are pixels of
+ * one job. */
 #ifndef ALGSURF_GEOMETRY_H
 #define ALGSURF_GEOMETRY_H
 #include "../beams/rows.h"

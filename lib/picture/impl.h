@@ -7,7 +7,7 @@
 #include <stdatomic.h>
 
 #include "antialias.h"
-#include "complex_impl.h"
+#include "complex_rows.h"
 #include "../beams/kernels.h"
 #include "colours.h"
 #include "line.h"

@@ -1,16 +1,16 @@
 /* threads.c - the threads that draw a picture.
  *
  * Rows are handed out in order, to whoever asks, by a shared counter: one by one, or, where a row has use for
- * its neighbours, in batches, which begin at multiples of their length (complex.c).  The calling thread works
- * like the others and is the only one that calls progress: after each of its rows, and ten times a second
- * while it waits for the others' last ones.  That wait is by the clock of the day, the only one that a
+ * its neighbours, in batches, which begin at multiples of their length (complex_rows.c).  The calling thread
+ * works like the others and is the only one that calls progress: after each of its rows, and ten times a
+ * second while it waits for the others' last ones.  That wait is by the clock of the day, the only one that a
  * condition variable has on every system; if somebody sets this clock back meanwhile, progress is called
  * late, but a helper that leaves ends the wait.  Who draws a row changes nothing in it.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../base/arithmetic.h"
 #include "impl.h"
-#include "complex_impl.h"
+#include "complex_rows.h"
 
 #include <stdlib.h>
 #include <time.h>

@@ -16,7 +16,7 @@
 #define ALGSURF_CHORD_TEMPLATE_H
 #include "../roots/descartes_template.h"
 #include "../simd/lanes.h"
-#include "kernel.h"
+#include "packets.h"
 
 #define LOST_BY_UNDERFLOW 0x1p-550
 #define FARTHEST 0x1p100    /* origin, in natural units */

@@ -11,9 +11,9 @@
 
 #include "../base/eft.h"
 #include "../base/fpenv.h"
-#include "exact.h"
+#include "exact_ray.h"
 #include "intersect_impl.h"
-#include "kernel.h"
+#include "packets.h"
 #include "normal.h"
 #include "query.h"
 #include "ranges.h"

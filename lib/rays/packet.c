@@ -10,7 +10,7 @@
 
 #include "../base/fpenv.h"
 #include "intersect_impl.h"
-#include "kernel.h"
+#include "packets.h"
 #include "normal.h"
 #include "../base/options.h"
 #include "query.h"

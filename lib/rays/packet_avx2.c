@@ -1,9 +1,9 @@
 /* packet_avx2.c - rays in packets of four, for AVX2. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "packets.h"
 
 #include "../simd/avx2.h"
 #ifdef LANES
-#include "kernel_template.h"
+#include "solve_rays_template.h"
 #endif
 #include "../simd/end.h"

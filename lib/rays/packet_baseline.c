@@ -1,7 +1,7 @@
 /* packet_baseline.c - rays in packets of two, single ones, too, for every processor. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "packets.h"
 
 #include "../simd/baseline.h"
-#include "kernel_template.h"
-#include "single_template.h"
+#include "solve_rays_template.h"
+#include "one_ray_template.h"

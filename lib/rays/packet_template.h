@@ -23,7 +23,7 @@
 #include "chord_template.h"
 #include "far_template.h"
 #include "hits_template.h"
-#include "kernel.h"
+#include "packets.h"
 #include "nodes_template.h"
 #include "powers_template.h"
 

@@ -4,7 +4,7 @@
 #define ALGSURF_QUERY_H
 #include "../simd/kernel.h"
 #include "algsurf/intersect.h"
-#include "kernel.h"
+#include "packets.h"
 #include "region.h"
 
 /* It holds pointers into itself: it is not to be copied. */

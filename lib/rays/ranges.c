@@ -13,7 +13,7 @@
 
 #include "../roots/exact_radii.h"
 #include "../surface/exact_form.h"
-#include "exact.h"
+#include "exact_ray.h"
 #include "region.h"
 
 enum { STACK_WORDS = 2048 };

@@ -6,7 +6,7 @@
 #ifndef ALGSURF_BLOCK_TEMPLATE_H
 #define ALGSURF_BLOCK_TEMPLATE_H
 #include "../poly/basis.h"
-#include "kernel.h"
+#include "polys.h"
 #define MOST_DEGREE ALGSURF_MAX_POLYS_DEGREE
 #define MOST_OWN 0
 #include "../simd/lanes.h"

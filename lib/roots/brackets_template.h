@@ -16,7 +16,7 @@
 #include "block_template.h"
 #include "enclose_template.h"
 #include "halley_template.h"
-#include "kernel.h"
+#include "polys.h"
 
 #define LEAST_ROOT_STEP 0x1p-52
 #define USUAL_ROOT_STEP 0x1p-44 /* 3e-14 of the interval: what is expected of a step is no bound */

@@ -19,7 +19,7 @@
 #include "../poly/table_template.h"
 #include "../poly/triangle_template.h"
 #include "../simd/lanes.h"
-#include "kernel.h"
+#include "polys.h"
 
 #define LARGE_END 0x1p20
 #define LARGE_SIZE 0x1p300

@@ -9,7 +9,7 @@
 #include "../base/fpenv.h"
 #include "../poly/value.h"
 #include "decide.h"
-#include "exact.h"
+#include "exact_walk.h"
 
 int algsurf_i_common_exponent(const algsurf_i_coefficients *p, int unit) {
     int common = -(1 << 20); /* below all: (degree + 1) times a subnormal's exponent is -551,000 */

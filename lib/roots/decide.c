@@ -1,5 +1,5 @@
-/* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact.c and exact_radii.c
- * over them. */
+/* decide.c - from doubles (or a caller's integers) to integers, and the walks of exact_walk.c and
+ * exact_radii.c over them. */
 #include "../base/arithmetic.h"
 #include "decide.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exact.h"
+#include "exact_walk.h"
 #include "exact_radii.h"
 
 enum { STACK_WORDS = 2048 };

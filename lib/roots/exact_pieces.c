@@ -20,7 +20,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "exact.h"
+#include "exact_walk.h"
 
 algsurf_exact_piece algsurf_exact_piece_of(double lo, double hi) {
     algsurf_exact_piece piece = {0, 0, 0};

@@ -2,7 +2,7 @@
  * than given radii. */
 #ifndef ALGSURF_EXACT_RADII_H
 #define ALGSURF_EXACT_RADII_H
-#include "exact.h"
+#include "exact_walk.h"
 
 /* Where roots are.
  * - sign_lo 1 or -1, lo < hi: every polynomial of the set has exactly one root in (lo,hi), a simple one, the

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "algsurf/status.h"
-#include "exact.h"
+#include "exact_walk.h"
 
 int algsurf_exact_at_double(algsurf_memory *m, const algsurf_zpoly *f, int unit, double t, int *sign,
                             double *value, int *exponent) {

@@ -9,7 +9,7 @@
  *   halving the common factor of f and q is looked for.  Its roots are f's, hence it changes its sign over
  * the place, where f has no more than one root, if and only if that root is shared. */
 #include "../base/arithmetic.h"
-#include "exact.h"
+#include "exact_walk.h"
 
 typedef struct judge {
     algsurf_memory *memory;

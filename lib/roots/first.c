@@ -15,7 +15,7 @@
 #include "../base/fpenv.h"
 #include "coefficients.h"
 #include "decide.h"
-#include "kernel.h"
+#include "polys.h"
 #include "line.h"
 #include "../base/options.h"
 #include "../poly/table.h"

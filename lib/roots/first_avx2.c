@@ -1,6 +1,6 @@
 /* first_avx2.c - first roots of polynomials in packets of four, for AVX2. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "polys.h"
 
 #include "../simd/avx2.h"
 #ifdef LANES

@@ -1,6 +1,6 @@
 /* first_avx512.c - first roots of polynomials in packets of eight, for AVX-512. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "polys.h"
 
 #include "../simd/avx512.h"
 #ifdef LANES

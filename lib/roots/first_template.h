@@ -13,7 +13,7 @@
 #include "centred_template.h"
 #include "closed_template.h"
 #include "descartes_template.h"
-#include "kernel.h"
+#include "polys.h"
 
 /* Descartes' count over the whole intervals of polynomials i .. i+count-1 of the block, at `at` of the job.
  * Their signs become those that make the first coefficient positive. */

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "decide.h"
-#include "exact.h"
+#include "exact_walk.h"
 #include "integers.h"
 
 enum { STACK_WORDS = 1024, MOST_SPREAD = 900, FEW = 4 };

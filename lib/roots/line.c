@@ -21,12 +21,12 @@
 #include <math.h>
 
 #include "../base/fpenv.h"
-#include "../complex/kernel.h"
+#include "../complex/boxes.h"
 #include "../poly/value.h"
 #include "decide.h"
-#include "exact.h"
+#include "exact_walk.h"
 #include "integers.h"
-#include "kernel.h"
+#include "polys.h"
 #include "low.h"
 #include "power.h"
 #include "refine_impl.h"

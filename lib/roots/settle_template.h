@@ -6,7 +6,7 @@
 #ifndef ALGSURF_SETTLE_TEMPLATE_H
 #define ALGSURF_SETTLE_TEMPLATE_H
 #include "enclose_template.h"
-#include "kernel.h"
+#include "polys.h"
 
 #define MOST_STEPS 40
 #define CLOSE 0x1p-12 /* of a last step: it leaves its third power, and another one the ninth */

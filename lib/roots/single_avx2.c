@@ -1,6 +1,6 @@
 /* single_avx2.c - single polynomials, for AVX2. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "polys.h"
 
 #define PACKETS_OF_TWO
 #include "../simd/avx2.h"

@@ -1,6 +1,6 @@
 /* single_avx512.c - single polynomials, for AVX-512. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "polys.h"
 
 #define PACKETS_OF_TWO
 #include "../simd/avx512.h"

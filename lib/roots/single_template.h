@@ -1,5 +1,5 @@
-/* single_template.h - all roots of one polynomial: the walk of first_walk_template.h in one lane, again and again
- * from the last bracket's end.  (Packets of two: a lone double is no faster.)
+/* single_template.h - all roots of one polynomial: the walk of first_walk_template.h in one lane, again and
+ * again from the last bracket's end.  (Packets of two: a lone double is no faster.)
  *
  * About the middle m of the interval, in units of half its length h, the polynomial is sum d_k v^k, as in
  * centred_template.h.  With x = (1+v)/2 and y = 1 - x, v = x - y and 1 = x + y, so that Horner's rule in x
@@ -24,7 +24,7 @@
 #define KNOWN_DEGREES 1
 #include "../base/eft.h"
 #include "coefficients.h"
-#include "kernel.h"
+#include "polys.h"
 #include "first_walk_template.h"
 
 /* One polynomial over [0,1], and where it came from. */

@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kernel.h"
+#include "polys.h"
 
 /* ---- where roots can be ---- */
 

@@ -1,10 +1,10 @@
-/* single_avx512.c - single rays, for AVX-512. */
+/* one_ray_avx512.c - single rays, for AVX-512. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "packets.h"
 
 #define PACKETS_OF_TWO
 #include "../simd/avx512.h"
 #ifdef LANES
-#include "single_template.h"
+#include "one_ray_template.h"
 #endif
 #include "../simd/end.h"

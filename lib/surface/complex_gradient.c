@@ -1,4 +1,4 @@
-/* complex.c - the gradient at a complex point: Horner's scheme, differentiated, on complex numbers.
+/* complex_gradient.c - the gradient at a complex point: Horner's scheme, differentiated, on complex numbers.
  */
 #include "../base/arithmetic.h"
 #include "impl.h"

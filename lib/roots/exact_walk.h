@@ -1,4 +1,4 @@
-/* exact.h - the exact engine: the real roots of a polynomial with integer coefficients, in order, always
+/* exact_walk.h - the exact engine: the real roots of a polynomial with integer coefficients, in order, always
  * decided.
  *
  * p(u) is given with its unit, t = 2^unit u, and an interval of t.  The engine cuts the interval into pieces,
@@ -12,8 +12,8 @@
  *
  * Source: Collins, Akritas 1976; Rouillier, Zimmermann, Efficient isolation of polynomial's real roots, 2004;
  * Sagraloff, Mehlhorn, Computing real roots of real polynomials, 2016 (the step to a cluster). */
-#ifndef ALGSURF_EXACT_H
-#define ALGSURF_EXACT_H
+#ifndef ALGSURF_ROOTS_EXACT_WALK_H
+#define ALGSURF_ROOTS_EXACT_WALK_H
 #include "algsurf/isolate.h"
 #include "../poly/integral.h"
 #include "exact_cell.h"

@@ -1,7 +1,7 @@
-/* kernel_template.h - the code for packets of rays, as one kernel. */
-#ifndef ALGSURF_RAYS_KERNEL_TEMPLATE_H
-#define ALGSURF_RAYS_KERNEL_TEMPLATE_H
-#include "kernel.h"
+/* solve_rays_template.h - the code for packets of rays, as one kernel. */
+#ifndef ALGSURF_RAYS_SOLVE_RAYS_TEMPLATE_H
+#define ALGSURF_RAYS_SOLVE_RAYS_TEMPLATE_H
+#include "packets.h"
 #if LANES > 4
 #define MOST_DEGREE ALGSURF_MAX_WIDE_DEGREE
 #endif

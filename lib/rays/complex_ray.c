@@ -1,4 +1,4 @@
-/* complex.c - the first hit in complex space: all roots, proved, and the least in the sector.
+/* complex_ray.c - the first hit in complex space: all roots, proved, and the least in the sector.
  *
  * The ray polynomial is expanded about the frame's centre with its radii, like in real space; the
  * imaginary parts, given for powers of the caller's t, are brought to the frame's variable v by
@@ -10,8 +10,8 @@
  * Range.  The ends of the chord are rounded, so there are two: one that holds all of the ray's part in the
  * region, and one that is certainly in it (region.c).  A root with a magnitude in the first counts if it is
  * in the second, too.  Between them a real root in front of the eye is decided by integers, as in real
- * space (exact.c): those roots of P that are in the root's box are inside the region, or not.  Other roots
- * stay undecided there: their magnitudes are no places of the surface.
+ * space (exact_ray.c): those roots of P that are in the root's box are inside the region, or not.  Other
+ * roots stay undecided there: their magnitudes are no places of the surface.
  *
  * The normal.  Let the direction vary by dV at a fixed origin.  With g the complex gradient at the root and
  * p' = dp/dt, the root moves by dt = -t (g.dV)/p', its magnitude by -|t| w.dV, w = Re(g/p'), and the
@@ -23,7 +23,7 @@
 
 #include "../complex/impl.h"
 #include "../base/fpenv.h"
-#include "exact.h"
+#include "exact_ray.h"
 #include "intersect_impl.h"
 #include "normal.h"
 #include "../base/options.h"

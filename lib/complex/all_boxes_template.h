@@ -1,9 +1,9 @@
-/* packet_template.h - all complex roots: the entry points of a kernel. */
-#ifndef ALGSURF_COMPLEX_PACKET_TEMPLATE_H
-#define ALGSURF_COMPLEX_PACKET_TEMPLATE_H
+/* all_boxes_template.h - all complex roots: the entry points of a kernel. */
+#ifndef ALGSURF_COMPLEX_ALL_BOXES_TEMPLATE_H
+#define ALGSURF_COMPLEX_ALL_BOXES_TEMPLATE_H
 #include "../poly/table_template.h"
 #include "../simd/degrees.h"
-#include "kernel.h"
+#include "boxes.h"
 #include "quadratic_template.h"
 
 #define DEGREES_3_AND_4(statement) FOR_ONE_DEGREE(3, statement) FOR_ONE_DEGREE(4, statement)

@@ -1,10 +1,10 @@
-/* single_template.h - the hits of one ray, all of them or some, in the first of two lanes.
+/* one_ray_template.h - the hits of one ray, all of them or some, in the first of two lanes.
  *
  * The first bracket is that of the packets (packet_template.h), so that its hit has the same bits.  From its
  * end on the walk goes for the next one: with the coefficients that there are, and where
  * these leave it undecided, with those from powers. */
-#ifndef ALGSURF_RAYS_SINGLE_TEMPLATE_H
-#define ALGSURF_RAYS_SINGLE_TEMPLATE_H
+#ifndef ALGSURF_RAYS_ONE_RAY_TEMPLATE_H
+#define ALGSURF_RAYS_ONE_RAY_TEMPLATE_H
 #include "../roots/refine_impl.h"
 #include "packet_template.h"
 

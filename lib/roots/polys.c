@@ -1,6 +1,6 @@
-/* kernel.c - the tables of kernels for roots. */
+/* polys.c - the tables of kernels for roots. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "polys.h"
 
 ALGSURF_KERNEL_CHOICE(roots)
 

@@ -1,11 +1,11 @@
-/* exact.c - the exact walk: cells from left to right, roots as they come.
+/* exact_walk.c - the exact walk: cells from left to right, roots as they come.
  *
  * A piece is half open: a root at its left end is its own, one at its right end belongs to the next piece.
  * The same holds for the cells of a piece: b_0 = 0 shows a root at the left end, as many times as there are
  * leading zeros, and it is reported before the open cell is looked at, where zeros do not count.
  * At most n cells wait, since variations of disjoint cells add up to at most n. */
 #include "../base/arithmetic.h"
-#include "exact.h"
+#include "exact_walk.h"
 
 #include <math.h>
 

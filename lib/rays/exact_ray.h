@@ -1,6 +1,6 @@
-/* exact.h - the roots along a ray by integers: every ray of an exact surface is decided. */
-#ifndef ALGSURF_RAYS_EXACT_H
-#define ALGSURF_RAYS_EXACT_H
+/* exact_ray.h - the roots along a ray by integers: every ray of an exact surface is decided. */
+#ifndef ALGSURF_RAYS_EXACT_RAY_H
+#define ALGSURF_RAYS_EXACT_RAY_H
 #include "intersect_impl.h"
 #include "region.h"
 

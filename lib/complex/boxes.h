@@ -1,6 +1,6 @@
-/* kernel.h - all complex roots in lanes, by every kernel. */
-#ifndef ALGSURF_COMPLEX_KERNEL_H
-#define ALGSURF_COMPLEX_KERNEL_H
+/* boxes.h - all complex roots in lanes, by every kernel. */
+#ifndef ALGSURF_COMPLEX_BOXES_H
+#define ALGSURF_COMPLEX_BOXES_H
 #include <stddef.h>
 
 #include "../simd/kernel.h"

@@ -1,6 +1,6 @@
-/* complex_impl.h - complex space: a row starts from the roots of the row above. */
-#ifndef ALGSURF_COMPLEX_IMPL_H
-#define ALGSURF_COMPLEX_IMPL_H
+/* complex_rows.h - complex space: a row starts from the roots of the row above. */
+#ifndef ALGSURF_PICTURE_COMPLEX_ROWS_H
+#define ALGSURF_PICTURE_COMPLEX_ROWS_H
 #include "../beams/rows.h"
 #include "line.h"
 #include "geometry.h"

@@ -1,4 +1,4 @@
-/* complex.c - complex space: the roots of a row, started from those of the row above.
+/* complex_rows.c - complex space: the roots of a row, started from those of the row above.
  *
  * Spatial coherence (Sanjuan-Estrada, Casado, Garcia, section 3): neighbouring rays have nearly the same
  * roots, and an iteration that starts there takes fewer steps.  It saves time and must not show.  Two things
@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "camera_impl.h"
-#include "complex_impl.h"
+#include "complex_rows.h"
 #include "impl.h"
 #include "solve.h"
 #include "../rays/intersect_impl.h"

@@ -1,6 +1,6 @@
-/* kernel.c - the table of kernels for rays. */
+/* packets.c - the tables of kernels for rays. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "packets.h"
 
 ALGSURF_KERNEL_CHOICE(rays)
 ALGSURF_KERNEL_CHOICE(ray)

@@ -1,6 +1,6 @@
-/* kernel.h - first hits of many rays at once, by every kernel. */
-#ifndef ALGSURF_RAYS_KERNEL_H
-#define ALGSURF_RAYS_KERNEL_H
+/* packets.h - first hits of many rays at once, by every kernel. */
+#ifndef ALGSURF_RAYS_PACKETS_H
+#define ALGSURF_RAYS_PACKETS_H
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
-/* kernel.h - first roots of many polynomials at once, by every kernel. */
-#ifndef ALGSURF_ROOTS_KERNEL_H
-#define ALGSURF_ROOTS_KERNEL_H
+/* polys.h - first roots of many polynomials at once, by every kernel. */
+#ifndef ALGSURF_ROOTS_POLYS_H
+#define ALGSURF_ROOTS_POLYS_H
 #include <stddef.h>
 #include <stdint.h>
 

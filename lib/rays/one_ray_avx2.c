@@ -1,10 +1,10 @@
-/* single_avx2.c - single rays, for AVX2. */
+/* one_ray_avx2.c - single rays, for AVX2. */
 #include "../base/arithmetic.h"
-#include "kernel.h"
+#include "packets.h"
 
 #define PACKETS_OF_TWO
 #include "../simd/avx2.h"
 #ifdef LANES
-#include "single_template.h"
+#include "one_ray_template.h"
 #endif
 #include "../simd/end.h"

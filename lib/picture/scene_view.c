@@ -1,4 +1,4 @@
-/* view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved in
+/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved in
  * packets.
  *
  * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
@@ -26,7 +26,7 @@
 #include "../rays/expand_impl.h"
 #include "../rays/own_ball.h"
 #include "../rays/planes.h"
-#include "complex_impl.h"
+#include "complex_rows.h"
 #include "impl.h"
 #include "geometry.h"
 #include "../base/vec.h"
