@@ -550,7 +550,7 @@ static void check_row(const test_view *v, const algsurf_i_picture *picture, uint
 
 static int check_view(const test_view *v, uint64_t *seed) {
     const algsurf_term terms[2] = {{2, 0, 0, 1}, {0, 0, 0, -v->extent.size[0] * v->extent.size[0]}};
-    static algsurf_i_packets packets;
+    static algsurf_i_geometry geometry;
     algsurf_surface *surface = NULL;
     algsurf_scene *scene = NULL;
     double centre[3];
@@ -559,10 +559,10 @@ static int check_view(const test_view *v, uint64_t *seed) {
     assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_clip(scene, v->planes, (size_t)v->plane_count), ALGSURF_OK);
-    memset(&packets, 0, sizeof packets);
-    algsurf_i_picture picture = {.scene = scene, .width = COLUMNS, .height = ROWS, .packets = &packets};
+    memset(&geometry, 0, sizeof geometry);
+    algsurf_i_picture picture = {.scene = scene, .width = COLUMNS, .height = ROWS, .geometry = &geometry};
     algsurf_i_scene_ball(scene, centre, &picture.lighting.radius);
-    int suits = algsurf_i_packets_geometry(&picture, &packets);
+    int suits = algsurf_i_find_geometry(&picture, &geometry);
     for (int y = 0; suits && y < ROWS; y++) check_row(v, &picture, seed, y);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
@@ -579,7 +579,7 @@ static void pictures_within_blur(void **state) {
         random_view(&v, &seed);
         suited += check_view(&v, &seed);
     }
-    print_message("%ld of %ld pictures are for packets\n", suited, picture_count);
+    print_message("%ld of %ld pictures are for geometry\n", suited, picture_count);
     report("pictures");
     print_message("%ld pixels are clear of what is shown\n", clear_count);
     assert_true(2 * suited > picture_count);

@@ -45,18 +45,18 @@ static sizes sizes_of(const algsurf_i_picture *picture) {
     const size_t degree = (size_t)picture->scene->surface->degree, width = (size_t)picture->width;
     const size_t lights = picture->shadows ? (size_t)picture->light_count : 0;
     const size_t across = (width + ALGSURF_I_LEAF - 1) / ALGSURF_I_LEAF;
-    const int tiles = picture->tiled, real = picture->packets && !picture->scene->complex;
+    const int tiles = picture->tiled, real = picture->geometry && !picture->scene->complex;
     return (sizes){.width = width + ALGSURF_I_MOST_ACROSS, /* a pixel's samples fit in any picture */
                    .side = degree + 1,
                    .dense = picture->selective ? (size_t)picture->scene->antialias : 1,
                    .lights = lights,
                    .shares = lights > 0 || picture->shadows ? lights + 1 : 0,
-                   .taylor = picture->packets && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
+                   .taylor = picture->geometry && picture->shadows && degree <= ALGSURF_MAX_TAYLOR_DEGREE &&
                              picture->scene->extent.kind != ALGSURF_EXTENT_ALL,
                    .dips = picture->thin ? ALGSURF_I_MOST_DIPS * width : 0,
                    .lanes = real,
                    .places = tiles ? across * (ALGSURF_I_TILES / ALGSURF_I_LEAF) : 0,
-                   .roots = picture->packets && picture->scene->complex ? degree : 0,
+                   .roots = picture->geometry && picture->scene->complex ? degree : 0,
                    .planes = &picture->planes};
 }
 
@@ -157,12 +157,12 @@ static void lay_out_samples(arena *a, algsurf_i_picture *picture) {
     for (int k = 0; k < 2; k++) samples->place[k] = take_doubles(a, count);
 }
 
-static void lay_out_packets(arena *a, const sizes *s, algsurf_i_packets *packets) {
-    lay_out_frame(a, s, &packets->frame);
-    packets->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
-    packets->taylor = s->taylor > 0 ? take(a, 1, sizeof *packets->taylor) : NULL;
+static void lay_out_geometry(arena *a, const sizes *s, algsurf_i_geometry *geometry) {
+    lay_out_frame(a, s, &geometry->frame);
+    geometry->beams = s->places > 0 ? take_doubles(a, s->side * s->side * s->side) : NULL;
+    geometry->taylor = s->taylor > 0 ? take(a, 1, sizeof *geometry->taylor) : NULL;
     algsurf_i_frame_form elsewhere; /* while there are none yet */
-    if (s->taylor > 0) lay_out_frame(a, s, a->base ? &packets->taylor->frame : &elsewhere);
+    if (s->taylor > 0) lay_out_frame(a, s, a->base ? &geometry->taylor->frame : &elsewhere);
 }
 
 static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i_worker **workers) {
@@ -170,7 +170,7 @@ static void lay_out(arena *a, algsurf_i_picture *picture, int threads, algsurf_i
     *workers = take(a, (size_t)threads, sizeof **workers);
     picture->curve = take_bytes(a, SRGB_STEPS);
     lay_out_samples(a, picture);
-    if (picture->packets) lay_out_packets(a, &s, picture->packets);
+    if (picture->geometry) lay_out_geometry(a, &s, picture->geometry);
     for (int i = 0; i < threads; i++) {
         algsurf_i_worker nobody;
         lay_out_worker(a, &s, picture->selective, a->base ? *workers + i : &nobody);

@@ -111,7 +111,7 @@ static void list_edges(const algsurf_i_picture *picture, int row, algsurf_i_work
     algsurf_i_line *line = &worker->line;
     const algsurf_i_band *band = picture->tiled ? algsurf_i_band_of(picture, row, 1, t) : NULL;
     int begin, end;
-    const int within = picture->packets && !picture->scene->complex &&
+    const int within = picture->geometry && !picture->scene->complex &&
                        algsurf_i_pixels_within_bounds(picture, row, row + 1, 1, &begin, &end);
     line->dense = within ? picture->scene->antialias : 1;
     if (band && within) {

@@ -20,13 +20,13 @@
 #include "../rays/intersect_impl.h"
 #include "../rays/region.h"
 
-void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets) {
+void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_geometry *geometry) {
     const algsurf_surface *s = scene->surface;
-    packets->top = s->degree;
-    while (packets->top >= 0 && scene->space.imaginary[packets->top] == 0) packets->top--;
-    for (int k = 0; k <= packets->top; k++)
-        packets->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
-    packets->frame.view.noise *= 4; /* complex_pixels_template.h */
+    geometry->top = s->degree;
+    while (geometry->top >= 0 && scene->space.imaginary[geometry->top] == 0) geometry->top--;
+    for (int k = 0; k <= geometry->top; k++)
+        geometry->imaginary[k] = ldexp(scene->space.imaginary[k], s->scale + k * s->unit);
+    geometry->frame.view.noise *= 4; /* complex_pixels_template.h */
 }
 
 static void forget(algsurf_i_predictor *predictor, int begin, int end) {
@@ -36,9 +36,9 @@ static void forget(algsurf_i_predictor *predictor, int begin, int end) {
 static algsurf_i_complex_job complex_job_of(const algsurf_i_picture *picture, const algsurf_i_row_job *row,
                                             algsurf_i_worker *worker) {
     return (algsurf_i_complex_job){.row = row,
-                                   .sector = &picture->packets->sector,
-                                   .imaginary = picture->packets->imaginary,
-                                   .top = picture->packets->top,
+                                   .sector = &picture->geometry->sector,
+                                   .imaginary = picture->geometry->imaginary,
+                                   .top = picture->geometry->top,
                                    .looks = &picture->colours.frame,
                                    .x = worker->predictor.x,
                                    .y = worker->predictor.y,
@@ -61,7 +61,7 @@ static int begin_row(const algsurf_i_picture *picture, double y, double sx, algs
                      algsurf_i_row_job *job, int *begin, int *end) {
     algsurf_i_make_row(picture, y, sx, &worker->form, job);
     int misses = algsurf_i_pixels_within_bounds(picture, y, y, 1, begin, end);
-    if (*begin < *end) algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
+    if (*begin < *end) algsurf_i_row_expand(&picture->geometry->frame, worker->form.v, &worker->form);
     return misses;
 }
 
@@ -174,7 +174,7 @@ static void solve_forms(const algsurf_i_picture *picture, int row, double sx, do
 algsurf_status algsurf_i_solve_complex_row(const algsurf_i_picture *picture, int row, double sx, double sy,
                                            algsurf_i_worker *worker, algsurf_i_tally *tally) {
     tally->rays += (uint64_t)worker->line.wanted_count;
-    if (picture->packets)
+    if (picture->geometry)
         solve_forms(picture, row, sx, sy, worker, tally);
     else
         algsurf_i_begin_states(&worker->line, 0);

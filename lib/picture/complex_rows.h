@@ -19,7 +19,7 @@ typedef struct algsurf_i_predictor {
 /* Rows: one in so many begins without roots from above; those up to the next one are drawn together. */
 #define ALGSURF_I_BAND 16
 
-/* What packets need to know of complex space, but for the sector. */
-void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_packets *packets);
+/* What kernels need to know of complex space, but for the sector. */
+void algsurf_i_complex_prepare(const algsurf_scene *scene, algsurf_i_geometry *geometry);
 
 #endif

@@ -18,7 +18,7 @@
 #include "impl.h"
 
 algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
-    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_geometry *p = picture->geometry;
     return (algsurf_i_row_job){.view = &p->frame.view,
                                .basis = p->frame.basis,
                                .offset = -0.5 * picture->width,
@@ -39,7 +39,7 @@ algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture) {
 
 void algsurf_i_make_row(const algsurf_i_picture *picture, double y, double sx, algsurf_i_row_form *form,
                         algsurf_i_row_job *job) {
-    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_geometry *p = picture->geometry;
     const algsurf_i_view *view = &p->frame.view;
     form->v = p->origin[1] + p->per_slope * ((0.5 * picture->height - y) * p->pixel);
     *job = algsurf_i_any_row(picture);
@@ -99,7 +99,7 @@ static int clear_up_to(const pixel_line *l, const clearance *g, int side, int st
 
 int algsurf_i_pixels_within_bounds(const algsurf_i_picture *picture, double top, double bottom, int step,
                                    int *begin, int *end) {
-    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_geometry *p = picture->geometry;
     const algsurf_i_view *view = &p->frame.view;
     const double spread = 1 + fabs(view->alpha), per = p->per_slope * p->pixel,
                  middle = 0.5 * picture->height;

@@ -7,8 +7,8 @@
 
 typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
 
-/* What packets need to know of a picture. */
-typedef struct algsurf_i_packets {
+/* What kernels need to know of a picture. */
+typedef struct algsurf_i_geometry {
     algsurf_i_frame_form frame;
     int orthographic, degree;           /* P's along the rays, at most */
     double origin[2], per_slope, pixel; /* u = origin[0] + per_slope (x - width/2) pixel; v likewise */
@@ -24,10 +24,10 @@ typedef struct algsurf_i_packets {
     algsurf_i_sector_edges sector;
     double imaginary[ALGSURF_MAX_DEGREE + 1];
     int top;
-} algsurf_i_packets;
+} algsurf_i_geometry;
 
-/* Fills a picture's packets, but for the frame's arrays; 0 if this scene is not one for them. */
-int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *packets);
+/* Fills a picture's geometry, but for the frame's arrays; 0 if this scene is not one for them. */
+int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *geometry);
 
 /* What the jobs of all rows have in common; the offset is that of the pixels' left edges. */
 algsurf_i_row_job algsurf_i_any_row(const algsurf_i_picture *picture);

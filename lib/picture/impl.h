@@ -31,10 +31,10 @@ typedef struct algsurf_i_picture {
     const algsurf_i_kernel *kernel;
     const algsurf_i_beams_kernel *code; /* for that kernel */
     const algsurf_i_colour_kernel *shader;
-    algsurf_i_packets *packets; /* null: every ray by itself */
-    int timed;                  /* 1: the caller asks for stats */
-    int tiled;                  /* 1: there are packets, and tiles of them */
-    int thin;                   /* 1: what is thin is shown: there are packets, and tiles to find it */
+    algsurf_i_geometry *geometry; /* null: every ray by itself */
+    int timed;                    /* 1: the caller asks for stats */
+    int tiled;                    /* 1: there is a view, and tiles of it */
+    int thin;                     /* 1: what is thin is shown: there is a view */
     algsurf_picture planes;
     int channels; /* of a pixel of the pixels plane */
     algsurf_i_colour_job colours;

@@ -44,7 +44,7 @@ typedef struct algsurf_i_line {
     int as_bytes;
     double *visible;                    /* light_count + 1 for each point, in full quality */
     struct algsurf_i_shadow_rays *rays; /* in full quality, in the making */
-    double *depth;                      /* of each entry: where packets found it */
+    double *depth;                      /* of each entry: where kernels found it */
     uint8_t *sure;                      /* of each entry: kernels have found its point */
     double *imaginary;                  /* in complex space, the depth's imaginary part; else null */
     uint8_t *state; /* of each sample: an ALGSURF_LANE; of one solved alone, its algsurf_hit_state */

@@ -146,7 +146,7 @@ static int find_pixels(const algsurf_i_picture *picture, const algsurf_i_point_j
     algsurf_i_line *line = &worker->line;
     const int before = line->count;
     double begun = algsurf_i_render_clock(picture);
-    algsurf_i_row_expand(&picture->packets->frame, worker->form.v, &worker->form);
+    algsurf_i_row_expand(&picture->geometry->frame, worker->form.v, &worker->form);
     double expanded = algsurf_i_render_clock(picture);
     int undecided = solve_pixels(picture, job->row, worker);
     double solved = algsurf_i_render_clock(picture);

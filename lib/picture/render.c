@@ -83,10 +83,10 @@ static ALGSURF_NOINLINE algsurf_status prepare(const algsurf_scene *scene,
     picture->kernel = algsurf_i_kernel_find(scene->intersect.kernel);
     picture->code = algsurf_i_beams_kernel_for(picture->kernel);
     picture->shader = algsurf_i_colour_kernel_for(picture->kernel);
-    if (!algsurf_i_packets_geometry(picture, picture->packets)) picture->packets = NULL;
+    if (!algsurf_i_find_geometry(picture, picture->geometry)) picture->geometry = NULL;
     picture->thin =
-        picture->packets && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
-    picture->tiled = picture->packets && algsurf_i_tiles_pay(picture, picture->packets);
+        picture->geometry && scene->thin && !scene->complex && scene->extent.kind != ALGSURF_EXTENT_ALL;
+    picture->tiled = picture->geometry && algsurf_i_tiles_pay(picture, picture->geometry);
     if (!rays_are_finite(&scene->camera, picture->width, picture->height) ||
         !lights_are_finite(picture->lights, picture->light_count))
         return ALGSURF_E_NOT_FINITE;
@@ -122,22 +122,22 @@ static void write_stats(algsurf_render_stats *stats, const algsurf_i_tally *tota
     algsurf_options_write(stats, &ours, sizeof ours);
 }
 
-/* Brings P to the picture's view; a frame that leaves the range of double is done without packets. */
+/* Brings P to the picture's view; a frame that leaves the range of double is done without a view. */
 static algsurf_status make_frame(algsurf_i_picture *picture) {
-    if (!picture->packets) return ALGSURF_OK;
+    if (!picture->geometry) return ALGSURF_OK;
     const algsurf_surface *surface = picture->scene->surface;
     void *memory = malloc(algsurf_i_frame_memory(surface->degree));
     if (!memory) return ALGSURF_E_NO_MEMORY;
-    if (!algsurf_i_frame_expand(surface, &picture->packets->frame, memory)) {
-        picture->packets = NULL;
+    if (!algsurf_i_frame_expand(surface, &picture->geometry->frame, memory)) {
+        picture->geometry = NULL;
         picture->tiled = picture->thin = 0;
     }
     if (picture->thin)
-        algsurf_i_prepare_thin(picture->packets, picture->selective ? 1 : picture->scene->antialias);
-    if (picture->packets && picture->shadows) algsurf_i_make_shadows(picture, memory);
+        algsurf_i_prepare_thin(picture->geometry, picture->selective ? 1 : picture->scene->antialias);
+    if (picture->geometry && picture->shadows) algsurf_i_make_shadows(picture, memory);
     free(memory);
-    if (picture->packets && picture->packets->beams)
-        algsurf_i_beam_expand(&picture->packets->frame, picture->packets->beams);
+    if (picture->geometry && picture->geometry->beams)
+        algsurf_i_beam_expand(&picture->geometry->frame, picture->geometry->beams);
     return ALGSURF_OK;
 }
 
@@ -166,8 +166,8 @@ static ALGSURF_NOINLINE algsurf_status draw(algsurf_i_picture *picture, const al
 static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
                                               const algsurf_render_options *options,
                                               const algsurf_picture *planes, algsurf_render_stats *stats) {
-    algsurf_i_packets packets;
-    algsurf_i_picture picture = {.packets = &packets, .timed = stats != NULL};
+    algsurf_i_geometry geometry;
+    algsurf_i_picture picture = {.geometry = &geometry, .timed = stats != NULL};
     double begin = algsurf_i_render_clock(&picture);
     algsurf_render_options o;
     algsurf_i_tally total = {0};

@@ -154,8 +154,8 @@ static algsurf_status see(const algsurf_i_picture *picture, int row, double sx, 
                (size_t)(line->dense * (line->end - line->begin)));
     algsurf_status status = picture->scene->complex
                                 ? algsurf_i_solve_complex_row(picture, row, sx, sy, worker, tally)
-                            : picture->packets ? algsurf_i_solve_row(picture, row, sx, sy, worker, tally)
-                                               : algsurf_i_solve_rays(picture, row, sx, sy, line, tally);
+                            : picture->geometry ? algsurf_i_solve_row(picture, row, sx, sy, worker, tally)
+                                                : algsurf_i_solve_rays(picture, row, sx, sy, line, tally);
     if (status == ALGSURF_OK && line->colours) status = shade_line(picture, row, line, tally);
     if (status == ALGSURF_OK && picture->thin && !(picture->selective && line->across > 1))
         algsurf_i_add_thin(picture, row, sx, sy, worker, tally);

@@ -1,5 +1,5 @@
-/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved in
- * packets.
+/* scene_view.c - a scene's camera and extent as a view (surface/view.h), so that whole rows can be solved side
+ * by side.
  *
  * The plane of u and v goes through the extent's centre; the eye is at (e_x, e_y, -D) in the view's unit.
  * A pinhole's ray with slopes (p, q) is at u = e_x + D p, v = e_y + D q, with alpha = 1/D, beta = -e/D.
@@ -58,7 +58,7 @@ static double in_axes(const algsurf_i_view *view, const algsurf_dd point[3], dou
     return missed;
 }
 
-static double noise_of(const algsurf_i_packets *p, const double eye[3], const double place[3],
+static double noise_of(const algsurf_i_geometry *p, const double eye[3], const double place[3],
                        double slopes) {
     double offset = fabs(place[0]) + fabs(place[1]), distance = fabs(place[2]);
     if (!p->orthographic)
@@ -70,7 +70,7 @@ static double noise_of(const algsurf_i_packets *p, const double eye[3], const do
 #define WHOLE 1.5 /* of the surface's size: see size_of_space */
 #define MORE 12   /* so many bits of P's terms may that cost */
 
-static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, const double eye[3]) {
+static void place_eye(algsurf_i_geometry *p, const algsurf_i_picture *picture, const double eye[3]) {
     const algsurf_camera *camera = &picture->scene->camera;
     algsurf_i_view *view = &p->frame.view;
     algsurf_dd away[3];
@@ -89,8 +89,8 @@ static void place_eye(algsurf_i_packets *p, const algsurf_i_picture *picture, co
     view->noise = noise_of(p, eye, place, 0.5 * pixel * (picture->width + picture->height)) + missed;
 }
 
-/* Is the scene one for packets: the default method, axes of length 1, in all of space real roots? */
-static int suits_packets(const algsurf_scene *scene) {
+/* Is the scene one for views: the default method, axes of length 1, in all of space real roots? */
+static int suits_views(const algsurf_scene *scene) {
     const algsurf_camera *camera = &scene->camera;
     return !(scene->complex && scene->extent.kind == ALGSURF_EXTENT_ALL) &&
            abs(scene->surface->unit) <= 1000 && scene->surface->degree >= 1 &&
@@ -127,7 +127,7 @@ static int degree_along(const algsurf_surface *s, const algsurf_camera *camera) 
  * from the centre is not known well enough.
  *   Errors: the distance has a few roundings of its terms; a normal of length 1 is off by some 2^-51 in each
  * component, which points of size 4 or less take along, and their sum with it: 2^-46 in all. */
-static int place_planes(const algsurf_scene *scene, algsurf_i_packets *p) {
+static int place_planes(const algsurf_scene *scene, algsurf_i_geometry *p) {
     const algsurf_i_view *view = &p->frame.view;
     p->plane_count = 0;
     for (size_t i = 0; i < scene->intersect.plane_count; i++) {
@@ -149,7 +149,7 @@ static int place_planes(const algsurf_scene *scene, algsurf_i_packets *p) {
     return 1;
 }
 
-int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packets *p) {
+int algsurf_i_find_geometry(const algsurf_i_picture *picture, algsurf_i_geometry *p) {
     const algsurf_scene *scene = picture->scene;
     const algsurf_camera *camera = &scene->camera;
     algsurf_i_view *view = &p->frame.view;
@@ -159,7 +159,7 @@ int algsurf_i_packets_geometry(const algsurf_i_picture *picture, algsurf_i_packe
     const algsurf_extent *extent =
         scene->complex ? &scene->extent : algsurf_i_without_own_ball(scene->surface, &scene->extent, &wider);
     double eye[3], radius = extent == &wider ? wider.size[0] : picture->lighting.radius;
-    if (!suits_packets(scene) || !natural(scene->surface, camera->eye, eye) ||
+    if (!suits_views(scene) || !natural(scene->surface, camera->eye, eye) ||
         !natural(scene->surface, endless ? origin : scene->extent.centre, view->centre))
         return 0;
     for (int i = 0; i < 3; i++) {

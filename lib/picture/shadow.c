@@ -38,8 +38,8 @@ void algsurf_i_place_samples(algsurf_i_picture *picture) {
 }
 
 void algsurf_i_make_shadows(const algsurf_i_picture *picture, void *memory) {
-    algsurf_i_taylor *taylor = picture->packets->taylor;
-    const algsurf_i_view *shown = &picture->packets->frame.view;
+    algsurf_i_taylor *taylor = picture->geometry->taylor;
+    const algsurf_i_view *shown = &picture->geometry->frame.view;
     if (!taylor) return;
     for (int k = 0; k < 3; k++) taylor->frame.view.centre[k] = shown->centre[k];
     taylor->frame.view.size = shown->size;
@@ -60,7 +60,7 @@ static int count_rays(const algsurf_i_picture *picture, const algsurf_i_line *li
 }
 
 static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsurf_i_line *line, int light) {
-    const algsurf_i_packets *packets = picture->packets;
+    const algsurf_i_geometry *geometry = picture->geometry;
     const int rays = count_rays(picture, line, light), around = light == picture->light_count;
     algsurf_i_shadow_job job = {.ball = AMBIENT_REACH * picture->lighting.radius,
                                 .lattice = ALGSURF_I_LATTICE_STEP * line->across * line->across * rays,
@@ -72,12 +72,12 @@ static algsurf_i_shadow_job job_of(const algsurf_i_picture *picture, const algsu
         for (int k = 0; k < 2 && l->samples_u > 0; k++)
             job.place[k] = samples->place[k] + samples->first[light];
     }
-    if (!packets) return job;
-    job.taylor = packets->taylor && packets->taylor->usable ? packets->taylor : NULL;
+    if (!geometry) return job;
+    job.taylor = geometry->taylor && geometry->taylor->usable ? geometry->taylor : NULL;
     job.unit = ldexp(1, -picture->scene->surface->unit);
-    job.planes = packets->planes;
-    job.plane_count = packets->plane_count;
-    for (int i = 0; i < 3; i++) job.extent_size[i] = packets->extent_size[i];
+    job.planes = geometry->planes;
+    job.plane_count = geometry->plane_count;
+    for (int i = 0; i < 3; i++) job.extent_size[i] = geometry->extent_size[i];
     return job;
 }
 

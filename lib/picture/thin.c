@@ -10,7 +10,7 @@
 
 /* Of depth along the ray, for a t of 1. */
 static double depth_per_t(const algsurf_i_picture *picture, const algsurf_ray *ray) {
-    const algsurf_i_view *view = &picture->packets->frame.view;
+    const algsurf_i_view *view = &picture->geometry->frame.view;
     double forward = algsurf_dot(ray->direction, picture->scene->camera.forward);
     return ldexp(forward, -picture->scene->surface->unit) / view->size;
 }
@@ -50,7 +50,7 @@ static void look_in(const algsurf_i_frame_form *frame, const double d[3], double
 
 /* The largest of them in 3 n^2 directions, through a lattice on the faces of a cube, are taken for the
  * largest of all. */
-void algsurf_i_prepare_thin(algsurf_i_packets *p, int across) {
+void algsurf_i_prepare_thin(algsurf_i_geometry *p, int across) {
     const int n = p->frame.degree;
     double most[ALGSURF_MAX_VIEW_DEGREE + 1] = {0};
     p->thin_side = fabs(p->per_slope) * p->pixel / across;
@@ -73,7 +73,7 @@ static int point_of(const algsurf_i_line *line, int x) {
 void algsurf_i_add_thin(const algsurf_i_picture *picture, int row, double sx, double sy,
                         algsurf_i_worker *worker, algsurf_i_tally *tally) {
     const algsurf_scene *scene = picture->scene;
-    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_geometry *p = picture->geometry;
     algsurf_i_line *line = &worker->line;
     algsurf_i_dips *dips = &worker->tiling.dips;
     const double *depth = worker->tiling.thin;

@@ -26,7 +26,7 @@ typedef struct tile_list {
     double *from;
 } tile_list;
 
-int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *p) {
+int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *p) {
     const algsurf_scene *scene = picture->scene;
     int n = scene->surface->degree, samples = picture->selective ? 1 : scene->antialias;
     double side = fabs(p->per_slope) * p->pixel / samples;
@@ -80,7 +80,7 @@ static void set_empty(const algsurf_i_tile_job *job, const tile_list *list) {
 /* Searches the tiles of a list, of which those not decided are left. */
 static void search_list(const algsurf_i_picture *picture, algsurf_i_tiling *t, tile_list *list,
                         algsurf_i_tile_job *job) {
-    const algsurf_i_packets *p = picture->packets;
+    const algsurf_i_geometry *p = picture->geometry;
     double half = 0.5 * job->size, h = -p->per_slope * (half * p->pixel);
     double v = p->origin[1] + p->per_slope * ((0.5 * picture->height - (job->y + half)) * p->pixel);
     algsurf_i_beam_row_expand(&p->frame, p->beams, v, h + copysign(ALGSURF_I_WIDER, h),
@@ -106,7 +106,7 @@ static void search_band(const algsurf_i_picture *picture, algsurf_i_tiling *t, a
     for (int i = 0; i < places; i++) band->cell[i] = -ALGSURF_I_TILES;
     algsurf_i_tile_job job = {.row = &rays,
                               .beam = &t->beam,
-                              .noise = picture->packets->frame.value_error,
+                              .noise = picture->geometry->frame.value_error,
                               .cell = band->cell,
                               .stride = stride_of(picture),
                               .from_y = band->number * ALGSURF_I_TILES,

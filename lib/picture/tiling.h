@@ -8,9 +8,9 @@
 #include "line.h"
 #include "tally.h"
 
-typedef struct algsurf_i_picture algsurf_i_picture; /* impl.h */
-typedef struct algsurf_i_worker algsurf_i_worker;   /* there, too */
-typedef struct algsurf_i_packets algsurf_i_packets; /* geometry.h */
+typedef struct algsurf_i_picture algsurf_i_picture;   /* impl.h */
+typedef struct algsurf_i_worker algsurf_i_worker;     /* there, too */
+typedef struct algsurf_i_geometry algsurf_i_geometry; /* geometry.h */
 
 #define ALGSURF_I_TILES 16 /* pixels: the sides of the largest tiles, and rows of a band */
 
@@ -45,7 +45,7 @@ typedef struct algsurf_i_tiling {
 } algsurf_i_tiling;
 
 /* Is this a picture for tiles, as far as one can tell beforehand? */
-int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_packets *packets);
+int algsurf_i_tiles_pay(const algsurf_i_picture *picture, const algsurf_i_geometry *geometry);
 
 /* The tiles of the band that the row lies in; null: there are none, or, if they are to tell of `all` its
  * pixels, they do not. */
