@@ -95,4 +95,15 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) { (void)feset
 #define ALGSURF_NOINLINE
 #endif
 
+/* Defines the public function algsurf_<name>(parameters), which returns work(arguments). */
+#define ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)                                            \
+    static ALGSURF_NOINLINE type bracketed_##name parameters { return work arguments; }                      \
+    type algsurf_##name parameters {                                                                         \
+        algsurf_fpenv saved;                                                                                 \
+        algsurf_fpenv_enter(&saved);                                                                         \
+        type result_in_standard_environment = bracketed_##name arguments;                                    \
+        algsurf_fpenv_leave(&saved);                                                                         \
+        return result_in_standard_environment;                                                               \
+    }
+
 #endif

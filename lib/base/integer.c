@@ -78,13 +78,8 @@ algsurf_z_factor algsurf_z_factor_of(const algsurf_limb *a, int w, algsurf_limb 
 void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, const algsurf_z_factor *f,
                          int negate) {
     int minus = f->negative != (negate != 0);
-    for (int i = 0; i < f->length && i < w; i++) {
-        if (f->limb[i] == 0) continue;
-        if (minus)
-            algsurf_z_sub_product(r, w, a, wa, f->limb[i], i);
-        else
-            algsurf_z_add_product(r, w, a, wa, f->limb[i], i);
-    }
+    for (int i = 0; i < f->length && i < w; i++)
+        if (f->limb[i]) algsurf_z_join_product(r, w, a, wa, f->limb[i], i, minus);
 }
 
 /* ---- doubles ---- */
@@ -113,12 +108,7 @@ void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift) {
     e += shift;
     int at = e / LIMB_BITS, rest = e % LIMB_BITS;
     algsurf_limb part[2] = {m << rest, rest ? m >> (LIMB_BITS - rest) : 0};
-    for (int i = 0; i < 2; i++) {
-        if (x < 0)
-            algsurf_z_sub_product(r, w, &one, 1, part[i], at + i);
-        else
-            algsurf_z_add_product(r, w, &one, 1, part[i], at + i);
-    }
+    for (int i = 0; i < 2; i++) algsurf_z_join_product(r, w, &one, 1, part[i], at + i, x < 0);
 }
 
 /* The 63 leading bits are cut off with a relative error below 2^-62, their conversion rounds to nearest. */

@@ -44,29 +44,24 @@ static inline algsurf_limb algsurf_z_window(const algsurf_limb *a, int w, int fr
 int algsurf_z_trailing(const algsurf_limb *a, int w);
 #define ALGSURF_Z_NO_BIT (1 << 30)
 
-/* r += a.  Four limbs at a time: a loop costs the flag that holds the carry. */
-static inline void algsurf_z_add(algsurf_limb *r, const algsurf_limb *a, int w) {
+/* r += a or, for `minus`, r -= a.  Four limbs at a time: a loop costs the flag that holds the carry. */
+static inline __attribute__((always_inline)) void algsurf_z_join(algsurf_limb *r, const algsurf_limb *a,
+                                                                 int w, int minus) {
     unsigned char carry = 0;
     int i = 0;
     for (; i + 4 <= w; i += 4) {
-        carry = algsurf_limb_add_to(r + i, r[i], a[i], carry);
-        carry = algsurf_limb_add_to(r + i + 1, r[i + 1], a[i + 1], carry);
-        carry = algsurf_limb_add_to(r + i + 2, r[i + 2], a[i + 2], carry);
-        carry = algsurf_limb_add_to(r + i + 3, r[i + 3], a[i + 3], carry);
+        carry = algsurf_limb_join(r + i, a[i], carry, minus);
+        carry = algsurf_limb_join(r + i + 1, a[i + 1], carry, minus);
+        carry = algsurf_limb_join(r + i + 2, a[i + 2], carry, minus);
+        carry = algsurf_limb_join(r + i + 3, a[i + 3], carry, minus);
     }
-    for (; i < w; i++) carry = algsurf_limb_add_to(r + i, r[i], a[i], carry);
+    for (; i < w; i++) carry = algsurf_limb_join(r + i, a[i], carry, minus);
 }
-/* r -= a */
+static inline void algsurf_z_add(algsurf_limb *r, const algsurf_limb *a, int w) {
+    algsurf_z_join(r, a, w, 0);
+}
 static inline void algsurf_z_sub(algsurf_limb *r, const algsurf_limb *a, int w) {
-    unsigned char borrow = 0;
-    int i = 0;
-    for (; i + 4 <= w; i += 4) {
-        borrow = algsurf_limb_sub_to(r + i, r[i], a[i], borrow);
-        borrow = algsurf_limb_sub_to(r + i + 1, r[i + 1], a[i + 1], borrow);
-        borrow = algsurf_limb_sub_to(r + i + 2, r[i + 2], a[i + 2], borrow);
-        borrow = algsurf_limb_sub_to(r + i + 3, r[i + 3], a[i + 3], borrow);
-    }
-    for (; i < w; i++) borrow = algsurf_limb_sub_to(r + i, r[i], a[i], borrow);
+    algsurf_z_join(r, a, w, 1);
 }
 void algsurf_z_negate(algsurf_limb *a, int w);
 void algsurf_z_shift_up(algsurf_limb *a, int w, int bits);   /* a 2^bits, bits >= 0, any number */
@@ -89,39 +84,30 @@ static inline algsurf_limb algsurf_z_four_products(algsurf_limb p[4], const algs
     return h3 + c;
 }
 /* r += (or -=) a f for n limbs, without a sign; the limb that is carried (or borrowed) is returned. */
-static inline algsurf_limb algsurf_z_add_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
+static inline __attribute__((always_inline)) algsurf_limb
+algsurf_z_join_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f, int minus) {
     algsurf_limb carry = 0, p[4];
     int i = 0;
     for (; i + 4 <= n; i += 4) {
-        unsigned char c = 0;
         carry = algsurf_z_four_products(p, a + i, f, carry);
-        c = algsurf_limb_add_to(r + i, r[i], p[0], c);
-        c = algsurf_limb_add_to(r + i + 1, r[i + 1], p[1], c);
-        c = algsurf_limb_add_to(r + i + 2, r[i + 2], p[2], c);
-        c = algsurf_limb_add_to(r + i + 3, r[i + 3], p[3], c);
-        carry += c;
-    }
-    for (; i < n; i++) r[i] = algsurf_limb_product(a[i], f, r[i], carry, &carry);
-    return carry;
-}
-static inline algsurf_limb algsurf_z_sub_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
-    algsurf_limb carry = 0, p[4];
-    int i = 0;
-    for (; i + 4 <= n; i += 4) {
-        unsigned char c = 0;
-        carry = algsurf_z_four_products(p, a + i, f, carry);
-        c = algsurf_limb_sub_to(r + i, r[i], p[0], c);
-        c = algsurf_limb_sub_to(r + i + 1, r[i + 1], p[1], c);
-        c = algsurf_limb_sub_to(r + i + 2, r[i + 2], p[2], c);
-        c = algsurf_limb_sub_to(r + i + 3, r[i + 3], p[3], c);
+        unsigned char c = algsurf_limb_join(r + i, p[0], 0, minus);
+        c = algsurf_limb_join(r + i + 1, p[1], c, minus);
+        c = algsurf_limb_join(r + i + 2, p[2], c, minus);
+        c = algsurf_limb_join(r + i + 3, p[3], c, minus);
         carry += c;
     }
     for (; i < n; i++) {
-        algsurf_limb product = algsurf_limb_product(a[i], f, 0, carry, &carry), old = r[i];
-        r[i] = old - product;
-        carry += old < product; /* a f + carry < 2^128 - 2^64: no overflow */
+        algsurf_limb product = algsurf_limb_product(a[i], f, minus ? 0 : r[i], carry, &carry), old = r[i];
+        r[i] = minus ? old - product : product;
+        if (minus) carry += old < product; /* a f + carry < 2^128 - 2^64: no overflow */
     }
     return carry;
+}
+static inline algsurf_limb algsurf_z_add_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
+    return algsurf_z_join_row(r, a, n, f, 0);
+}
+static inline algsurf_limb algsurf_z_sub_row(algsurf_limb *r, const algsurf_limb *a, int n, algsurf_limb f) {
+    return algsurf_z_join_row(r, a, n, f, 1);
 }
 /* r += plus - minus. */
 static inline void algsurf_z_add_limbs(algsurf_limb *r, int w, algsurf_limb plus, algsurf_limb minus) {
@@ -137,19 +123,21 @@ static inline void algsurf_z_add_limbs(algsurf_limb *r, int w, algsurf_limb plus
         }
 }
 /* r += (or -=) a f 2^(64 at), at >= 0.  A negative a is its limbs without a sign less 2^(64 wa). */
-static inline void algsurf_z_add_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
-                                         algsurf_limb f, int at) {
+static inline void algsurf_z_join_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
+                                          algsurf_limb f, int at, int minus) {
     int n = wa < w - at ? wa : w - at;
     if (n <= 0) return;
-    algsurf_limb carry = algsurf_z_add_row(r + at, a, n, f);
-    algsurf_z_add_limbs(r + at + n, w - at - n, carry, algsurf_z_negative(a, wa) ? f : 0);
+    algsurf_limb carry = minus ? algsurf_z_sub_row(r + at, a, n, f) : algsurf_z_add_row(r + at, a, n, f);
+    algsurf_limb sign = algsurf_z_negative(a, wa) ? f : 0;
+    algsurf_z_add_limbs(r + at + n, w - at - n, minus ? sign : carry, minus ? carry : sign);
+}
+static inline void algsurf_z_add_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
+                                         algsurf_limb f, int at) {
+    algsurf_z_join_product(r, w, a, wa, f, at, 0);
 }
 static inline void algsurf_z_sub_product(algsurf_limb *r, int w, const algsurf_limb *a, int wa,
                                          algsurf_limb f, int at) {
-    int n = wa < w - at ? wa : w - at;
-    if (n <= 0) return;
-    algsurf_limb carry = algsurf_z_sub_row(r + at, a, n, f);
-    algsurf_z_add_limbs(r + at + n, w - at - n, algsurf_z_negative(a, wa) ? f : 0, carry);
+    algsurf_z_join_product(r, w, a, wa, f, at, 1);
 }
 /* a *= f for n limbs, without a sign (modulo 2^(64 n) with one); the limb that is carried is returned. */
 static inline algsurf_limb algsurf_z_multiply(algsurf_limb *a, int n, algsurf_limb f) {

@@ -67,6 +67,12 @@ static inline unsigned char algsurf_limb_sub_to(algsurf_limb *r, algsurf_limb a,
 #endif
 }
 
+/* *r += a + carry or, for `minus`, *r -= a + carry. */
+static inline __attribute__((always_inline)) unsigned char algsurf_limb_join(algsurf_limb *r, algsurf_limb a,
+                                                                             unsigned char carry, int minus) {
+    return minus ? algsurf_limb_sub_to(r, *r, a, carry) : algsurf_limb_add_to(r, *r, a, carry);
+}
+
 /* a b + c + d = result + 2^64 *high, which never overflows: (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1. */
 static inline algsurf_limb algsurf_limb_product(algsurf_limb a, algsurf_limb b, algsurf_limb c,
                                                 algsurf_limb d, algsurf_limb *high) {

@@ -14,7 +14,7 @@
 #include <math.h>
 
 #include "edges.h"
-#include "../poly/interval_public.h"
+#include "../base/fpenv.h"
 #include "../poly/interval_round.h"
 #include "../base/elementary.h"
 

@@ -13,17 +13,8 @@
 #include "../base/arithmetic.h"
 #include <string.h>
 
-#include "common.h"
+#include "integral_impl.h"
 #include "lift.h"
-
-/* Cuts limbs that all coefficients can spare, in place. */
-static void narrow(algsurf_zpoly *p) {
-    int from = p->width, w = algsurf_z_width(algsurf_zpoly_bits(p));
-    if (w >= from) return;
-    p->width = w;
-    for (int k = 1; k <= p->degree; k++)
-        memmove(algsurf_zpoly_at(p, k), p->c + (size_t)k * (size_t)from, (size_t)w * sizeof *p->c);
-}
 
 /* ---- images ---- */
 
@@ -70,17 +61,16 @@ int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const al
     algsurf_memory_mark mark = algsurf_memory_here(m);
     algsurf_zpoly s = algsurf_zpoly_trimmed(a), t = b ? algsurf_zpoly_trimmed(b) : s;
     images i;
-    *degree = b ? algsurf_smaller(s.degree, t.degree) : s.degree - 1;
+    *degree = b ? smaller(s.degree, t.degree) : s.degree - 1;
     if (*degree <= 0) {
-        *degree =
-            *degree < 0 ? algsurf_larger(s.degree, t.degree) : 0; /* gcd(a, 0) = a; gcd(constant, b) = 1 */
+        *degree = *degree < 0 ? larger(s.degree, t.degree) : 0; /* gcd(a, 0) = a; gcd(constant, b) = 1 */
         return 1;
     }
     if (!images_begin(&i, m, &s, b ? &t : NULL)) return 0;
     for (; tries > 0 && *degree > 0; tries--) {
         algsurf_limb *gcd;
         images_next(&i);
-        *degree = algsurf_smaller(*degree, images_gcd(&i, i.x, i.y, &gcd));
+        *degree = smaller(*degree, images_gcd(&i, i.x, i.y, &gcd));
     }
     algsurf_memory_release(m, mark);
     return 1;
@@ -97,7 +87,7 @@ typedef struct search {
     algsurf_limb *numbers; /* what is to be lifted, modulo the present prime */
     algsurf_lift lift;
     int degree, cofactors; /* cofactors: u and v are lifted, not g */
-    int next, likely;      /* images to the next guess, and to one that should do */
+    int next;              /* images to the next guess */
 } search;
 
 static int search_begin(search *s, algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b) {
@@ -161,21 +151,10 @@ static int search_add(search *s, algsurf_limb *gcd) {
     return algsurf_lift_add(&s->lift, s->numbers, inverse[2], m);
 }
 
-/* The coefficients of p as factors. */
-static algsurf_z_factor *factors_of(algsurf_memory *m, const algsurf_zpoly *p) {
-    size_t size = ((size_t)(p->degree + 1) * sizeof(algsurf_z_factor) + 7) / 8;
-    algsurf_z_factor *f = (algsurf_z_factor *)(void *)algsurf_memory_take(m, size);
-    algsurf_limb *room = algsurf_memory_take(m, algsurf_zpoly_words(p));
-    if (!f || !room) return NULL;
-    for (int k = 0; k <= p->degree; k++)
-        f[k] = algsurf_z_factor_of(algsurf_zpoly_at(p, k), p->width, room + (size_t)k * (size_t)p->width);
-    return f;
-}
-
 /* sum += (or -=) coefficient k of p f, f of degree df. */
 static void add_coefficient(algsurf_limb *sum, int w, const algsurf_zpoly *p, const algsurf_z_factor *f,
                             int df, int k, int negate) {
-    for (int i = algsurf_larger(0, k - p->degree); i <= df && i <= k; i++)
+    for (int i = larger(0, k - p->degree); i <= df && i <= k; i++)
         algsurf_z_add_times(sum, w, algsurf_zpoly_at(p, k - i), p->width, f + i, negate);
 }
 
@@ -183,10 +162,10 @@ static void add_coefficient(algsurf_limb *sum, int w, const algsurf_zpoly *p, co
 static int same_fraction(search *s, const algsurf_zpoly *u, const algsurf_zpoly *v, int *same) {
     const algsurf_zpoly *a = s->images.a, *b = &s->b;
     algsurf_memory_mark mark = algsurf_memory_here(s->m);
-    int bits = algsurf_larger(algsurf_zpoly_bits(u) + algsurf_zpoly_bits(b),
-                              algsurf_zpoly_bits(v) + algsurf_zpoly_bits(a));
-    int w = algsurf_z_width(bits + 3 + algsurf_bits_of_int(u->degree + 1));
-    algsurf_z_factor *fu = factors_of(s->m, u), *fv = factors_of(s->m, v);
+    int bits =
+        larger(algsurf_zpoly_bits(u) + algsurf_zpoly_bits(b), algsurf_zpoly_bits(v) + algsurf_zpoly_bits(a));
+    int w = algsurf_z_width(bits + 3 + bits_of_int(u->degree + 1));
+    algsurf_z_factor *fu = algsurf_zpoly_factors(s->m, u), *fv = algsurf_zpoly_factors(s->m, v);
     algsurf_limb *sum = algsurf_memory_take(s->m, (size_t)w);
     int done = fu && fv && sum;
     *same = done;
@@ -212,15 +191,6 @@ static int divide_both(search *s, const algsurf_zpoly *g, algsurf_parts *p, int 
     return 1;
 }
 
-/* The primitive part with a positive leading coefficient. */
-static int positive_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_zpoly *primitive) {
-    if (!algsurf_zpoly_primitive(m, p, primitive)) return 0;
-    int n = primitive->degree, w = primitive->width;
-    if (n >= 0 && algsurf_z_negative(algsurf_zpoly_at(primitive, n), w))
-        for (int k = 0; k <= n; k++) algsurf_z_negate(algsurf_zpoly_at(primitive, k), w);
-    return 1;
-}
-
 /* From the numbers that were lifted. */
 static int prove(search *s, const algsurf_zpoly *c, algsurf_parts *p, int *proved) {
     int du = s->images.a->degree - s->degree;
@@ -231,45 +201,24 @@ static int prove(search *s, const algsurf_zpoly *c, algsurf_parts *p, int *prove
     return same_fraction(s, &p->u, &p->v, proved);
 }
 
-/* If the images' gcd has the degree of a or b, that one may divide the other. */
-static int try_divisor(search *s, algsurf_parts *p, int *proved) {
-    const algsurf_zpoly *smaller_one = s->degree == s->b.degree ? &s->b : s->images.a;
-    algsurf_zpoly g;
-    if (s->degree != smaller_one->degree || !s->images.b) return 1;
-    if (!positive_primitive(s->m, smaller_one, &g)) return 0;
-    return divide_both(s, &g, p, proved);
-}
-
 /* A lower degree: all images before were useless. */
-static int restart(search *s, int degree, algsurf_parts *p, int *proved) {
+static void restart(search *s, int degree) {
     int n = s->images.a->degree;
     if (s->degree <= n) algsurf_lift_forget(&s->lift);
     s->degree = degree;
     s->cofactors = !s->images.b && degree > n - degree;
     s->next = 1;
-    s->likely = 2 * algsurf_zpoly_bits(s->images.a) / 62 * (s->cofactors ? n - degree : degree) / n + 1;
-    if (!try_divisor(s, p, proved)) return 0;
-    if (!*proved) algsurf_lift_begin(&s->lift, s->m, s->cofactors ? 2 * (n - degree) + 1 : degree + 1);
-    return 1;
-}
-
-/* Images to the next guess.  Simple numbers need few; a factor whose share of the bits is that of its degree
- * needs twice as many bits, for numerators and denominators: s->likely images. */
-static int next_guess(const search *s) {
-    int k = s->lift.primes;
-    if (k < 3) return k + 1;
-    if (2 * k < s->likely) return (s->likely + 1) / 2;
-    return k < s->likely ? s->likely : k + 1 + k / 8;
+    algsurf_lift_begin(&s->lift, s->m, s->cofactors ? 2 * (n - degree) + 1 : degree + 1);
 }
 
 static int guess(search *s, algsurf_parts *p, int *proved) {
     algsurf_memory_mark mark = algsurf_memory_here(s->m);
     algsurf_zpoly c;
     int found;
-    s->next = next_guess(s);
+    s->next += s->next / 4 + 1; /* simple numbers need few images */
     if (!algsurf_lift_guess(&s->lift, &found, &c)) return 0;
     if (!found) return 1;
-    narrow(&c);
+    algsurf_zpoly_cut(&c, 0);
     if (!prove(s, &c, p, proved)) return 0;
     if (!*proved) algsurf_memory_release(s->m, mark);
     return 1;
@@ -283,86 +232,18 @@ static int coprime(search *s, algsurf_parts *p) {
 }
 
 int algsurf_zpoly_split(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_parts *p) {
+    const algsurf_zpoly of_a = algsurf_zpoly_trimmed(a), of_b = algsurf_zpoly_trimmed(b ? b : a);
     search s;
     int proved = 0;
-    if (!search_begin(&s, m, a, b)) return 0;
+    if (!search_begin(&s, m, &of_a, b ? &of_b : NULL)) return 0;
     while (!proved) {
         algsurf_limb *gcd;
         int degree = search_next(&s, &gcd);
         if (degree == 0) return coprime(&s, p);
         if (degree > s.degree) continue;
-        if (degree < s.degree && !restart(&s, degree, p, &proved)) return 0;
-        if (proved) break;
+        if (degree < s.degree) restart(&s, degree);
         if (!search_add(&s, gcd)) return 0;
         if (s.lift.primes >= s.next && !guess(&s, p, &proved)) return 0;
     }
     return 1;
-}
-
-/* ---- results ---- */
-
-int algsurf_place_begin(algsurf_place *r, algsurf_memory *m, size_t words) {
-    r->before = algsurf_memory_here(m);
-    r->at = algsurf_memory_take(m, words);
-    r->after = algsurf_memory_here(m);
-    return r->at != NULL;
-}
-
-void algsurf_place_copy(algsurf_place *r, const algsurf_zpoly *p, algsurf_zpoly *copy) {
-    *copy = (algsurf_zpoly){p->degree, algsurf_z_width(algsurf_zpoly_bits(p)), r->at};
-    for (int k = 0; k <= p->degree; k++)
-        algsurf_z_copy(algsurf_zpoly_at(copy, k), copy->width, algsurf_zpoly_at(p, k), p->width);
-    r->at += algsurf_zpoly_words(copy);
-}
-
-int algsurf_place_end(algsurf_place *r, algsurf_memory *m, int done) {
-    r->after.at = r->at;
-    algsurf_memory_release(m, done ? r->after : r->before);
-    return done;
-}
-
-/* ---- the gcd ---- */
-
-/* g and the cofactor of a, from parts without g. */
-static int divide_out(algsurf_memory *m, const algsurf_zpoly *a, algsurf_parts *p) {
-    algsurf_zpoly q;
-    int divides;
-    if (!algsurf_zpoly_divide(m, a, &p->u, &divides, &q) || !positive_primitive(m, &q, &p->g)) return 0;
-    return algsurf_zpoly_divide(m, a, &p->g, &divides, &p->u);
-}
-
-/* One of them is constant, or 0. */
-static int trivial_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_parts *p) {
-    int divides;
-    if (a->degree >= 0 && b->degree >= 0) {
-        p->u = *a;
-        if (!algsurf_zpoly_new(m, 0, 1, &p->g)) return 0;
-        p->g.c[0] = 1;
-        return 1;
-    }
-    return positive_primitive(m, a->degree < 0 ? b : a, &p->g) &&
-           algsurf_zpoly_divide(m, a, &p->g, &divides, &p->u);
-}
-
-static int find_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_parts *p) {
-    if (a->degree < 1) return trivial_gcd(m, a, b ? b : a, p);
-    if (b && b->degree < 1) return trivial_gcd(m, a, b, p);
-    return algsurf_zpoly_split(m, a, b, p) && (p->has_gcd || divide_out(m, a, p));
-}
-
-int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
-                      algsurf_zpoly *cofactor) {
-    algsurf_zpoly s = algsurf_zpoly_trimmed(a), t = b ? algsurf_zpoly_trimmed(b) : s;
-    const algsurf_zpoly *larger_one = s.degree >= 0 ? &s : &t; /* gcd(0, b) = b */
-    size_t words =
-        (size_t)(larger_one->degree + 3) * (size_t)algsurf_zpoly_factor_width(larger_one, larger_one->degree);
-    algsurf_place result;
-    algsurf_parts p;
-    if (!algsurf_place_begin(&result, m, words)) return 0;
-    int done = find_gcd(m, &s, b ? &t : NULL, &p);
-    if (done) {
-        algsurf_place_copy(&result, &p.g, g);
-        algsurf_place_copy(&result, &p.u, cofactor);
-    }
-    return algsurf_place_end(&result, m, done);
 }

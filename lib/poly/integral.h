@@ -54,10 +54,17 @@ int algsurf_zpoly_primitive(algsurf_memory *m, const algsurf_zpoly *p, algsurf_z
  * modulo at most `tries` primes of 62 bits.  Both degrees at least 1. */
 int algsurf_zpoly_gcd_degree(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int tries,
                              int *degree);
-/* g = gcd(a, b) (b null: a'), primitive with positive leading coefficient, proved by division; cofactor = a /
- * g. */
-int algsurf_zpoly_gcd(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_zpoly *g,
-                      algsurf_zpoly *cofactor);
+/* a = g u, b = g v.  If !has_gcd, g was not made, and u and v lack the content of a. */
+typedef struct algsurf_parts {
+    algsurf_zpoly g, u, v;
+    int has_gcd;
+} algsurf_parts;
+
+/* The parts of a and b (null: a'), with degrees of 1 at least, proved.  g is primitive with a positive
+ * leading coefficient.  All that was taken stays taken: the caller sets a mark before.  Without b, g is not
+ * made when it has a higher degree than u. */
+int algsurf_zpoly_split(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, algsurf_parts *p);
+
 /* poly/multiplicity.c. */
 
 /* s[0], s[1], ...: s[i] holds, once each, the roots of p of multiplicity above i: with g_0 = p and

@@ -75,22 +75,11 @@ static inline __attribute__((always_inline)) void add_up(const algsurf_zpoly *p,
 
 /* With the width known to the compiler the sums are chains without a loop. */
 static void shift_by_one(const algsurf_zpoly *p, int w) {
-    switch (w) {
-    case 1:
-        add_up(p, 1);
-        break;
-    case 2:
-        add_up(p, 2);
-        break;
-    case 3:
-        add_up(p, 3);
-        break;
-    case 4:
-        add_up(p, 4);
-        break;
-    default:
-        add_up(p, w);
-    }
+    w == 1   ? add_up(p, 1)
+    : w == 2 ? add_up(p, 2)
+    : w == 3 ? add_up(p, 3)
+    : w == 4 ? add_up(p, 4)
+             : add_up(p, w);
 }
 
 /* p(-x) */

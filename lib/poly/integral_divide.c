@@ -34,8 +34,7 @@ static int exact_quotient(divider *d, algsurf_limb *a, int w, const algsurf_z_fa
     return algsurf_z_length(d->u, f->length) == 0;
 }
 
-/* The coefficients of b as factors; null without memory. */
-static algsurf_z_factor *factors_of(algsurf_memory *m, const algsurf_zpoly *b) {
+algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *b) {
     size_t size = ((size_t)(b->degree + 1) * sizeof(algsurf_z_factor) + 7) / 8;
     algsurf_z_factor *f = (algsurf_z_factor *)(void *)algsurf_memory_take(m, size);
     algsurf_limb *room = algsurf_memory_take(m, (size_t)(b->degree + 1) * (size_t)b->width);
@@ -51,18 +50,6 @@ static void what_remains(algsurf_limb *r, int w, const algsurf_zpoly *a, const a
     algsurf_z_copy(r, w, algsurf_zpoly_at(a, k + d), a->width);
     for (int j = larger(k + 1, 0); j <= q->degree && j <= k + d; j++)
         algsurf_z_add_times(r, w, algsurf_zpoly_at(q, j), q->width, b + k + d - j, 1);
-}
-
-/* Do b's ends divide those of a?  Mostly this finds out that b does not. */
-static int ends_divide(const algsurf_zpoly *a, const algsurf_zpoly *b, const algsurf_z_factor *factor,
-                       divider *space, algsurf_limb *r) {
-    int n = a->degree, d = b->degree;
-    if (factor[d].length == 0) return 0;
-    algsurf_z_copy(r, space->w, algsurf_zpoly_at(a, n), a->width);
-    if (!exact_quotient(space, r, space->w, factor + d)) return 0;
-    if (factor[0].length == 0) return algsurf_z_sign(a->c, a->width) == 0;
-    algsurf_z_copy(r, space->w, a->c, a->width);
-    return exact_quotient(space, r, space->w, factor);
 }
 
 /* Long division from the leading coefficient down; the first remainder that is not 0 ends it.  As |q_k| stays
@@ -86,11 +73,10 @@ static int long_division(const algsurf_zpoly *a, const algsurf_z_factor *b, int 
 static int try_division(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int w, int qbits,
                         int *divides, const algsurf_zpoly *q) {
     divider space;
-    const algsurf_z_factor *factor = factors_of(m, b);
+    const algsurf_z_factor *factor = algsurf_zpoly_factors(m, b);
     algsurf_limb *r = take(m, w);
     if (!divider_new(m, w, &space) || !factor || !r) return 0;
-    *divides =
-        ends_divide(a, b, factor, &space, r) && long_division(a, factor, b->degree, qbits, &space, r, q);
+    *divides = factor[b->degree].length && long_division(a, factor, b->degree, qbits, &space, r, q);
     return 1;
 }
 

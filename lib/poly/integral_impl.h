@@ -1,4 +1,4 @@
-/* integral_impl.h - small things that the files integral*.c share. */
+/* integral_impl.h - small things that the files about integers share. */
 #ifndef ALGSURF_INTEGRAL_IMPL_H
 #define ALGSURF_INTEGRAL_IMPL_H
 #include "integral.h"
@@ -12,4 +12,23 @@ static inline int bits_of_int(int a) { return algsurf_limb_bits((algsurf_limb)a)
 static inline algsurf_limb *take(algsurf_memory *m, int limbs) {
     return algsurf_memory_take(m, (size_t)limbs);
 }
+
+static inline size_t algsurf_zpoly_words(const algsurf_zpoly *p) {
+    return (size_t)(p->degree + 1) * (size_t)p->width;
+}
+
+/* Without leading zeros; nothing is copied. */
+static inline algsurf_zpoly algsurf_zpoly_trimmed(const algsurf_zpoly *p) {
+    algsurf_zpoly t = *p;
+    while (t.degree >= 0 && algsurf_z_sign(algsurf_zpoly_at(&t, t.degree), t.width) == 0) t.degree--;
+    return t;
+}
+
+/* Limbs for the coefficients of any factor of a in Z[x], of degree at most e (Mignotte): |c| <= 2^e |a|_2. */
+static inline int algsurf_zpoly_factor_width(const algsurf_zpoly *a, int e) {
+    return algsurf_z_width(algsurf_zpoly_bits(a) + 1 + e + (bits_of_int(a->degree + 1) + 1) / 2);
+}
+
+/* The coefficients of p as factors; null without memory. */
+algsurf_z_factor *algsurf_zpoly_factors(algsurf_memory *m, const algsurf_zpoly *p);
 #endif

@@ -4,8 +4,8 @@
  * are also the checks, powers, and the environment.
  */
 #include "../base/arithmetic.h"
+#include "../base/fpenv.h"
 #include "interval_impl.h"
-#include "interval_public.h"
 
 /* Both factors have both signs. */
 static algsurf_interval mul_mixed(algsurf_interval a, algsurf_interval b) {

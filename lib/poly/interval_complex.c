@@ -12,8 +12,8 @@
  * outside 2^+-300, it is brought near 1 by a power of two, rounded outward.
  */
 #include "../base/arithmetic.h"
+#include "../base/fpenv.h"
 #include "interval_impl.h"
-#include "interval_public.h"
 
 /* 0 if a number of that size can be squared and divided at ease, otherwise its binary exponent. */
 static int awkward_exponent(double size) {
@@ -128,14 +128,10 @@ static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
 
 static algsurf_status intersect(algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result) {
     if (!result || !algsurf_i_cinterval_valid(a) || !algsurf_i_cinterval_valid(b)) return ALGSURF_E_ARGUMENT;
-    algsurf_cinterval both = {algsurf_i_interval_meet(a.re, b.re), algsurf_i_interval_meet(a.im, b.im)};
+    algsurf_cinterval both = algsurf_i_cinterval_meet(a, b);
     if (both.re.lo > both.re.hi || both.im.lo > both.im.hi) return ALGSURF_E_RANGE;
     *result = both;
     return ALGSURF_OK;
-}
-
-static algsurf_cinterval hull(algsurf_cinterval a, algsurf_cinterval b) {
-    return (algsurf_cinterval){algsurf_i_interval_hull(a.re, b.re), algsurf_i_interval_hull(a.im, b.im)};
 }
 
 static double width(algsurf_cinterval a) {
@@ -173,7 +169,7 @@ ALGSURF_I_PUBLIC(algsurf_status, cinterval_pow, raise_to,
 PUBLIC_1(algsurf_interval, abs, algsurf_i_cinterval_abs)
 ALGSURF_I_PUBLIC(algsurf_status, cinterval_arg, argument, (algsurf_cinterval a, algsurf_interval *result),
                  (a, result))
-PUBLIC_2(algsurf_cinterval, hull, hull)
+PUBLIC_2(algsurf_cinterval, hull, algsurf_i_cinterval_hull)
 ALGSURF_I_PUBLIC(algsurf_status, cinterval_intersect, intersect,
                  (algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result), (a, b, result))
 PUBLIC_1(double, width, width)

@@ -114,13 +114,16 @@ static inline algsurf_cinterval algsurf_i_cinterval_conj(algsurf_cinterval a) {
     return (algsurf_cinterval){a.re, algsurf_i_interval_neg(a.im)};
 }
 
-static inline algsurf_cinterval algsurf_i_cinterval_add(algsurf_cinterval a, algsurf_cinterval b) {
-    return (algsurf_cinterval){algsurf_i_interval_add(a.re, b.re), algsurf_i_interval_add(a.im, b.im)};
-}
-
-static inline algsurf_cinterval algsurf_i_cinterval_sub(algsurf_cinterval a, algsurf_cinterval b) {
-    return (algsurf_cinterval){algsurf_i_interval_sub(a.re, b.re), algsurf_i_interval_sub(a.im, b.im)};
-}
+/* add, sub, hull, meet. */
+#define ALGSURF_I_BY_COMPONENTS(name)                                                                        \
+    static inline algsurf_cinterval algsurf_i_cinterval_##name(algsurf_cinterval a, algsurf_cinterval b) {   \
+        return (algsurf_cinterval){algsurf_i_interval_##name(a.re, b.re),                                    \
+                                   algsurf_i_interval_##name(a.im, b.im)};                                   \
+    }
+ALGSURF_I_BY_COMPONENTS(add)
+ALGSURF_I_BY_COMPONENTS(sub)
+ALGSURF_I_BY_COMPONENTS(hull)
+ALGSURF_I_BY_COMPONENTS(meet)
 
 algsurf_cinterval algsurf_i_cinterval_mul(algsurf_cinterval a, algsurf_cinterval b);
 

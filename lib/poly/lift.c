@@ -117,33 +117,21 @@ static int leading_steps(int64_t x, int64_t y, int cap, int64_t f[4]) {
 
 static algsurf_limb size_of(int64_t x) { return (algsurf_limb)(x < 0 ? -x : x); }
 
-/* (u, v) becomes (|a| u - |b| v, |d| v - |c| u) when b < 0, and the negatives when b > 0: not negative. */
-static void subtract_rows(algsurf_limb *u, algsurf_limb *v, int n, const int64_t f[4]) {
-    algsurf_limb a = size_of(f[0]), b = size_of(f[1]), c = size_of(f[2]), d = size_of(f[3]);
-    algsurf_limb au = 0, bv = 0, cu = 0, dv = 0;
-    unsigned char borrow = 0, other = 0;
-    int flip = f[1] > 0;
-    for (int i = 0; i < n; i++) {
-        algsurf_limb x = u[i], y = v[i];
-        algsurf_limb ax = algsurf_limb_product(a, x, au, 0, &au), by = algsurf_limb_product(b, y, bv, 0, &bv);
-        algsurf_limb cx = algsurf_limb_product(c, x, cu, 0, &cu), dy = algsurf_limb_product(d, y, dv, 0, &dv);
-        u[i] = algsurf_limb_sub(flip ? by : ax, flip ? ax : by, &borrow);
-        v[i] = algsurf_limb_sub(flip ? cx : dy, flip ? dy : cx, &other);
-    }
+/* r += x f without signs but that of f; nothing is carried out of n limbs. */
+static void add_multiple(algsurf_limb *r, const algsurf_limb *x, int n, int64_t f) {
+    if (f < 0)
+        (void)algsurf_z_sub_row(r, x, n, size_of(f));
+    else
+        (void)algsurf_z_add_row(r, x, n, size_of(f));
 }
 
-/* (u, v) becomes (|a| u + |b| v, |c| u + |d| v); factors below 2^32 leave room for both carries. */
-static void add_rows(algsurf_limb *u, algsurf_limb *v, int n, const int64_t f[4]) {
-    algsurf_limb a = size_of(f[0]), b = size_of(f[1]), c = size_of(f[2]), d = size_of(f[3]);
-    algsurf_limb carry = 0, other = 0, high;
-    for (int i = 0; i < n; i++) {
-        algsurf_limb x = u[i], y = v[i], low = algsurf_limb_product(a, x, carry, 0, &carry);
-        u[i] = algsurf_limb_product(b, y, low, 0, &high);
-        carry += high;
-        low = algsurf_limb_product(c, x, other, 0, &other);
-        v[i] = algsurf_limb_product(d, y, low, 0, &high);
-        other += high;
-    }
+/* (u, v) becomes (a u + b v, c u + d v), of n limbs each, none negative; room for both. */
+static void combine(algsurf_limb *u, algsurf_limb *v, int n, const int64_t f[4], algsurf_limb *room) {
+    size_t bytes = (size_t)n * sizeof *u;
+    memcpy(room, u, bytes), memcpy(room + n, v, bytes);
+    memset(u, 0, bytes), memset(v, 0, bytes);
+    add_multiple(u, room, n, f[0]), add_multiple(u, room + n, n, f[1]);
+    add_multiple(v, room, n, f[2]), add_multiple(v, room + n, n, f[3]);
 }
 
 static void swap_rows(workshop *w) {
@@ -169,11 +157,12 @@ static int lehmer_step(workshop *w, int goal) {
     int64_t f[4];
     if (cap < 2 || top < 62) return 0;
     if (!leading_steps(leading(w->old.r, top), leading(w->now.r, top), cap < 31 ? cap : 31, f)) return 0;
-    subtract_rows(w->old.r, w->now.r, n, f);
+    combine(w->old.r, w->now.r, n, f, w->room);
     w->old.length = algsurf_z_length(w->old.r, n);
     w->now.length = algsurf_z_length(w->now.r, n);
-    n = w->now.t_length + 1;
-    add_rows(w->old.t, w->now.t, n, f);
+    n = w->now.t_length + 1; /* the signs of t alternate: sizes are kept */
+    for (int i = 0; i < 4; i++) f[i] = f[i] < 0 ? -f[i] : f[i];
+    combine(w->old.t, w->now.t, n, f, w->room);
     w->old.t_length = algsurf_z_length(w->old.t, n);
     w->now.t_length = algsurf_z_length(w->now.t, n);
     return 1;

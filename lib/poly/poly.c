@@ -100,8 +100,9 @@ algsurf_i_bounded algsurf_i_compensated(const double *c, const double *r, int de
     return overflow ? horner(c, r, degree, t) : y;
 }
 
-static algsurf_status ALGSURF_NOINLINE eval(const double *c, const double *r, int degree, double t,
-                                            int compensated, double *value, double *bound) {
+static algsurf_status eval(const double *c, const double *r, int degree, double t, int compensated,
+                           double *value, double *bound) {
+    if (!c || !value || !bound || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(t)) return ALGSURF_E_NOT_FINITE;
@@ -112,25 +113,14 @@ static algsurf_status ALGSURF_NOINLINE eval(const double *c, const double *r, in
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t, double *value,
-                                 double *bound) {
-    if (!c || !value || !bound || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = eval(c, r, degree, t, 0, value, bound);
-    algsurf_fpenv_leave(&saved);
-    return status;
-}
-
-algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree, double t,
-                                             double *value, double *bound) {
-    if (!c || !value || !bound || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = eval(c, r, degree, t, 1, value, bound);
-    algsurf_fpenv_leave(&saved);
-    return status;
-}
+#define PLAIN(c, r, degree, t, value, bound) eval(c, r, degree, t, 0, value, bound)
+#define COMPENSATED(c, r, degree, t, value, bound) eval(c, r, degree, t, 1, value, bound)
+#define PUBLIC_EVAL(name, work)                                                                              \
+    ALGSURF_I_PUBLIC(algsurf_status, name, work,                                                             \
+                     (const double *c, const double *r, int degree, double t, double *value, double *bound), \
+                     (c, r, degree, t, value, bound))
+PUBLIC_EVAL(poly_eval, PLAIN)
+PUBLIC_EVAL(poly_eval_compensated, COMPENSATED)
 
 /* A Bernstein coefficient on its way, with its error bound. */
 typedef struct {
@@ -150,8 +140,9 @@ static coefficient term(int k, int m, coefficient from, double x) {
  * a constant being the same in every degree: the blossom, one argument after the other.  The leading
  * coefficient starts as such a constant.
  * Underflow in a step: at most six products in two terms: 2^-1071 covers them and the last RAISE. */
-static algsurf_status ALGSURF_NOINLINE to_bernstein(const double *c, const double *r, int degree, double lo,
-                                                    double hi, double *b, double *br) {
+static algsurf_status to_bernstein(const double *c, const double *r, int degree, double lo, double hi,
+                                   double *b, double *br) {
+    if (!c || !b || !br || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
     algsurf_status status = check(c, r, degree);
     if (status != ALGSURF_OK) return status;
     if (!isfinite(lo) || !isfinite(hi)) return ALGSURF_E_NOT_FINITE;
@@ -177,12 +168,6 @@ static algsurf_status ALGSURF_NOINLINE to_bernstein(const double *c, const doubl
     return ALGSURF_OK;
 }
 
-algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo, double hi,
-                                         double *b, double *br) {
-    if (!c || !b || !br || !degree_allowed(degree)) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = to_bernstein(c, r, degree, lo, hi, b, br);
-    algsurf_fpenv_leave(&saved);
-    return status;
-}
+ALGSURF_I_PUBLIC(algsurf_status, poly_to_bernstein, to_bernstein,
+                 (const double *c, const double *r, int degree, double lo, double hi, double *b, double *br),
+                 (c, r, degree, lo, hi, b, br))

@@ -76,13 +76,10 @@ static int passes(algsurf_limb base, algsurf_limb d, int s, const algsurf_prime 
     return 0;
 }
 
-/* Miller and Rabin's test; with these bases (J. Sinclair, 2011) it decides every odd number below 2^64. */
+/* Miller and Rabin's test; these bases decide every odd number below 2^64 (Sorenson, Webster 2015). */
 static int is_prime(const algsurf_prime *m) {
-    static const algsurf_limb small[] = {3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
-    static const algsurf_limb bases[] = {2, 325, 9375, 28178, 450775, 9780504, 1795265022};
+    static const algsurf_limb bases[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
     int s = algsurf_limb_trailing(m->p - 1);
-    for (size_t i = 0; i < sizeof small / sizeof *small; i++)
-        if (m->p % small[i] == 0) return 0;
     for (size_t i = 0; i < sizeof bases / sizeof *bases; i++)
         if (!passes(bases[i], (m->p - 1) >> s, s, m)) return 0;
     return 1;
@@ -114,33 +111,20 @@ static algsurf_limb finish(algsurf_limb x, const algsurf_limb *a, int w, const a
     return algsurf_z_negative(a, w) ? algsurf_residue_minus(x, 1, m) : x;
 }
 
-/* Four integers side by side: each is a chain of dependent products, from the lowest limb on. */
-static void four_residues(algsurf_limb *r, const algsurf_limb *a, int w, const algsurf_prime *m) {
-    size_t step = (size_t)w;
-    algsurf_limb x0 = 0, x1 = 0, x2 = 0, x3 = 0;
-    for (size_t i = 0; i < step; i++) {
-        x0 = digest(x0, a[i], m);
-        x1 = digest(x1, a[i + step], m);
-        x2 = digest(x2, a[i + 2 * step], m);
-        x3 = digest(x3, a[i + 3 * step], m);
-    }
-    r[0] = finish(x0, a, w, m);
-    r[1] = finish(x1, a + step, w, m);
-    r[2] = finish(x2, a + 2 * step, w, m);
-    r[3] = finish(x3, a + 3 * step, w, m);
+/* Of n <= 4 integers side by side: each is a chain of dependent products, from the lowest limb on. */
+static inline void residues(algsurf_limb *r, const algsurf_limb *a, int n, int w, const algsurf_prime *m) {
+    algsurf_limb x[4] = {0};
+    for (int i = 0; i < w; i++)
+        for (int k = 0; k < n; k++) x[k] = digest(x[k], a[i + k * w], m);
+    for (int k = 0; k < n; k++) r[k] = finish(x[k], a + k * w, w, m);
 }
 
 /* The last four may overlap the ones before. */
 void algsurf_residues_of(algsurf_limb *r, const algsurf_limb *a, int count, int w, const algsurf_prime *m) {
-    size_t step = (size_t)w;
+    if (count < 4) residues(r, a, count, w, m);
     for (int k = 0; count >= 4 && k < count; k += 4) {
         int from = k + 4 <= count ? k : count - 4;
-        four_residues(r + from, a + (size_t)from * step, w, m);
-    }
-    for (int k = 0; count < 4 && k < count; k++, a += step) {
-        algsurf_limb x = 0;
-        for (size_t i = 0; i < step; i++) x = digest(x, a[i], m);
-        r[k] = finish(x, a, w, m);
+        residues(r + from, a + (size_t)from * (size_t)w, 4, w, m);
     }
 }
 

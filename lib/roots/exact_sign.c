@@ -72,14 +72,14 @@ static int judge_ends(const judge *j, int *known, int *sign) {
 
 /* Do f and q have the root in common? */
 static int is_shared(const judge *j, int *shared) {
-    algsurf_zpoly common, cofactor;
+    algsurf_parts parts;
     int degree, at_a, at_b;
     *shared = 0;
     if (!algsurf_zpoly_gcd_degree(j->memory, j->f, j->q, 2, &degree)) return 0;
     if (degree == 0) return 1;
-    if (!algsurf_zpoly_gcd(j->memory, j->f, j->q, &common, &cofactor)) return 0;
-    if (common.degree < 1) return 1;
-    if (!sign_of(j, &common, j->a, &at_a) || !sign_of(j, &common, j->b, &at_b)) return 0;
+    if (!algsurf_zpoly_split(j->memory, j->f, j->q, &parts)) return 0;
+    if (parts.g.degree < 1) return 1;
+    if (!sign_of(j, &parts.g, j->a, &at_a) || !sign_of(j, &parts.g, j->b, &at_b)) return 0;
     *shared = at_a * at_b < 0;
     return 1;
 }

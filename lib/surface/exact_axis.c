@@ -189,10 +189,7 @@ static void add_times(algsurf_limb *r, int width, const algsurf_limb *a, int w,
     algsurf_limb limb[2] = {f->low, f->high};
     for (int i = 0; i < 2; i++) {
         if (limb[i] == 0 || f->at + i >= width) continue;
-        if (f->sign)
-            algsurf_z_sub_product(r, width, a, w, limb[i], f->at + i);
-        else
-            algsurf_z_add_product(r, width, a, w, limb[i], f->at + i);
+        algsurf_z_join_product(r, width, a, w, limb[i], f->at + i, f->sign != 0);
     }
 }
 
