@@ -95,15 +95,22 @@ static inline void algsurf_fpenv_leave(const algsurf_fpenv *saved) { (void)feset
 #define ALGSURF_NOINLINE
 #endif
 
+/* The statement, in the standard environment: a call of a function that is not inlined. */
+#define ALGSURF_STANDARD(...)                                                                                \
+    do {                                                                                                     \
+        algsurf_fpenv caller_environment;                                                                    \
+        algsurf_fpenv_enter(&caller_environment);                                                            \
+        __VA_ARGS__;                                                                                         \
+        algsurf_fpenv_leave(&caller_environment);                                                            \
+    } while (0)
+
 /* Defines the public function algsurf_<name>(parameters), which returns work(arguments). */
 #define ALGSURF_I_PUBLIC(type, name, work, parameters, arguments)                                            \
     static ALGSURF_NOINLINE type bracketed_##name parameters { return work arguments; }                      \
     type algsurf_##name parameters {                                                                         \
-        algsurf_fpenv saved;                                                                                 \
-        algsurf_fpenv_enter(&saved);                                                                         \
-        type result_in_standard_environment = bracketed_##name arguments;                                    \
-        algsurf_fpenv_leave(&saved);                                                                         \
-        return result_in_standard_environment;                                                               \
+        type in_standard_environment;                                                                        \
+        ALGSURF_STANDARD(in_standard_environment = bracketed_##name arguments);                              \
+        return in_standard_environment;                                                                      \
     }
 
 #endif

@@ -200,9 +200,7 @@ static ALGSURF_NOINLINE algsurf_status approximate(const algsurf_complex *p, int
 algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
                                      const algsurf_zero_options *options, algsurf_complex *z,
                                      algsurf_complex *q, int *steps) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = approximate(p, degree, start, options, z, q, steps);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = approximate(p, degree, start, options, z, q, steps));
     return status;
 }

@@ -76,9 +76,7 @@ static ALGSURF_NOINLINE algsurf_status all_zeros(const algsurf_complex *p, const
 algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
                                    const algsurf_complex *start, const algsurf_zero_options *options,
                                    algsurf_cpoly_zero *zeros, int *complete) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = all_zeros(p, r, degree, start, options, zeros, complete);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = all_zeros(p, r, degree, start, options, zeros, complete));
     return status;
 }

@@ -209,9 +209,7 @@ algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double
                                           algsurf_complex z, const algsurf_complex *q,
                                           const algsurf_zero_options *options, algsurf_cinterval *Z,
                                           algsurf_cinterval *Q, int *unique, int *inflations) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = include(p, r, degree, z, q, options, Z, Q, unique, inflations);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = include(p, r, degree, z, q, options, Z, Q, unique, inflations));
     return status;
 }

@@ -57,20 +57,16 @@ static const algsurf_i_allroots_kernel *fastest(void) {
 algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                      algsurf_complex_root *roots, int *count) {
     if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = solve(fastest(), c, r, degree, roots, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = solve(fastest(), c, r, degree, roots, count));
     return status;
 }
 
 algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                              algsurf_complex_root *roots, int *count) {
     if (!c || degree < 0 || degree > ALGSURF_MAX_POLY_DEGREE || !roots || !count) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = solve_real(fastest(), c, r, degree, roots, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = solve_real(fastest(), c, r, degree, roots, count));
     return status;
 }
 
@@ -114,11 +110,9 @@ algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(o.kernel);
     if (!kernel || p.degree < 1 || p.degree > ALGSURF_MAX_POLY_DEGREE) return ALGSURF_E_ARGUMENT;
     if (p.count > 0 && !(p.re.at && roots && count)) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = o.relative_tolerance == 0
-                                ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
-                                : ALGSURF_E_ARGUMENT;
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = o.relative_tolerance == 0
+                                  ? solve_batch(algsurf_i_allroots_kernel_for(kernel), &p, roots, count)
+                                  : ALGSURF_E_ARGUMENT);
     return status;
 }

@@ -79,10 +79,8 @@ algsurf_status algsurf_surface_from_equation(const char *text, const algsurf_con
                                              algsurf_parse_error *error) {
     if (!text || !surface || (count > 0 && !constants)) return ALGSURF_E_ARGUMENT;
     algsurf_i_parser p = {.text = text};
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = make(&p, constants, count, surface);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = make(&p, constants, count, surface));
     if (error && p.error.message) {
         *error = p.error;
         if (!error->length) error->length = algsurf_i_wrong_length(text + error->offset);

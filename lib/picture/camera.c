@@ -55,19 +55,15 @@ static ALGSURF_NOINLINE algsurf_status make_camera(algsurf_camera *camera, const
 
 algsurf_status algsurf_camera_pinhole(const double eye[3], const double look_at[3], const double up[3],
                                       double fov, algsurf_camera *camera) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = make_camera(camera, eye, look_at, up, fov, 0);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, fov, 0));
     return status;
 }
 
 algsurf_status algsurf_camera_orthographic(const double eye[3], const double look_at[3], const double up[3],
                                            double height, algsurf_camera *camera) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = make_camera(camera, eye, look_at, up, height, 1);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = make_camera(camera, eye, look_at, up, height, 1));
     return status;
 }
 
@@ -115,9 +111,7 @@ static ALGSURF_NOINLINE algsurf_status checked_ray(const algsurf_camera *camera,
 
 algsurf_status algsurf_camera_ray(const algsurf_camera *camera, int width, int height, double x, double y,
                                   algsurf_ray *ray) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_ray(camera, width, height, x, y, ray);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_ray(camera, width, height, x, y, ray));
     return status;
 }

@@ -186,9 +186,7 @@ static ALGSURF_NOINLINE algsurf_status render(const algsurf_scene *scene,
 
 algsurf_status algsurf_render(const algsurf_scene *scene, const algsurf_render_options *options,
                               const algsurf_picture *picture, algsurf_render_stats *stats) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = render(scene, options, picture, stats);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = render(scene, options, picture, stats));
     return status;
 }

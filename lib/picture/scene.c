@@ -56,20 +56,16 @@ void algsurf_scene_free(algsurf_scene *scene) { free(scene); }
 algsurf_status algsurf_scene_set_extent(algsurf_scene *scene, const algsurf_extent *extent) {
     static const algsurf_extent all_of_space = {.kind = ALGSURF_EXTENT_ALL};
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_extent_check(extent);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = algsurf_i_extent_check(extent));
     if (status == ALGSURF_OK) scene->extent = extent ? *extent : all_of_space;
     return status;
 }
 
 algsurf_status algsurf_scene_set_camera(algsurf_scene *scene, const algsurf_camera *camera) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_camera_check(camera);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = algsurf_i_camera_check(camera));
     if (status == ALGSURF_OK) scene->camera = *camera;
     return status;
 }
@@ -94,10 +90,8 @@ static ALGSURF_NOINLINE algsurf_status check_lights(const algsurf_light *lights,
 algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_light *lights, int count) {
     if (!scene || count < 0 || count > ALGSURF_MAX_LIGHTS || (count > 0 && !lights))
         return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = check_lights(lights, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = check_lights(lights, count));
     if (status != ALGSURF_OK) return status;
     for (int l = 0; l < count; l++) scene->lights[l] = lights[l];
     scene->light_count = count;
@@ -106,10 +100,8 @@ algsurf_status algsurf_scene_set_lights(algsurf_scene *scene, const algsurf_ligh
 
 /* A copy of a colour, black for null. */
 static algsurf_status copy_colour(const double colour[3], double copy[3]) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK;
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = colour ? algsurf_i_colour_check(colour) : ALGSURF_OK);
     for (int i = 0; i < 3 && status == ALGSURF_OK; i++) copy[i] = colour ? colour[i] : 0;
     return status;
 }
@@ -146,10 +138,8 @@ static ALGSURF_NOINLINE int is_share(double x) { return x >= 0 && x <= 1; }
 
 algsurf_status algsurf_scene_set_antialias_threshold(algsurf_scene *scene, double threshold) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    int allowed = is_share(threshold);
-    algsurf_fpenv_leave(&saved);
+    int allowed;
+    ALGSURF_STANDARD(allowed = is_share(threshold));
     if (!allowed) return ALGSURF_E_ARGUMENT;
     scene->antialias_threshold = threshold;
     return ALGSURF_OK;
@@ -172,10 +162,8 @@ algsurf_status algsurf_scene_set_intersect(algsurf_scene *scene, const algsurf_i
 
 algsurf_status algsurf_scene_set_clip(algsurf_scene *scene, const algsurf_plane *planes, size_t count) {
     if (!scene) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = algsurf_i_planes_check(planes, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = algsurf_i_planes_check(planes, count));
     if (status != ALGSURF_OK) return status;
     for (size_t i = 0; i < count; i++) scene->planes[i] = planes[i];
     scene->intersect.planes = scene->planes;

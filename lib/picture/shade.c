@@ -130,10 +130,8 @@ static ALGSURF_NOINLINE algsurf_status checked_sample(const algsurf_light *light
 }
 
 algsurf_status algsurf_light_sample(const algsurf_light *light, int a, int b, double position[3]) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_sample(light, a, b, position);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_sample(light, a, b, position));
     return status;
 }
 
@@ -204,19 +202,15 @@ static ALGSURF_NOINLINE algsurf_status checked_shade(const algsurf_lighting *giv
 algsurf_status algsurf_shade(const algsurf_lighting *lighting, const double *visible, const double point[3],
                              const double normal[3], const double direction[3], double colour[3]) {
     const sight s = {point, normal, direction};
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_shade(lighting, 0, &s, visible, colour);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_shade(lighting, 0, &s, visible, colour));
     return status;
 }
 
 algsurf_status algsurf_shade_preview(const algsurf_lighting *lighting, const double point[3],
                                      const double normal[3], const double direction[3], double colour[3]) {
     const sight s = {point, normal, direction};
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_shade(lighting, 1, &s, NULL, colour);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_shade(lighting, 1, &s, NULL, colour));
     return status;
 }

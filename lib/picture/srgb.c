@@ -56,10 +56,8 @@ static ALGSURF_NOINLINE algsurf_status encode(const double colour[3], unsigned c
 
 algsurf_status algsurf_srgb_encode(const double colour[3], unsigned char bytes[3]) {
     if (!colour || !bytes) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = encode(colour, bytes);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = encode(colour, bytes));
     return status;
 }
 
@@ -69,9 +67,6 @@ static ALGSURF_NOINLINE void decode(const unsigned char bytes[3], double colour[
 
 algsurf_status algsurf_srgb_decode(const unsigned char bytes[3], double colour[3]) {
     if (!bytes || !colour) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    decode(bytes, colour);
-    algsurf_fpenv_leave(&saved);
+    ALGSURF_STANDARD(decode(bytes, colour));
     return ALGSURF_OK;
 }

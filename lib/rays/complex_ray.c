@@ -345,10 +345,8 @@ algsurf_status algsurf_i_intersect_complex(const algsurf_surface *surface, const
     algsurf_complex_space known;
     if (!surface || !space || !hit || !algsurf_options_read(&known, sizeof known, space))
         return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = intersect(surface, region, ray, &known, start, roots, hit, root, iterations);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = intersect(surface, region, ray, &known, start, roots, hit, root, iterations));
     return status;
 }
 

@@ -318,9 +318,7 @@ static ALGSURF_NOINLINE algsurf_status enclose(const algsurf_surface *surface, c
 algsurf_status algsurf_surface_enclose(const algsurf_surface *surface, const algsurf_extent *extent, int part,
                                        double precision, double lo[3], double hi[3], int *empty) {
     if (!surface || !extent || !lo || !hi || !empty) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = enclose(surface, extent, part, precision, lo, hi, empty);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = enclose(surface, extent, part, precision, lo, hi, empty));
     return status;
 }

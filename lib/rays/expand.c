@@ -54,10 +54,8 @@ static ALGSURF_NOINLINE algsurf_status power(const algsurf_surface *s, const alg
 
 algsurf_status algsurf_expand_power(const algsurf_surface *surface, const algsurf_ray *ray, double *c,
                                     double *r) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = power(surface, ray, c, r);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = power(surface, ray, c, r));
     return status;
 }
 
@@ -84,9 +82,7 @@ static ALGSURF_NOINLINE algsurf_status bernstein(const algsurf_surface *s, const
 
 algsurf_status algsurf_expand_bernstein(const algsurf_surface *surface, const algsurf_ray *ray, double *b,
                                         double *r) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = bernstein(surface, ray, b, r);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = bernstein(surface, ray, b, r));
     return status;
 }

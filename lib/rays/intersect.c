@@ -233,10 +233,8 @@ algsurf_status algsurf_intersect_all(const algsurf_surface *surface, const algsu
                                      const algsurf_ray *ray, const algsurf_intersect_options *options,
                                      algsurf_hit *hits, int capacity, int *count) {
     if (!hits || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = all(surface, extent, ray, options, hits, capacity, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = all(surface, extent, ray, options, hits, capacity, count));
     return status;
 }
 

@@ -248,10 +248,8 @@ algsurf_status algsurf_intersect_first(const algsurf_surface *surface, const alg
                                        const algsurf_ray *ray, const algsurf_intersect_options *options,
                                        algsurf_hit *hit) {
     if (!ray || !hit) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = first_of_one(surface, extent, ray, options, hit);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = first_of_one(surface, extent, ray, options, hit));
     return status;
 }
 
@@ -291,10 +289,8 @@ static ALGSURF_NOINLINE algsurf_status any(const algsurf_surface *surface, const
 algsurf_status algsurf_occluded_packet(const algsurf_surface *surface, const algsurf_extent *extent,
                                        const algsurf_ray_packet *rays,
                                        const algsurf_intersect_options *options, unsigned char *state) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = any(surface, extent, rays, options, state);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = any(surface, extent, rays, options, state));
     return status;
 }
 
@@ -317,9 +313,7 @@ algsurf_status algsurf_occluded(const algsurf_surface *surface, const algsurf_ex
                                 const algsurf_ray *ray, const algsurf_intersect_options *options,
                                 int *state) {
     if (!ray || !state) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = any_of_one(surface, extent, ray, options, state);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = any_of_one(surface, extent, ray, options, state));
     return status;
 }

@@ -153,9 +153,7 @@ static ALGSURF_NOINLINE algsurf_status checked_clip(const algsurf_extent *extent
 
 algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray, algsurf_ray *chord,
                                    int *meets) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_clip(extent, ray, chord, meets);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_clip(extent, ray, chord, meets));
     return status;
 }

@@ -107,9 +107,7 @@ algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_p
                                    const algsurf_ray *ray, algsurf_ray *chord, int *meets) {
     const algsurf_i_region region = {extent, planes, count};
     if (!chord || !meets) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = checked_clip(&region, ray, chord, meets);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = checked_clip(&region, ray, chord, meets));
     return status;
 }

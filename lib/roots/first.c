@@ -210,18 +210,14 @@ static ALGSURF_NOINLINE algsurf_status all_roots(const algsurf_real_batch *batch
 algsurf_status algsurf_first_roots_batch(const algsurf_real_batch *batch,
                                          const algsurf_batch_options *options, unsigned char *state,
                                          double *root) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = first_roots(batch, options, state, root);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = first_roots(batch, options, state, root));
     return status;
 }
 
 algsurf_status algsurf_real_roots_batch(const algsurf_real_batch *batch, const algsurf_batch_options *options,
                                         algsurf_real_root *roots, int *count) {
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = all_roots(batch, options, roots, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = all_roots(batch, options, roots, count));
     return status;
 }

@@ -48,10 +48,8 @@ static algsurf_status solve_given(algsurf_i_given p, double lo, double hi, algsu
                                   int capacity, int *count) {
     const algsurf_i_line line = {p, lo, hi, ALGSURF_I_ALL, 1, NULL, 0};
     if (!roots || !count || capacity < 0) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = find(&line, roots, capacity, count);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = find(&line, roots, capacity, count));
     return status;
 }
 

@@ -243,10 +243,8 @@ static ALGSURF_NOINLINE algsurf_status give_value(const algsurf_surface *surface
 algsurf_status algsurf_surface_value(const algsurf_surface *surface, const double point[3], double *value,
                                      double *bound) {
     if (!surface || !point || !value) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = give_value(surface, point, value, bound);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = give_value(surface, point, value, bound));
     return status;
 }
 
@@ -271,9 +269,7 @@ static ALGSURF_NOINLINE algsurf_status give_gradient(const algsurf_surface *surf
 algsurf_status algsurf_surface_gradient(const algsurf_surface *surface, const double point[3], double *value,
                                         double gradient[3], double *value_bound, double gradient_bound[3]) {
     if (!surface || !point || !value || !gradient) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = give_gradient(surface, point, value, gradient, value_bound, gradient_bound);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = give_gradient(surface, point, value, gradient, value_bound, gradient_bound));
     return status;
 }

@@ -257,10 +257,8 @@ static ALGSURF_NOINLINE algsurf_status make_approximate(const algsurf_surface *s
 algsurf_status algsurf_surface_with_error(const algsurf_surface *surface, double error,
                                           algsurf_surface **approximate) {
     if (!surface || !approximate) return ALGSURF_E_ARGUMENT;
-    algsurf_fpenv saved;
-    algsurf_fpenv_enter(&saved);
-    algsurf_status status = make_approximate(surface, error, approximate);
-    algsurf_fpenv_leave(&saved);
+    algsurf_status status;
+    ALGSURF_STANDARD(status = make_approximate(surface, error, approximate));
     return status;
 }
 
