@@ -61,12 +61,6 @@ void algsurf_i_light_sample(const algsurf_light *light, int a, int b, double pos
         position[i] = light->position[i] + place[0] * light->edge_u[i] + place[1] * light->edge_v[i];
 }
 
-void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]) {
-    double away = algsurf_dot(normal, direction);
-    int singular = !(algsurf_max_abs(normal) > 0);
-    for (int i = 0; i < 3; i++) facing[i] = singular ? -direction[i] : away > 0 ? -normal[i] : normal[i];
-}
-
 /* What the shade of a base colour has more of than the colour itself: of what is more in it than on the
  * average. */
 static void set_richer(const double base[3], double richer[3]) {

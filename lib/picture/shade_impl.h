@@ -11,10 +11,6 @@ algsurf_status algsurf_i_colour_check(const double colour[3]);
 algsurf_status algsurf_i_material_read(const algsurf_material *given, algsurf_material *material);
 algsurf_status algsurf_i_light_check(const algsurf_light *light);
 
-/* The normal turned towards the viewer: facing = +-normal with facing.direction <= 0, or -direction for
- * a zero normal. */
-void algsurf_i_facing(const double normal[3], const double direction[3], double facing[3]);
-
 /* Where sample (a, b) of a light is, in its edges from its middle; and algsurf_light_sample for checked
  * arguments, in the standard floating-point environment. */
 void algsurf_i_light_place(const algsurf_light *light, int a, int b, double place[2]);

@@ -39,9 +39,6 @@ int algsurf_zpoly_sign_at(algsurf_memory *m, const algsurf_zpoly *p, const algsu
 int algsurf_zpoly_bernstein(algsurf_memory *m, const algsurf_zpoly *p, int64_t at, int length_bits,
                             algsurf_zpoly *b);
 
-/* q(x) = p(x + 1), or p(-(x + 1)) for side -1, in room of its own. */
-int algsurf_zpoly_shift_by_one(algsurf_memory *m, const algsurf_zpoly *p, int side, algsurf_zpoly *q);
-
 /* q = a / b if b divides a in Z[x] (*divides = 1); else *divides = 0.  b is primitive. */
 int algsurf_zpoly_divide(algsurf_memory *m, const algsurf_zpoly *a, const algsurf_zpoly *b, int *divides,
                          algsurf_zpoly *q);

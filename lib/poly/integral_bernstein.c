@@ -98,13 +98,6 @@ static void taylor_shift(const algsurf_zpoly *b, int w, int64_t at) {
     if (at < 0) mirror(b, w);
 }
 
-int algsurf_zpoly_shift_by_one(algsurf_memory *m, const algsurf_zpoly *p, int side, algsurf_zpoly *q) {
-    if (!algsurf_zpoly_copy(m, p, algsurf_z_width(value_bits(p, eighths(1, 1))), q)) return 0;
-    if (side < 0) mirror(q, q->width);
-    shift_by_one(q, q->width);
-    return 1;
-}
-
 /* lcm C(n,k), k = 0 .. n, as far as it is below 2^53. */
 #define MOST_SHORT 41
 /* clang-format off */

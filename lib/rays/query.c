@@ -66,12 +66,6 @@ static void prepare(algsurf_i_query *q, const algsurf_surface *surface, const al
     if (q->fits_lanes) q->kernel = algsurf_i_kernel_find(options->kernel);
 }
 
-void algsurf_i_query_prepare(algsurf_i_query *q, const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_intersect_options *options) {
-    q->options = *options;
-    prepare(q, surface, extent);
-}
-
 algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
                                     const algsurf_extent *extent, const algsurf_intersect_options *given) {
     algsurf_status status = algsurf_i_extent_check(extent);

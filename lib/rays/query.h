@@ -27,13 +27,8 @@ typedef struct algsurf_i_query {
 algsurf_status algsurf_i_intersect_read_options(const algsurf_intersect_options *given,
                                                 algsurf_intersect_options *options);
 
-/* A query about a surface, within a checked extent, by options that have been read.  Extent and planes are
- * not copied: they must stay. */
-void algsurf_i_query_prepare(algsurf_i_query *q, const algsurf_surface *surface, const algsurf_extent *extent,
-                             const algsurf_intersect_options *options);
-
-/* The same from a caller's arguments.  Returns OK, or the error of algsurf_intersect_first for extent or
- * options. */
+/* A query about a surface, from a caller's arguments.  Extent and planes are not copied: they must stay.
+ * Returns OK, or the error of algsurf_intersect_first for extent or options. */
 algsurf_status algsurf_i_query_read(algsurf_i_query *q, const algsurf_surface *surface,
                                     const algsurf_extent *extent, const algsurf_intersect_options *given);
 
