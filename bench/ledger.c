@@ -3,6 +3,7 @@
  * Prints a line for each task: its name, and nanoseconds of CPU time for a pixel, a ray or a polynomial, the
  * least of some takes.  The script bench/ledger runs it in turn with one of a library without a mechanism.
  * TASK is KIND/WHAT: a kind of the table below, and a surface of the catalogue or a family of polynomials.
+ * The kernel is for pictures, rays and batches; calls for one polynomial take the fastest.
  */
 #include <math.h>
 #include <stdio.h>
@@ -124,38 +125,47 @@ static double time_rays(const char *name, int kind) {
 
 /* ---- polynomials ---- */
 
-/* "random 40": coefficients in [-1,1]; "power 24": t^n - a; "legendre 20", in t^2; else those along the rays
- * of a surface.  Returns the degree. */
+/* The number behind a family's name, or -1: it is another name.  From 1 to ROOM. */
+static int number_of(const char *name, const char *family) {
+    const size_t length = strlen(family);
+    if (strncmp(name, family, length) != 0 || !strchr("0123456789", name[length])) return -1;
+    const int number = atoi(name + length);
+    if (number < 1 || number > ROOM) cli_fail(CLI_BAD_INPUT, "%s: the number is 1 to %d", name, ROOM);
+    return number;
+}
+
+/* Legendre's polynomial: (m+1) P_(m+1) = (2m+1) t P_m - m P_(m-1). */
+static void make_legendre(int n, double *c) {
+    double before[ROOM + 1] = {0}, now[ROOM + 1] = {1}, next[ROOM + 1] = {0};
+    for (int m = 0; m < n; m++) {
+        for (int k = 0; k <= m + 1; k++)
+            next[k] = ((2 * m + 1) * (k > 0 ? now[k - 1] : 0) - m * before[k]) / (m + 1);
+        memcpy(before, now, sizeof now);
+        memcpy(now, next, sizeof next);
+    }
+    memcpy(c, now, (size_t)(n + 1) * sizeof *c);
+}
+
+/* "random40": coefficients in [-1,1]; "power24": t^24 - a; "legendre20"; else those along the rays of a
+ * surface.  Returns the degree. */
 static int make_polynomials(const char *name, double *c) {
+    const int power = number_of(name, "power"), legendre = number_of(name, "legendre");
+    const int n = power > 0 ? power : legendre > 0 ? legendre : number_of(name, "random");
     measure_random random = {1};
-    int number = 0;
-    const char *digits = strpbrk(name, "0123456789");
-    if (digits) number = atoi(digits);
-    if (strncmp(name, "random", 6) == 0) {
-        for (int i = 0; i < POLYNOMIALS * (number + 1); i++) c[i] = measure_uniform(&random, -1, 1);
-        return number;
+    if (n < 0) {
+        const catalogue_entry *entry = entry_of(name);
+        rays_polynomials(entry, 1, POLYNOMIALS, c);
+        return entry->degree;
     }
-    if (strncmp(name, "power", 5) == 0) {
-        for (int i = 0; i < POLYNOMIALS * (number + 1); i++)
-            c[i] = i % (number + 1) == number ? 1 : i % (number + 1) ? 0 : -measure_uniform(&random, 0.1, 2);
-        return number;
+    for (int i = 0; i < POLYNOMIALS; i++, c += n + 1) {
+        if (legendre > 0) make_legendre(n, c);
+        for (int k = 0; k <= n && legendre < 0; k++)
+            c[k] = power < 0 ? measure_uniform(&random, -1, 1)
+                   : k == n  ? 1
+                   : k       ? 0
+                             : -measure_uniform(&random, 0.1, 2);
     }
-    if (strncmp(name, "legendre", 8) == 0) {
-        double p[ROOM] = {1}, q[ROOM] = {0, 1};
-        for (int n = 1; n < number; n++)
-            for (int k = n + 1; k >= 0; k--) {
-                double next = ((2 * n + 1) * (k > 0 ? q[k - 1] : 0) - n * p[k]) / (n + 1);
-                p[k] = next;
-                if (k == 0)
-                    for (int j = 0; j <= n + 1; j++) next = p[j], p[j] = q[j], q[j] = next;
-            }
-        for (int i = 0; i < POLYNOMIALS; i++)
-            memcpy(c + i * (number + 1), q, (size_t)(number + 1) * sizeof *c);
-        return number;
-    }
-    const catalogue_entry *entry = entry_of(name);
-    rays_polynomials(entry, 1, POLYNOMIALS, c);
-    return entry->degree;
+    return n;
 }
 
 enum { FIRST, ROOTS, LINE, NUMBER, ISOLATE, BOXES };
@@ -198,9 +208,10 @@ static double time_polynomials(const char *name, int kind) {
     return least / POLYNOMIALS;
 }
 
-/* "40": (2^40 (8 t - 5))^2 - 1, whose roots are 2^-42 apart, in integers. */
+/* "40", at most ROOM: (2^40 (8 t - 5))^2 - 1, whose roots are 2^-42 apart, in integers. */
 static double time_cluster(const char *what, int kind) {
-    const int bits = atoi(what) * 2, limbs = bits / 64 + 2;
+    const int bits = 2 * number_of(what, ""), limbs = bits / 64 + 2;
+    if (bits < 0) cli_fail(CLI_BAD_INPUT, "cluster/%s: expected a number", what);
     uint64_t *limb = calloc(3 * (size_t)limbs, sizeof *limb);
     if (!limb) cli_no_memory();
     const uint64_t terms[3] = {25, 80, 64};

@@ -247,8 +247,27 @@ static void test_one_point(void **state) {
     assert_int_equal(answer.count, 0);
     isolate_judge(third, 1, 1.0 / 3, 1.0 / 3, &answer); /* off by 2^-55 or so */
     assert_int_equal(answer.count, 0);
-    isolate_judge(c, 1, INFINITY, INFINITY, &answer);
-    assert_int_equal(answer.count, 0);
+}
+
+/* Which holds no number. */
+static void test_interval_at_infinity(void **state) {
+    (void)state;
+    const double c[] = {-1, 0.5, 3, 1}, r[] = {0x1p-60, 0, 0x1p-60, 0}, ends[] = {-INFINITY, INFINITY};
+    for (int n = 1; n <= 3; n++)
+        for (int i = 0; i < 2; i++) {
+            algsurf_bracket b;
+            algsurf_real_root roots[3];
+            int count = 77;
+            isolate_judge(c, n, ends[i], ends[i], &answer);
+            assert_int_equal(answer.count, 0);
+            assert_int_equal(algsurf_isolate_first(c, r, n, ends[i], ends[i], NULL, &b, &count), ALGSURF_OK);
+            assert_int_equal(count, 0);
+            assert_int_equal(algsurf_count_roots(c, r, n, ends[i], ends[i], &count), ALGSURF_OK);
+            assert_int_equal(count, 0);
+            count = 77;
+            assert_int_equal(algsurf_real_roots(c, n, ends[i], ends[i], roots, 3, &count), ALGSURF_OK);
+            assert_int_equal(count, 0);
+        }
 }
 
 /* ---- what is refused ---- */
@@ -387,6 +406,7 @@ int main(void) {
         cmocka_unit_test(test_discriminants),
         cmocka_unit_test(test_many_terms),
         cmocka_unit_test(test_one_point),
+        cmocka_unit_test(test_interval_at_infinity),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_capacity),
         cmocka_unit_test(test_quadratics),

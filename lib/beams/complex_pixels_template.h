@@ -18,8 +18,8 @@
  *
  * The point is found by one more step on P itself, at the complex point of the ray: as accurate as the step
  * from the root of a rounded polynomial can be.  The normal is that of rays/complex_ray.c. */
-#ifndef ALGSURF_PICTURE_COMPLEX_TEMPLATE_H
-#define ALGSURF_PICTURE_COMPLEX_TEMPLATE_H
+#ifndef ALGSURF_COMPLEX_PIXELS_TEMPLATE_H
+#define ALGSURF_COMPLEX_PIXELS_TEMPLATE_H
 #include "../complex/lanes_template.h"
 #include "points_template.h"
 #include "sight_template.h"

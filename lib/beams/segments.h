@@ -25,7 +25,7 @@ typedef struct algsurf_i_solids {
 typedef struct algsurf_i_shadow_job {
     const algsurf_i_taylor *taylor; /* for their expansion; null: nothing is known of rays */
     const double
-        *light[3]; /* its middle, its edges; null: rays end on a ball that touches the point's plane, */
+        *light[3]; /* its middle and edges; null: rays end on a ball that touches the point's plane, */
     double ball;   /* of that radius, the same for all of a picture's jobs */
     const double *place[2]; /* of the light, in its edges from its middle: rays go there; or null: */
     double lattice;         /* they go to points of lattices, which have so many */
