@@ -1,4 +1,4 @@
-/* name.c - see name.h.
+/* name.c - see read.h.
  *
  * Constants may be prefixes of each other, so at each letter of a name the longest one counts that is there.
  * All of them are found in one pass from the name's end to its beginning, with a tree of the constants'
@@ -7,12 +7,10 @@
  * the longest constant that ends there.
  */
 #include "../base/arithmetic.h"
-#include "name.h"
+#include "read.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "read.h"
 
 /* Node 0 is the root; 0 in a link is none, or the root. */
 typedef struct algsurf_i_name_node {

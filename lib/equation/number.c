@@ -5,7 +5,7 @@
  * 800th only matter by being there: a double, or the midpoint of two, has at most 767 significant digits.
  */
 #include "../base/arithmetic.h"
-#include "number.h"
+#include "read.h"
 
 #include "../base/integer.h"
 

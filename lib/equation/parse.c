@@ -13,7 +13,7 @@
  *     argument = bracket | digit                                   a bracket ( or {
  *     bracket  = "(" sum ")" | "[" sum "]" | "{" sum "}"
  *
- * The signs are those of read.h.  Every expression's value is a polynomial (value.h); what
+ * The signs are those of read.h.  Every expression's value is a polynomial (poly.h); what
  * must be constant, divisors, exponents, arguments of roots, is seen from its value.  Depth is counted, so
  * text cannot exhaust the stack.  A name is as long as it can be; one that is no constant is a product of
  * what it consists of, letter by letter: variables, constants, pi.  A number never stands right of an
@@ -187,8 +187,7 @@ static int parse_letters(parser *p, algsurf_i_value *out) {
     if (constant) return algsurf_i_parse_double(p, constant->value, 0, out);
     char variable = algsurf_i_variable(letter->code);
     if (!variable) return make_pi(p, out);
-    int key = variable == 'x' ? ALGSURF_I_KEY_X : variable == 'y' ? ALGSURF_I_KEY_Y : ALGSURF_I_KEY_Z;
-    return algsurf_i_parse_double(p, 1, key, out);
+    return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'), out);
 }
 
 static int parse_name(parser *p, algsurf_i_value *out) {

@@ -1,9 +1,8 @@
 /* parse.h - from an equation as text to a polynomial: the reader's state, its operators, its refusals. */
 #ifndef ALGSURF_EQUATION_PARSE_H
 #define ALGSURF_EQUATION_PARSE_H
-#include "name.h"
 #include "read.h"
-#include "value.h"
+#include "poly.h"
 
 /* Set text and names, the rest to 0. */
 typedef struct algsurf_i_parser {

@@ -13,11 +13,12 @@
 #include "../base/arithmetic.h"
 #include "poly.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { RADIX_BITS = 256, EXPONENT_LIMIT = 1 << 20, MOST_POWERS = 65, ROWS = 64 };
+enum { RADIX_BITS = 256, EXPONENT_LIMIT = 1 << 20, MOST_POWERS = 65, ROWS = 8 };
 
 static const double operation_error = 0x1p-101;
 static const double quotient_error = 0x1p-99; /* of a quotient or a square root */
@@ -147,7 +148,8 @@ void algsurf_i_tripoly_negate(algsurf_i_tripoly *p) {
 int algsurf_i_tripoly_degree(const algsurf_i_tripoly *p) {
     int degree = 0;
     for (size_t t = 0; t < p->count; t++) {
-        int d = algsurf_i_key_x(p->m[t].key) + algsurf_i_key_y(p->m[t].key) + algsurf_i_key_z(p->m[t].key);
+        int key = p->m[t].key;
+        int d = algsurf_i_exponent(key, 0) + algsurf_i_exponent(key, 1) + algsurf_i_exponent(key, 2);
         if (degree < d) degree = d;
     }
     return degree;
@@ -176,59 +178,6 @@ algsurf_status algsurf_i_tripoly_add(const algsurf_i_tripoly *a, const algsurf_i
         t += (size_t)from_b;
     }
     return deliver(status, &sum, out);
-}
-
-/* One factor has a single monomial: the order of the other's stays. */
-static algsurf_status multiply_by_monomial(const algsurf_i_tripoly *a, const algsurf_i_monomial *b,
-                                           algsurf_i_tripoly *out) {
-    algsurf_i_tripoly p;
-    algsurf_status status = reserve(&p, a->count);
-    for (size_t t = 0; status == ALGSURF_OK && t < a->count; t++) status = append(&p, product(&a->m[t], b));
-    return deliver(status, &p, out);
-}
-
-/* Where a monomial of the smaller factor stands in its row of products: at the monomial of the larger one. */
-typedef struct cursor {
-    uint64_t order; /* key of the product, then the place of its part from the first factor */
-    const algsurf_i_monomial *own, *at;
-} cursor;
-
-static void set_order(cursor *c, uint64_t place) {
-    c->order = (uint64_t)(c->own->key + c->at->key) << 16 | place;
-}
-
-/* Moves the first of a heap to its place. */
-static void sift_down(cursor *heap, size_t count) {
-    const cursor moved = heap[0];
-    size_t i = 0;
-    for (size_t child; (child = 2 * i + 1) < count; i = child) {
-        if (child + 1 < count && heap[child + 1].order < heap[child].order) child++;
-        if (moved.order <= heap[child].order) break;
-        heap[i] = heap[child];
-    }
-    heap[i] = moved;
-}
-
-/* Appends the rows' products, equal ones added, by increasing keys; at each key, rows by their order. */
-static algsurf_status merge(cursor *heap, size_t count, const algsurf_i_monomial *end, algsurf_i_tripoly *p) {
-    algsurf_i_monomial sum = {{0.0, 0.0}, 0.0, 0, -1};
-    algsurf_status status = ALGSURF_OK;
-    while (status == ALGSURF_OK && count > 0) {
-        algsurf_i_monomial m = product(heap->own, heap->at);
-        if (m.key == sum.key) {
-            accumulate(&sum, &m);
-        } else {
-            status = append(p, sum);
-            sum = m;
-        }
-        if (++heap->at == end) {
-            heap[0] = heap[--count];
-        } else {
-            set_order(heap, heap->order & 0xffff);
-        }
-        sift_down(heap, count);
-    }
-    return status == ALGSURF_OK ? append(p, sum) : status;
 }
 
 algsurf_status algsurf_i_tripoly_divide(algsurf_i_tripoly *a, const algsurf_i_monomial *b) {
@@ -280,64 +229,58 @@ void algsurf_i_sum_free(algsurf_i_sum *sum) {
     while (sum->parts > 0) algsurf_i_tripoly_free(&sum->part[--sum->parts]);
 }
 
-/* The product of `count` monomials and the polynomial, whose part from the first factor comes first in it if
- * `first`: then the last of the monomials comes first. */
-static algsurf_status multiply_rows(const algsurf_i_monomial *m, size_t count, const algsurf_i_tripoly *large,
-                                    int first, size_t most, algsurf_i_tripoly *out) {
-    cursor heap[ROWS];
+/* The sum of `count` rows, by increasing keys; at each key by the order of the rows, or against it. */
+static algsurf_status add_rows(const algsurf_i_monomial *m, int count, const algsurf_i_tripoly *large,
+                               int backwards, size_t most, algsurf_i_tripoly *out) {
+    const algsurf_i_monomial *at[ROWS], *end = large->m + large->count;
+    int key[ROWS]; /* of the next product of each row */
     algsurf_i_tripoly p;
-    algsurf_status status = reserve(&p, count * large->count < most ? count * large->count : most);
-    for (size_t row = 0; row < count; row++) {
-        heap[row] = (cursor){0, &m[row], large->m};
-        set_order(&heap[row], first ? count - 1 - row : row);
+    algsurf_status status =
+        reserve(&p, (size_t)count * large->count < most ? (size_t)count * large->count : most);
+    for (int row = 0; row < count; row++) {
+        at[row] = large->m;
+        key[row] = large->count ? m[row].key + large->m->key : INT_MAX;
     }
-    if (status == ALGSURF_OK) status = merge(heap, count, large->m + large->count, &p);
+    while (status == ALGSURF_OK) {
+        algsurf_i_monomial sum = {{0.0, 0.0}, 0.0, 0, 0};
+        int least = INT_MAX;
+        for (int row = 0; row < count; row++) least = key[row] < least ? key[row] : least;
+        if (least == INT_MAX) break;
+        for (int k = 0; k < count; k++) {
+            int row = backwards ? count - 1 - k : k;
+            if (key[row] != least) continue;
+            algsurf_i_monomial n = product(&m[row], at[row]++);
+            accumulate(&sum, &n);
+            key[row] = at[row] < end ? m[row].key + at[row]->key : INT_MAX;
+        }
+        status = append(&p, sum);
+    }
     return deliver(status, &p, out);
 }
 
 algsurf_status algsurf_i_tripoly_multiply(const algsurf_i_tripoly *a, const algsurf_i_tripoly *b,
                                           algsurf_i_tripoly *out) {
-    if (b->count == 1) return multiply_by_monomial(a, b->m, out);
-    if (a->count == 1) return multiply_by_monomial(b, a->m, out);
     const algsurf_i_tripoly *small = a->count < b->count ? a : b, *large = small == a ? b : a;
     size_t most = algsurf_i_tripoly_most_terms(algsurf_i_tripoly_degree(a) + algsurf_i_tripoly_degree(b));
     algsurf_i_sum sum = {.parts = 0};
     algsurf_status status = ALGSURF_OK;
     for (size_t row = 0; status == ALGSURF_OK && row < small->count; row += ROWS) {
         algsurf_i_tripoly part;
-        size_t rows = small->count - row < ROWS ? small->count - row : ROWS;
-        status = multiply_rows(small->m + row, rows, large, large == a, most, &part);
+        int rows = small->count - row < ROWS ? (int)(small->count - row) : ROWS;
+        status = add_rows(small->m + row, rows, large, large == a, most, &part);
         if (status == ALGSURF_OK) status = algsurf_i_sum_add(&sum, part);
     }
     return algsurf_i_sum_finish(&sum, status, out);
 }
 
-static algsurf_status monomial_powers(const algsurf_i_monomial *m, int n, algsurf_i_monomial *power) {
-    power[0] = algsurf_i_monomial_make(algsurf_dd_from(1), 0, 0, 0);
-    for (int k = 0; k < n; k++) {
-        power[k + 1] = normalised(product(&power[k], m));
-        if (abs(power[k + 1].e) > EXPONENT_LIMIT) return ALGSURF_E_RANGE;
-    }
-    return ALGSURF_OK;
-}
-
-/* n over k, for each k: at most 61 bits. */
-static void binomials(int n, algsurf_i_monomial *number) {
-    uint64_t c[MOST_POWERS] = {1};
-    for (int row = 0; row < n; row++)
-        for (int k = row + 1; k > 0; k--) c[k] += c[k - 1];
-    for (int k = 0; k <= n; k++) {
-        algsurf_dd v = algsurf_two_sum((double)(c[k] >> 32) * 0x1p32, (double)(c[k] & UINT32_MAX));
-        number[k] = algsurf_i_monomial_make(v, 0, 0, 0);
-    }
-}
-
-/* *term = r^k c m^(n-k), and *of_r, r^k, becomes r^(k+1). */
-static algsurf_status binomial_term(algsurf_i_monomial of_m, const algsurf_i_monomial *c,
-                                    const algsurf_i_tripoly *r, algsurf_i_tripoly *of_r, algsurf_i_sum *sum) {
+/* *term = r^k c m^(n-k) joins the sum, and *of_r, r^k, becomes r^(k+1). */
+static algsurf_status binomial_term(const algsurf_i_monomial *of_m, uint64_t c, const algsurf_i_tripoly *r,
+                                    algsurf_i_tripoly *of_r, algsurf_i_sum *sum) {
+    algsurf_dd v = algsurf_two_sum((double)(c >> 32) * 0x1p32, (double)(c & UINT32_MAX));
+    algsurf_i_monomial factor = algsurf_i_monomial_make(v, 0, 0, 0);
     algsurf_i_tripoly term, next;
-    of_m = normalised(product(&of_m, c));
-    algsurf_status status = multiply_by_monomial(of_r, &of_m, &term);
+    factor = normalised(product(of_m, &factor));
+    algsurf_status status = add_rows(&factor, 1, of_r, 0, of_r->count, &term);
     if (status == ALGSURF_OK) status = algsurf_i_sum_add(sum, term);
     if (status == ALGSURF_OK) status = algsurf_i_tripoly_multiply(of_r, r, &next);
     if (status != ALGSURF_OK) return status;
@@ -347,15 +290,19 @@ static algsurf_status binomial_term(algsurf_i_monomial of_m, const algsurf_i_mon
 }
 
 algsurf_status algsurf_i_tripoly_raise(const algsurf_i_tripoly *base, int n, algsurf_i_tripoly *out) {
-    algsurf_i_monomial of_m[MOST_POWERS], c[MOST_POWERS];
-    const algsurf_i_monomial zero = {{0.0, 0.0}, 0.0, 0, 0}, *first = base->count ? base->m : &zero;
-    algsurf_i_tripoly r = {base->m + (base->count > 0), base->count - (base->count > 0)}, of_r = {NULL, 0};
-    algsurf_status status = monomial_powers(first, n, of_m);
+    size_t has_first = base->count > 0;
+    algsurf_i_monomial of_m[MOST_POWERS] = {algsurf_i_monomial_make(algsurf_dd_from(1), 0, 0, 0)};
+    algsurf_i_tripoly r = {base->m + has_first, base->count - has_first}, of_r;
     algsurf_i_sum sum = {.parts = 0};
-    binomials(n, c);
-    if (status == ALGSURF_OK) status = algsurf_i_tripoly_make(of_m[0], &of_r);
+    uint64_t c[MOST_POWERS] = {1}; /* n over k: at most 61 bits */
+    for (int k = 0; k < n; k++) {
+        of_m[k + 1] = has_first ? normalised(product(&of_m[k], base->m)) : (algsurf_i_monomial){.key = 0};
+        for (int i = k + 1; i > 0; i--) c[i] += c[i - 1];
+    }
+    algsurf_status status = algsurf_i_tripoly_make(of_m[0], &of_r);
+    if (status != ALGSURF_OK) return status;
     for (int k = 0; status == ALGSURF_OK && k <= n && of_r.count > 0; k++)
-        status = binomial_term(of_m[n - k], &c[k], &r, &of_r, &sum);
+        status = binomial_term(&of_m[n - k], c[k], &r, &of_r, &sum);
     algsurf_i_tripoly_free(&of_r);
     return algsurf_i_sum_finish(&sum, status, out);
 }

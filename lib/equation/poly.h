@@ -25,10 +25,9 @@ typedef struct algsurf_i_tripoly {
     size_t count;
 } algsurf_i_tripoly;
 
-enum { ALGSURF_I_KEY_X = 1, ALGSURF_I_KEY_Y = 1 << 7, ALGSURF_I_KEY_Z = 1 << 14 };
-static inline int algsurf_i_key_x(int key) { return key & 127; }
-static inline int algsurf_i_key_y(int key) { return (key >> 7) & 127; }
-static inline int algsurf_i_key_z(int key) { return key >> 14; }
+/* Of x, y, z: 0, 1, 2. */
+static inline int algsurf_i_key_of(int variable) { return 1 << 7 * variable; }
+static inline int algsurf_i_exponent(int key, int variable) { return key >> 7 * variable & 127; }
 
 /* v 2^exponent times the monomial of the key; err as a part of v. */
 algsurf_i_monomial algsurf_i_monomial_make(algsurf_dd v, double err, int exponent, int key);
@@ -86,5 +85,42 @@ algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p);
 /* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
 algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out);
 void algsurf_i_sum_free(algsurf_i_sum *sum);
+
+/* ---- values: value.c.  Polynomials that know how they were made.
+ *
+ * Multiplying by (x+y+z+1)^32 term by term is 6545 steps for each term of the other factor; multiplying 32
+ * times by x+y+z+1 is 128.  So a value with many more terms than its text has keeps its factors and summands.
+ */
+typedef struct algsurf_i_value {
+    algsurf_i_tripoly p;
+    struct algsurf_i_way *way; /* how it was made; null: by nothing shorter */
+} algsurf_i_value;
+
+void algsurf_i_value_free(algsurf_i_value *v);
+void algsurf_i_value_negate(algsurf_i_value *v);
+
+/* Functions below that return a status fail as those of poly.h do; then the values that they change are
+ * freed. */
+
+/* *left *= right, which is taken over.  Cost: at most the steps by which right was made of constants and
+ * variables, exponents counted as repetitions, times the terms of the results. */
+algsurf_status algsurf_i_value_multiply(algsurf_i_value *left, algsurf_i_value *right);
+
+/* *v /= b, not zero, or v^n, n >= 0. */
+algsurf_status algsurf_i_value_divide(algsurf_i_value *v, const algsurf_i_monomial *b);
+algsurf_status algsurf_i_value_raise(algsurf_i_value *v, int n);
+
+/* A sum of many values, all 0 at first. */
+typedef struct algsurf_i_value_sum {
+    algsurf_i_sum plain;       /* of values without a way */
+    struct algsurf_i_way *way; /* of the others */
+} algsurf_i_value_sum;
+
+/* Adds v and takes it over. */
+algsurf_status algsurf_i_value_sum_add(algsurf_i_value_sum *sum, algsurf_i_value *v);
+
+/* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
+algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_status status,
+                                          algsurf_i_value *out);
 
 #endif

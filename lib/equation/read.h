@@ -1,7 +1,11 @@
-/* read.h - what stands at a place of an equation, as people type and paste it: signs, letters, commands. */
+/* read.h - what stands at a place of an equation, as people type and paste it: signs, letters, numbers,
+ * names. */
 #ifndef ALGSURF_EQUATION_READ_H
 #define ALGSURF_EQUATION_READ_H
 #include <stddef.h>
+
+#include "algsurf/surface.h"
+#include "../base/eft.h"
 
 /* An ASCII character that is no letter, or one of these. */
 enum {
@@ -67,5 +71,56 @@ char algsurf_i_variable(int code);
 
 /* The place of a word in a list of words with a blank between them, from 1 on; 0: it is none of them. */
 int algsurf_i_listed(const char *list, const char *word, size_t length);
+
+/* ---- numbers: number.c ---- */
+
+/* v 2^exponent, v >= 0, v.hi the nearest double to v. */
+typedef struct algsurf_i_number {
+    algsurf_dd v;
+    int exponent;
+} algsurf_i_number;
+
+typedef enum algsurf_i_reading {
+    ALGSURF_I_NO_NUMBER,
+    ALGSURF_I_NUMBER,
+    ALGSURF_I_NUMBER_TOO_LARGE /* beyond 10^400 or 2^2000 */
+} algsurf_i_reading;
+
+/* The longest number at the start of text, without sign: digits with an optional point and an
+ * optional exponent, decimal (e) or hexadecimal (0x, p).  v.hi is what strtod returns in the "C"
+ * locale, as long as that is normal, v itself is right to 2^-104.  Below 10^-400 or 2^-4000: zero.
+ * *length becomes the number of characters read.  Cost: linear in it. */
+algsurf_i_reading algsurf_i_read_number(const char *text, size_t *length, algsurf_i_number *number);
+
+/* ---- names: name.c.  A name stands for a constant, or a product of constants, x, y, z and pi. ---- */
+
+/* A letter of a name, and the longest constant that the name goes on with from there; null: none. */
+typedef struct algsurf_i_name_letter {
+    size_t at; /* in bytes, from the name's beginning */
+    int code;
+    const algsurf_constant *constant;
+} algsurf_i_name_letter;
+
+/* The names of the constants as a tree, and the name that was read last.  All 0 at first. */
+typedef struct algsurf_i_names {
+    struct algsurf_i_name_node *node;
+    algsurf_i_name_letter *letter; /* and one behind the last, for its place */
+    size_t count, capacity;        /* of letters */
+} algsurf_i_names;
+
+/* Fails with E_ARGUMENT when two names are the same, or with E_NO_MEMORY; to be freed anyway.  The names are
+ * checked.  Cost: linear in the lengths of the names. */
+algsurf_status algsurf_i_names_make(algsurf_i_names *names, const algsurf_constant *constants, size_t count);
+void algsurf_i_names_free(algsurf_i_names *names);
+
+/* Reads the name at the start of text.  Cost: linear in its length. */
+algsurf_status algsurf_i_names_read(algsurf_i_names *names, const char *text);
+
+/* Of how many letters is the factor that begins with letter i, as part of a product: a variable, else the
+ * longest constant, else pi; 0 when it is none.  *constant is null unless it is one of the caller's. */
+size_t algsurf_i_names_factor(const algsurf_i_names *names, size_t i, const algsurf_constant **constant);
+
+/* The constant that is the whole name; null: it is none. */
+const algsurf_constant *algsurf_i_names_whole(const algsurf_i_names *names);
 
 #endif

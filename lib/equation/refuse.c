@@ -2,7 +2,6 @@
 #include "../base/arithmetic.h"
 #include <string.h>
 
-#include "number.h"
 #include "parse.h"
 
 typedef algsurf_i_parser parser;

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "number.h"
 #include "parse.h"
 
 enum { EXPONENT_LIMIT = 64 };

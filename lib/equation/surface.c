@@ -30,7 +30,8 @@ static algsurf_status to_surface(const algsurf_i_tripoly *value, size_t offset, 
     for (size_t t = 0; status == ALGSURF_OK && t < value->count; t++) {
         int key = value->m[t].key;
         double a = algsurf_i_monomial_round(&value->m[t]);
-        terms[t] = (algsurf_term){algsurf_i_key_x(key), algsurf_i_key_y(key), algsurf_i_key_z(key), a};
+        terms[t] = (algsurf_term){algsurf_i_exponent(key, 0), algsurf_i_exponent(key, 1),
+                                  algsurf_i_exponent(key, 2), a};
         rounding = fmax(rounding, relative_rounding(&value->m[t], a));
         if (!isfinite(a)) status = ALGSURF_E_RANGE;
     }

@@ -1,4 +1,4 @@
-/* value.c - see value.h.
+/* value.c - see poly.h.
  *
  * The weight of a value is the number of terms that a polynomial is multiplied by, one after the other, when
  * it is multiplied by the value as it was made: of a polynomial its terms, of a sum or a product the sum of
@@ -8,7 +8,7 @@
  * it matters: equations as people write them are multiplied term by term.
  */
 #include "../base/arithmetic.h"
-#include "value.h"
+#include "poly.h"
 
 #include <stdlib.h>
 
