@@ -24,8 +24,6 @@
 
 #include <string.h>
 
-enum { DEPTH_LIMIT = 100 };
-
 typedef algsurf_i_parser parser;
 
 /* The next token that is not blank; p->at is its place, p->token itself. */
@@ -38,12 +36,12 @@ static int peek(parser *p) {
 /* Moves behind the token that peek has seen. */
 static void take(parser *p) { p->at += p->token.width; }
 
-static int parse_sum(parser *p, algsurf_i_value *out);
-static int parse_signed(parser *p, algsurf_i_value *out);
-static int parse_primary(parser *p, algsurf_i_value *out);
+static int parse_sum(parser *p);
+static int parse_signed(parser *p);
+static int parse_primary(parser *p);
 
 static int enter(parser *p, size_t offset) {
-    return ++p->depth <= DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
+    return ++p->depth <= ALGSURF_I_DEPTH_LIMIT || algsurf_i_parse_refuse(p, offset, "nested deeper than 100");
 }
 
 /* Refuses what stands here. */
@@ -58,65 +56,58 @@ static const char *expected_closing(char closing) {
                             : "expected an operator or '}'";
 }
 
-static int parse_bracket(parser *p, algsurf_i_value *out) {
+static int parse_bracket(parser *p) {
     char closing = algsurf_i_closing(peek(p));
     if (!closing) return algsurf_i_parse_refuse(p, p->at, "expected '('");
     if (!enter(p, p->at)) return 0;
     take(p);
-    if (!parse_sum(p, out)) return 0;
-    if (peek(p) != closing) {
-        algsurf_i_value_free(out);
-        return refuse_token(p, expected_closing(closing));
-    }
+    if (!parse_sum(p)) return 0;
+    if (peek(p) != closing) return refuse_token(p, expected_closing(closing));
     take(p);
     p->depth--;
     return 1;
 }
 
 /* The root of the operand that stands here. */
-static int parse_root_of(parser *p, int (*operand)(parser *, algsurf_i_value *), algsurf_i_value *out) {
+static int parse_root_of(parser *p, int (*operand)(parser *)) {
     (void)peek(p);
     size_t offset = p->at;
-    return operand(p, out) && algsurf_i_parse_root(p, offset, out);
+    return operand(p) && algsurf_i_parse_root(p, offset);
 }
 
-static int parse_root_sign(parser *p, algsurf_i_value *out) {
+static int parse_root_sign(parser *p) {
     if (!enter(p, p->at)) return 0;
     take(p);
-    if (!parse_root_of(p, parse_primary, out)) return 0;
+    if (!parse_root_of(p, parse_primary)) return 0;
     p->depth--;
     return 1;
 }
 
 /* What a command of LaTeX applies to: a bracket, or a digit, since \frac12 is 1/2. */
-static int parse_argument(parser *p, algsurf_i_value *out) {
+static int parse_argument(parser *p) {
     int c = peek(p);
-    if (c == '{' || c == '(') return parse_bracket(p, out);
+    if (c == '{' || c == '(') return parse_bracket(p);
     if (c < '0' || c > '9') return refuse_token(p, "expected '{' or a digit behind the command");
     take(p);
-    return algsurf_i_parse_double(p, c - '0', 0, out);
+    return algsurf_i_parse_double(p, c - '0', 0);
 }
 
-static int parse_latex_sqrt(parser *p, algsurf_i_value *out) {
+static int parse_latex_sqrt(parser *p) {
     take(p);
     if (peek(p) == '[') return algsurf_i_parse_refuse(p, p->at, "of roots, only square roots are known");
-    return parse_root_of(p, parse_argument, out);
+    return parse_root_of(p, parse_argument);
 }
 
-static int parse_fraction(parser *p, algsurf_i_value *out) {
-    algsurf_i_value below;
+static int parse_fraction(parser *p) {
     size_t offset = p->at;
     if (!enter(p, offset)) return 0;
     take(p);
-    if (!parse_argument(p, out)) return 0;
+    if (!parse_argument(p)) return 0;
     (void)peek(p);
     size_t divisor = p->at;
-    if (!parse_argument(p, &below)) {
-        algsurf_i_value_free(out);
-        return 0;
-    }
+    if (!parse_argument(p)) return 0;
     p->depth--;
-    return algsurf_i_parse_divide(p, offset, divisor, out, &below);
+    return algsurf_i_parse_divide(p, offset, divisor);
 }
 
 /* Does a product with a variable stand here, as in sin x or sin ax?  p->token is seen. */
@@ -149,49 +140,44 @@ static int product_goes_on(const parser *p, int c) {
 
 /* What a sine without brackets is of, as in \cos\frac{2\pi}{5} or sin a.  Readers differ about what belongs
  * to it when the product goes on: sin pi/5, \sin\frac{\pi}{5}x.  Hence only one thing alone is taken. */
-static int parse_bare_argument(parser *p, algsurf_i_value *out) {
+static int parse_bare_argument(parser *p) {
     static const char BRACKETS[] = "what sin or cos is of needs brackets here: sin(pi/5)";
     size_t offset = p->at;
     int c = p->token.kind;
     if (c == '^' || c == ALGSURF_I_TOKEN_SUPERSCRIPT)
         return algsurf_i_parse_refuse(p, offset, "an exponent behind sin or cos: write sin(a)^2");
     if (!begins_operand(p, c)) return refuse_token(p, BRACKETS);
-    if (!enter(p, offset) || !parse_primary(p, out)) return 0;
+    if (!enter(p, offset) || !parse_primary(p)) return 0;
     p->depth--;
-    if (!product_goes_on(p, peek(p))) return 1;
-    algsurf_i_value_free(out);
-    return algsurf_i_parse_refuse(p, offset, BRACKETS);
+    return !product_goes_on(p, peek(p)) || algsurf_i_parse_refuse(p, offset, BRACKETS);
 }
 
 /* sin (quarters 0) or cos (1), of `length` bytes, and what stands behind it. */
-static int parse_sine(parser *p, size_t length, int quarters, algsurf_i_value *out) {
+static int parse_sine(parser *p, size_t length, int quarters) {
     size_t offset = p->at;
     p->at += length;
     int bracket = algsurf_i_closing(peek(p)) != '\0';
     if (variable_follows(p)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
-    return (bracket ? parse_bracket(p, out) : parse_bare_argument(p, out)) &&
-           algsurf_i_parse_sine(p, offset, quarters, out);
+    return (bracket ? parse_bracket(p) : parse_bare_argument(p)) && algsurf_i_parse_sine(p, offset, quarters);
 }
 
-static int make_pi(parser *p, algsurf_i_value *out) {
-    return algsurf_i_parse_monomial(p, algsurf_i_monomial_pi(), p->at, out);
-}
+static int make_pi(parser *p) { return algsurf_i_parse_monomial(p, algsurf_i_monomial_pi(), p->at); }
 
 /* The next factor of the product that a name is. */
-static int parse_letters(parser *p, algsurf_i_value *out) {
+static int parse_letters(parser *p) {
     const algsurf_constant *constant;
     const algsurf_i_name_letter *letter = p->names.letter + p->letter;
     size_t letters = algsurf_i_names_factor(&p->names, p->letter, &constant);
     p->letter += letters;
     p->at += letter[letters].at - letter->at;
-    if (constant) return algsurf_i_parse_double(p, constant->value, 0, out);
+    if (constant) return algsurf_i_parse_double(p, constant->value, 0);
     char variable = algsurf_i_variable(letter->code);
-    if (!variable) return make_pi(p, out);
-    return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'), out);
+    if (!variable) return make_pi(p);
+    return algsurf_i_parse_double(p, 1, algsurf_i_key_of(variable - 'x'));
 }
 
-static int parse_name(parser *p, algsurf_i_value *out) {
-    if (p->at < p->letters_end) return parse_letters(p, out);
+static int parse_name(parser *p) {
+    if (p->at < p->letters_end) return parse_letters(p);
     const char *name = p->text + p->at;
     algsurf_i_names *names = &p->names;
     const algsurf_constant *constant;
@@ -200,64 +186,60 @@ static int parse_name(parser *p, algsurf_i_value *out) {
     constant = algsurf_i_names_whole(names);
     if (constant) {
         p->at += length;
-        return algsurf_i_parse_double(p, constant->value, 0, out);
+        return algsurf_i_parse_double(p, constant->value, 0);
     }
     int function = algsurf_i_listed("sin cos sqrt", name, length);
-    if (function == 1 || function == 2) return parse_sine(p, length, function - 1, out);
-    if (function) return p->at += length, parse_root_of(p, parse_bracket, out);
+    if (function == 1 || function == 2) return parse_sine(p, length, function - 1);
+    if (function) return p->at += length, parse_root_of(p, parse_bracket);
     for (size_t i = 0, letters; i < names->count; i += letters) {
         letters = algsurf_i_names_factor(names, i, &constant);
         if (letters == 0) return algsurf_i_refuse_name(p, length, names->letter[i].at);
     }
     p->letter = 0;
     p->letters_end = p->at + length;
-    return parse_letters(p, out);
+    return parse_letters(p);
 }
 
-static int parse_primary(parser *p, algsurf_i_value *out) {
+static int parse_primary(parser *p) {
     int c = peek(p);
-    if (algsurf_i_number_follows(p->text + p->at)) return algsurf_i_parse_number(p, out);
-    if (algsurf_i_closing(c)) return parse_bracket(p, out);
+    if (algsurf_i_number_follows(p->text + p->at)) return algsurf_i_parse_number(p);
+    if (algsurf_i_closing(c)) return parse_bracket(p);
     switch (c) {
     case ALGSURF_I_TOKEN_LETTER:
-        return parse_name(p, out);
+        return parse_name(p);
     case ALGSURF_I_TOKEN_ROOT:
-        return parse_root_sign(p, out);
+        return parse_root_sign(p);
     case ALGSURF_I_TOKEN_SQRT:
-        return parse_latex_sqrt(p, out);
+        return parse_latex_sqrt(p);
     case ALGSURF_I_TOKEN_FRACTION:
-        return parse_fraction(p, out);
+        return parse_fraction(p);
     case ALGSURF_I_TOKEN_SINE:
     case ALGSURF_I_TOKEN_COSINE:
-        return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE, out);
+        return parse_sine(p, p->token.width, c == ALGSURF_I_TOKEN_COSINE);
     case ALGSURF_I_TOKEN_PI:
         take(p);
-        return make_pi(p, out);
+        return make_pi(p);
     case ALGSURF_I_TOKEN_QUARTERS:
         take(p);
-        return algsurf_i_parse_double(p, 0.25 * p->token.digit, 0, out);
+        return algsurf_i_parse_double(p, 0.25 * p->token.digit, 0);
     default:
         return refuse_token(p, "expected a number, x, y, z, a constant, sqrt or '('");
     }
 }
 
-/* The exponent behind '^', and *base raised to it. */
-static int parse_exponent(parser *p, algsurf_i_value *base) {
-    algsurf_i_value exponent;
+/* The exponent behind '^', and the base raised to it. */
+static int parse_exponent(parser *p) {
     size_t offset = p->at;
     take(p);
     (void)peek(p);
     size_t exponent_offset = p->at;
-    if (!enter(p, offset) || !parse_signed(p, &exponent)) {
-        algsurf_i_value_free(base);
-        return 0;
-    }
+    if (!enter(p, offset) || !parse_signed(p)) return 0;
     p->depth--;
-    return algsurf_i_parse_power(p, offset, exponent_offset, base, &exponent);
+    return algsurf_i_parse_power(p, offset, exponent_offset);
 }
 
-/* Superscripts in a row, and *base raised to them. */
-static int parse_superscripts(parser *p, algsurf_i_value *base) {
+/* Superscripts in a row, and the base raised to them. */
+static int parse_superscripts(parser *p) {
     size_t offset = p->at;
     int n = 0;
     do {
@@ -265,54 +247,53 @@ static int parse_superscripts(parser *p, algsurf_i_value *base) {
         take(p);
         p->token = algsurf_i_token_at(p->text + p->at);
     } while (p->token.kind == ALGSURF_I_TOKEN_SUPERSCRIPT);
-    return algsurf_i_parse_raise(p, offset, offset, base, n);
+    return algsurf_i_parse_raise(p, offset, offset, n);
 }
 
-static int parse_power(parser *p, algsurf_i_value *out) {
-    if (!parse_primary(p, out)) return 0;
+static int parse_power(parser *p) {
+    if (!parse_primary(p)) return 0;
     int c = peek(p);
-    if (c == '^') return parse_exponent(p, out);
-    return c == ALGSURF_I_TOKEN_SUPERSCRIPT ? parse_superscripts(p, out) : 1;
+    if (c == '^') return parse_exponent(p);
+    return c == ALGSURF_I_TOKEN_SUPERSCRIPT ? parse_superscripts(p) : 1;
 }
 
-static int parse_signed(parser *p, algsurf_i_value *out) {
+static int parse_signed(parser *p) {
     int negative = 0;
     for (int c = peek(p); c == '+' || c == '-'; take(p), c = peek(p)) negative ^= c == '-';
-    if (!parse_power(p, out)) return 0;
-    if (negative) algsurf_i_value_negate(out);
+    if (!parse_power(p)) return 0;
+    if (negative) algsurf_i_value_negate(algsurf_i_parse_top(p));
     return 1;
 }
 
-static int parse_product(parser *p, algsurf_i_value *out) {
-    algsurf_i_value right;
-    if (!parse_signed(p, out)) return 0;
-    for (int ok = 1; ok;) {
+static int parse_product(parser *p) {
+    int ok = parse_signed(p);
+    while (ok) {
         int c = peek(p), written = c == '*' || c == '/';
         size_t offset = p->at;
         if (!written && !begins_factor(c)) return 1;
         if (written) take(p), (void)peek(p);
         size_t operand = p->at;
-        if (!(written ? parse_signed(p, &right) : parse_power(p, &right))) {
-            algsurf_i_value_free(out);
-            return 0;
-        }
-        ok = c == '/' ? algsurf_i_parse_divide(p, offset, operand, out, &right)
-                      : algsurf_i_parse_multiply(p, offset, out, &right);
+        ok = (written ? parse_signed(p) : parse_power(p)) &&
+             (c == '/' ? algsurf_i_parse_divide(p, offset, operand) : algsurf_i_parse_multiply(p, offset));
     }
     return 0;
 }
 
-static int parse_sum(parser *p, algsurf_i_value *out) {
+static int parse_sum(parser *p) {
     algsurf_i_value_sum sum = {.way = NULL};
-    algsurf_i_value product;
-    for (int sign = '+'; parse_product(p, &product); take(p)) {
-        if (sign == '-') algsurf_i_value_negate(&product);
-        algsurf_status status = algsurf_i_value_sum_add(&sum, &product);
+    algsurf_status status = ALGSURF_OK;
+    for (int sign = '+'; parse_product(p); take(p)) {
+        algsurf_i_value *product = algsurf_i_parse_top(p);
+        if (sign == '-') algsurf_i_value_negate(product);
+        status = algsurf_i_value_sum_add(&sum, product);
         sign = peek(p);
-        if (status == ALGSURF_OK && (sign == '+' || sign == '-')) continue;
-        return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&sum, status, out), p->at);
+        if (status != ALGSURF_OK || (sign != '+' && sign != '-'))
+            return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&sum, status, product), p->at);
+        p->values--;
     }
-    (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, out);
+    algsurf_i_value none;
+    (void)algsurf_i_value_sum_finish(&sum, ALGSURF_E_SYNTAX, &none);
+    algsurf_i_value_free(&none);
     return 0;
 }
 
@@ -341,14 +322,14 @@ static int parse_end(parser *p, int equals_seen) {
 
 /* Does the text go on with these signs, 'x' for X as well, blanks aside?  Then they are taken. */
 static int take_signs(parser *p, const char *signs) {
-    parser ahead = *p;
-    for (const char *sign = signs; *sign; sign++) {
-        int c = peek(&ahead);
-        if (c == ALGSURF_I_TOKEN_LETTER) c = algsurf_i_variable(ahead.text[ahead.at]);
-        if (c != *sign) return 0;
-        take(&ahead);
+    size_t start = p->at;
+    for (; *signs; signs++, take(p)) {
+        int c = peek(p);
+        if (c == ALGSURF_I_TOKEN_LETTER) c = algsurf_i_variable(p->text[p->at]);
+        if (c == *signs) continue;
+        p->at = start;
+        return 0;
     }
-    p->at = ahead.at;
     return 1;
 }
 
@@ -368,27 +349,17 @@ static int parse_head(parser *p, int *named) {
     return !of_two || algsurf_i_parse_refuse(p, start, "a function of x and y: write z = ... for its graph");
 }
 
-/* What stands behind '=', taken from *left, which is freed on failure. */
-static int parse_right(parser *p, algsurf_i_value *left) {
-    algsurf_i_value right;
-    size_t offset = p->at;
-    take(p);
-    if (parse_sum(p, &right)) return algsurf_i_parse_subtract(p, offset, left, &right);
-    algsurf_i_value_free(left);
-    return 0;
-}
-
-int algsurf_i_parse_equation(parser *p, algsurf_i_value *out) {
+int algsurf_i_parse_equation(parser *p) {
     int named;
     if (!parse_head(p, &named)) return 0;
     int equals = !named && peek(p) == '=';
     if (equals) take(p);
-    if (!parse_sum(p, out)) return 0;
+    if (!parse_sum(p)) return 0;
     if (!equals && peek(p) == '=') {
+        size_t offset = p->at;
         equals = 1;
-        if (!parse_right(p, out)) return 0;
+        take(p);
+        if (!parse_sum(p) || !algsurf_i_parse_subtract(p, offset)) return 0;
     }
-    if (parse_end(p, equals)) return 1;
-    algsurf_i_value_free(out);
-    return 0;
+    return parse_end(p, equals);
 }

@@ -4,6 +4,8 @@
 #include "read.h"
 #include "poly.h"
 
+enum { ALGSURF_I_DEPTH_LIMIT = 100 };
+
 /* Set text and names, the rest to 0. */
 typedef struct algsurf_i_parser {
     const char *text;
@@ -16,42 +18,39 @@ typedef struct algsurf_i_parser {
     int depth;
     algsurf_status status; /* the failure, if any */
     algsurf_parse_error error;
+    int values; /* on the stack: at each depth a product and a base, or a numerator; and the left side */
+    algsurf_i_value value[2 * (ALGSURF_I_DEPTH_LIMIT + 1) + 2];
 } algsurf_i_parser;
 
-/* parse.c.  Computes left minus right; returns 1, or 0 after a failure: then status is set, error for the
- * statuses that have one, and *out is not. */
-int algsurf_i_parse_equation(algsurf_i_parser *p, algsurf_i_value *out);
+static inline algsurf_i_value *algsurf_i_parse_top(algsurf_i_parser *p) { return p->value + p->values - 1; }
 
-/* steps.c: the operators.  Each checks its conditions and computes, and returns 1; or 0 after a failure: then
- * the parser's status and error are set, and what it changes or takes over is freed.  Offsets are places in
- * the text, for the error. */
+/* Functions return 1, or 0 after a failure: then status is set, and error for the statuses that have one.
+ * What stands on the stack is to be freed in any case.  Offsets are places in the text, for the error. */
+
+/* parse.c.  Leaves left minus right on the stack. */
+int algsurf_i_parse_equation(algsurf_i_parser *p);
+
+/* steps.c: the operators.  Each checks its conditions and computes. */
 
 /* Turns the outcome of arithmetic into 1 or 0. */
 int algsurf_i_parse_computed(algsurf_i_parser *p, algsurf_status status, size_t offset);
 
-/* A monomial as a value; v times the monomial of the key. */
-int algsurf_i_parse_monomial(algsurf_i_parser *p, algsurf_i_monomial m, size_t offset, algsurf_i_value *out);
-int algsurf_i_parse_double(algsurf_i_parser *p, double v, int key, algsurf_i_value *out);
+/* One value more: a monomial; v times the monomial of the key; the number at p->at, which then is behind it.
+ */
+int algsurf_i_parse_monomial(algsurf_i_parser *p, algsurf_i_monomial m, size_t offset);
+int algsurf_i_parse_double(algsurf_i_parser *p, double v, int key);
+int algsurf_i_parse_number(algsurf_i_parser *p);
 
-/* The number at p->at, which then is behind it. */
-int algsurf_i_parse_number(algsurf_i_parser *p, algsurf_i_value *out);
+/* One value for the last two: divisor: where that stands; place: where the exponent stands. */
+int algsurf_i_parse_subtract(algsurf_i_parser *p, size_t offset);
+int algsurf_i_parse_multiply(algsurf_i_parser *p, size_t offset);
+int algsurf_i_parse_divide(algsurf_i_parser *p, size_t offset, size_t divisor);
+int algsurf_i_parse_power(algsurf_i_parser *p, size_t offset, size_t place);
 
-/* *left -= right, *left *= right, *left /= right; right is taken over.  divisor: where that stands. */
-int algsurf_i_parse_subtract(algsurf_i_parser *p, size_t offset, algsurf_i_value *left,
-                             algsurf_i_value *right);
-int algsurf_i_parse_multiply(algsurf_i_parser *p, size_t offset, algsurf_i_value *left,
-                             algsurf_i_value *right);
-int algsurf_i_parse_divide(algsurf_i_parser *p, size_t offset, size_t divisor, algsurf_i_value *left,
-                           algsurf_i_value *right);
-
-/* *base becomes base^n, or base^exponent, which is taken over; place: where the exponent stands. */
-int algsurf_i_parse_raise(algsurf_i_parser *p, size_t offset, size_t place, algsurf_i_value *base, int n);
-int algsurf_i_parse_power(algsurf_i_parser *p, size_t offset, size_t place, algsurf_i_value *base,
-                          algsurf_i_value *exponent);
-
-/* *v becomes its square root, or its sine, quarters of a turn on. */
-int algsurf_i_parse_root(algsurf_i_parser *p, size_t offset, algsurf_i_value *v);
-int algsurf_i_parse_sine(algsurf_i_parser *p, size_t offset, int quarters, algsurf_i_value *v);
+/* The last value becomes its n-th power, its square root, or its sine, quarters of a turn on. */
+int algsurf_i_parse_raise(algsurf_i_parser *p, size_t offset, size_t place, int n);
+int algsurf_i_parse_root(algsurf_i_parser *p, size_t offset);
+int algsurf_i_parse_sine(algsurf_i_parser *p, size_t offset, int quarters);
 
 /* refuse.c: why an equation is refused at a place: what people try there, and what to write instead.  Each
  * function sets the parser's status and error, and returns 0. */

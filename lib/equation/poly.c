@@ -221,12 +221,8 @@ algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, a
     while (status == ALGSURF_OK && sum->parts > 1) status = fold(sum);
     if (status == ALGSURF_OK && sum->parts == 0) status = reserve(&sum->part[sum->parts++], 0);
     if (status == ALGSURF_OK) *out = sum->part[--sum->parts];
-    algsurf_i_sum_free(sum);
-    return status;
-}
-
-void algsurf_i_sum_free(algsurf_i_sum *sum) {
     while (sum->parts > 0) algsurf_i_tripoly_free(&sum->part[--sum->parts]);
+    return status;
 }
 
 /* The sum of `count` rows, by increasing keys; at each key by the order of the rows, or against it. */

@@ -84,7 +84,6 @@ typedef struct algsurf_i_sum {
 algsurf_status algsurf_i_sum_add(algsurf_i_sum *sum, algsurf_i_tripoly p);
 /* Moves the total to *out unless there was a failure already; the sum is empty then in any case. */
 algsurf_status algsurf_i_sum_finish(algsurf_i_sum *sum, algsurf_status status, algsurf_i_tripoly *out);
-void algsurf_i_sum_free(algsurf_i_sum *sum);
 
 /* ---- values: value.c.  Polynomials that know how they were made.
  *
@@ -99,8 +98,7 @@ typedef struct algsurf_i_value {
 void algsurf_i_value_free(algsurf_i_value *v);
 void algsurf_i_value_negate(algsurf_i_value *v);
 
-/* Functions below that return a status fail as those of poly.h do; then the values that they change are
- * freed. */
+/* Functions below fail as those above do; what they change is to be freed then, too. */
 
 /* *left *= right, which is taken over.  Cost: at most the steps by which right was made of constants and
  * variables, exponents counted as repetitions, times the terms of the results. */

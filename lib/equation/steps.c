@@ -16,16 +16,18 @@ int algsurf_i_parse_computed(parser *p, algsurf_status status, size_t offset) {
                                 status == ALGSURF_E_RANGE ? "a constant leaves the range of numbers" : NULL);
 }
 
-int algsurf_i_parse_monomial(parser *p, algsurf_i_monomial m, size_t offset, value *out) {
-    out->way = NULL;
-    return algsurf_i_parse_computed(p, algsurf_i_tripoly_make(m, &out->p), offset);
+int algsurf_i_parse_monomial(parser *p, algsurf_i_monomial m, size_t offset) {
+    value v = {{NULL, 0}, NULL};
+    algsurf_status status = algsurf_i_tripoly_make(m, &v.p);
+    p->value[p->values++] = v;
+    return algsurf_i_parse_computed(p, status, offset);
 }
 
-int algsurf_i_parse_double(parser *p, double v, int key, value *out) {
-    return algsurf_i_parse_monomial(p, algsurf_i_monomial_make(algsurf_dd_from(v), 0, 0, key), p->at, out);
+int algsurf_i_parse_double(parser *p, double v, int key) {
+    return algsurf_i_parse_monomial(p, algsurf_i_monomial_make(algsurf_dd_from(v), 0, 0, key), p->at);
 }
 
-int algsurf_i_parse_number(parser *p, value *out) {
+int algsurf_i_parse_number(parser *p) {
     size_t length, at = p->at;
     algsurf_i_number n;
     algsurf_i_reading reading = algsurf_i_read_number(p->text + at, &length, &n);
@@ -34,44 +36,44 @@ int algsurf_i_parse_number(parser *p, value *out) {
         double err = n.v.lo == 0 ? 0.0 : ALGSURF_DD_U * n.v.hi;
         algsurf_i_monomial m = algsurf_i_monomial_make(n.v, err, n.exponent, 0);
         p->at += length;
-        if (isfinite(algsurf_i_monomial_round(&m))) return algsurf_i_parse_monomial(p, m, at, out);
+        if (isfinite(algsurf_i_monomial_round(&m))) return algsurf_i_parse_monomial(p, m, at);
     }
     return algsurf_i_parse_fail(p, ALGSURF_E_RANGE, at, "the number is too large for a double");
 }
 
-int algsurf_i_parse_subtract(parser *p, size_t offset, value *left, value *right) {
+int algsurf_i_parse_subtract(parser *p, size_t offset) {
     algsurf_i_value_sum difference = {.way = NULL};
+    value *right = algsurf_i_parse_top(p), *left = right - 1;
     algsurf_i_value_negate(right);
     algsurf_status status = algsurf_i_value_sum_add(&difference, left);
-    if (status == ALGSURF_OK) {
-        status = algsurf_i_value_sum_add(&difference, right);
-    } else {
-        algsurf_i_value_free(right);
-    }
+    if (status == ALGSURF_OK) status = algsurf_i_value_sum_add(&difference, right);
+    if (status == ALGSURF_OK) p->values--;
     return algsurf_i_parse_computed(p, algsurf_i_value_sum_finish(&difference, status, left), offset);
 }
 
-int algsurf_i_parse_multiply(parser *p, size_t offset, value *left, value *right) {
-    if (algsurf_i_tripoly_degree(&left->p) + algsurf_i_tripoly_degree(&right->p) <= ALGSURF_MAX_DEGREE)
-        return algsurf_i_parse_computed(p, algsurf_i_value_multiply(left, right), offset);
-    algsurf_i_value_free(left);
-    algsurf_i_value_free(right);
-    return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this product is above 64");
+int algsurf_i_parse_multiply(parser *p, size_t offset) {
+    value *right = algsurf_i_parse_top(p), *left = right - 1;
+    if (algsurf_i_tripoly_degree(&left->p) + algsurf_i_tripoly_degree(&right->p) > ALGSURF_MAX_DEGREE)
+        return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this product is above 64");
+    p->values--;
+    return algsurf_i_parse_computed(p, algsurf_i_value_multiply(left, right), offset);
 }
 
-/* Is the value a constant?  *m becomes it, and the value is freed. */
-static int take_constant(value *v, algsurf_i_monomial *m) {
+/* Is the last value a constant?  *m becomes it, and it leaves the stack. */
+static int take_constant(parser *p, algsurf_i_monomial *m) {
+    value *v = algsurf_i_parse_top(p);
     int constant = algsurf_i_tripoly_is_constant(&v->p);
     *m = constant && v->p.count ? v->p.m[0] : (algsurf_i_monomial){{0.0, 0.0}, 0.0, 0, 0};
     algsurf_i_value_free(v);
+    p->values--;
     return constant;
 }
 
-int algsurf_i_parse_divide(parser *p, size_t offset, size_t divisor, value *left, value *right) {
+int algsurf_i_parse_divide(parser *p, size_t offset, size_t divisor) {
     algsurf_i_monomial m;
-    int constant = take_constant(right, &m);
-    if (constant && m.v.hi != 0) return algsurf_i_parse_computed(p, algsurf_i_value_divide(left, &m), offset);
-    algsurf_i_value_free(left);
+    int constant = take_constant(p, &m);
+    if (constant && m.v.hi != 0)
+        return algsurf_i_parse_computed(p, algsurf_i_value_divide(algsurf_i_parse_top(p), &m), offset);
     return algsurf_i_parse_refuse(
         p, divisor,
         constant ? "division by zero" : "not a polynomial: division by x, y or z; multiply both sides by it");
@@ -90,33 +92,27 @@ static int is_whole(const algsurf_i_monomial *m, int *n) {
     return rest <= m->err * shift;
 }
 
-int algsurf_i_parse_raise(parser *p, size_t offset, size_t place, value *base, int n) {
-    value one;
-    int constant = algsurf_i_tripoly_is_constant(&base->p), ok = 0;
-    if (n > 0 && algsurf_i_tripoly_degree(&base->p) * n > ALGSURF_MAX_DEGREE) {
-        (void)algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this power is above 64");
-    } else if (abs(n) > EXPONENT_LIMIT) {
-        (void)algsurf_i_parse_refuse(p, place, "expected an exponent up to 64");
-    } else if (n < 0 && !constant) {
-        (void)algsurf_i_parse_refuse(p, place, "not a polynomial: x, y or z to a negative power");
-    } else {
-        ok = algsurf_i_parse_computed(p, algsurf_i_value_raise(base, abs(n)), offset);
-    }
-    if (ok && n >= 0) return 1;
-    if (ok && algsurf_i_parse_double(p, 1, 0, &one)) {
-        ok = algsurf_i_parse_divide(p, offset, offset, &one, base);
-        *base = one;
-        return ok;
-    }
-    algsurf_i_value_free(base);
-    return 0;
+int algsurf_i_parse_raise(parser *p, size_t offset, size_t place, int n) {
+    value *base = algsurf_i_parse_top(p);
+    if (n > 0 && algsurf_i_tripoly_degree(&base->p) * n > ALGSURF_MAX_DEGREE)
+        return algsurf_i_parse_fail(p, ALGSURF_E_DEGREE, offset, "the degree of this power is above 64");
+    if (abs(n) > EXPONENT_LIMIT) return algsurf_i_parse_refuse(p, place, "expected an exponent up to 64");
+    if (n < 0 && !algsurf_i_tripoly_is_constant(&base->p))
+        return algsurf_i_parse_refuse(p, place, "not a polynomial: x, y or z to a negative power");
+    if (!algsurf_i_parse_computed(p, algsurf_i_value_raise(base, abs(n)), offset)) return 0;
+    if (n >= 0) return 1;
+    base[1] = base[0]; /* one over it */
+    p->values--;
+    int ok = algsurf_i_parse_double(p, 1, 0);
+    p->values++;
+    return ok && algsurf_i_parse_divide(p, offset, offset);
 }
 
-int algsurf_i_parse_power(parser *p, size_t offset, size_t place, value *base, value *exponent) {
+int algsurf_i_parse_power(parser *p, size_t offset, size_t place) {
     algsurf_i_monomial m;
-    int n, constant = take_constant(exponent, &m), roots = algsurf_i_tripoly_is_constant(&base->p);
-    if (constant && is_whole(&m, &n)) return algsurf_i_parse_raise(p, offset, place, base, n);
-    algsurf_i_value_free(base);
+    int n, constant = take_constant(p, &m);
+    if (constant && is_whole(&m, &n)) return algsurf_i_parse_raise(p, offset, place, n);
+    int roots = algsurf_i_tripoly_is_constant(&algsurf_i_parse_top(p)->p);
     return algsurf_i_parse_refuse(
         p, place,
         !constant ? "not a polynomial: x, y or z in an exponent"
@@ -124,18 +120,18 @@ int algsurf_i_parse_power(parser *p, size_t offset, size_t place, value *base, v
                   : "not a polynomial: expected a whole number from 0 to 64 as exponent");
 }
 
-int algsurf_i_parse_root(parser *p, size_t offset, value *v) {
+int algsurf_i_parse_root(parser *p, size_t offset) {
     algsurf_i_monomial m;
-    if (!take_constant(v, &m))
+    if (!take_constant(p, &m))
         return algsurf_i_parse_refuse(p, offset, "not a polynomial: a root of x, y or z; square both sides");
     if (m.v.hi < 0) return algsurf_i_parse_refuse(p, offset, "the root of a negative number");
-    return algsurf_i_parse_monomial(p, algsurf_i_monomial_sqrt(m), offset, v);
+    return algsurf_i_parse_monomial(p, algsurf_i_monomial_sqrt(m), offset);
 }
 
-int algsurf_i_parse_sine(parser *p, size_t offset, int quarters, value *v) {
+int algsurf_i_parse_sine(parser *p, size_t offset, int quarters) {
     algsurf_i_monomial m;
-    if (!take_constant(v, &m)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
+    if (!take_constant(p, &m)) return algsurf_i_parse_refuse(p, offset, ALGSURF_I_NOT_POLYNOMIAL);
     if (m.e > 0 || (m.e == 0 && fabs(m.v.hi) > ALGSURF_I_SINE_LIMIT))
         return algsurf_i_parse_refuse(p, offset, "sin and cos take at most 100 radians");
-    return algsurf_i_parse_monomial(p, algsurf_i_monomial_sine(&m, quarters), offset, v);
+    return algsurf_i_parse_monomial(p, algsurf_i_monomial_sine(&m, quarters), offset);
 }

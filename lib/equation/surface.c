@@ -58,19 +58,13 @@ static algsurf_status check_constants(const algsurf_constant *constants, size_t 
     return ALGSURF_OK;
 }
 
-static algsurf_status parse(algsurf_i_parser *p, algsurf_surface **surface) {
-    algsurf_i_value value;
-    if (!algsurf_i_parse_equation(p, &value)) return p->status;
-    algsurf_status status = to_surface(&value.p, p->at, surface, &p->error);
-    algsurf_i_value_free(&value);
-    return status;
-}
-
 static ALGSURF_NOINLINE algsurf_status make(algsurf_i_parser *p, const algsurf_constant *constants,
                                             size_t count, algsurf_surface **surface) {
     algsurf_status status = check_constants(constants, count);
     if (status == ALGSURF_OK) status = algsurf_i_names_make(&p->names, constants, count);
-    if (status == ALGSURF_OK) status = parse(p, surface);
+    if (status == ALGSURF_OK && !algsurf_i_parse_equation(p)) status = p->status;
+    if (status == ALGSURF_OK) status = to_surface(&p->value[0].p, p->at, surface, &p->error);
+    while (p->values > 0) algsurf_i_value_free(&p->value[--p->values]);
     algsurf_i_names_free(&p->names);
     return status;
 }

@@ -142,7 +142,6 @@ algsurf_status algsurf_i_value_multiply(value *left, value *right) {
     algsurf_i_value_free(left);
     algsurf_i_value_free(right);
     *left = product;
-    if (status != ALGSURF_OK) algsurf_i_value_free(left);
     return status;
 }
 
@@ -152,7 +151,6 @@ algsurf_status algsurf_i_value_divide(value *v, const algsurf_i_monomial *b) {
     algsurf_status status = algsurf_i_tripoly_divide(&v->p, b);
     if (status == ALGSURF_OK && v->way) status = algsurf_i_tripoly_divide(&inverse, b);
     if (status == ALGSURF_OK && v->way) algsurf_i_monomial_multiply(&v->way->scale, &scale);
-    if (status != ALGSURF_OK) algsurf_i_value_free(v);
     return status;
 }
 
@@ -168,7 +166,6 @@ algsurf_status algsurf_i_value_raise(value *v, int n) {
     weigh(&power);
     algsurf_i_value_free(v);
     *v = power;
-    if (status != ALGSURF_OK) algsurf_i_value_free(v);
     return status;
 }
 
@@ -194,6 +191,5 @@ algsurf_status algsurf_i_value_sum_finish(algsurf_i_value_sum *sum, algsurf_stat
     algsurf_i_tripoly_free(&made);
     sum->way = NULL;
     *out = total;
-    if (status != ALGSURF_OK) algsurf_i_value_free(out);
     return status;
 }
