@@ -84,22 +84,6 @@ void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, 
 
 /* ---- doubles ---- */
 
-algsurf_limb algsurf_z_odd_part(double x, int *e) {
-    uint64_t image;
-    memcpy(&image, &x, sizeof image);
-    int exponent = (int)(image >> 52 & 0x7ff);
-    algsurf_limb m = image & (((algsurf_limb)1 << 52) - 1);
-    *e = 0;
-    if (exponent)
-        m |= (algsurf_limb)1 << 52;
-    else
-        exponent = 1; /* subnormal */
-    if (m == 0) return 0;
-    int zeros = algsurf_limb_trailing(m);
-    *e = exponent - 1075 + zeros;
-    return m >> zeros;
-}
-
 void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift) {
     static const algsurf_limb one = 1;
     int e;

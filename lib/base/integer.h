@@ -160,7 +160,17 @@ void algsurf_z_add_times(algsurf_limb *r, int w, const algsurf_limb *a, int wa, 
                          int negate);
 
 /* |x| = m 2^e with m odd, for a finite x; m = 0 and e = 0 for 0. */
-algsurf_limb algsurf_z_odd_part(double x, int *e);
+static inline algsurf_limb algsurf_z_odd_part(double x, int *e) {
+    uint64_t image;
+    memcpy(&image, &x, sizeof image);
+    int exponent = (int)(image >> 52 & 0x7ff);
+    algsurf_limb m = (image & (((algsurf_limb)1 << 52) - 1)) | (algsurf_limb)(exponent > 0) << 52;
+    *e = 0;
+    if (m == 0) return 0;
+    int zeros = algsurf_limb_trailing(m);
+    *e = exponent + !exponent - 1075 + zeros;
+    return m >> zeros;
+}
 /* r += x 2^shift, which is an integer. */
 void algsurf_z_add_double(algsurf_limb *r, int w, double x, int shift);
 /* a = d 2^e up to a relative error of 2^-52, 1/2 <= |d| <= 1; d = 0 and e = 0 for 0. */

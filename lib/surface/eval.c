@@ -27,6 +27,7 @@
 #include "../base/eft.h"
 #include "../base/fpenv.h"
 #include "../base/vec.h"
+#include "../poly/value.h"
 #include "impl.h"
 
 #define ETA 0x1p-960
@@ -38,91 +39,101 @@ typedef struct jet {
     double v, x, y, z;
 } jet;
 
-static double value_only(const algsurf_surface *s, double x, double y, double z) {
-    double v = 0.0;
-    for (int k = s->level_count - 1; k >= 0; k--) {
-        const algsurf_row *row = s->rows + s->levels[k].first;
-        double level = 0.0;
-        for (int j = s->levels[k].count - 1; j >= 0; j--) {
-            const double *c = s->coef + row[j].first;
-            double r = 0.0;
-            for (int i = row[j].length - 1; i >= 0; i--) r = r * x + c[i];
-            level = level * y + r;
-        }
-        v = v * z + level;
-    }
-    return v;
+/* A step; on magnitudes a product with 0 is exact and needs no eta. */
+static double step(double m, double t, double next, int sizes) {
+    if (!sizes) return m * t + next;
+    return m > 0 ? m * t + (next + ETA) : next;
 }
 
-static jet value_and_gradient(const algsurf_surface *s, double x, double y, double z) {
+/* The scheme, with derivatives or without, on magnitudes for `sizes`: then the coordinates are >= 0. */
+static inline __attribute__((always_inline)) jet scheme(const algsurf_surface *s, double x, double y,
+                                                        double z, int gradient, int sizes) {
     jet p = {0.0, 0.0, 0.0, 0.0};
     for (int k = s->level_count - 1; k >= 0; k--) {
         const algsurf_row *row = s->rows + s->levels[k].first;
-        double level = 0.0, level_x = 0.0, level_y = 0.0;
+        jet level = {0.0, 0.0, 0.0, 0.0};
         for (int j = s->levels[k].count - 1; j >= 0; j--) {
             const double *c = s->coef + row[j].first;
             double r = 0.0, r_x = 0.0;
             for (int i = row[j].length - 1; i >= 0; i--) {
-                r_x = r_x * x + r;
-                r = r * x + c[i];
+                if (gradient) r_x = r_x * x + r; /* r holds an eta for this place, unless that is exact */
+                r = r * x + (sizes ? fabs(c[i]) + ETA : c[i]);
             }
-            level_x = level_x * y + r_x;
-            level_y = level_y * y + level;
-            level = level * y + r;
+            if (gradient) level.x = step(level.x, y, r_x, sizes), level.y = step(level.y, y, level.v, sizes);
+            level.v = step(level.v, y, r, sizes);
         }
-        p.x = p.x * z + level_x;
-        p.y = p.y * z + level_y;
-        p.z = p.z * z + p.v;
-        p.v = p.v * z + level;
+        if (gradient) {
+            p.x = step(p.x, z, level.x, sizes);
+            p.y = step(p.y, z, level.y, sizes);
+            p.z = step(p.z, z, p.v, sizes);
+        }
+        p.v = step(p.v, z, level.v, sizes);
     }
     return p;
 }
 
-/* A Horner step on magnitudes; a product with 0 is exact and needs no eta. */
-static double step(double m, double t, double next) { return m > 0 ? m * t + (next + ETA) : next; }
-
-/* The same on magnitudes; x, y, z >= 0. */
-static jet magnitudes(const algsurf_surface *s, double x, double y, double z) {
-    jet p = {0.0, 0.0, 0.0, 0.0};
-    for (int k = s->level_count - 1; k >= 0; k--) {
-        const algsurf_row *row = s->rows + s->levels[k].first;
-        double level = 0.0, level_x = 0.0, level_y = 0.0;
-        for (int j = s->levels[k].count - 1; j >= 0; j--) {
-            const double *c = s->coef + row[j].first;
-            double r = 0.0, r_x = 0.0;
-            for (int i = row[j].length - 1; i >= 0; i--) {
-                r_x = r_x * x + r; /* r holds an eta for this place, unless the product is exact */
-                r = r * x + (fabs(c[i]) + ETA);
-            }
-            level_x = step(level_x, y, r_x);
-            level_y = step(level_y, y, level);
-            level = step(level, y, r);
-        }
-        p.x = step(p.x, z, level_x);
-        p.y = step(p.y, z, level_y);
-        p.z = step(p.z, z, p.v);
-        p.v = step(p.v, z, level);
-    }
-    return p;
+static double value_only(const algsurf_surface *s, const double x[3]) {
+    return scheme(s, x[0], x[1], x[2], 0, 0).v;
 }
 
-double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]) {
-    return magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2])).v;
+static jet value_and_gradient(const algsurf_surface *s, const double x[3]) {
+    return scheme(s, x[0], x[1], x[2], 1, 0);
 }
+
+static jet magnitudes(const algsurf_surface *s, const double x[3]) {
+    return scheme(s, fabs(x[0]), fabs(x[1]), fabs(x[2]), 1, 1);
+}
+
+double algsurf_i_surface_magnitude(const algsurf_surface *s, const double x[3]) { return magnitudes(s, x).v; }
 
 double algsurf_i_surface_value(const algsurf_surface *s, const double x[3], double gradient[3]) {
-    if (!gradient) return value_only(s, x[0], x[1], x[2]);
-    jet p = value_and_gradient(s, x[0], x[1], x[2]);
+    if (!gradient) return value_only(s, x);
+    jet p = value_and_gradient(s, x);
     gradient[0] = p.x;
     gradient[1] = p.y;
     gradient[2] = p.z;
     return p.v;
 }
 
-/* A number with an error bound. */
-typedef struct bounded {
-    double value, bound;
-} bounded;
+/* ---- the gradient at a complex point ---- */
+
+typedef algsurf_i_complex complex_t;
+
+static complex_t times_plus(complex_t a, complex_t x, complex_t b) {
+    return (complex_t){a.re * x.re - a.im * x.im + b.re, a.re * x.im + a.im * x.re + b.im};
+}
+
+void algsurf_i_surface_gradient_complex(const algsurf_surface *s, const complex_t x[3],
+                                        complex_t gradient[3]) {
+    const complex_t zero = {0, 0};
+    complex_t v = zero, vx = zero, vy = zero, vz = zero;
+    for (int k = s->level_count - 1; k >= 0; k--) {
+        const algsurf_row *row = s->rows + s->levels[k].first;
+        complex_t level = zero, level_x = zero, level_y = zero;
+        for (int j = s->levels[k].count - 1; j >= 0; j--) {
+            const double *c = s->coef + row[j].first;
+            complex_t r = zero, r_x = zero;
+            for (int i = row[j].length - 1; i >= 0; i--) {
+                r_x = times_plus(r_x, x[0], r);
+                r = times_plus(r, x[0], (complex_t){c[i], 0});
+            }
+            level_x = times_plus(level_x, x[1], r_x);
+            level_y = times_plus(level_y, x[1], level);
+            level = times_plus(level, x[1], r);
+        }
+        vx = times_plus(vx, x[2], level_x);
+        vy = times_plus(vy, x[2], level_y);
+        vz = times_plus(vz, x[2], v);
+        v = times_plus(v, x[2], level);
+    }
+    gradient[0] = vx;
+    gradient[1] = vy;
+    gradient[2] = vz;
+}
+
+/* ---- bounds, in the caller's units ---- */
+
+typedef algsurf_i_bounded bounded;
 
 /* mantissa 2^exponent of one term, or of its derivative by coordinate `by` (-1: the term itself), at
  * the point m 2^e.  Mantissas are in [2^-65, 64] or 0: at most 64 factors in [1/2, 1). */
@@ -177,14 +188,14 @@ static int to_natural(const algsurf_surface *s, const double point[3], double x[
  * more than the degree's power of the largest coordinate. */
 static int in_range(const algsurf_surface *s, const double x[3], double magnitude) {
     int e;
-    (void)frexp(fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))), &e);
+    (void)frexp(algsurf_max_abs(x), &e);
     return magnitude >= ldexp(ETA, 80 + (e > 0 ? e * s->degree : 0)) && magnitude < HUGE_VAL;
 }
 
 int algsurf_i_surface_clear_gradient(const algsurf_surface *s, const double point[3], double gradient[3]) {
     double x[3];
     if (!to_natural(s, point, x)) return 0;
-    jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+    jet m = magnitudes(s, x);
     if (!in_range(s, x, m.x + m.y + m.z)) return 0;
     (void)algsurf_i_surface_value(s, x, gradient);
     double bound = (bound_factor(s) - s->error) * fmax(m.x, fmax(m.y, m.z));
@@ -200,9 +211,9 @@ static int is_finite(bounded b) { return isfinite(b.value) && isfinite(b.bound);
 static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double point[3]) {
     double x[3];
     if (to_natural(s, point, x)) {
-        jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+        jet m = magnitudes(s, x);
         if (in_range(s, x, m.v)) {
-            return to_caller(value_only(s, x[0], x[1], x[2]), bound_factor(s) * m.v, -s->scale);
+            return to_caller(value_only(s, x), bound_factor(s) * m.v, -s->scale);
         }
     }
     return wide_sum(s, point, -1);
@@ -212,9 +223,9 @@ static ALGSURF_NOINLINE bounded value_at(const algsurf_surface *s, const double 
 static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double point[3], bounded of[4]) {
     double x[3];
     if (to_natural(s, point, x)) {
-        jet m = magnitudes(s, fabs(x[0]), fabs(x[1]), fabs(x[2]));
+        jet m = magnitudes(s, x);
         if (in_range(s, x, m.v) && in_range(s, x, m.x + m.y + m.z)) {
-            jet p = value_and_gradient(s, x[0], x[1], x[2]);
+            jet p = value_and_gradient(s, x);
             double factor = bound_factor(s);
             of[0] = to_caller(p.v, factor * m.v, -s->scale);
             of[1] = to_caller(p.x, factor * m.x, -s->scale - s->unit);
@@ -226,13 +237,9 @@ static ALGSURF_NOINLINE void gradient_at(const algsurf_surface *s, const double 
     for (int by = -1; by < 3; by++) of[by + 1] = wide_sum(s, point, by);
 }
 
-static int is_finite_point(const double *point) {
-    return isfinite(point[0]) && isfinite(point[1]) && isfinite(point[2]);
-}
-
 static ALGSURF_NOINLINE algsurf_status give_value(const algsurf_surface *surface, const double *point,
                                                   double *value, double *bound) {
-    if (!is_finite_point(point)) return ALGSURF_E_NOT_FINITE;
+    if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
     bounded p = value_at(surface, point);
     if (!is_finite(p)) return ALGSURF_E_RANGE;
     *value = p.value;
@@ -252,7 +259,7 @@ static ALGSURF_NOINLINE algsurf_status give_gradient(const algsurf_surface *surf
                                                      double *value, double *gradient, double *value_bound,
                                                      double *gradient_bound) {
     bounded of[4];
-    if (!is_finite_point(point)) return ALGSURF_E_NOT_FINITE;
+    if (!algsurf_is_finite3(point)) return ALGSURF_E_NOT_FINITE;
     gradient_at(surface, point, of);
     for (int i = 0; i < 4; i++) {
         if (!is_finite(of[i])) return ALGSURF_E_RANGE;

@@ -13,16 +13,10 @@
 #include "../base/arithmetic.h"
 #include "exact_axis.h"
 
-#if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
-
 /* x 2^-unit, an integer. */
 static algsurf_i_exact_factor factor_of(double x, int unit) {
     int e;
-    algsurf_limb odd = algsurf_i_exact_odd_part(x, &e);
+    algsurf_limb odd = algsurf_z_odd_part(x, &e);
     algsurf_i_exact_factor f = {0, 0, x < 0 ? ~(algsurf_limb)0 : 0, 0};
     if (odd == 0) return f;
     int shift = (e - unit) % 64;
@@ -92,7 +86,7 @@ static void add_integer(algsurf_limb *r, int width, const algsurf_limb *a, int w
 
 void algsurf_i_exact_sum_add_double(algsurf_i_exact_sum *p, double x, int shift) {
     int e;
-    algsurf_limb odd = algsurf_i_exact_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
+    algsurf_limb odd = algsurf_z_odd_part(x, &e), sign = x < 0 ? ~(algsurf_limb)0 : 0;
     e += shift;
     int bits = e + algsurf_limb_bits(odd), first = e / 64, rest = e % 64;
     algsurf_i_exact_sum_expect(p, 0, bits, 1);
@@ -117,8 +111,8 @@ void algsurf_i_exact_sum_add(algsurf_i_exact_sum *p, algsurf_i_exact_sum *q) {
 }
 
 /* r = a f, of w limbs and one more if `grows`; r may be a. */
-INLINE void product(algsurf_limb *r, const algsurf_limb *a, const algsurf_i_exact_factor *f, int w,
-                    int grows) {
+static inline __attribute__((always_inline)) void product(algsurf_limb *r, const algsurf_limb *a,
+                                                          const algsurf_i_exact_factor *f, int w, int grows) {
     algsurf_limb factor = f->low, sign = f->sign, carry = factor & sign;
     algsurf_limb above = (a[w - 1] ^ sign) >> 63 ? factor : 0;
     for (int i = 0; i < w; i++) r[i] = algsurf_limb_product(a[i] ^ sign, factor, carry, 0, &carry);
@@ -126,8 +120,10 @@ INLINE void product(algsurf_limb *r, const algsurf_limb *a, const algsurf_i_exac
 }
 
 /* r = a f[0] + b f[1] likewise; r may be a. */
-INLINE void two_products(algsurf_limb *r, const algsurf_limb *a, const algsurf_limb *b,
-                         const algsurf_i_exact_factor f[2], int w, int grows) {
+static inline __attribute__((always_inline)) void two_products(algsurf_limb *r, const algsurf_limb *a,
+                                                               const algsurf_limb *b,
+                                                               const algsurf_i_exact_factor f[2], int w,
+                                                               int grows) {
     algsurf_limb f0 = f[0].low, f1 = f[1].low, s0 = f[0].sign, s1 = f[1].sign, c0 = f0 & s0, c1 = f1 & s1;
     algsurf_limb above = ((a[w - 1] ^ s0) >> 63 ? f0 : 0) + ((b[w - 1] ^ s1) >> 63 ? f1 : 0);
     for (int i = 0; i < w; i++) {
@@ -137,12 +133,9 @@ INLINE void two_products(algsurf_limb *r, const algsurf_limb *a, const algsurf_l
     if (grows) r[w] = c0 + c1 - above;
 }
 
-typedef void step(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
-                  int grows);
-
 /* c times f[0] + f[1] u, not both of them 0. */
-INLINE void any_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
-                      int grows) {
+static inline __attribute__((always_inline)) void
+any_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w, int grows) {
     algsurf_limb *first = c;
     if (is_zero(&f[1])) {
         for (int k = 0; k <= degree; k++, c += stride) product(c, c, &f[0], w, grows);
@@ -159,29 +152,19 @@ INLINE void any_terms(algsurf_limb *c, size_t stride, int degree, const algsurf_
     product(c, c, &f[0], w, grows);
 }
 
-static void step_any(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
-                     int grows) {
-    any_terms(c, stride, degree, f, w, grows);
+/* The same; each of the least widths, known to the compiler, has its own loops. */
+static void times_limbs(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2], int w,
+                        int grows) {
+    w == 1   ? any_terms(c, stride, degree, f, 1, grows)
+    : w == 2 ? any_terms(c, stride, degree, f, 2, grows)
+    : w == 3 ? any_terms(c, stride, degree, f, 3, grows)
+    : w == 4 ? any_terms(c, stride, degree, f, 4, grows)
+    : w == 5 ? any_terms(c, stride, degree, f, 5, grows)
+    : w == 6 ? any_terms(c, stride, degree, f, 6, grows)
+    : w == 7 ? any_terms(c, stride, degree, f, 7, grows)
+    : w == 8 ? any_terms(c, stride, degree, f, 8, grows)
+             : any_terms(c, stride, degree, f, w, grows);
 }
-
-/* The same for one constant width; ends with a declaration, so that a semicolon may follow. */
-#define STEP(W)                                                                                              \
-    static void step_##W(algsurf_limb *c, size_t stride, int degree, const algsurf_i_exact_factor f[2],      \
-                         int w, int grows) {                                                                 \
-        (void)w;                                                                                             \
-        any_terms(c, stride, degree, f, W, grows);                                                           \
-    }                                                                                                        \
-    static step step_##W
-STEP(1);
-STEP(2);
-STEP(3);
-STEP(4);
-STEP(5);
-STEP(6);
-STEP(7);
-STEP(8);
-static step *const steps[] = {step_any, step_1, step_2, step_3, step_4, step_5, step_6, step_7, step_8};
-#define STEPS ((int)(sizeof steps / sizeof *steps))
 
 /* r += a f */
 static void add_times(algsurf_limb *r, int width, const algsurf_limb *a, int w,
@@ -211,8 +194,7 @@ void algsurf_i_exact_sum_times(algsurf_i_exact_sum *p, const algsurf_i_exact_axi
     }
     int bits = p->bits + x->bits, width = algsurf_i_exact_sum_width(bits, p->count);
     if (x->one_limb) {
-        step *f = steps[p->width < STEPS ? p->width : 0];
-        f(p->c, p->stride, p->degree, x->f, p->width, width > p->width);
+        times_limbs(p->c, p->stride, p->degree, x->f, p->width, width > p->width);
     } else {
         times_any(p, x->f, width, spare);
     }

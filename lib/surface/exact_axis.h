@@ -8,10 +8,8 @@
 #ifndef ALGSURF_EXACT_AXIS_H
 #define ALGSURF_EXACT_AXIS_H
 #include <stddef.h>
-#include <string.h>
 
 #include "../base/integer.h"
-#include "../base/wide.h"
 
 /* (low + 2^64 high) 2^(64 at), negated when `sign` is all ones; sign is 0 otherwise. */
 typedef struct algsurf_i_exact_factor {
@@ -26,29 +24,13 @@ typedef struct algsurf_i_exact_axis {
     algsurf_i_exact_factor f[2];
 } algsurf_i_exact_axis;
 
-/* |x| = m 2^e with m odd, 0 and e = 0 for 0: algsurf_z_odd_part for the loops over terms. */
-static inline algsurf_limb algsurf_i_exact_odd_part(double x, int *e) {
-    uint64_t image;
-    memcpy(&image, &x, sizeof image);
-    int exponent = (int)(image >> 52 & 0x7ff);
-    algsurf_limb m = image & (((algsurf_limb)1 << 52) - 1);
-    if (exponent) m |= (algsurf_limb)1 << 52;
-    if (m == 0) {
-        *e = 0;
-        return 0;
-    }
-    int zeros = algsurf_limb_trailing(m);
-    *e = exponent + !exponent - 1075 + zeros;
-    return m >> zeros;
-}
-
 /* Where the bits of a double lie: x is an odd multiple of 2^low, and |x| < 2^top; 0: low = top = 0. */
 typedef struct algsurf_i_exact_span {
     int low, top;
 } algsurf_i_exact_span;
 static inline algsurf_i_exact_span algsurf_i_exact_span_of(double x) {
     int e;
-    algsurf_limb odd = algsurf_i_exact_odd_part(x, &e);
+    algsurf_limb odd = algsurf_z_odd_part(x, &e);
     return (algsurf_i_exact_span){e, e + algsurf_limb_bits(odd)};
 }
 

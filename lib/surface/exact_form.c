@@ -17,6 +17,7 @@
 #include "../base/arithmetic.h"
 #include "exact_form.h"
 
+#include "exact_axis.h"
 #include "impl.h"
 
 typedef struct scheme {
@@ -117,30 +118,17 @@ static int measure_result(const algsurf_i_exact_sum *sum, int shift, algsurf_zpo
     return low;
 }
 
-int algsurf_i_exact_form_begin(algsurf_memory *m, int degree, int bits, int shift,
-                               algsurf_i_exact_result *r) {
-    int width = algsurf_z_width(bits + degree * (shift < 0 ? -shift : shift));
-    r->before = algsurf_memory_here(m);
-    r->c = algsurf_memory_take(m, (size_t)(degree + 1) * (size_t)width);
-    r->work = algsurf_memory_here(m);
-    r->shift = shift;
-    return r->c != NULL;
-}
-
-int algsurf_i_exact_form_end(algsurf_memory *m, const algsurf_i_exact_result *r, algsurf_i_exact_sum *sum,
-                             algsurf_zpoly *p) {
-    int low = measure_result(sum, r->shift, p);
-    p->c = r->c;
+/* p(u) = 2^-low sum(v), v = 2^shift u, into the room that p has; the sum is changed.  Returns low, 0 if p is
+ * zero. */
+static int set_result(const algsurf_i_exact_sum *sum, int shift, algsurf_zpoly *p) {
+    int low = measure_result(sum, shift, p);
     for (int k = 0; k <= p->degree; k++) {
         algsurf_limb *a = sum->c + (size_t)k * sum->stride;
-        int up = k * r->shift - low;
+        int up = k * shift - low;
         if (up < 0) algsurf_z_shift_down(a, sum->width, -up);
         algsurf_z_copy(algsurf_zpoly_at(p, k), p->width, a, sum->width);
         if (up > 0) algsurf_z_shift_up(algsurf_zpoly_at(p, k), p->width, up);
     }
-    algsurf_memory_mark kept = r->work; /* behind the room of the result: behind what it needs of that */
-    kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width;
-    algsurf_memory_release(m, kept);
     return low;
 }
 
@@ -157,17 +145,20 @@ static int take_work(algsurf_memory *m, scheme *h, int degree, int bits) {
 int algsurf_i_exact_form(algsurf_memory *m, const algsurf_surface *s, const double origin[3],
                          const double direction[3], int e, algsurf_zpoly *p, int *scale) {
     scheme h = {.next = s->terms, .end = s->terms + s->term_count};
-    algsurf_i_exact_result result;
-    int own = choose_exponent(origin, direction, e);
+    int own = choose_exponent(origin, direction, e), n = s->degree;
     for (int i = 0; i < 3; i++) algsurf_i_exact_axis_make(&h.axis[i], origin[i], direction[i], own);
     int bits = measure(&h) + algsurf_limb_bits(s->term_count - 1);
-    if (!algsurf_i_exact_form_begin(m, s->degree, bits, e - own, &result)) return 0;
-    if (!take_work(m, &h, s->degree, bits)) {
-        algsurf_memory_release(m, result.before);
+    algsurf_memory_mark before = algsurf_memory_here(m);
+    if (!algsurf_zpoly_new(m, n, algsurf_z_width(bits + n * (e < own ? own - e : e - own)), p)) return 0;
+    algsurf_memory_mark kept = algsurf_memory_here(m);
+    if (!take_work(m, &h, n, bits)) {
+        algsurf_memory_release(m, before);
         return 0;
     }
     evaluate(&h, 2);
-    int low = algsurf_i_exact_form_end(m, &result, &h.sum[2], p);
+    int low = set_result(&h.sum[2], e - own, p);
+    kept.at = p->c + (size_t)(p->degree + 1) * (size_t)p->width; /* what the result needs of its room */
+    algsurf_memory_release(m, kept);
     if (scale) *scale = p->degree < 0 ? 0 : -(h.least + low);
     return 1;
 }

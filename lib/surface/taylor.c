@@ -24,15 +24,6 @@
 
 #define LOST_BY_UNDERFLOW 0x1p-500 /* far more than is lost by it */
 
-/* From exact integers. */
-void algsurf_i_inverse_binomials(int n, double *inverse) {
-    double choose = 1;
-    for (int k = 0; k <= n; k++) {
-        inverse[k] = 1 / choose;
-        choose = choose * (n - k) / (k + 1);
-    }
-}
-
 void algsurf_i_taylor_expand(const algsurf_surface *s, algsurf_i_taylor *taylor, void *memory) {
     algsurf_i_view *view = &taylor->frame.view;
     for (int i = 0; i < 3; i++)
@@ -42,5 +33,9 @@ void algsurf_i_taylor_expand(const algsurf_surface *s, algsurf_i_taylor *taylor,
     if (!taylor->usable) return;
     taylor->weight = 16 * (s->degree + 1) * ALGSURF_U;
     taylor->least_error = taylor->frame.error + LOST_BY_UNDERFLOW;
-    algsurf_i_inverse_binomials(s->degree, taylor->inverse);
+    double choose = 1; /* an exact integer */
+    for (int k = 0; k <= s->degree; k++) {
+        taylor->inverse[k] = 1 / choose;
+        choose = choose * (s->degree - k) / (k + 1);
+    }
 }

@@ -10,7 +10,7 @@
 #include "view.h"
 
 #define ALGSURF_MAX_TAYLOR_DEGREE 10 /* beyond it rays cost less by themselves */
-#define ALGSURF_I_TAYLOR_REACH 1.25 /* of points and of what is known of rays, in each coordinate */
+#define ALGSURF_I_TAYLOR_REACH 1.25  /* of points and of what is known of rays, in each coordinate */
 
 /* How many coefficients P has. */
 #define ALGSURF_I_SOLID(n) (((n) + 1) * ((n) + 2) * ((n) + 3) / 6)
@@ -25,8 +25,5 @@ typedef struct algsurf_i_taylor {
 /* For a frame that has a view's centre and size, and its arrays; `memory` as for algsurf_i_frame_expand.  Not
  * usable where values leave the range of double, and for a surface with an error. */
 void algsurf_i_taylor_expand(const algsurf_surface *s, algsurf_i_taylor *taylor, void *memory);
-
-/* 1 / (n over k), k <= n. */
-void algsurf_i_inverse_binomials(int n, double *inverse);
 
 #endif
