@@ -1,7 +1,7 @@
 /* interval.c - real intervals: the public operations.
  *
- * Products, quotients and squares; of all other operations what they compute stands in interval_impl.h.  Here
- * are also the checks, powers, and the environment.
+ * Products, quotients, squares and powers; of all other operations what they compute stands in
+ * interval_impl.h.
  */
 #include "../base/arithmetic.h"
 #include "../base/fpenv.h"
@@ -45,13 +45,6 @@ static algsurf_status make(double lo, double hi, algsurf_interval *result) {
     return ALGSURF_OK;
 }
 
-static algsurf_status divide(algsurf_interval a, algsurf_interval b, algsurf_interval *result) {
-    if (!result || !algsurf_i_interval_valid(a) || !algsurf_i_interval_valid(b)) return ALGSURF_E_ARGUMENT;
-    if (algsurf_i_interval_has_zero(b)) return ALGSURF_E_RANGE;
-    *result = algsurf_i_interval_div(a, b);
-    return ALGSURF_OK;
-}
-
 static algsurf_status square_root(algsurf_interval a, algsurf_interval *result) {
     if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
     if (a.lo < 0) return ALGSURF_E_RANGE;
@@ -59,16 +52,8 @@ static algsurf_status square_root(algsurf_interval a, algsurf_interval *result) 
     return ALGSURF_OK;
 }
 
-static algsurf_status intersect(algsurf_interval a, algsurf_interval b, algsurf_interval *result) {
-    if (!result || !algsurf_i_interval_valid(a) || !algsurf_i_interval_valid(b)) return ALGSURF_E_ARGUMENT;
-    algsurf_interval both = algsurf_i_interval_meet(a, b);
-    if (both.lo > both.hi) return ALGSURF_E_RANGE;
-    *result = both;
-    return ALGSURF_OK;
-}
-
 /* size^n, size >= 0 */
-static algsurf_interval power(algsurf_interval size, unsigned n) {
+static algsurf_interval power_of_size(algsurf_interval size, unsigned n) {
     algsurf_interval y = {1, 1};
     for (; n > 0; n >>= 1, size = algsurf_i_interval_sqr(size))
         if (n & 1) y = algsurf_i_interval_mul(y, size);
@@ -77,56 +62,31 @@ static algsurf_interval power(algsurf_interval size, unsigned n) {
 
 /* x^n at an end x, n odd */
 static algsurf_interval odd_power(double x, unsigned n) {
-    algsurf_interval y = power((algsurf_interval){fabs(x), fabs(x)}, n);
+    algsurf_interval y = power_of_size((algsurf_interval){fabs(x), fabs(x)}, n);
     return x < 0 ? algsurf_i_interval_neg(y) : y;
 }
 
 /* a^-n, 0 not in a.  The power of |a| is positive; rounded outward it may have become [0,..]. */
 static algsurf_interval reciprocal_power(algsurf_interval a, unsigned n) {
-    algsurf_interval p = power(algsurf_i_interval_abs(a), n);
+    algsurf_interval p = power_of_size(algsurf_i_interval_abs(a), n);
     algsurf_interval y = {algsurf_i_div_down(1, p.hi), p.lo > 0 ? algsurf_i_div_up(1, p.lo) : INFINITY};
     return a.hi < 0 && n % 2 == 1 ? algsurf_i_interval_neg(y) : y;
 }
 
-static algsurf_status raise_to(algsurf_interval a, int n, algsurf_interval *result) {
-    if (!result || !algsurf_i_interval_valid(a)) return ALGSURF_E_ARGUMENT;
-    if (n < 0 && algsurf_i_interval_has_zero(a)) return ALGSURF_E_RANGE;
+static algsurf_interval power(algsurf_interval a, int n) {
     unsigned size = n < 0 ? 0u - (unsigned)n : (unsigned)n;
-    if (n < 0)
-        *result = reciprocal_power(a, size);
-    else if (size % 2 == 0)
-        *result = power(algsurf_i_interval_abs(a), size);
-    else
-        *result = (algsurf_interval){odd_power(a.lo, size).lo, odd_power(a.hi, size).hi};
-    return ALGSURF_OK;
+    if (n < 0) return reciprocal_power(a, size);
+    if (size % 2 == 0) return power_of_size(algsurf_i_interval_abs(a), size);
+    return (algsurf_interval){odd_power(a.lo, size).lo, odd_power(a.hi, size).hi};
 }
 
-#define PUBLIC_1(type, name)                                                                                 \
-    ALGSURF_I_PUBLIC(type, interval_##name, algsurf_i_interval_##name, (algsurf_interval a), (a))
-#define PUBLIC_2(type, name)                                                                                 \
-    ALGSURF_I_PUBLIC(type, interval_##name, algsurf_i_interval_##name,                                       \
-                     (algsurf_interval a, algsurf_interval b), (a, b))
+#define RANGE algsurf_interval
+#define POINT double
+#define CALL(name) interval_##name
+#define OP(name) algsurf_i_interval_##name
+#include "interval_calls_template.h"
 
 ALGSURF_I_PUBLIC(algsurf_status, interval_make, make, (double lo, double hi, algsurf_interval *result),
                  (lo, hi, result))
-ALGSURF_I_PUBLIC(algsurf_interval, interval_point, algsurf_i_interval_point, (double x), (x))
-PUBLIC_1(algsurf_interval, neg)
-PUBLIC_2(algsurf_interval, add)
-PUBLIC_2(algsurf_interval, sub)
-PUBLIC_2(algsurf_interval, mul)
-ALGSURF_I_PUBLIC(algsurf_status, interval_div, divide,
-                 (algsurf_interval a, algsurf_interval b, algsurf_interval *result), (a, b, result))
-PUBLIC_1(algsurf_interval, sqr)
-ALGSURF_I_PUBLIC(algsurf_status, interval_pow, raise_to,
-                 (algsurf_interval a, int n, algsurf_interval *result), (a, n, result))
 ALGSURF_I_PUBLIC(algsurf_status, interval_sqrt, square_root, (algsurf_interval a, algsurf_interval *result),
                  (a, result))
-PUBLIC_1(algsurf_interval, abs)
-PUBLIC_2(algsurf_interval, hull)
-ALGSURF_I_PUBLIC(algsurf_status, interval_intersect, intersect,
-                 (algsurf_interval a, algsurf_interval b, algsurf_interval *result), (a, b, result))
-PUBLIC_1(double, width)
-PUBLIC_1(double, mid)
-ALGSURF_I_PUBLIC(int, interval_contains, algsurf_i_interval_contains, (algsurf_interval a, double x), (a, x))
-PUBLIC_2(int, inside)
-PUBLIC_2(int, interior)

@@ -100,23 +100,13 @@ algsurf_cinterval algsurf_i_cinterval_div(algsurf_cinterval a, algsurf_cinterval
     return scale(algsurf_i_cinterval_mul(scale(a, -i), inverse(scale(b, -j))), i - j);
 }
 
-static algsurf_status divide(algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result) {
-    if (!result || !algsurf_i_cinterval_valid(a) || !algsurf_i_cinterval_valid(b)) return ALGSURF_E_ARGUMENT;
-    if (algsurf_i_cinterval_has_zero(b)) return ALGSURF_E_RANGE;
-    *result = algsurf_i_cinterval_div(a, b);
-    return ALGSURF_OK;
-}
-
 /* For n < 0 the inverse comes first: a power of the rectangle might contain 0 although a does not. */
-static algsurf_status raise_to(algsurf_cinterval a, int n, algsurf_cinterval *result) {
-    if (!result || !algsurf_i_cinterval_valid(a)) return ALGSURF_E_ARGUMENT;
-    if (n < 0 && algsurf_i_cinterval_has_zero(a)) return ALGSURF_E_RANGE;
-    if (n < 0) a = inverse(a);
+static algsurf_cinterval power(algsurf_cinterval a, int n) {
     algsurf_cinterval y = {{1, 1}, {0, 0}};
+    if (n < 0) a = inverse(a);
     for (unsigned k = n < 0 ? 0u - (unsigned)n : (unsigned)n; k > 0; k >>= 1, a = algsurf_i_cinterval_sqr(a))
         if (k & 1) y = algsurf_i_cinterval_mul(y, a);
-    *result = y;
-    return ALGSURF_OK;
+    return y;
 }
 
 static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
@@ -126,54 +116,29 @@ static algsurf_status argument(algsurf_cinterval a, algsurf_interval *result) {
     return ALGSURF_OK;
 }
 
-static algsurf_status intersect(algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result) {
-    if (!result || !algsurf_i_cinterval_valid(a) || !algsurf_i_cinterval_valid(b)) return ALGSURF_E_ARGUMENT;
-    algsurf_cinterval both = algsurf_i_cinterval_meet(a, b);
-    if (both.re.lo > both.re.hi || both.im.lo > both.im.hi) return ALGSURF_E_RANGE;
-    *result = both;
-    return ALGSURF_OK;
-}
-
-static double width(algsurf_cinterval a) {
+static double algsurf_i_cinterval_width(algsurf_cinterval a) {
     double re = algsurf_i_interval_width(a.re), im = algsurf_i_interval_width(a.im);
     return re > im ? re : im;
 }
 
-static int contains(algsurf_cinterval a, algsurf_complex z) {
+static int algsurf_i_cinterval_contains(algsurf_cinterval a, algsurf_complex z) {
     return algsurf_i_interval_contains(a.re, z.re) && algsurf_i_interval_contains(a.im, z.im);
 }
 
-static int inside(algsurf_cinterval a, algsurf_cinterval b) {
+static int algsurf_i_cinterval_inside(algsurf_cinterval a, algsurf_cinterval b) {
     return algsurf_i_interval_inside(a.re, b.re) && algsurf_i_interval_inside(a.im, b.im);
 }
 
-static int interior(algsurf_cinterval a, algsurf_cinterval b) {
+static int algsurf_i_cinterval_interior(algsurf_cinterval a, algsurf_cinterval b) {
     return algsurf_i_interval_interior(a.re, b.re) && algsurf_i_interval_interior(a.im, b.im);
 }
 
-#define PUBLIC_1(type, name, work) ALGSURF_I_PUBLIC(type, cinterval_##name, work, (algsurf_cinterval a), (a))
-#define PUBLIC_2(type, name, work)                                                                           \
-    ALGSURF_I_PUBLIC(type, cinterval_##name, work, (algsurf_cinterval a, algsurf_cinterval b), (a, b))
+#define RANGE algsurf_cinterval
+#define POINT algsurf_complex
+#define CALL(name) cinterval_##name
+#define OP(name) algsurf_i_cinterval_##name
+#include "interval_calls_template.h"
 
-ALGSURF_I_PUBLIC(algsurf_cinterval, cinterval_point, algsurf_i_cinterval_point, (algsurf_complex z), (z))
-PUBLIC_1(algsurf_cinterval, neg, algsurf_i_cinterval_neg)
-PUBLIC_1(algsurf_cinterval, conj, algsurf_i_cinterval_conj)
-PUBLIC_2(algsurf_cinterval, add, algsurf_i_cinterval_add)
-PUBLIC_2(algsurf_cinterval, sub, algsurf_i_cinterval_sub)
-PUBLIC_2(algsurf_cinterval, mul, algsurf_i_cinterval_mul)
-ALGSURF_I_PUBLIC(algsurf_status, cinterval_div, divide,
-                 (algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result), (a, b, result))
-PUBLIC_1(algsurf_cinterval, sqr, algsurf_i_cinterval_sqr)
-ALGSURF_I_PUBLIC(algsurf_status, cinterval_pow, raise_to,
-                 (algsurf_cinterval a, int n, algsurf_cinterval *result), (a, n, result))
-PUBLIC_1(algsurf_interval, abs, algsurf_i_cinterval_abs)
+PUBLIC_1(algsurf_cinterval, conj)
 ALGSURF_I_PUBLIC(algsurf_status, cinterval_arg, argument, (algsurf_cinterval a, algsurf_interval *result),
                  (a, result))
-PUBLIC_2(algsurf_cinterval, hull, algsurf_i_cinterval_hull)
-ALGSURF_I_PUBLIC(algsurf_status, cinterval_intersect, intersect,
-                 (algsurf_cinterval a, algsurf_cinterval b, algsurf_cinterval *result), (a, b, result))
-PUBLIC_1(double, width, width)
-PUBLIC_1(algsurf_complex, mid, algsurf_i_cinterval_mid)
-ALGSURF_I_PUBLIC(int, cinterval_contains, contains, (algsurf_cinterval a, algsurf_complex z), (a, z))
-PUBLIC_2(int, inside, inside)
-PUBLIC_2(int, interior, interior)
