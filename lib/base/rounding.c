@@ -52,24 +52,15 @@ static const example examples[] = {
 };
 
 static algsurf_dd answer(const algsurf_i_operations *o, const example *e) {
-    switch (e->operation) {
-    case SUM:
-        return algsurf_dd_from(o->sum(e->a, e->b));
-    case PRODUCT:
-        return algsurf_dd_from(o->product(e->a, e->b));
-    case QUOTIENT:
-        return algsurf_dd_from(o->quotient(e->a, e->b));
-    case ROOT:
-        return algsurf_dd_from(o->root(e->a));
-    case PRODUCT_AND_SUM:
-        return algsurf_dd_from(o->product_and_sum(e->a, e->b, e->c));
-    case FUSED:
-        return algsurf_dd_from(o->fused ? o->fused(e->a, e->b, e->c) : e->hi);
-    case TWO_SUM:
-        return o->two_sum(e->a, e->b);
-    default:
-        return o->two_product(e->a, e->b);
-    }
+    if (e->operation == TWO_SUM) return o->two_sum(e->a, e->b);
+    if (e->operation == TWO_PRODUCT) return o->two_product(e->a, e->b);
+    return algsurf_dd_from(e->operation == SUM               ? o->sum(e->a, e->b)
+                           : e->operation == PRODUCT         ? o->product(e->a, e->b)
+                           : e->operation == QUOTIENT        ? o->quotient(e->a, e->b)
+                           : e->operation == ROOT            ? o->root(e->a)
+                           : e->operation == PRODUCT_AND_SUM ? o->product_and_sum(e->a, e->b, e->c)
+                           : o->fused                        ? o->fused(e->a, e->b, e->c)
+                                                             : e->hi);
 }
 
 /* Bits are compared: where numbers are, the compiler's mood has a say again. */

@@ -91,12 +91,9 @@ static int bits_of(const algsurf_limb *a, int length) {
     return length ? 64 * (length - 1) + algsurf_limb_bits(a[length - 1]) : 0;
 }
 
-/* The 62 bits of a below the bit `top`. */
-static int64_t leading(const algsurf_limb *a, int top) {
-    int at = (top - 62) >> 6, shift = (top - 62) & 63;
-    algsurf_limb x = a[at] >> shift;
-    if (shift) x |= a[at + 1] << (64 - shift);
-    return (int64_t)(x & (((algsurf_limb)1 << 62) - 1));
+/* The 62 bits of a remainder below the bit `top`. */
+static int64_t leading(const workshop *w, const row *x, int top) {
+    return (int64_t)(algsurf_z_window(x->r, w->limbs + 2, top - 62) & (((algsurf_limb)1 << 62) - 1));
 }
 
 /* Algorithm L on the leading bits: f = (a b; c d), a d - b c = +-1, such that (a b; c d) (old, now) are later
@@ -115,14 +112,12 @@ static int leading_steps(int64_t x, int64_t y, int cap, int64_t f[4]) {
     return b != 0;
 }
 
-static algsurf_limb size_of(int64_t x) { return (algsurf_limb)(x < 0 ? -x : x); }
-
 /* r += x f without signs but that of f; nothing is carried out of n limbs. */
 static void add_multiple(algsurf_limb *r, const algsurf_limb *x, int n, int64_t f) {
     if (f < 0)
-        (void)algsurf_z_sub_row(r, x, n, size_of(f));
+        (void)algsurf_z_sub_row(r, x, n, (algsurf_limb)-f);
     else
-        (void)algsurf_z_add_row(r, x, n, size_of(f));
+        (void)algsurf_z_add_row(r, x, n, (algsurf_limb)f);
 }
 
 /* (u, v) becomes (a u + b v, c u + d v), of n limbs each, none negative; room for both. */
@@ -134,11 +129,6 @@ static void combine(algsurf_limb *u, algsurf_limb *v, int n, const int64_t f[4],
     add_multiple(v, room, n, f[2]), add_multiple(v, room + n, n, f[3]);
 }
 
-static void swap_rows(workshop *w) {
-    row old = w->old;
-    w->old = w->now, w->now = old;
-}
-
 /* One exact step. */
 static void divide_step(workshop *w) {
     int length = w->old.length - w->now.length + 1;
@@ -147,7 +137,8 @@ static void divide_step(workshop *w) {
         algsurf_z_add_product(w->old.t, w->limbs + 1, w->now.t, w->limbs + 1, w->quotient[i], i);
     w->old.length = algsurf_z_length(w->old.r, w->now.length);
     w->old.t_length = algsurf_z_length(w->old.t, w->limbs + 1);
-    swap_rows(w);
+    row old = w->old;
+    w->old = w->now, w->now = old;
 }
 
 /* Several steps at once, while the older remainder stays at or above 2^goal: old = |d| old' + |b| now' gives
@@ -156,7 +147,7 @@ static int lehmer_step(workshop *w, int goal) {
     int top = bits_of(w->old.r, w->old.length), cap = top - goal - 2, n = w->old.length;
     int64_t f[4];
     if (cap < 2 || top < 62) return 0;
-    if (!leading_steps(leading(w->old.r, top), leading(w->now.r, top), cap < 31 ? cap : 31, f)) return 0;
+    if (!leading_steps(leading(w, &w->old, top), leading(w, &w->now, top), cap < 31 ? cap : 31, f)) return 0;
     combine(w->old.r, w->now.r, n, f, w->room);
     w->old.length = algsurf_z_length(w->old.r, n);
     w->now.length = algsurf_z_length(w->now.r, n);
