@@ -80,27 +80,19 @@ static exact_factor factor_of(double x, int unit) {
 static int is_zero(const exact_factor *f) { return f->low == 0 && f->high == 0; }
 static int is_limb(const exact_factor *f) { return f->high == 0 && f->at == 0; }
 
-/* In a given unit, which makes f0 and f1 integers. */
-static void make_in_unit(exact_axis *x, double origin, double direction, int e, int unit) {
-    exact_span o = span_of(origin), d = span_of(direction);
-    d.top += e;
-    if (origin == 0) o = d;
-    if (direction == 0) d = o;
-    x->unit = unit;
-    x->bits = (o.top > d.top ? o.top : d.top) - unit + 1;
-    x->f[0] = factor_of(origin, unit);
-    x->f[1] = factor_of(direction, unit - e);
-    x->one_limb = is_limb(&x->f[0]) && is_limb(&x->f[1]);
-    if (!x->one_limb) return;
-    algsurf_limb sum = x->f[0].low + x->f[1].low;
-    x->one_limb = sum >= x->f[0].low;
-    if (x->one_limb) x->bits = algsurf_limb_bits(sum);
-}
-
+/* In the largest unit that makes f0 and f1 integers. */
 static void axis_make(exact_axis *x, double origin, double direction, int e) {
-    int o = span_of(origin).low, d = span_of(direction).low + e;
-    int unit = direction == 0 || (origin != 0 && o < d) ? o : d;
-    make_in_unit(x, origin, direction, e, unit);
+    exact_span o = span_of(origin), d = span_of(direction);
+    d.low += e, d.top += e;
+    if (direction == 0) d = o;
+    if (origin == 0) o = d;
+    x->unit = o.low < d.low ? o.low : d.low;
+    x->bits = (o.top > d.top ? o.top : d.top) - x->unit + 1;
+    x->f[0] = factor_of(origin, x->unit);
+    x->f[1] = factor_of(direction, x->unit - e);
+    algsurf_limb sum = x->f[0].low + x->f[1].low;
+    x->one_limb = is_limb(&x->f[0]) && is_limb(&x->f[1]) && sum >= x->f[0].low;
+    if (x->one_limb) x->bits = algsurf_limb_bits(sum);
 }
 
 static algsurf_limb *at(const exact_sum *p, int k) { return p->c + (size_t)k * p->stride; }
