@@ -1,16 +1,8 @@
 /* equation_case.h - equations as text, for tests: accepted and equal, or refused and explained. */
 #ifndef EQUATION_CASE_H
 #define EQUATION_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/surface.h"
+#include "unit.h"
 
 enum { MOST_TERMS = 64 };
 

@@ -1,18 +1,11 @@
 /* intersect_case.h - judges what intersect says about one surface and one ray. */
 #ifndef INTERSECT_CASE_H
 #define INTERSECT_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_hits.h"
-
-#include <cmocka.h>
 
 #include "algsurf/camera.h"
 #include "algsurf/intersect.h"
+#include "unit.h"
 
 enum { INTERSECT_TERMS = 2200 };
 

@@ -6,17 +6,10 @@
  */
 #ifndef ISOLATE_CASE_H
 #define ISOLATE_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_roots.h"
 
-#include <cmocka.h>
-
 #include "algsurf/isolate.h"
+#include "unit.h"
 
 typedef struct isolate_answer {
     algsurf_status status;

@@ -1,10 +1,6 @@
-/* render_case.h - a small picture of a torus, for the tests of the room render; after cmocka.h. */
+/* render_case.h - a small picture of a torus, for the tests of the room render. */
 #ifndef RENDER_CASE_H
 #define RENDER_CASE_H
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "algsurf/algsurf.h"
 #include "scenes.h"
 

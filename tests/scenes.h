@@ -1,8 +1,9 @@
-/* scenes.h - surfaces and scenes as tests make them; after cmocka.h. */
+/* scenes.h - surfaces and scenes as tests make them. */
 #ifndef SCENES_H
 #define SCENES_H
 #include "algsurf/algsurf.h"
 #include "exact.h"
+#include "unit.h"
 
 static inline algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface = NULL;

@@ -5,16 +5,9 @@
  * two boxes on one root called complete, a failing start hidden; an end rounded inward; an environment that
  * shows in results; an argument that is not checked, an output written before the check.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <float.h>
-
 #include "environments.h"
 #include "seed_case.h"
+#include "unit.h"
 
 #define SEED 20240608u
 
@@ -28,8 +21,7 @@ static int each_once(const seed_case *c, const algsurf_cpoly_zero *zeros) {
     return 1;
 }
 
-static void test_finds_all(void **state) {
-    (void)state;
+TEST(test_finds_all) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 500; round++) {
@@ -54,8 +46,7 @@ static void test_finds_all(void **state) {
 }
 
 /* Moved coefficients with radii: the boxes hold the old roots.  Without radii they are too small for that. */
-static void test_radii_are_handed_on(void **state) {
-    (void)state;
+TEST(test_radii_are_handed_on) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 200; round++) {
@@ -78,8 +69,7 @@ static void test_radii_are_handed_on(void **state) {
 }
 
 /* t^2 - 1/4, a sphere seen along a re-centred ray: the cold start stays on the imaginary axis. */
-static void test_cold_start_fails_on_even(void **state) {
-    (void)state;
+TEST(test_cold_start_fails_on_even) {
     const algsurf_complex p[] = {{-0.25, 0}, {0, 0}, {1, 0}}, off[] = {{0.1, 1}, {0.1, 1}};
     algsurf_cpoly_zero zeros[2];
     int complete = 1;
@@ -92,8 +82,7 @@ static void test_cold_start_fails_on_even(void **state) {
 }
 
 /* With few steps the approximations are poor, the quotients worse, and polishing ends on some roots twice. */
-static void test_slides_are_noticed(void **state) {
-    (void)state;
+TEST(test_slides_are_noticed) {
     const algsurf_zero_options few = {sizeof few, 0, 7, 0};
     uint64_t seed = SEED;
     int slid = 0, saved = 0;
@@ -169,8 +158,7 @@ static int multiplies_out(algsurf_complex p, const algsurf_cinterval *below, alg
     return has;
 }
 
-static void test_quotient_multiplies_out(void **state) {
-    (void)state;
+TEST(test_quotient_multiplies_out) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 300; round++) {
@@ -197,8 +185,7 @@ static void test_quotient_multiplies_out(void **state) {
 /* ---- the calls ---- */
 
 /* X^512 - 1 at 1. */
-static void test_highest_degree(void **state) {
-    (void)state;
+TEST(test_highest_degree) {
     static algsurf_complex p[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
     static algsurf_cinterval Z, Q[ALGSURF_MAX_POLY_DEGREE];
     int n = ALGSURF_MAX_POLY_DEGREE, unique = 0;
@@ -243,8 +230,7 @@ static int same(const answers *a, const answers *b) {
 }
 
 /* The same bits in every environment, which comes back as it was; subnormal coefficients included. */
-static void test_environments(void **state) {
-    (void)state;
+TEST(test_environments) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 60; round++) {
@@ -308,8 +294,7 @@ static void refused(const call *c, int approximation, int iteration, int zeros) 
     assert_memory_equal(mark, before, sizeof mark);
 }
 
-static void test_bad_numbers(void **state) {
-    (void)state;
+TEST(test_bad_numbers) {
     const int argument = ALGSURF_E_ARGUMENT, finite = ALGSURF_E_NOT_FINITE;
     static const int degrees[] = {0, -1, ALGSURF_MAX_POLY_DEGREE + 1, 0x7fffffff};
     for (int i = 0; i < 4; i++) {
@@ -336,8 +321,7 @@ static void test_bad_numbers(void **state) {
     c = good, c.options.size = 2, refused(&c, argument, argument, argument);
 }
 
-static void test_null(void **state) {
-    (void)state;
+TEST(test_null) {
     const call c = good;
     algsurf_complex z = {5, 5}, q[2] = {{5, 5}, {5, 5}};
     algsurf_cinterval Z = {{5, 5}, {5, 5}};
@@ -361,20 +345,4 @@ static void test_null(void **state) {
                      ALGSURF_NOT_VERIFIED);
 }
 
-int main(void) {
-    const struct CMUnitTest zeros[] = {
-        cmocka_unit_test(test_finds_all),
-        cmocka_unit_test(test_radii_are_handed_on),
-        cmocka_unit_test(test_cold_start_fails_on_even),
-        cmocka_unit_test(test_slides_are_noticed),
-    };
-    const struct CMUnitTest calls[] = {
-        cmocka_unit_test(test_quotient_multiplies_out),
-        cmocka_unit_test(test_highest_degree),
-        cmocka_unit_test(test_environments),
-        cmocka_unit_test(test_bad_numbers),
-        cmocka_unit_test(test_null),
-    };
-    int failed = cmocka_run_group_tests_name("all zeros", zeros, NULL, NULL);
-    return failed + cmocka_run_group_tests_name("calls", calls, NULL, NULL);
-}
+int main(void) { return unit_run("allroots, deflate"); }

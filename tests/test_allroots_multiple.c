@@ -5,17 +5,11 @@
  * holds one is decided in rationals.  Factors of higher degree are judged by their own boxes. (Seen to fail
  * with a factor's multiplicity off by one, a factor left out, the unit of the variable forgotten, the root 0
  * left out, boxes that are not joined, radii of rounded factors left out.) */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_zpolys.h"
-
-#include <cmocka.h>
 
 #include "algsurf/allroots.h"
 #include "allroots_case.h"
+#include "unit.h"
 
 enum { MOST_FACTORS = 12, MOST_DEGREE = 256, MOST_BOXES = 100000 };
 
@@ -248,8 +242,7 @@ static void close_product(product *t) {
 
 /* ---- tests ---- */
 
-static void test_named(void **state) {
-    (void)state;
+TEST(test_named) {
     static const struct {
         int count;
         factor f[6];
@@ -293,8 +286,7 @@ static void test_named(void **state) {
 }
 
 /* Roots of different multiplicity that are neighbours: 1 and 1 + 2^-k. */
-static void test_neighbours(void **state) {
-    (void)state;
+TEST(test_neighbours) {
     product *t = open_product();
     int together = 0, apart = 0;
     for (int k = 45; k <= 51; k++)
@@ -338,8 +330,7 @@ static int random_factor(const product *t, int size, factor *f) {
     return 1;
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     product *t = open_product();
     int cases = 0, multiple = 0, roots = 0, lost = 0;
     for (int round = 0; round < 12000; round++) {
@@ -396,8 +387,7 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
     if (what) give_up(t, e, count, what);
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     product *t = open_product();
     int cases = 0, degree = 0;
     for (int round = 0; round < 600; round++) {
@@ -426,8 +416,7 @@ static void test_powers(void **state) {
 }
 
 /* Degrees above 64. */
-static void test_high(void **state) {
-    (void)state;
+TEST(test_high) {
     static const int degree[][2] = {{10, 20}, {20, 10}, {50, 4}, {100, 2},
                                     {16, 5},  {4, 50},  {7, 25}, {1, 50}};
     product *t = open_product();
@@ -448,8 +437,7 @@ static void test_high(void **state) {
 }
 
 /* What is not exact, or not real, keeps its cluster. */
-static void test_clusters_stay(void **state) {
-    (void)state;
+TEST(test_clusters_stay) {
     product *t = open_product();
     algsurf_complex_root e[ALGSURF_MAX_DEGREE];
     algsurf_complex z[5];
@@ -471,8 +459,7 @@ static void test_clusters_stay(void **state) {
 }
 
 /* (x^10 + 1)^20: with memory 10 boxes, without it a true answer all the same. */
-static void test_without_memory(void **state) {
-    (void)state;
+TEST(test_without_memory) {
     product *t = open_product();
     const long q[11] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     algsurf_complex_root e[MOST_DEGREE];
@@ -504,8 +491,7 @@ static int by_size(const void *a, const void *b) {
     return (*(const double *)a > *(const double *)b) - (*(const double *)a < *(const double *)b);
 }
 
-static void test_widths(void **state) {
-    (void)state;
+TEST(test_widths) {
     assert_true(widths > 10000);
     qsort(width, (size_t)widths, sizeof *width, by_size);
     print_message("%d boxes, in ulps: median %g, 99%% %g, widest %g\n", widths, width[widths / 2],
@@ -513,12 +499,4 @@ static void test_widths(void **state) {
     assert_true(width[widths / 2] <= 4 && width[widths - 1] < 1000);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_named),          cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_random),         cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_high),           cmocka_unit_test(test_clusters_stay),
-        cmocka_unit_test(test_without_memory), cmocka_unit_test(test_widths),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("allroots multiple"); }

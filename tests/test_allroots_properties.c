@@ -9,17 +9,9 @@
  * (Seen to fail with the discs a tenth of their size, discs that touch kept apart, the radii dropped from the
  * residual of either refinement, boxes or their mirror images not joined.)
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/algsurf.h"
 #include "allroots_case.h"
+#include "unit.h"
 
 static uint64_t seed = 20240917;
 
@@ -68,8 +60,7 @@ static int conjugate_boxes(const algsurf_complex_root *e, int count) {
     return 1;
 }
 
-static void test_exact_products(void **state) {
-    (void)state;
+TEST(test_exact_products) {
     int solved = 0, boxes = 0, roots = 0;
     for (int round = 0; round < 6000; round++) {
         allroots_case p = random_case(12, 1 + exact_random_int(&seed, 10), round % 2);
@@ -98,8 +89,7 @@ static void test_exact_products(void **state) {
 }
 
 /* Coefficients rounded, with radii that say so: the exact product is one of the polynomials meant. */
-static void test_rounded_products(void **state) {
-    (void)state;
+TEST(test_rounded_products) {
     int boxes = 0, roots = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = random_case(20, 20, 0);
@@ -114,8 +104,7 @@ static void test_rounded_products(void **state) {
 }
 
 /* Centre and radii drawn about an exact product; the wider the radii, the wider the boxes. */
-static void test_members(void **state) {
-    (void)state;
+TEST(test_members) {
     int boxes = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = random_case(8, 6, 0);
@@ -138,8 +127,7 @@ static void test_members(void **state) {
 }
 
 /* Magnitudes spread over hundreds of binades: the wide way of evaluating. */
-static void test_far_apart(void **state) {
-    (void)state;
+TEST(test_far_apart) {
     int alone = 0, roots = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = {.n = 0};
@@ -182,8 +170,7 @@ static void check_reconstruction(const allroots_case *p, const algsurf_complex_r
         }
 }
 
-static void test_reconstruction(void **state) {
-    (void)state;
+TEST(test_reconstruction) {
     for (int round = 0; round < 400; round++) {
         allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
         for (int k = 0; k <= p.n; k++)
@@ -198,8 +185,7 @@ static void test_reconstruction(void **state) {
 }
 
 /* Multiplying the value or the variable by a power of two changes nothing but exponents. */
-static void test_scaling(void **state) {
-    (void)state;
+TEST(test_scaling) {
     for (int round = 0; round < 600; round++) {
         allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
         for (int k = 0; k <= p.n; k++)
@@ -254,8 +240,7 @@ static void judge_circles(const double *c, int n, const algsurf_complex_root *e,
 
 /* Coefficients from 2^-1000 to 2^1000, or only these two: a root out of the range of double, or several too
  * small for the unit, are no reason to lose the others. */
-static void test_spread(void **state) {
-    (void)state;
+TEST(test_spread) {
     int most = 0, circles = 0, boxes = 0;
     for (int round = 0; round < 400; round++) {
         int n = round % 3 ? ALGSURF_MAX_DEGREE : 2 + exact_random_int(&seed, 30), count;
@@ -280,8 +265,7 @@ static void test_spread(void **state) {
 static int negative_zero(double x) { return x == 0 && signbit(x); }
 
 /* Boxes that end at 0, where rounding outward is from below: +0. */
-static void test_zero_ends(void **state) {
-    (void)state;
+TEST(test_zero_ends) {
     int ends = 0;
     for (int round = 0; round < 4000; round++) {
         algsurf_complex c[8];
@@ -313,11 +297,4 @@ static void test_zero_ends(void **state) {
     assert_true(ends > 100);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exact_products), cmocka_unit_test(test_rounded_products),
-        cmocka_unit_test(test_members),        cmocka_unit_test(test_far_apart),
-        cmocka_unit_test(test_spread),         cmocka_unit_test(test_zero_ends),
-        cmocka_unit_test(test_reconstruction), cmocka_unit_test(test_scaling)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("allroots properties"); }

@@ -5,16 +5,8 @@
  * also that of the leading coefficient; an inclusion accepted from outside, or of infinite boxes; a multiple
  * root called unique; a cold start that fails and is not reported.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <float.h>
-#include <math.h>
-
 #include "seed_case.h"
+#include "unit.h"
 
 #define SEED 20240607u
 
@@ -29,8 +21,7 @@ static int finite_all(const algsurf_complex *q, int n) {
 /* ---- approximation ---- */
 
 /* Every root of random polynomials, from near by: to the last bits, and the quotient too. */
-static void test_approximates(void **state) {
-    (void)state;
+TEST(test_approximates) {
     uint64_t seed = SEED;
     for (int round = 0; round < 400; round++) {
         seed_case c = seed_random(&seed, 1 + exact_random_int(&seed, SEED_DEGREE), 1);
@@ -57,8 +48,7 @@ static void test_approximates(void **state) {
 
 /* p(2^b X) 2^a has the roots 2^-b x: the same bits, the same steps.  (Not so for the root 0, which only
  * underflow reaches.) */
-static void test_scaling_changes_nothing(void **state) {
-    (void)state;
+TEST(test_scaling_changes_nothing) {
     uint64_t seed = SEED;
     static const int shifts[][2] = {{0, 1}, {900, 0}, {-900, 0}, {0, 60}, {0, -60}, {500, -70}, {-400, 70}};
     for (int round = 0; round < 200; round++) {
@@ -81,8 +71,7 @@ static void test_scaling_changes_nothing(void **state) {
 }
 
 /* The first step is Newton's, -p/p'. */
-static void test_first_step(void **state) {
-    (void)state;
+TEST(test_first_step) {
     const algsurf_complex p[] = {{-2, 1}, {3, 0}, {0, -1}, {1, 0}}, start = {0.75, -0.5};
     const algsurf_zero_options one = {sizeof one, 0, 1, 0};
     algsurf_complex z, q[3], v = p[3], d = {0, 0};
@@ -102,8 +91,7 @@ static void test_first_step(void **state) {
 }
 
 /* The even polynomial holds a start on the imaginary axis there; a vanishing derivative ends at once. */
-static void test_symmetric_failures(void **state) {
-    (void)state;
+TEST(test_symmetric_failures) {
     const algsurf_complex sphere[] = {{-0.25, 0}, {0, 0}, {1, 0}}, unit[] = {{1, 0}, {0, 0}, {1, 0}};
     algsurf_complex z, q[2];
     int steps = -1;
@@ -122,8 +110,7 @@ static void test_symmetric_failures(void **state) {
 }
 
 /* Degree 1: the quotient, from any start.  -1e600 is no double. */
-static void test_linear(void **state) {
-    (void)state;
+TEST(test_linear) {
     const algsurf_complex p[] = {{3, -1}, {0.7, 0.1}}, huge[] = {{1e300, 0}, {1e-300, 0}};
     const algsurf_complex starts[] = {{0, 0}, {1e200, -1e-200}, {DBL_MAX, 0}, {-4, 2}};
     algsurf_complex z, q;
@@ -144,8 +131,7 @@ static void test_linear(void **state) {
 }
 
 /* A step so long that q overflows is not made. */
-static void test_overflowing_step(void **state) {
-    (void)state;
+TEST(test_overflowing_step) {
     const algsurf_complex p[] = {{-1, -1}, {0x1p-1023, 0}, {1.9, -1.9}};
     algsurf_complex z, q[2];
     int steps;
@@ -156,8 +142,7 @@ static void test_overflowing_step(void **state) {
 }
 
 /* 1 - 1.1 x + x^64, x = z 2^-20, from a start where the last coefficient is below the range of double. */
-static void test_unit_follows(void **state) {
-    (void)state;
+TEST(test_unit_follows) {
     algsurf_complex p[65] = {{0x1p640, 0}, {-1.1 * 0x1p620, 0}}, z, q[64];
     p[64].re = 0x1p-640;
     assert_int_equal(algsurf_approximation(p, 64, (algsurf_complex){1, 0}, NULL, &z, q, NULL), ALGSURF_OK);
@@ -166,8 +151,7 @@ static void test_unit_follows(void **state) {
 }
 
 /* Roots at the rims of the range; starts from which powers overflow. */
-static void test_range(void **state) {
-    (void)state;
+TEST(test_range) {
     const algsurf_complex big[] = {{1e300, 0}, {0, 0}, {1e-300, 0}},
                           small[] = {{1e-300, 0}, {0, 0}, {1e300, 0}};
     algsurf_complex z, q[64], p[65] = {{1, 0}};
@@ -191,8 +175,7 @@ static void test_range(void **state) {
     assert_true(fabs(z.re / 1.000000000001e-12 - 1) < 1e-12 && fabs(z.im) < 1e-26);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_complex p[] = {{-2, 0}, {1, 0}, {0, 0}, {1, 0}}, start = {3, 1};
     algsurf_complex z, q[3], y, s[3];
     int loose, usual, said;
@@ -217,8 +200,7 @@ static int verify(const seed_case *c, const double *r, algsurf_complex z, const 
  * schedule of inflations that does not grow, 3780).  `unique` without its test is not caught here nor
  * anywhere: in a million random cases, clusters and radii among them, no inclusion held that was not unique
  * too. */
-static void test_inclusions_are_true(void **state) {
-    (void)state;
+TEST(test_inclusions_are_true) {
     uint64_t seed = SEED;
     int good = 0, verified = 0, tried = 0;
     for (int round = 0; round < 4000; round++) {
@@ -252,8 +234,7 @@ static void test_inclusions_are_true(void **state) {
 }
 
 /* Every coefficient is off by all of its radius, the leading one too; the old root is in the new box. */
-static void test_radii(void **state) {
-    (void)state;
+TEST(test_radii) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 1000; round++) {
@@ -282,8 +263,7 @@ static void test_radii(void **state) {
     assert_true(verified > 900);
 }
 
-static void test_boxes_are_tight(void **state) {
-    (void)state;
+TEST(test_boxes_are_tight) {
     uint64_t seed = SEED;
     for (int round = 0; round < 300; round++) { /* roots that are no doubles */
         seed_case c = seed_random(&seed, 2 + exact_random_int(&seed, 5), 1);
@@ -297,8 +277,7 @@ static void test_boxes_are_tight(void **state) {
 }
 
 /* 2^10 X + 2^-1074 seen from 1: the constant term is lost in that unit, but not forgotten. */
-static void test_underflow_is_enclosed(void **state) {
-    (void)state;
+TEST(test_underflow_is_enclosed) {
     const algsurf_complex p[] = {{0x1p-1074, 0}, {0x1p10, 0}};
     algsurf_cinterval Z;
     assert_int_equal(
@@ -308,8 +287,7 @@ static void test_underflow_is_enclosed(void **state) {
 }
 
 /* Nothing is written but the count, when there is no proof. */
-static void test_no_proof(void **state) {
-    (void)state;
+TEST(test_no_proof) {
     const algsurf_complex square[] = {{0, 0}, {0, 0}, {1, 0}}, apart[] = {{-1, 0}, {0, 0}, {1, 0}};
     const algsurf_complex q[] = {{0, 0}, {1, 0}}, far[] = {{0.5, 0}, {1, 0}},
                           wild[] = {{1e308, -1e308}, {1, 0}};
@@ -339,21 +317,4 @@ static void test_no_proof(void **state) {
     assert_true(unique == 5 && !memcmp(&Z, &mark, sizeof mark) && !memcmp(Q + 1, &mark, sizeof mark));
 }
 
-int main(void) {
-    const struct CMUnitTest approximation[] = {
-        cmocka_unit_test(test_approximates), cmocka_unit_test(test_scaling_changes_nothing),
-        cmocka_unit_test(test_first_step),   cmocka_unit_test(test_symmetric_failures),
-        cmocka_unit_test(test_linear),       cmocka_unit_test(test_range),
-        cmocka_unit_test(test_options),      cmocka_unit_test(test_overflowing_step),
-        cmocka_unit_test(test_unit_follows),
-    };
-    const struct CMUnitTest inclusion[] = {
-        cmocka_unit_test(test_inclusions_are_true),
-        cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_boxes_are_tight),
-        cmocka_unit_test(test_underflow_is_enclosed),
-        cmocka_unit_test(test_no_proof),
-    };
-    int failed = cmocka_run_group_tests_name("approximation", approximation, NULL, NULL);
-    return failed + cmocka_run_group_tests_name("interval iteration", inclusion, NULL, NULL);
-}
+int main(void) { return unit_run("allroots, seed"); }

@@ -7,16 +7,7 @@
  * unit of its bracket, where values underflow.  Not caught: a cut's
  * error left out, Halley's step taken where it is no better than none.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_roots.h"
-
-#include <cmocka.h>
 
 #include "algsurf/intersect.h"
 #include "algsurf/isolate.h"
@@ -24,6 +15,7 @@
 #include "algsurf/poly.h"
 #include "environments.h"
 #include "roots/polys.h"
+#include "unit.h"
 
 #define SEED 71u
 enum { MOST = 131, TOP = 40 };
@@ -201,8 +193,7 @@ static void put_random(int degree, uint64_t *random) {
 static const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 40};
 #define EACH_DEGREE(n) for (int d_ = 0, n; d_ < 14 && (n = degrees[d_], 1); d_++)
 
-static void test_random(void **unused) {
-    (void)unused;
+TEST(test_random) {
     uint64_t random = SEED;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -229,8 +220,7 @@ static void put_grazing(int i, int n, double at, double gap, uint64_t *random) {
     hi[i] = 1;
 }
 
-static void test_grazing(void **unused) {
-    (void)unused;
+TEST(test_grazing) {
     uint64_t random = SEED + 1;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -248,8 +238,7 @@ static void test_grazing(void **unused) {
 }
 
 /* No root, but one within the radii for half of them: what is said must be true at their end too. */
-static void test_touching(void **unused) {
-    (void)unused;
+TEST(test_touching) {
     uint64_t random = SEED + 12;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -270,8 +259,7 @@ static void test_touching(void **unused) {
 }
 
 /* Dyadic roots, so that products are exact: at ends, twice, at 0; leading zeros; zero polynomials. */
-static void test_special(void **unused) {
-    (void)unused;
+TEST(test_special) {
     uint64_t random = SEED + 2;
     for (int n = 1; n <= 6; n++)
         for (int round = 0; round < 8; round++) {
@@ -308,8 +296,7 @@ static void test_special(void **unused) {
 }
 
 /* The chord over the interval crosses zero where p has no slope. */
-static void test_flat(void **unused) {
-    (void)unused;
+TEST(test_flat) {
     static const double flat[] = {0x1.30cf06dd576e4p-6, 0x1.2b1293cc71dfdp-3, 0x1.d9c2916bb8cc5p-3,
                                   -0x1.e1fceae2a32dfp-3};
     uint64_t random = SEED + 11;
@@ -327,8 +314,7 @@ static void test_flat(void **unused) {
 
 /* The first root is one of two that are close together, or just no longer there, near the ends of intervals
  * that may be short and far from 0; coefficients are moved by ulps.  Errors are within what is promised. */
-static void test_aimed(void **unused) {
-    (void)unused;
+TEST(test_aimed) {
     uint64_t random = SEED + 13;
     int found = 0;
     for (int round = 0; round < 24; round++) {
@@ -366,8 +352,7 @@ static void test_aimed(void **unused) {
 }
 
 /* p(t / 2^e) 2^f has p's roots times 2^e, and nothing else changes. */
-static void test_scale(void **unused) {
-    (void)unused;
+TEST(test_scale) {
     static const int at[][2] = {{0, 664}, {0, -664}, {100, 0}, {-100, 0}, {60, 300}, {-60, -300}, {0, 330}};
     uint64_t random = SEED + 3;
     for (int n = 1; n <= 8; n++)
@@ -394,8 +379,7 @@ static void test_scale(void **unused) {
 }
 
 /* Intervals far from 0 in their own length, down to neighbouring doubles. */
-static void test_narrow(void **unused) {
-    (void)unused;
+TEST(test_narrow) {
     uint64_t random = SEED + 4;
     for (int n = 1; n <= 6; n++) {
         int seen[3] = {0, 0, 0};
@@ -411,8 +395,7 @@ static void test_narrow(void **unused) {
     }
 }
 
-static void test_radii(void **unused) {
-    (void)unused;
+TEST(test_radii) {
     uint64_t random = SEED + 5;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -437,8 +420,7 @@ static void test_radii(void **unused) {
 
 /* One end, the other, or both: the single calls' answers, and those in finite intervals beside them as they
  * were. */
-static void test_infinite_ends(void **unused) {
-    (void)unused;
+TEST(test_infinite_ends) {
     uint64_t random = SEED + 17;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -470,8 +452,7 @@ static void test_infinite_ends(void **unused) {
 }
 
 /* Neither the number of polynomials nor their neighbours matter, nor does what is behind get written. */
-static void test_counts(void **unused) {
-    (void)unused;
+TEST(test_counts) {
     uint64_t random = SEED + 6;
     EACH_DEGREE(n) {
         answers all, some;
@@ -519,8 +500,7 @@ static void check_wide(int n, double sign, double from, double to) {
 }
 
 /* The unit of the interval is not that of the root: in it the values of p about the root would underflow. */
-static void test_wide_intervals(void **unused) {
-    (void)unused;
+TEST(test_wide_intervals) {
     static const int high[] = {4, 9, 19, 20, 21, 24, 29, 40, 63, 130, 255, 511};
     for (size_t i = 0; i < sizeof high / sizeof *high; i++)
         for (int e = 2; e <= 1000; e += high[i] > 100 ? 333 : e < 100 ? 14 : 100)
@@ -529,8 +509,7 @@ static void test_wide_intervals(void **unused) {
                     check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f));
 }
 
-static void test_tolerance(void **unused) {
-    (void)unused;
+TEST(test_tolerance) {
     uint64_t random = SEED + 7;
     for (int n = 1; n <= 10; n++) {
         answers fine, coarse;
@@ -547,8 +526,7 @@ static void test_tolerance(void **unused) {
 }
 
 /* The packet code decides what is well-conditioned by itself. */
-static void test_kernels_decide(void **unused) {
-    (void)unused;
+TEST(test_kernels_decide) {
     uint64_t random = SEED + 8;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 1; n <= 10; n++) {
@@ -570,8 +548,7 @@ static void test_kernels_decide(void **unused) {
 }
 
 /* Two near roots, ill-conditioned: the packet code encloses them. */
-static void test_kernels_enclose(void **unused) {
-    (void)unused;
+TEST(test_kernels_enclose) {
     uint64_t random = SEED + 14;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) {
@@ -595,8 +572,7 @@ static void test_kernels_enclose(void **unused) {
     }
 }
 
-static void test_kernels_find_all(void **unused) {
-    (void)unused;
+TEST(test_kernels_find_all) {
     uint64_t random = SEED + 13;
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
@@ -625,8 +601,7 @@ static void expect_error(const algsurf_real_batch *p, const algsurf_batch_option
     assert_memory_equal(&a, &untouched, sizeof a);
 }
 
-static void test_errors(void **unused) {
-    (void)unused;
+TEST(test_errors) {
     uint64_t random = SEED + 9;
     algsurf_batch_options options = {.size = sizeof options};
     double *const place[] = {&c[0][17], &c[3][0], &r[2][129], &lo[130], &hi[64]};
@@ -686,8 +661,7 @@ static void test_errors(void **unused) {
 
 /* The same polynomials by rows, backwards, spread, as parts of complex numbers, in one interval or with one
  * coefficient for all: the same bits. */
-static void test_layouts(void **unused) {
-    (void)unused;
+TEST(test_layouts) {
     uint64_t random = SEED + 15;
     for (int n = 1; n <= 24; n += n < 6 ? 1 : 6) {
         static double spread[2 * (TOP + 1) * MOST], spread_radii[2 * (TOP + 1) * MOST];
@@ -730,8 +704,7 @@ static void test_layouts(void **unused) {
     }
 }
 
-static void test_environment(void **unused) {
-    (void)unused;
+TEST(test_environment) {
     uint64_t random = SEED + 10;
     EACH_DEGREE(n) {
         answers usual, here;
@@ -751,18 +724,4 @@ static void test_environment(void **unused) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),          cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_special),         cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_narrow),          cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_counts),          cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_kernels_decide),  cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_environment),     cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_touching),        cmocka_unit_test(test_wide_intervals),
-        cmocka_unit_test(test_layouts),         cmocka_unit_test(test_kernels_find_all),
-        cmocka_unit_test(test_kernels_enclose), cmocka_unit_test(test_infinite_ends),
-        cmocka_unit_test(test_aimed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("batch"); }

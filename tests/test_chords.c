@@ -22,17 +22,12 @@
  *
  *     test_chords [lines [pictures [seed]]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact.h"
 #include "picture/impl.h"
 #include "base/vec.h"
 #include "simd/baseline.h"
 #include "beams/sight_template.h"
+#include "unit.h"
 
 static long line_count = 20000, picture_count = 1500;
 static uint64_t first_seed = 20261125;
@@ -347,10 +342,9 @@ static void chord_of_line(const test_line *l, exact_line *x) {
     mpq_clears(w, h, NULL);
 }
 
-static void lines_within_rounding(void **state) {
+TEST(lines_within_rounding) {
     uint64_t seed = first_seed;
     int shown = 0;
-    (void)state;
     memset(&seen, 0, sizeof seen);
     for (long i = 0; i < line_count; i++) {
         test_line l;
@@ -569,10 +563,9 @@ static int check_view(const test_view *v, uint64_t *seed) {
     return suits;
 }
 
-static void pictures_within_blur(void **state) {
+TEST(pictures_within_blur) {
     uint64_t seed = first_seed;
     long suited = 0;
-    (void)state;
     memset(&seen, 0, sizeof seen);
     for (long i = 0; i < picture_count; i++) {
         test_view v = {.number = i};
@@ -590,9 +583,5 @@ int main(int argc, char **argv) {
     if (argc > 1) line_count = strtol(argv[1], NULL, 10);
     if (argc > 2) picture_count = strtol(argv[2], NULL, 10);
     if (argc > 3) first_seed = strtoull(argv[3], NULL, 10);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_within_rounding),
-        cmocka_unit_test(pictures_within_blur),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("chords");
 }

@@ -11,18 +11,11 @@
  *   rounding to nearest of the extent's ends, of scaling     ends, diagonals
  *   cells as a middle and half a length                      ends
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
-#include <math.h>
-#include <string.h>
 
 #include "algsurf/algsurf.h"
 #include "exact.h"
+#include "unit.h"
 
 static const uint64_t seed = 20250923;
 
@@ -97,10 +90,9 @@ static int check_ray(const algsurf_surface *surface, const algsurf_extent *exten
     return count;
 }
 
-static void hits(void **state) {
+TEST(hits) {
     uint64_t random = seed;
     int found = 0, empty = 0, smaller = 0;
-    (void)state;
     for (int turn = 0; turn < 200; turn++) {
         algsurf_surface *surface = random_surface(&random);
         if (!surface) continue;
@@ -151,22 +143,15 @@ static void check_points(uint64_t random, double sign_z, int part) {
     }
 }
 
-static void points(void **state) {
-    (void)state;
-    check_points(seed + 1, 1, ALGSURF_PART_ALL);
-}
+TEST(points) { check_points(seed + 1, 1, ALGSURF_PART_ALL); }
 
 /* The tips of cones. */
-static void tips(void **state) {
-    (void)state;
-    check_points(seed + 2, -1, ALGSURF_PART_SINGULAR);
-}
+TEST(tips) { check_points(seed + 2, -1, ALGSURF_PART_SINGULAR); }
 
 /* A surface that stands for others has their points in its box. */
-static void approximate(void **state) {
+TEST(approximate) {
     algsurf_surface *unit = surface_of("x^2 + y^2 + z^2 - 1"), *about;
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
-    (void)state;
     assert_int_equal(algsurf_surface_with_error(unit, 0.125, &about), ALGSURF_OK);
     const box b = enclosed(about, &extent, ALGSURF_PART_ALL);
     const double farthest[3] = {sqrt(1.125 / 0.875), 0, 0}, nearest[3] = {0, 0, -farthest[0]};
@@ -218,10 +203,9 @@ static int check_plane(double a, double b, const algsurf_extent *e) {
 }
 
 /* Planes of all sizes, extents down to an ulp of their centre, and to the least and largest doubles. */
-static void ends(void **state) {
+TEST(ends) {
     uint64_t random = seed + 3;
     int inside = 0;
-    (void)state;
     (void)check_plane(10, 9, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1, 1, 1}, {0.1, 0.1, 0.1}});
     (void)check_plane(10, 1e10 - 3, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1e9, 1, 1e17}, {1, 0.1, 0.3}});
     for (int turn = 0; turn < 500; turn++) {
@@ -238,10 +222,9 @@ static void ends(void **state) {
 }
 
 /* x = y: each end of the box, where a cell is an ulp long. */
-static void diagonals(void **state) {
+TEST(diagonals) {
     static const double places[] = {1, 1e20, -1e300, 0x1p1023, 1e-300, 0x1p-1070};
     algsurf_surface *surface = surface_of("x = y");
-    (void)state;
     for (int k = 0; k < 6; k++)
         for (int fine = 0; fine < 60; fine += 3) {
             const double c = places[k], size = fmax(0x1p-1074, ldexp(0.75 * fabs(c), -fine));
@@ -269,8 +252,7 @@ static void check_known(const char *equation, int part, double size, const doubl
     algsurf_surface_free(surface);
 }
 
-static void known(void **state) {
-    (void)state;
+TEST(known) {
     check_known("(x^2 + 9/4 y^2 + z^2 - 1)^3 = x^2 z^3 + 9/80 y^2 z^3", ALGSURF_PART_ALL, 1.5,
                 (double[]){-1.1390, -0.6936, -1}, (double[]){1.1390, 0.6936, 1.2361}, 1.0 / 16);
     check_known("x^2 + y^2 + z^2 = 9", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
@@ -288,10 +270,9 @@ static void known(void **state) {
                 (double[]){1, 2, 3}, 0.01);
 }
 
-static void nothing(void **state) {
+TEST(nothing) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {10, 0, 0}};
     const char *const equations[] = {"x^2 + y^2 + z^2 + 1", "x^2 + y^2 + z^2 = 130", "z - 11 = 0", "7 = 0"};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         algsurf_surface *surface = surface_of(equations[k]);
         assert_int_equal(enclosed(surface, &extent, ALGSURF_PART_ALL).empty, 1);
@@ -303,12 +284,11 @@ static void nothing(void **state) {
 }
 
 /* Every rounding mode of the caller gives the same box. */
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {4, 0, 0}};
     algsurf_surface *surface = surface_of("(x^2+y^2+z^2+3)^2 = 16 (x^2+y^2)");
     box first = {.empty = -1};
-    (void)state;
     for (int m = 0; m < 4; m++) {
         box b;
         memset(&b, 0, sizeof b);
@@ -324,12 +304,11 @@ static void rounding_modes(void **state) {
     algsurf_surface_free(surface);
 }
 
-static void bad_arguments(void **state) {
+TEST(bad_arguments) {
     algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 - 1");
     algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     double lo[3] = {7, 7, 7}, hi[3] = {8, 8, 8};
     int empty = 5;
-    (void)state;
 #define REFUSED(status, ...) assert_int_equal(algsurf_surface_enclose(__VA_ARGS__), ALGSURF_E_##status)
     REFUSED(ARGUMENT, NULL, &extent, 0, 0.1, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, NULL, 0, 0.1, lo, hi, &empty);
@@ -352,12 +331,4 @@ static void bad_arguments(void **state) {
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits),          cmocka_unit_test(points),  cmocka_unit_test(tips),
-        cmocka_unit_test(approximate),   cmocka_unit_test(ends),    cmocka_unit_test(diagonals),
-        cmocka_unit_test(known),         cmocka_unit_test(nothing), cmocka_unit_test(rounding_modes),
-        cmocka_unit_test(bad_arguments),
-    };
-    return cmocka_run_group_tests_name("enclose", tests, NULL, NULL);
-}
+int main(void) { return unit_run("enclose"); }

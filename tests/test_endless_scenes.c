@@ -1,17 +1,11 @@
-/* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through it
- * hits, wherever that is, and few rays have to be solved by themselves.
+/* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through
+ * it hits, wherever that is, and few rays have to be solved by themselves.
  *
- * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind them;
- * empty tiles without it; pixels that begin where a tile's cells end of which nothing is proved; tiles cut by
- * planes; and, with a view of 0.02 to 0.7 times the surface's size, sheets without a proof of what is before.
+ * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind
+ * them; empty tiles without it; pixels that begin where a tile's cells end of which nothing is proved; tiles
+ * cut by planes; and, with a view of 0.02 to 0.7 times the surface's size, sheets without a proof of what is
+ * before.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 #define SEED 41u
@@ -57,7 +51,8 @@ static void judge(const algsurf_surface *surface, int e, const algsurf_camera *c
             double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
                                 hit.normal[2] * ray.direction[2]);
             double room = fmin(1e-8 / slant, 1e-5);
-            if (!(fabs(t - hit.t) <= room * (1 + fabs(hit.t)))) fail_pixel("another t", e, camera, x, y, t, &hit);
+            if (!(fabs(t - hit.t) <= room * (1 + fabs(hit.t))))
+                fail_pixel("another t", e, camera, x, y, t, &hit);
         }
 }
 
@@ -80,9 +75,8 @@ static algsurf_camera random_camera(uint64_t *seed, int number) {
     return camera;
 }
 
-static void pixels_show_what_their_rays_hit(void **state) {
+TEST(pixels_show_what_their_rays_hit) {
     uint64_t seed = SEED;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         algsurf_surface *surface = surface_of(equations[e]);
         for (int number = 0; number < 48; number++) {
@@ -104,9 +98,8 @@ static void pixels_show_what_their_rays_hit(void **state) {
 }
 
 /* A sheet far in front of what is near the origin, or far behind it, hides it or shows beside it. */
-static void what_is_far_is_seen(void **state) {
+TEST(what_is_far_is_seen) {
     static const double places[] = {50, 300, -3000, 1e5}, away[] = {20, 1000, 9000};
-    (void)state;
     for (int i = 0; i < 24; i++) {
         const int n = i % 6 < 3 ? 8 : 10;
         char text[64];
@@ -125,8 +118,7 @@ static void what_is_far_is_seen(void **state) {
 }
 
 /* By slices, threads and kernels; antialiased, at edges only. */
-static void the_same_bytes_by_all_ways(void **state) {
-    (void)state;
+TEST(the_same_bytes_by_all_ways) {
     for (int e = 0; e < EQUATIONS; e += 3) {
         algsurf_surface *surface = surface_of(equations[e]);
         const algsurf_camera camera = camera_at(5, 4, 3, 40);
@@ -157,9 +149,8 @@ static void the_same_bytes_by_all_ways(void **state) {
 }
 
 /* Rays by themselves, of all: none where what there is is near. */
-static void few_rays_go_by_themselves(void **state) {
+TEST(few_rays_go_by_themselves) {
     static const int share[EQUATIONS] = {[0] = 30, [1] = 8, [3] = 30, [4] = 8, [5] = 30, [6] = 8};
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         if (share[e] == 0) continue;
         algsurf_surface *surface = surface_of(equations[e]);
@@ -174,12 +165,4 @@ static void few_rays_go_by_themselves(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pixels_show_what_their_rays_hit),
-        cmocka_unit_test(what_is_far_is_seen),
-        cmocka_unit_test(the_same_bytes_by_all_ways),
-        cmocka_unit_test(few_rays_go_by_themselves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("endless scenes"); }

@@ -2,15 +2,6 @@
  *
  * Each test says which breaks it catches.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "equation_case.h"
 #include "exact.h"
 
@@ -73,8 +64,7 @@ static const char *const pairs[][2] = {
 };
 
 /* Catches: precedence, associativity, implicit multiplication, signs, blanks, numbers cut short. */
-static void test_accepted(void **unused) {
-    (void)unused;
+TEST(test_accepted) {
     for (size_t c = 0; c < sizeof pairs / sizeof *pairs; c++) same(pairs[c][0], pairs[c][1]);
 }
 
@@ -182,8 +172,7 @@ static const struct {
 };
 
 /* Catches: an offset one off, a check left out, a wrong status. */
-static void test_refused(void **unused) {
-    (void)unused;
+TEST(test_refused) {
     static char place;
     for (size_t c = 0; c < sizeof refused / sizeof *refused; c++) {
         algsurf_surface *s = (void *)&place;
@@ -202,8 +191,7 @@ static void test_refused(void **unused) {
 }
 
 /* Catches: a name matched by its beginning, unsorted look-up, each check of the names. */
-static void test_constants(void **unused) {
-    (void)unused;
+TEST(test_constants) {
     const algsurf_constant good[] = {{"k2", 3},   {"k", 5},   {"p", 7}, {"xy", 11},
                                      {"a_1", 13}, {"yz", 17}, {"e", 19}};
     const struct {
@@ -254,8 +242,7 @@ static void test_constants(void **unused) {
 
 /* Bounded time for long texts.  Catches: quadratic digits or sums, recursion on signs, products with
  * constants that cost as much as with polynomials (minutes), depth that never shrinks. */
-static void test_long_texts(void **unused) {
-    (void)unused;
+TEST(test_long_texts) {
     enum { LENGTH = 1000000 };
     char *text = malloc(LENGTH + 64);
     assert_non_null(text);
@@ -301,8 +288,7 @@ static void test_long_texts(void **unused) {
 
 /* The binomial theorem at degree 64.  Catches: exponents that overflow their fields, a chain of
  * constant powers that leaves int. */
-static void test_large_powers(void **unused) {
-    (void)unused;
+TEST(test_large_powers) {
     algsurf_surface *s = parse("(x+y+z+1)^64");
     size_t count = algsurf_surface_term_count(s);
     assert_int_equal(count, 47905);
@@ -334,8 +320,7 @@ static void test_large_powers(void **unused) {
 
 /* The corpus's surfaces from their closed forms, bit for bit.  Catches: rounding in double on the
  * way (boy, sextic and decic then differ). */
-static void test_catalogue(void **unused) {
-    (void)unused;
+TEST(test_catalogue) {
 #define P "((1+sqrt(5))/2)"
     static const char *const surfaces[][2] = {
         {"sphere", "x^2+y^2+z^2-1"},
@@ -382,11 +367,4 @@ static void test_catalogue(void **unused) {
 #undef P
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_accepted),     cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_constants),    cmocka_unit_test(test_long_texts),
-        cmocka_unit_test(test_large_powers), cmocka_unit_test(test_catalogue),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation"); }

@@ -3,17 +3,10 @@
  * Each test says which breaks it catches.
  */
 #include <fenv.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "algsurf/surface.h"
 #include "exact.h"
+#include "unit.h"
 
 static const uint64_t seed = 20240607;
 
@@ -45,8 +38,7 @@ static void check_number(const char *number) {
 }
 
 /* Catches: a tie broken wrongly, "more" forgotten, limbs misaligned, double rounding of subnormals. */
-static void test_numbers(void **unused) {
-    (void)unused;
+TEST(test_numbers) {
     static const char *const numbers[] = {"11.8",
                                           "0.1",
                                           "1e22",
@@ -105,8 +97,7 @@ static void test_numbers(void **unused) {
 }
 
 /* Catches: work outside the environment's bracket. */
-static void test_rounding_mode(void **unused) {
-    (void)unused;
+TEST(test_rounding_mode) {
     const double nearest = lone("0.1");
     algsurf_surface *s = NULL;
     algsurf_term t;
@@ -120,10 +111,4 @@ static void test_rounding_mode(void **unused) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_rounding_mode),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation number"); }

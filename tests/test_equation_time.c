@@ -4,18 +4,10 @@
  * Bounds are processor time, many times what an ordinary machine takes, and many times less than what a power
  * of the length that is too high would take.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 #include "algsurf/surface.h"
+#include "unit.h"
 
 /* `count` times the unit, then the end; to be freed. */
 static char *repeated(const char *start, const char *unit, size_t count, const char *end) {
@@ -48,8 +40,7 @@ static algsurf_status timed(char *text, const algsurf_constant *constants, size_
 }
 
 /* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
-static void test_names(void **unused) {
-    (void)unused;
+TEST(test_names) {
     for (size_t length = 2000; length <= 2000000; length *= 1000) {
         char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
         const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
@@ -80,8 +71,7 @@ static void test_names(void **unused) {
 /* Products, powers and sums of polynomials as large as they can be, in units of the time that it takes to
  * multiply such a polynomial by a constant.  Catches: factors multiplied term by term that are short as they
  * are written, on whatever side, behind whatever sum, sign, divisor or exponent. */
-static void test_expansions(void **unused) {
-    (void)unused;
+TEST(test_expansions) {
     static const char *const large[] = {
         "(x+y+z+1)^64",
         "(x+y+z+1)^32(x+y+z+1)^32",
@@ -117,8 +107,7 @@ static void test_expansions(void **unused) {
 /* What is short as it is written has the coefficients of what it is: those of a product by its factors are
  * those of the product term by term, whole numbers exactly.  Catches: a factor, sign or divisor that is lost.
  */
-static void test_by_factors(void **unused) {
-    (void)unused;
+TEST(test_by_factors) {
     static const char *const pairs[][2] = {
         {"((x+y+z+1)^9-x)((x+y+z+1)^9-x)", "(x+y+z+1)^18-2x(x+y+z+1)^9+x^2"},
         {"-(-(x-y+z+2)^12/4)(2(y-x-z-2)^8*2)", "(x-y+z+2)^20"},
@@ -149,11 +138,4 @@ static void test_by_factors(void **unused) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expansions),
-        cmocka_unit_test(test_by_factors),
-        cmocka_unit_test(test_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation time"); }

@@ -16,18 +16,11 @@
  *   the environment not entered: algsurf_refine_function, algsurf_interval_add (traps; other bits)
  */
 #define _POSIX_C_SOURCE 200809L /* sigaction */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <signal.h>
-#include <stdint.h>
-#include <string.h>
 
 #include "algsurf/algsurf.h"
 #include "environments.h"
+#include "unit.h"
 
 /* ---- the values ---- */
 
@@ -1377,11 +1370,10 @@ static int compare(int call, int place, uint64_t value) {
     return 0;
 }
 
-static void same_in_every_environment(void **state) {
+TEST(same_in_every_environment) {
     const struct sigaction action = {.sa_handler = trapped};
     struct sigaction before;
     int failures = 0;
-    (void)state;
     assert_int_equal(sigaction(SIGFPE, &action, &before), 0);
     for (int call = 0; call < (int)(sizeof calls / sizeof *calls); call++) {
         (void)answer(call, -1, 0, 0);
@@ -1394,7 +1386,4 @@ static void same_in_every_environment(void **state) {
     assert_int_equal(failures, 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(same_in_every_environment)};
-    return cmocka_run_group_tests_name("every call", tests, NULL, NULL);
-}
+int main(void) { return unit_run("every call"); }

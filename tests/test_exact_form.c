@@ -5,17 +5,10 @@
  * 65 bits taken for one limb, the high limb of a factor dropped, the parameter's power of two left out,
  * leading zeros kept, a work area kept on the stack, a parameter that makes numbers too long.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_ray.h"
 
-#include <cmocka.h>
-
 #include "surface/exact_form.h"
+#include "unit.h"
 
 #define SEED 77u
 #define ROOM ((size_t)1 << 15)
@@ -175,8 +168,7 @@ static void check_dense(const char *name, kind of, int highest, int rounds) {
     }
 }
 
-static void test_dense(void **state) {
-    (void)state;
+TEST(test_dense) {
     in_block = 0;
     check_dense("dense", ORDINARY, 10, 200);
     check_dense("near a limb", NEAR_A_LIMB, 8, 400);
@@ -187,8 +179,7 @@ static void test_dense(void **state) {
 }
 
 /* f0 + f1 just below and above 2^64: the other axes hold the parameter where it makes x that long. */
-static void test_longest_limb(void **state) {
-    (void)state;
+TEST(test_longest_limb) {
     const double ones = 0x1.fffffffffffffp0;
     algsurf_term t[] = {{9, 0, 0, ones}, {4, 5, 0, ones}, {0, 0, 9, -ones}, {0, 0, 0, 1}};
     family = "longest limb";
@@ -204,8 +195,7 @@ static void test_longest_limb(void **state) {
         }
 }
 
-static void test_sparse(void **state) {
-    (void)state;
+TEST(test_sparse) {
     algsurf_term t[12];
     uint64_t seed = SEED;
     family = "sparse";
@@ -234,8 +224,7 @@ static int times_plane(algsurf_term *t, int count, const double plane[4]) {
 }
 
 /* Asymptotic directions: a factor whose plane is parallel to the ray; in it if d is right. */
-static void test_asymptotic(void **state) {
-    (void)state;
+TEST(test_asymptotic) {
     algsurf_term t[4 * 56];
     uint64_t seed = SEED;
     int lower = 0, inside = 0;
@@ -296,8 +285,7 @@ static void form_at(mpq_t value, const algsurf_zpoly *p, int scale, int u) {
 }
 
 /* All 47,905 terms of degree 64, by values: at most 64 points are roots of a wrong difference. */
-static void test_largest(void **state) {
-    (void)state;
+TEST(test_largest) {
     static uint64_t block[ROOM];
     uint64_t seed = SEED;
     const int n = ALGSURF_MAX_DEGREE;
@@ -324,8 +312,7 @@ static void test_largest(void **state) {
 }
 
 /* With each smaller block and no more memory: refused, and nothing kept. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(test_memory) {
     uint64_t block[1024], seed = SEED;
     algsurf_term t[84];
     algsurf_surface *s;
@@ -345,9 +332,4 @@ static void test_memory(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dense),   cmocka_unit_test(test_longest_limb),
-                                       cmocka_unit_test(test_sparse),  cmocka_unit_test(test_asymptotic),
-                                       cmocka_unit_test(test_largest), cmocka_unit_test(test_memory)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("exact form"); }

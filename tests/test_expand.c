@@ -5,18 +5,11 @@
  * rounding error, an expansion about a far origin.  (Radii that count half of the roundings still hold: those
  * add up like a random walk.)
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_ray.h"
-
-#include <cmocka.h>
 
 #include "algsurf/expand.h"
 #include "environments.h"
+#include "unit.h"
 
 #define SEED 21u
 
@@ -126,8 +119,7 @@ static const struct {
     {40, 4, 0, -900}, {40, 4, 90, 0},   {40, 4, -90, 0},  {30, 4, 90, -300}, {30, 1e8, -90, 300},
 };
 
-static void test_radii_hold(void **state) {
-    (void)state;
+TEST(test_radii_hold) {
     uint64_t seed = SEED;
     int done = 0, all = 0;
     for (size_t f = 0; f < sizeof families / sizeof families[0]; f++)
@@ -155,8 +147,7 @@ static void test_radii_hold(void **state) {
 }
 
 /* Components of direction and origin among subnormal numbers; the surface's unit is 1. */
-static void test_tiny_components(void **state) {
-    (void)state;
+TEST(test_tiny_components) {
     uint64_t seed = SEED;
     for (int i = 0; i < 100; i++) {
         random_case r = {.count = 3, .degree = 2};
@@ -185,8 +176,7 @@ static int ascending(const void *a, const void *b) {
 
 /* Radius over u (n + 1) (exact sum of magnitudes), the median and the largest over all coefficients: 4 n + 8
  * roundings are counted, so 4 to 6 is what they should be. */
-static void test_radii_are_small(void **state) {
-    (void)state;
+TEST(test_radii_are_small) {
     static double ratio[4000];
     uint64_t seed = SEED;
     int count = 0;
@@ -217,8 +207,7 @@ static void test_radii_are_small(void **state) {
 }
 
 /* The same chord of the same line, seen from far away: the Bernstein radii stay what they were. */
-static void test_far_camera(void **state) {
-    (void)state;
+TEST(test_far_camera) {
     const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5},
                                    {0, 0, 6, 1}, {1, 1, 1, 2},  {0, 0, 0, -1}};
     algsurf_surface *s;
@@ -249,8 +238,7 @@ static void expect(algsurf_status wanted, algsurf_status bernstein, const algsur
     assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
 }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     const algsurf_term sphere[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -1}};
     const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 2, 6};
     algsurf_ray ray = good;
@@ -278,8 +266,7 @@ static void test_bad_input(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(test_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < 40; i++) {
         static random_case r;
@@ -301,11 +288,4 @@ static void test_environment(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_radii_hold),      cmocka_unit_test(test_tiny_components),
-        cmocka_unit_test(test_radii_are_small), cmocka_unit_test(test_far_camera),
-        cmocka_unit_test(test_bad_input),       cmocka_unit_test(test_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("expand"); }

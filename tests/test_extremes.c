@@ -14,14 +14,9 @@
  *
  *     test_extremes [rays [seed]]     rays of a scene; default: 3 and 1
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact_pixel.h"
 #include "extremes_truth.h"
+#include "unit.h"
 
 enum { ROOM = 16, BITS = 2400 };
 
@@ -284,52 +279,24 @@ static void judge_sweep(int which, limits most) {
         fail_msg("%s, seed %d: too many, or too few", at.sweep->name, seed);
 }
 
-static void test_distance(void **state) {
-    (void)state;
-    judge_sweep(0, (limits){0, 40, 8});
-}
+TEST(test_distance) { judge_sweep(0, (limits){0, 40, 8}); }
 
-static void test_scale(void **state) {
-    (void)state;
-    judge_sweep(1, (limits){0, 40, 8});
-}
+TEST(test_scale) { judge_sweep(1, (limits){0, 40, 8}); }
 
-static void test_gap(void **state) {
-    (void)state;
-    judge_sweep(2, (limits){57, 40, 8});
-}
+TEST(test_gap) { judge_sweep(2, (limits){57, 40, 8}); }
 
-static void test_degree(void **state) {
-    (void)state;
-    judge_sweep(3, (limits){34, 50, 8});
-}
+TEST(test_degree) { judge_sweep(3, (limits){34, 50, 8}); }
 
-static void test_singular(void **state) {
-    (void)state;
-    judge_sweep(4, (limits){42, 40, 8});
-}
+TEST(test_singular) { judge_sweep(4, (limits){42, 40, 8}); }
 
-static void test_extent(void **state) {
-    (void)state;
-    judge_sweep(5, (limits){1, 40, 8});
-}
+TEST(test_extent) { judge_sweep(5, (limits){1, 40, 8}); }
 
-static void test_spread(void **state) {
-    (void)state;
-    judge_sweep(6, (limits){75, 20, 100});
-}
+TEST(test_spread) { judge_sweep(6, (limits){75, 20, 100}); }
 
-static void test_leading(void **state) {
-    (void)state;
-    judge_sweep(7, (limits){50, 40, 8});
-}
+TEST(test_leading) { judge_sweep(7, (limits){50, 40, 8}); }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_distance), cmocka_unit_test(test_scale),
-                                       cmocka_unit_test(test_gap),      cmocka_unit_test(test_degree),
-                                       cmocka_unit_test(test_singular), cmocka_unit_test(test_extent),
-                                       cmocka_unit_test(test_spread),   cmocka_unit_test(test_leading)};
     if (argc > 1) rays = atoi(argv[1]);
     if (argc > 2) seed = atoi(argv[2]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("extremes");
 }

@@ -8,17 +8,9 @@
  * Catches: roots lost or doubled in crowds, close pairs, far out, beside 0; multiplicities of products;
  * limbs. */
 #include <gmp.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 enum { MOST = ALGSURF_MAX_POLY_DEGREE };
 
@@ -220,8 +212,7 @@ static poly *of_roots(const long *root, const unsigned *shift, int count) {
     return p;
 }
 
-static void test_orthogonal(void **state) {
-    (void)state;
+TEST(test_orthogonal) {
     static const int degree[] = {1, 2, 3, 9, 32, 63, 64, 65, 128};
     for (size_t i = 0; i < sizeof degree / sizeof *degree; i++) {
         int n = degree[i];
@@ -234,8 +225,7 @@ static void test_orthogonal(void **state) {
     judge_simple("Legendre", recur(256, legendre), 256);
 }
 
-static void test_wilkinson(void **state) {
-    (void)state;
+TEST(test_wilkinson) {
     for (int n = 10; n <= 160; n += 50) {
         long root[MOST];
         unsigned shift[MOST];
@@ -246,8 +236,7 @@ static void test_wilkinson(void **state) {
     }
 }
 
-static void test_sparse(void **state) {
-    (void)state;
+TEST(test_sparse) {
     for (int n = 3; n <= MOST; n += n < 16 ? 1 : 31) {
         judge_simple("x^n - 7", power(n, 7), n % 2 ? 1 : 2);
         judge_simple("x^n + 7", power(n, -7), n % 2);
@@ -258,8 +247,7 @@ static void test_sparse(void **state) {
 }
 
 /* (x^p - 1) / (x - 1) of a prime p has no real roots, but times others it is in their way. */
-static void test_cyclotomic(void **state) {
-    (void)state;
+TEST(test_cyclotomic) {
     static const int prime[] = {3, 5, 17, 61, 127, 251, 509};
     for (size_t i = 0; i < sizeof prime / sizeof *prime; i++) {
         int n = prime[i] - 1;
@@ -272,8 +260,7 @@ static void test_cyclotomic(void **state) {
 }
 
 /* Roots in clusters of clusters: 2^-20 apart in groups that are 2^-8 apart. */
-static void test_nested(void **state) {
-    (void)state;
+TEST(test_nested) {
     long root[12];
     unsigned shift[12];
     for (int gap = 12; gap <= 40; gap += 14) {
@@ -285,8 +272,7 @@ static void test_nested(void **state) {
     }
 }
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     poly *a = recur(12, legendre), *b = mignotte(9, 100), *c = linear(3, 0), *squares = product(a, a);
     poly *cubes = product(c, c), *p = product(squares, b), *all = product(cubes, c), *whole = product(p, all);
     const poly *factor[] = {a, b, c};
@@ -296,9 +282,4 @@ static void test_products(void **state) {
     drop(wider), drop(whole), drop(all), drop(p), drop(cubes), drop(squares), drop(c), drop(b), drop(a);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orthogonal), cmocka_unit_test(test_wilkinson),
-                                       cmocka_unit_test(test_sparse),     cmocka_unit_test(test_cyclotomic),
-                                       cmocka_unit_test(test_nested),     cmocka_unit_test(test_products)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("families"); }

@@ -4,17 +4,9 @@
  * Catches: magnitude or argument taken from the re-centred parameter instead of from the eye, a wrong
  * power of the scale in the imaginary part, a normal that is not that of the surface shown, answers
  * that depend on start values, what underflow takes from an imaginary part or an end of the ray forgotten. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <string.h>
-
 #include "algsurf/intersect.h"
 #include "exact.h"
+#include "unit.h"
 
 static const double pi = 3.141592653589793;
 
@@ -44,8 +36,7 @@ static algsurf_hit hit_of(const algsurf_surface *s, const algsurf_ray *ray,
 }
 
 /* Real space is sigma = 0 and a small delta: the same hits as the real branch. */
-static void test_real_space(void **state) {
-    (void)state;
+TEST(test_real_space) {
     const char *equations[] = {"x^2+y^2+z^2=1", "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "x^2 z+y^2",
                                "(x^2+y^2+z^2+5.44)^2 = 25 (x^2+y^2)"};
     const algsurf_complex_space space = space_of(0, 1e-10);
@@ -89,8 +80,7 @@ static double sphere_magnitude(const algsurf_ray *ray, double m, double delta) {
     return best;
 }
 
-static void test_complex_sphere(void **state) {
-    (void)state;
+TEST(test_complex_sphere) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     uint64_t seed = 11;
     int seen = 0, lost = 0;
@@ -119,8 +109,7 @@ static void test_complex_sphere(void **state) {
 }
 
 /* The normal is orthogonal to how the shown point moves when the direction turns. */
-static void test_normal(void **state) {
-    (void)state;
+TEST(test_normal) {
     algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
     algsurf_complex_space space = space_of(0, pi / 6);
     uint64_t seed = 5;
@@ -158,8 +147,7 @@ static void test_normal(void **state) {
 }
 
 /* Start values change the time, not the answer. */
-static void test_start_values(void **state) {
-    (void)state;
+TEST(test_start_values) {
     algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
     algsurf_complex_space space = space_of(0, pi / 10);
     algsurf_complex roots[4], again[4];
@@ -184,8 +172,7 @@ static void test_start_values(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_far_eye(void **state) {
-    (void)state;
+TEST(test_far_eye) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     const algsurf_complex_space space = space_of(0, 1e-10);
     const double eye[3] = {6e5, 5e5, 4e5}, target[3] = {0.1, 0.2, 0.3};
@@ -200,7 +187,7 @@ static void test_far_eye(void **state) {
 
 /* A ray in the surface, one beyond the range of double, one that touches: undecided, and why; without a root
  * to show there is none in root, and the hit is where the ray begins. */
-static void test_undecided(void **state) {
+TEST(test_undecided) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -212,7 +199,6 @@ static void test_undecided(void **state) {
         {"x^2+y^2+z^2=1", {{1, 0, -5}, {0, 0, 1}, 0, 10}, ALGSURF_UNDECIDED_MULTIPLE, 5},
     };
     const algsurf_complex_space space = space_of(0, 1e-10);
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         algsurf_surface *s = surface_of(cases[i].equation);
         const algsurf_ray *ray = &cases[i].ray;
@@ -236,7 +222,7 @@ static void test_undecided(void **state) {
 
 /* Positions beyond the range of double, of hits and of what is undecided, are clamped to it, and t is finite.
  * Catches: positions from t without the clamp, or of a frame that has overflowed; a t that has. */
-static void test_beyond_range(void **state) {
+TEST(test_beyond_range) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -248,7 +234,6 @@ static void test_beyond_range(void **state) {
         {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 0, HUGE_VAL}, ALGSURF_HIT},
     };
     const algsurf_complex_space space = space_of(0, 1);
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         algsurf_surface *s = surface_of(cases[i].equation);
         algsurf_hit hit;
@@ -286,8 +271,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
 
 /* Imaginary parts down to the smallest double: their roots are not real, however near.  From x = 0, where
  * t = -i m/(a d), and from before the plane, also with the middle of the ray on it. */
-static void test_small_imaginary(void **state) {
-    (void)state;
+TEST(test_small_imaginary) {
     static const double from[][3] = {
         {0, 1, INFINITY}, {0, 0x1p50, INFINITY}, {-3, 1, INFINITY}, {-0x3p-10, 1, 0x6p-10}};
     static const double factors[] = {1, 1.25, 1.75}, parts[] = {1, -1, 3, -7};
@@ -317,8 +301,7 @@ static void test_small_imaginary(void **state) {
 }
 
 /* The root 0 is before t_min, even where t_min is 0 in the surface's unit. */
-static void test_small_t_min(void **state) {
-    (void)state;
+TEST(test_small_t_min) {
     algsurf_surface *s = surface_of("x^2 + 1024 x");
     const algsurf_complex_space space = space_of(0, 1);
     algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
@@ -331,8 +314,7 @@ static void test_small_t_min(void **state) {
 }
 
 /* Roots of nearly the same magnitude, x^2 + 2^-k x - 1 from 0, seen in all directions. */
-static void test_rivals(void **state) {
-    (void)state;
+TEST(test_rivals) {
     int decided = 0;
     for (int k = 1; k <= 200; k++) {
         const algsurf_term terms[] = {{2, 0, 0, 1}, {1, 0, 0, ldexp(1, -k)}, {0, 0, 0, -1}};
@@ -354,8 +336,7 @@ static void test_rivals(void **state) {
 
 /* Of the roots 3 + i and 3 - i, moved by an imaginary part m t, the first becomes the smaller; without one
  * they are conjugates, and the hit is decided. */
-static void test_conjugates(void **state) {
-    (void)state;
+TEST(test_conjugates) {
     const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
     algsurf_surface *s = surface_of("x^2 - 6 x + 10");
     algsurf_complex_space space = space_of(0, 0.5);
@@ -377,22 +358,20 @@ static void test_conjugates(void **state) {
 }
 
 /* The root is 2^-107 outside of the ball; nearer to it than doubles place the chord's end. */
-static void test_edge_of_the_extent(void **state) {
+TEST(test_edge_of_the_extent) {
     static const algsurf_ray ray = {{-8192, 0x1.b399999d00ccdp-22, 0}, {1, 0, 0}, 0, HUGE_VAL};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 0, 0, -0x1.ffffffffffd1bp-1}};
     const algsurf_complex_space space = space_of(0, 0);
     algsurf_surface *s = NULL;
     algsurf_hit hit;
-    (void)state;
     assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
     assert_int_equal(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL), ALGSURF_OK);
     assert_int_equal(hit.state, ALGSURF_MISS);
     algsurf_surface_free(s);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     const algsurf_ray ray = {{-4, 0, 0}, {1, 0, 0}, 0, HUGE_VAL}, bad_ray = {{NAN, 0, 0}, {1, 0, 0}, 0, 1};
     const algsurf_extent bad_extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {-1, 0, 0}};
@@ -434,15 +413,4 @@ static void test_bad_arguments(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
-        cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
-        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_undecided),
-        cmocka_unit_test(test_beyond_range),  cmocka_unit_test(test_edge_of_the_extent),
-        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_small_imaginary),
-        cmocka_unit_test(test_small_t_min),   cmocka_unit_test(test_rivals),
-        cmocka_unit_test(test_conjugates),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect complex"); }

@@ -78,8 +78,7 @@ static double try_tolerances(const catalogue_entry *entry, double root) {
 
 /* One pixel in 8 x 8 of a picture of 96 x 72, the one named among them: there rounding moves the root of the
  * polynomial along the chord by 2e-11, 2e-11 and 4e-10.  The largest tolerance is to be seen. */
-static void test_tolerance_and_rounding(void **state) {
-    (void)state;
+TEST(test_tolerance_and_rounding) {
     static const struct {
         const char *name;
         int x, y;
@@ -112,8 +111,7 @@ static void test_tolerance_and_rounding(void **state) {
     }
 }
 
-static void test_methods_and_tolerances(void **state) {
-    (void)state;
+TEST(test_methods_and_tolerances) {
     static const double tolerances[] = {0, 1e-12, 1e-7, 1e-3};
     uint64_t seed = SEED;
     int hits = 0, short_of = 0;
@@ -155,8 +153,7 @@ static void test_methods_and_tolerances(void **state) {
 }
 
 /* A small limit of iterations: the state is as proved as ever, t is what there was. */
-static void test_iteration_limit(void **state) {
-    (void)state;
+TEST(test_iteration_limit) {
     algsurf_intersect_options options = defaults;
     options.method = ALGSURF_METHOD_BISECTION, options.max_iterations = 3, options.absolute_tolerance = 1e-9;
     intersect_equation(&c, equations[0]);
@@ -186,8 +183,7 @@ static void expect(algsurf_status wanted, const algsurf_surface *s, const algsur
     assert_true(count == 77 && (int)occluded == 77);
 }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     const algsurf_extent sphere = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     algsurf_extent extent = sphere;
@@ -216,8 +212,7 @@ static void test_bad_input(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-static void test_capacity(void **state) {
-    (void)state;
+TEST(test_capacity) {
     const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     algsurf_hit hits[2], untouched[2];
     int count = 77;
@@ -232,8 +227,7 @@ static void test_capacity(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_ray ray = {{0.1, 0.2, -4}, {0, 0, 1}, 0, 9};
     const algsurf_extent *all = NULL;
     struct {
@@ -258,8 +252,7 @@ static void test_options(void **state) {
 
 /* ---- the environment ---- */
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(test_environment) {
     uint64_t seed = SEED;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
@@ -290,15 +283,4 @@ static void test_environment(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_methods_and_tolerances),
-        cmocka_unit_test(test_tolerance_and_rounding),
-        cmocka_unit_test(test_iteration_limit),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_capacity),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect options"); }

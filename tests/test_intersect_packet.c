@@ -7,8 +7,6 @@
  * neighbours, a mask or a count not looked at, rays not checked, a kernel that undecided everything, an
  * environment left as the caller's, a single call with other bits than a packet.
  */
-#include <float.h>
-
 #include "intersect_case.h"
 
 #include "catalogue.h"
@@ -145,8 +143,8 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST,
-                                           ALGSURF_DEFAULT_MEMORY, NULL, &root, 1, &count),
+    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY,
+                                           NULL, &root, 1, &count),
                      ALGSURF_OK);
     if (count == 0) return hit;
     hit = (algsurf_hit){.state = ALGSURF_HIT,
@@ -298,8 +296,7 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
     }
 }
 
-static void test_catalogue(void **state) {
-    (void)state;
+TEST(test_catalogue) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s;
@@ -317,8 +314,7 @@ static void test_catalogue(void **state) {
 }
 
 /* Surfaces whose terms cancel: their values are small against the rounding of the terms. */
-static void test_cancellation(void **state) {
-    (void)state;
+TEST(test_cancellation) {
     static const char *const equations[] = {
         "(x-9)^2 + (y-300)^2 + (z-2)^2 - 1",
         "(x-20)^4 - 5(x-20)^2 + (y-20)^4 - 5(y-20)^2 + (z+20)^4 - 5(z+20)^2 + 11.8",
@@ -364,8 +360,7 @@ static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const
 }
 
 /* The extent ends where the surface is hit, to the last digits. */
-static void test_hits_on_the_extent(void **state) {
-    (void)state;
+TEST(test_hits_on_the_extent) {
     const catalogue_entry *entry = catalogue_find("tangle");
     algsurf_surface *s;
     uint64_t seed = SEED;
@@ -395,8 +390,7 @@ static void test_hits_on_the_extent(void **state) {
 }
 
 /* Exactly tangent, exactly at the ends, along double lines. */
-static void test_undecided_rays(void **state) {
-    (void)state;
+TEST(test_undecided_rays) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -469,8 +463,7 @@ static int judge_exactly(int i, double *error) {
     return s.count > 0;
 }
 
-static void test_exact(void **state) {
-    (void)state;
+TEST(test_exact) {
     uint64_t seed = SEED;
     int judged = 0, hits = 0, precise = 0;
     for (int round = 0; round < 60; round++) {
@@ -530,8 +523,7 @@ static int undecided(const algsurf_extent *extent, int any) {
 }
 
 /* Every degree, those without packet code among them; how many rays the packet code decides is counted. */
-static void test_degrees(void **state) {
-    (void)state;
+TEST(test_degrees) {
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.2, 0, 0}};
     const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 33, 64};
     uint64_t seed = SEED;
@@ -553,8 +545,7 @@ static void test_degrees(void **state) {
     }
 }
 
-static void test_catalogue_is_decided(void **state) {
-    (void)state;
+TEST(test_catalogue_is_decided) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s;
@@ -592,8 +583,7 @@ static void fill(uint64_t *seed, const algsurf_extent *extent) {
 }
 
 /* Any count, any mask, any split: the same bits, and not a byte of the others touched. */
-static void test_counts_masks_splits(void **state) {
-    (void)state;
+TEST(test_counts_masks_splits) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -629,8 +619,7 @@ static void test_counts_masks_splits(void **state) {
 }
 
 /* Every array but state may be missing; t_min and t_max then are 0 and infinity. */
-static void test_missing_arrays(void **state) {
-    (void)state;
+TEST(test_missing_arrays) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -669,8 +658,7 @@ static void refuse(algsurf_status expected, const algsurf_extent *extent,
     assert_memory_equal(&p, &before, sizeof p);
 }
 
-static void test_errors(void **state) {
-    (void)state;
+TEST(test_errors) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -718,8 +706,7 @@ static void test_errors(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_kernel_names(void **state) {
-    (void)state;
+TEST(test_kernel_names) {
     const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     algsurf_surface *s = barth();
     algsurf_intersect_options options = {.size = sizeof options};
@@ -743,8 +730,7 @@ static void test_kernel_names(void **state) {
 }
 
 /* Other methods, limits and tolerances: the bits of single calls, or as near as asked. */
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -775,8 +761,7 @@ static void test_options(void **state) {
 }
 
 /* The same scene larger or smaller, up to sizes that packets leave to single calls. */
-static void test_scales(void **state) {
-    (void)state;
+TEST(test_scales) {
     uint64_t seed = SEED;
     algsurf_term terms[INTERSECT_TERMS];
     tallied = (tally){0};
@@ -807,8 +792,7 @@ static void test_scales(void **state) {
 }
 
 /* Directions 2^k times as long, in the bounded tier: t is 2^-k times as large, all else has the same bits. */
-static void test_lengths(void **state) {
-    (void)state;
+TEST(test_lengths) {
     const int lengths[] = {-700, -300, -101, 101, 300, 700};
     const algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_BOUNDED};
     uint64_t seed = SEED;
@@ -841,8 +825,7 @@ static void test_lengths(void **state) {
 }
 
 /* Directions, and ends, that underflow or overflow where t is measured in the surface's unit. */
-static void test_out_of_range(void **state) {
-    (void)state;
+TEST(test_out_of_range) {
     const double ends[] = {0, 0x1p-1074, 0x1p-1022, 0x1p-900, 0x1p900, DBL_MAX, INFINITY};
     const double lengths[] = {0x1p-1070, 0x1p-1023, 0x1p-1020, 1, 0x1p1021, 0x1p1023};
     enum { ENDS_COUNT = sizeof ends / sizeof ends[0], LENGTHS_COUNT = sizeof lengths / sizeof lengths[0] };
@@ -874,8 +857,7 @@ static void test_out_of_range(void **state) {
 }
 
 /* t is subnormal, and not a double: it is between two. */
-static void test_subnormal(void **state) {
-    (void)state;
+TEST(test_subnormal) {
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 1, 1, 1}};
     const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
     algsurf_surface *s;
@@ -888,8 +870,7 @@ static void test_subnormal(void **state) {
 }
 
 /* Extents far larger or smaller than the surface, and far away. */
-static void test_odd_extents(void **state) {
-    (void)state;
+TEST(test_odd_extents) {
     algsurf_surface *s = barth();
     const double sizes[] = {0x1p-1000, 0x1p-500, 0x1p-120, 0x1p-40, 0x1p-20,
                             0x1p20,    0x1p40,   0x1p120,  0x1p500, 0x1p1000};
@@ -908,8 +889,7 @@ static void test_odd_extents(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_environments(void **state) {
-    (void)state;
+TEST(test_environments) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -931,26 +911,4 @@ static void test_environments(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_catalogue),
-        cmocka_unit_test(test_cancellation),
-        cmocka_unit_test(test_hits_on_the_extent),
-        cmocka_unit_test(test_undecided_rays),
-        cmocka_unit_test(test_exact),
-        cmocka_unit_test(test_degrees),
-        cmocka_unit_test(test_catalogue_is_decided),
-        cmocka_unit_test(test_counts_masks_splits),
-        cmocka_unit_test(test_missing_arrays),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_kernel_names),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_lengths),
-        cmocka_unit_test(test_out_of_range),
-        cmocka_unit_test(test_subnormal),
-        cmocka_unit_test(test_odd_extents),
-        cmocka_unit_test(test_environments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect packet"); }

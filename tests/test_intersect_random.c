@@ -82,33 +82,15 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
                  done, certain, hits, measured, precise, narrow);
 }
 
-static void test_low_degrees(void **state) {
-    (void)state;
-    judge_family(4000, 5, 53, 0, 99);
-}
+TEST(test_low_degrees) { judge_family(4000, 5, 53, 0, 99); }
 
-static void test_high_degrees(void **state) {
-    (void)state;
+TEST(test_high_degrees) {
     judge_family(2500, 12, 16, 0, 97); /* some surfaces have coordinate planes as double factors */
 }
 
-static void test_high_degrees_all_bits(void **state) {
-    (void)state;
-    judge_family(300, 12, 53, 0, 97);
-}
+TEST(test_high_degrees_all_bits) { judge_family(300, 12, 53, 0, 97); }
 
 /* Tangencies, double factors, roots at ends, exact multiple roots. */
-static void test_small_integers(void **state) {
-    (void)state;
-    judge_family(3000, 6, 2, 1, 80);
-}
+TEST(test_small_integers) { judge_family(3000, 6, 2, 1, 80); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_low_degrees),
-        cmocka_unit_test(test_high_degrees),
-        cmocka_unit_test(test_high_degrees_all_bits),
-        cmocka_unit_test(test_small_integers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect random"); }

@@ -3,21 +3,14 @@
  *
  * Breaks caught (each tried): a slope shifted by one in the centred form, its middle not taken as a point,
  * Horner's result not met. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "interval_cases.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 14u
 
 /* Members of the coefficient intervals at points of x lie in both results; the centred form lies in Horner's,
  * and is far better for thin arguments. */
-static void test_poly(void **state) {
-    (void)state;
+TEST(test_poly) {
     uint64_t seed = SEED;
     mpq_t y, x, c;
     mpq_inits(y, x, c, NULL);
@@ -50,8 +43,7 @@ static void test_poly(void **state) {
     assert_true(algsurf_interval_width(h) > 0x1p-8 && algsurf_interval_width(r) < 0x1p-15);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     const algsurf_interval one = {1, 1}, bad[] = {{1, 0}, {NAN, 1}, {0, NAN}, {INFINITY, INFINITY}};
     algsurf_interval r = {7, 8};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -71,10 +63,4 @@ static void test_bad_arguments(void **state) {
     assert_int_equal(algsurf_interval_poly_centred(&one, 0, one, NULL), ALGSURF_E_ARGUMENT);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_poly),
-        cmocka_unit_test(test_bad_arguments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("interval poly"); }

@@ -5,20 +5,13 @@
  *   entries behind the last one written; shares of another entry       same_bits, public_functions
  *   bytes cut off instead of rounded; points beyond all bounds          public_functions
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "base/vec.h"
 #include "exact.h"
 #include "beams/kernels.h"
 #include "picture/shade_impl.h"
 #include "picture/srgb.h"
 #include "shade_reference.h"
+#include "unit.h"
 
 enum { MOST = 200, SPARE = 8, LIGHTS = 4 };
 static const uint64_t seed = 20240612;
@@ -132,11 +125,10 @@ static void public_colour(const turn *t, int e, double colour[3]) {
 }
 
 /* Every kernel gives the bits of algsurf_shade, and its bytes. */
-static void public_functions(void **state) {
+TEST(public_functions) {
     static turn t;
     static colours got;
     uint64_t random = seed;
-    (void)state;
     for (int number = 0; number < 160; number++) {
         random_turn(number, &random, &t);
         if (t.preview) t.with_visible = 0;
@@ -160,11 +152,10 @@ static void public_functions(void **state) {
 }
 
 /* Of what is near the surface shown: as the formula has it. */
-static void formula(void **state) {
+TEST(formula) {
     static turn t;
     static colours got;
     uint64_t random = seed + 1;
-    (void)state;
     for (int number = 0; number < 24; number++) {
         random_turn(number, &random, &t);
         if (t.preview) continue;
@@ -184,11 +175,10 @@ static void formula(void **state) {
 
 /* A light straight behind a point seen edge-on: the half-way vector is all rounding, the highlight no more
  * than a highlight; and so it is for lights and points beyond all bounds. */
-static void extremes(void **state) {
+TEST(extremes) {
     static turn t;
     static colours got;
     uint64_t random = seed + 2;
-    (void)state;
     for (int number = 0; number < 100; number++) {
         const algsurf_i_looks looks = looks_of(&t.b, 0);
         random_turn(number, &random, &t);
@@ -209,11 +199,10 @@ static void extremes(void **state) {
 }
 
 /* Any number of entries, by any kernel: the bits of each entry alone; nothing behind them touched. */
-static void same_bits(void **state) {
+TEST(same_bits) {
     static turn t;
     static colours alone, got;
     uint64_t random = seed + 3;
-    (void)state;
     for (int number = 0; number < 16; number++) {
         random_turn(number, &random, &t);
         memset(&alone, 0xa5, sizeof alone);
@@ -234,8 +223,4 @@ static void same_bits(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(public_functions), cmocka_unit_test(formula),
-                                       cmocka_unit_test(extremes), cmocka_unit_test(same_bits)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("kernel colours"); }

@@ -5,17 +5,9 @@
  * Breaks caught, each tried: shadows that take all light, no light from the eye, a highlight that adds
  * instead of mixing, bytes without the curve of sRGB.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdlib.h>
-
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
+#include "unit.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -87,25 +79,18 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
     algsurf_surface_free(surface);
 }
 
-static void standard(void **state) {
-    (void)state;
+TEST(standard) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         check(entry, ALGSURF_QUALITY_STANDARD);
 }
 
-static void full(void **state) {
-    (void)state;
+TEST(full) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) check(entry, ALGSURF_QUALITY_FULL);
 }
 
-static void sides(void **state) {
-    (void)state;
+TEST(sides) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         assert_true(fabs(lightness(entry->outside) - lightness(entry->inside)) <= 2.5);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(standard), cmocka_unit_test(full),
-                                       cmocka_unit_test(sides)};
-    return cmocka_run_group_tests_name("look", tests, NULL, NULL);
-}
+int main(void) { return unit_run("look"); }

@@ -13,12 +13,6 @@
  *     test_masks [pixels [views [seed]]]     pixels a picture, views a surface; default: 300 and 3, and
  *                                            of each picture ROWS rows only
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact_pixel.h"
 #include "scenes.h"
@@ -196,21 +190,14 @@ static void check_named(const char *name) {
     check_surface(entry->name, entry->equation, &entry->extent);
 }
 
-static void test_barth_decic(void **state) {
-    (void)state;
-    check_named("barth-decic");
-}
+TEST(test_barth_decic) { check_named("barth-decic"); }
 
-static void test_labs_septic(void **state) {
-    (void)state;
-    check_named("labs");
-}
+TEST(test_labs_septic) { check_named("labs"); }
 
 /* T16(x) + T16(y) + T16(z) + 1 = 0: 1344 nodes in the cube of half size 1 (Chmutov 1992). */
-static void test_chmutov_16(void **state) {
+TEST(test_chmutov_16) {
 #define T16(v) "(2(2(2(2" v "^2-1)^2-1)^2-1)^2-1)"
     const algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE, .size = {1.75}};
-    (void)state;
     check_surface("chmutov-16", T16("x") "+" T16("y") "+" T16("z") "+ 1", &ball);
 #undef T16
 }
@@ -220,7 +207,5 @@ int main(int count, char **arguments) {
     if (count > 1) pixels = atoi(arguments[1]);
     if (count > 2) views = atoi(arguments[2]);
     if (count > 3) first_seed = strtoull(arguments[3], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_barth_decic), cmocka_unit_test(test_labs_septic),
-                                       cmocka_unit_test(test_chmutov_16)};
-    return cmocka_run_group_tests_name("masks", tests, NULL, NULL);
+    return unit_run("masks");
 }

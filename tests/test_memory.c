@@ -12,19 +12,10 @@
 #define _POSIX_C_SOURCE 200809L /* pthreads */
 #include <pthread.h>
 #include <errno.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdatomic.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 static atomic_long until_failure; /* allocations that still succeed; negative: all do */
 static atomic_int failed;         /* was one refused? */
@@ -337,8 +328,7 @@ static algsurf_status undecided_intersect(void) {
     return ALGSURF_OK;
 }
 
-static void test_undecided_rays(void **state) {
-    (void)state;
+TEST(test_undecided_rays) {
     for (size_t i = 0; i < sizeof undecided_rays / sizeof *undecided_rays; i++) {
         asked = undecided_rays + i;
         assert_int_equal(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL),
@@ -391,10 +381,9 @@ static algsurf_status render_small(void) {
     return status;
 }
 
-static void test_certified_picture(void **state) {
+TEST(test_certified_picture) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
-    (void)state;
     assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL),
                      ALGSURF_OK);
     assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
@@ -422,17 +411,13 @@ static void test_certified_picture(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_surface(void **state) {
-    (void)state;
+TEST(test_surface) {
     assert_true(refuse_each(from_terms) > 0);
     assert_true(refuse_each(from_equation) > 0);
     assert_true(refuse_each(from_factors) > 0);
 }
 
-static void test_root_solver(void **state) {
-    (void)state;
-    assert_true(refuse_each(root_solver) > 0);
-}
+TEST(test_root_solver) { assert_true(refuse_each(root_solver) > 0); }
 
 /* x^40 - x^39 + 2^-1000 x^38 underflows at the lower end. */
 static algsurf_status refine(void) {
@@ -458,8 +443,7 @@ static algsurf_status refine_with_radii(void) {
     return status;
 }
 
-static void test_refine(void **state) {
-    (void)state;
+TEST(test_refine) {
     assert_true(refuse_each(refine) > 0);
     assert_true(refuse_each(refine_with_radii) > 0);
 }
@@ -485,14 +469,12 @@ static algsurf_status isolate_watched(void) {
     return isolate(&watched);
 }
 
-static void test_isolate(void **state) {
-    (void)state;
+TEST(test_isolate) {
     int alone = refuse_each(isolate_alone);
     assert_true(alone > 0 && refuse_each(isolate_watched) > alone);
 }
 
-static void test_scene_and_render(void **state) {
-    (void)state;
+TEST(test_scene_and_render) {
     algsurf_surface *s = make_surface();
     torus = s;
     assert_true(refuse_each(scene) > 0);
@@ -504,10 +486,9 @@ static void test_scene_and_render(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_complex_space(void **state) {
+TEST(test_complex_space) {
     algsurf_complex_space space = {.size = sizeof space, .sector = {0.01, 0.2}, .imaginary = {[0] = 0.5}};
     algsurf_surface *s = make_surface();
-    (void)state;
     assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_complex_space(stage, &space), ALGSURF_OK);
     assert_int_equal(draw_complex(&complex_reference), ALGSURF_OK);
@@ -521,14 +502,13 @@ static void test_complex_space(void **state) {
 }
 
 /* 0 to 3 of the helpers that are asked for; without the locks, nothing at all. */
-static void test_threads(void **state) {
+TEST(test_threads) {
     algsurf_surface *s = make_surface();
     uint8_t pixels[HEIGHT][WIDTH * 3], before[HEIGHT][WIDTH * 3];
     algsurf_render_stats stats = {.size = sizeof stats};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = &pixels[0][0]};
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 4};
-    (void)state;
     assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
     assert_int_equal(draw(reference), ALGSURF_OK);
     for (int allowed = 0; allowed <= 3; allowed++) {
@@ -557,11 +537,5 @@ static void test_threads(void **state) {
 
 int main(void) {
     atomic_store(&until_failure, -1);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface),          cmocka_unit_test(test_root_solver),
-        cmocka_unit_test(test_refine),           cmocka_unit_test(test_isolate),
-        cmocka_unit_test(test_scene_and_render), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_undecided_rays),
-        cmocka_unit_test(test_certified_picture)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("memory");
 }

@@ -11,16 +11,9 @@
  *   steps before the point at once       far_out, near_tips
  *   the form's exponents left out        far_out, scaled
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "algsurf/algsurf.h"
 #include "exact_ray.h"
+#include "unit.h"
 
 static const uint64_t seed = 20251125;
 
@@ -224,10 +217,9 @@ static algsurf_ray ray_about(const double place[3], double radius, double near, 
 static const double round_weights[3] = {1, 1, 1}, cone_weights[3] = {1, 1, -1};
 
 /* Quadrics and products of two with exact coefficients, 10^3 to 10^6 radii from the origin. */
-static void far_out(void **state) {
+TEST(far_out) {
     uint64_t random = seed;
     tally judged = {0};
-    (void)state;
     for (int turn = 0; turn < 240; turn++) {
         const int s = 7 + turn % 11, quartic = turn % 2; /* centres m 2^s, |m| < 128, with few bits */
         double c[3], e[3];
@@ -280,12 +272,11 @@ static body power_of_plane(int k) {
     return b;
 }
 
-static void powers(void **state) {
+TEST(powers) {
     uint64_t random = seed + 1;
     tally judged = {0};
     static const int exponents[] = {5, 9, 13, 16, 21};
     const double place[3] = {-0.3, -0.4, 0.1};
-    (void)state;
     for (int turn = 0; turn < 5; turn++) {
         body b = power_of_plane(exponents[turn]);
         for (int k = 0; k < 8; k++) {
@@ -298,11 +289,10 @@ static void powers(void **state) {
 }
 
 /* Cones passed at distances from 1 to 10^-9, and through their tips, where the normal is one seen beside. */
-static void near_tips(void **state) {
+TEST(near_tips) {
     uint64_t random = seed + 2;
     tally judged = {0};
     int seen = 0;
-    (void)state;
     for (int turn = 0; turn < 300; turn++) {
         double c[3];
         for (int i = 0; i < 3; i++) c[i] = (exact_random_int(&random, 129) - 64) * 0.125;
@@ -331,10 +321,9 @@ static void near_tips(void **state) {
 }
 
 /* Surfaces of all sizes. */
-static void scaled(void **state) {
+TEST(scaled) {
     uint64_t random = seed + 3;
     tally judged = {0};
-    (void)state;
     for (int turn = 0; turn < 120; turn++) {
         const int scale = exact_random_int(&random, 665) - 332;
         const int far = turn % 3 == 0 ? 20 : 2;
@@ -357,11 +346,10 @@ static void scaled(void **state) {
 }
 
 /* Pictures of balls, 1 to 10^7 radii from the origin, whose pixels are rays where rounding counts. */
-static void pictures(void **state) {
+TEST(pictures) {
     enum { SIDE = 24 };
     static float normals[3 * SIDE * SIDE];
     static double t[SIDE * SIDE];
-    (void)state;
     for (int s = 0; s < 24; s++) {
         const double c[3] = {ldexp(1, s), ldexp(3, s - 1), -ldexp(1, s - 1)}, up[3] = {0, 1, 0};
         const double eye[3] = {c[0] + 4, c[1] + 2, c[2] + 5};
@@ -403,10 +391,4 @@ static void pictures(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(far_out), cmocka_unit_test(powers),   cmocka_unit_test(near_tips),
-        cmocka_unit_test(scaled),  cmocka_unit_test(pictures),
-    };
-    return cmocka_run_group_tests_name("normals", tests, NULL, NULL);
-}
+int main(void) { return unit_run("normals"); }

@@ -8,20 +8,11 @@
  *   an observer that changes the way, a count left out               same_with_and_without
  *   integers that say nothing, or call themselves doubles            both engines must be seen */
 #include <fenv.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
 #include "exact.h"
 #include "exact_ray.h"
+#include "unit.h"
 
 enum { MOST = 4000, TOP = 12 };
 
@@ -165,8 +156,7 @@ static poly random_poly(uint64_t *seed) {
 }
 
 /* Catches: see above. */
-static void cells_tile(void **state) {
-    (void)state;
+TEST(cells_tile) {
     uint64_t seed = 17;
     int checked = 0, halved = 0, found = 0;
     algsurf_bracket b[TOP];
@@ -188,8 +178,7 @@ static void times(double *c, int *n, double a) { /* (t - a) */
 }
 
 /* Integers, too: double roots, roots too close for doubles. */
-static void integers_are_told(void **state) {
-    (void)state;
+TEST(integers_are_told) {
     uint64_t seed = 4;
     int checked = 0, lower = 0;
     algsurf_bracket b[TOP];
@@ -216,8 +205,7 @@ static void integers_are_told(void **state) {
 }
 
 /* In t although t^3 is looked at: half as many cells of the cubic root's line, and its root is in one. */
-static void powers_are_told_in_t(void **state) {
-    (void)state;
+TEST(powers_are_told_in_t) {
     const poly p = {.n = 9, .c = {[0] = 6, [3] = -11, [6] = 6, [9] = -1}, .lo = 0, .hi = 4}; /* 1, 2, 3 */
     algsurf_bracket b[TOP];
     assert_int_equal(same_with_and_without(&p, 1, b), 3);
@@ -234,8 +222,7 @@ static void powers_are_told_in_t(void **state) {
     check_tiles(0.5, 1.5);
 }
 
-static void bad_observers(void **state) {
-    (void)state;
+TEST(bad_observers) {
     const double c[] = {-0.5, 0.25, 1, 3};
     algsurf_observer observer = {.size = 3};
     algsurf_isolate_options o = {.size = sizeof o, .observer = &observer};
@@ -353,8 +340,7 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     return told.engine;
 }
 
-static void rays_are_watched(void **state) {
-    (void)state;
+TEST(rays_are_watched) {
     static scene s;
     uint64_t seed = 99;
     int decided[3] = {0};
@@ -382,8 +368,7 @@ static void rays_are_watched(void **state) {
 }
 
 /* Where rays go side by side nobody can watch. */
-static void packets_and_pictures_refuse(void **state) {
-    (void)state;
+TEST(packets_and_pictures_refuse) {
     algsurf_surface *surface;
     algsurf_scene *picture;
     const double o[3] = {-3, 0.1, 0.2}, d[3] = {1, 0, 0};
@@ -410,11 +395,4 @@ static void packets_and_pictures_refuse(void **state) {
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_tile),           cmocka_unit_test(integers_are_told),
-        cmocka_unit_test(powers_are_told_in_t), cmocka_unit_test(bad_observers),
-        cmocka_unit_test(rays_are_watched),     cmocka_unit_test(packets_and_pictures_refuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("observe"); }

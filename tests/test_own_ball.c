@@ -4,18 +4,11 @@
  * Catches (each tried): a surface taken for its own ball though one coefficient is a unit in the last place
  * off, or the centre; one that is not recognised; a ball that is replaced by a larger one though the surface
  * is not its own; an eye made at another point than the rays'. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact.h"
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
 #include "rays/own_ball.h"
+#include "unit.h"
 
 static const uint64_t SEED = 20261122;
 
@@ -50,8 +43,7 @@ static int is_own(const ball *b, const algsurf_extent *extent) {
     return own;
 }
 
-static void test_recognised(void **state) {
-    (void)state;
+TEST(test_recognised) {
     uint64_t seed = SEED;
     for (int round = 0; round < 2000; round++) {
         ball b = random_ball(&seed), other = b;
@@ -73,8 +65,7 @@ static void test_recognised(void **state) {
 }
 
 /* What stands beside a ball of the same size keeps its extent. */
-static void test_others(void **state) {
-    (void)state;
+TEST(test_others) {
     static const char *const equation[] = {"x^2 + y^2 + z^2 + x y = 1", "x^2 + y^2 = 1",
                                            "x^2 + y^2 - z^2 = 1",       "(x^2 + y^2 + z^2 - 1)^2",
                                            "x^4 + y^4 + z^4 = 1",       "x = 1"};
@@ -98,8 +89,7 @@ static void test_others(void **state) {
 /* Many rays of one origin that doubles leave undecided, as a packet and each alone: the same bits. */
 enum { RAYS = 40 };
 
-static void test_shared_origin(void **state) {
-    (void)state;
+TEST(test_shared_origin) {
     static const char *const equation[] = {"(x^2 + 2y^2 + 3z^2 + x y - y z + x - 1)^2",
                                            "(x^3 + y^3 + z^3 + x y z - x + 1/2)^2 (x + y + z + 1)",
                                            "((x + y + z + 1)^4 + (x - y)^3 z - 2)^2"};
@@ -150,8 +140,7 @@ static void test_shared_origin(void **state) {
 
 /* Along this direction the form of highest degree vanishes, but not that of all coefficients within the
  * error: a root may be anywhere far out. */
-static void test_vanishing_direction(void **state) {
-    (void)state;
+TEST(test_vanishing_direction) {
     algsurf_surface *exact, *known;
     const algsurf_ray ray = {{0, 0.5, 0}, {1, 1, 0}, 0, 0x1p60};
     algsurf_hit hits[4];
@@ -168,9 +157,4 @@ static void test_vanishing_direction(void **state) {
     algsurf_surface_free(exact);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_recognised), cmocka_unit_test(test_others),
-                                       cmocka_unit_test(test_shared_origin),
-                                       cmocka_unit_test(test_vanishing_direction)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("own ball"); }

@@ -3,18 +3,12 @@
  * Breaks caught: a rounding not counted (a bound without its u |sum| part fails within a few rounds), a
  * radius not propagated, an absolute pad forgotten (the subnormal rounds), compensation lost (bounds as wide
  * as plain Horner's fail the tightness tests), a weight of the wrong index in the Bernstein scheme. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
 #include <fenv.h>
-#include <float.h>
 
 #include "algsurf/poly.h"
+#include "unit.h"
 
 #define SEED 5u
 #define TOP ALGSURF_MAX_POLY_DEGREE
@@ -97,18 +91,11 @@ static void evaluate_families(evaluator eval) {
         }
 }
 
-static void test_eval_encloses(void **state) {
-    (void)state;
-    evaluate_families(algsurf_poly_eval);
-}
+TEST(test_eval_encloses) { evaluate_families(algsurf_poly_eval); }
 
-static void test_compensated_encloses(void **state) {
-    (void)state;
-    evaluate_families(algsurf_poly_eval_compensated);
-}
+TEST(test_compensated_encloses) { evaluate_families(algsurf_poly_eval_compensated); }
 
-static void test_largest_degree(void **state) {
-    (void)state;
+TEST(test_largest_degree) {
     uint64_t seed = SEED;
     double c[TOP + 1], r[TOP + 1];
     for (int i = 0; i < 4; i++) {
@@ -126,8 +113,7 @@ static double magnitude(const double *c, int n, double t) {
 }
 
 /* The bounds are not only right but as small as promised, and the radii dominate when they should. */
-static void test_bounds_are_tight(void **state) {
-    (void)state;
+TEST(test_bounds_are_tight) {
     uint64_t seed = SEED;
     double c[33], r[33], value, bound;
     for (int i = 0; i < 2000; i++) {
@@ -147,8 +133,7 @@ static void test_bounds_are_tight(void **state) {
 
 /* (t-1)^8 close to 1, at ordinary, huge and tiny scale: plain Horner knows nothing, the compensated one all.
  */
-static void test_compensation_pays(void **state) {
-    (void)state;
+TEST(test_compensation_pays) {
     static const double p[9] = {1, -8, 28, -56, 70, -56, 28, -8, 1};
     static const int scales[] = {0, 990, 1017, -990, -1070};
     for (size_t k = 0; k < sizeof scales / sizeof scales[0]; k++) {
@@ -164,8 +149,7 @@ static void test_compensation_pays(void **state) {
 }
 
 /* Overflow: an infinite value has an infinite bound; a radius may overflow alone. */
-static void test_overflow(void **state) {
-    (void)state;
+TEST(test_overflow) {
     const double c[3] = {1, 0, 1e300}, r[3] = {0, 0, 1.7e308};
     double value, bound;
     assert_int_equal(algsurf_poly_eval(c, NULL, 2, -1e10, &value, &bound), ALGSURF_OK);
@@ -184,8 +168,7 @@ static void test_overflow(void **state) {
 
 /* c_n t^n + c_0, which cancel, where the first products lose bits to underflow that 50 powers of t then
  * lift up to 2^-75: far above the errors that are relative to anything. */
-static void test_amplified_underflow(void **state) {
-    (void)state;
+TEST(test_amplified_underflow) {
     uint64_t seed = SEED;
     mpq_t y;
     mpq_init(y);
@@ -233,8 +216,7 @@ static void check_bernstein(uint64_t *seed, int n, const double *c, double lo, d
     free(exact);
 }
 
-static void test_bernstein_encloses(void **state) {
-    (void)state;
+TEST(test_bernstein_encloses) {
     static const struct {
         int rounds, degree, low, high, x_low, x_high;
     } family[] = {{500, 12, -4, 4, -3, 1},
@@ -256,8 +238,7 @@ static void test_bernstein_encloses(void **state) {
 }
 
 /* 1 is 1 in every degree, t runs evenly from lo to hi; degree 512 stays within its promised error. */
-static void test_bernstein_of_simple_polynomials(void **state) {
-    (void)state;
+TEST(test_bernstein_of_simple_polynomials) {
     double c[TOP + 1] = {1.0}, b[TOP + 1], br[TOP + 1], value, bound;
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP, -3.0, 7.0, b, br), ALGSURF_OK);
     for (int j = 0; j <= TOP; j++) assert_true(b[j] == 1.0 && br[j] == 0.0);
@@ -278,8 +259,7 @@ static void test_bernstein_of_simple_polynomials(void **state) {
     assert_true(b[0] == 0.1 && br[0] == 0.0);
 }
 
-static void test_bernstein_range(void **state) {
-    (void)state;
+TEST(test_bernstein_range) {
     const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0, 1e200};
     double b[3] = {7, 7, 7}, br[3] = {7, 7, 7};
     assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 2, -1e300, 1e300, b, br), ALGSURF_OK);
@@ -294,8 +274,7 @@ static void test_bernstein_range(void **state) {
 
 /* ---- any environment, bad input ---- */
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     uint64_t seed = SEED;
     double c[9], r[9], want[6], got[6], b[9], br[9], b2[9], br2[9];
@@ -340,14 +319,12 @@ static void refuse_eval(evaluator eval) {
     assert_true(value == 7 && bound >= 3 && bound < 3.001);
 }
 
-static void test_bad_input_eval(void **state) {
-    (void)state;
+TEST(test_bad_input_eval) {
     refuse_eval(algsurf_poly_eval);
     refuse_eval(algsurf_poly_eval_compensated);
 }
 
-static void test_bad_input_bernstein(void **state) {
-    (void)state;
+TEST(test_bad_input_bernstein) {
     const double c[2] = {1, 2}, bad[2] = {NAN, 0}, negative[2] = {0, -1};
     double b[2] = {7, 7}, br[2] = {7, 7};
     assert_int_equal(algsurf_poly_to_bernstein(NULL, NULL, 1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
@@ -365,21 +342,4 @@ static void test_bad_input_bernstein(void **state) {
     assert_true(b[0] == 7 && b[1] == 7 && br[0] == 7 && br[1] == 7);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_eval_encloses),
-        cmocka_unit_test(test_compensated_encloses),
-        cmocka_unit_test(test_largest_degree),
-        cmocka_unit_test(test_bounds_are_tight),
-        cmocka_unit_test(test_compensation_pays),
-        cmocka_unit_test(test_overflow),
-        cmocka_unit_test(test_amplified_underflow),
-        cmocka_unit_test(test_bernstein_encloses),
-        cmocka_unit_test(test_bernstein_of_simple_polynomials),
-        cmocka_unit_test(test_bernstein_range),
-        cmocka_unit_test(test_any_environment),
-        cmocka_unit_test(test_bad_input_eval),
-        cmocka_unit_test(test_bad_input_bernstein),
-    };
-    return cmocka_run_group_tests_name("poly", tests, NULL, NULL);
-}
+int main(void) { return unit_run("poly"); }

@@ -8,18 +8,13 @@
  * Breaks tried, each caught: a 32nd of the radius from powers (a 16th is not: it is that generous), a cut
  * that adds no radius, or n u / 4 of the coefficients instead of 8 n u, signs counted the wrong way round.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact_ray.h"
 
 #define LANES 2
 #define KERNEL(name) name##_of_test
 #include "rays/packets.h"
 #include "rays/packet_template.h"
+#include "unit.h"
 
 #define SEED 20261122u
 enum { DEEP = 6, MOST = ALGSURF_MAX_DEGREE };
@@ -207,8 +202,7 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     algsurf_surface_free(s);
 }
 
-static void test_rays(void **state) {
-    (void)state;
+TEST(test_rays) {
     uint64_t random = SEED;
     for (size_t d = 0; d < sizeof degrees / sizeof *degrees; d++)
         for (int repeat = 0; repeat < (degrees[d] > 20 ? 1 : 4); repeat++)
@@ -216,8 +210,7 @@ static void test_rays(void **state) {
     assert_true(worst[0] > 0.01);
 }
 
-static void test_cuts(void **state) {
-    (void)state;
+TEST(test_cuts) {
     uint64_t random = SEED + 1;
     for (int depth = 0; depth <= DEEP; depth++) worst[depth] = 0;
     for (size_t d = 0; d < sizeof degrees / sizeof *degrees; d++)
@@ -239,8 +232,7 @@ static void test_cuts(void **state) {
 }
 
 /* Counts of signs that are not all known, against those of every choice of the others. */
-static void test_count(void **state) {
-    (void)state;
+TEST(test_count) {
     enum { N = 5, ALL = 243 }; /* 3^N: each coefficient after the first is sure, or not */
     for (int code = 0; code < ALL; code++) {
         int known_sign[N + 1] = {1}, none = 1, one = 1;
@@ -270,11 +262,4 @@ static void test_count(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_count),
-    };
-    return cmocka_run_group_tests_name("radii", tests, NULL, NULL);
-}
+int main(void) { return unit_run("radii"); }

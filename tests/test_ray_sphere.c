@@ -6,12 +6,6 @@
  *   no double-double discriminant near a tangency                           sphere_grazing
  *   lengths or directions not scaled                                        sphere_scales
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
 
 #include "ray_case.h"
@@ -105,10 +99,9 @@ static algsurf_ray random_ray(uint64_t *seed, const algsurf_extent *e, double di
     return ray;
 }
 
-static void sphere_far(void **state) {
+TEST(sphere_far) {
     uint64_t seed = 11;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 900; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
         for (int i = 0; i < 3; i++) e.centre[i] = k % 2 ? 10 * exact_random_unit(&seed) : 0;
@@ -120,10 +113,9 @@ static void sphere_far(void **state) {
 
 /* Origins so far away that the sphere is smaller than the spacing of doubles there: hit or miss is still
  * decided for the exact line. */
-static void sphere_very_far(void **state) {
+TEST(sphere_very_far) {
     uint64_t seed = 15;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 300; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
         algsurf_ray r = {.t_min = -INFINITY, .t_max = INFINITY};
@@ -138,10 +130,9 @@ static void sphere_very_far(void **state) {
 }
 
 /* Rays that pass at 1 - 2^-k radii: the chord is short, its ends are as good. */
-static void sphere_grazing(void **state) {
+TEST(sphere_grazing) {
     uint64_t seed = 12;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 900; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.3, -0.2, 0.1}, {1, 0, 0}};
         double gap = ldexp(1, -(k % 50) - 1);
@@ -151,9 +142,8 @@ static void sphere_grazing(void **state) {
     assert_in_range(met, 650, 850);
 }
 
-static void sphere_inside(void **state) {
+TEST(sphere_inside) {
     uint64_t seed = 13;
-    (void)state;
     for (int k = 0; k < 300; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {1, 2, 3}, {2, 0, 0}};
         algsurf_ray r = random_ray(&seed, &e, 0.9 * exact_random_unit(&seed), 0.4);
@@ -162,10 +152,9 @@ static void sphere_inside(void **state) {
 }
 
 /* The same picture at any scale of lengths and of directions. */
-static void sphere_scales(void **state) {
+TEST(sphere_scales) {
     uint64_t seed = 14;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 120; k++) {
         int length = exact_random_int(&seed, 1990) - 995, direction = exact_random_int(&seed, 1990) - 995;
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.5, -0.25, 0.125}, {1, 0, 0}};
@@ -181,8 +170,7 @@ static void sphere_scales(void **state) {
     assert_in_range(met, 40, 120);
 }
 
-static void sphere_ends_of_range(void **state) {
-    (void)state;
+TEST(sphere_ends_of_range) {
     algsurf_ray chord;
     int meets;
     /* From 1e300 straight at a unit sphere: both ends are 1e300. */
@@ -210,10 +198,9 @@ static void sphere_ends_of_range(void **state) {
 }
 
 /* The answer does not depend on the caller's rounding mode, which survives. */
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[3] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     uint64_t seed = 31;
-    (void)state;
     for (int k = 0; k < 200; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {1, 1, 1}};
         if (k % 2) e.kind = ALGSURF_EXTENT_BOX;
@@ -232,12 +219,4 @@ static void rounding_modes(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sphere_far),      cmocka_unit_test(sphere_grazing),
-        cmocka_unit_test(sphere_very_far), cmocka_unit_test(sphere_inside),
-        cmocka_unit_test(sphere_scales),   cmocka_unit_test(sphere_ends_of_range),
-        cmocka_unit_test(rounding_modes),
-    };
-    return cmocka_run_group_tests_name("ray: sphere", tests, NULL, NULL);
-}
+int main(void) { return unit_run("ray: sphere"); }

@@ -33,8 +33,7 @@ static int times_root(mpz_t *p, int n, mpz_t a, mpz_t b) {
     return n + 1;
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {-1, 1}, {0, INFINITY}, {-3, 0x1p-30}};
     uint64_t seed = 5;
     mpz_t *p = isolate_integers(TOP + 1);
@@ -49,8 +48,7 @@ static void test_random(void **state) {
 }
 
 /* Rational roots of many digits, some multiple, some 2^-500 apart. */
-static void test_known(void **state) {
-    (void)state;
+TEST(test_known) {
     uint64_t seed = 6;
     int multiple = 0, shared = 0;
     mpz_t a, b, *p = isolate_integers(TOP + 1);
@@ -78,8 +76,7 @@ static void test_known(void **state) {
 }
 
 /* Roots far below the least double, far above the largest, and both. */
-static void test_far(void **state) {
-    (void)state;
+TEST(test_far) {
     mpz_t *p = isolate_integers(3);
     for (int e = 1000; e < 60000; e *= 3) {
         mpz_set_ui(p[0], 1), mpz_set_si(p[1], -7), mpz_set_ui(p[2], 1);
@@ -93,8 +90,7 @@ static void test_far(void **state) {
 }
 
 /* The form of the coefficients: leading zero limbs, null for 0, a common power of two, negative lengths. */
-static void test_form(void **state) {
-    (void)state;
+TEST(test_form) {
     static const uint64_t six[] = {0, 6, 0, 0}, five[] = {0, 5}, one[] = {0, 1, 0}, zero[] = {0, 0};
     const algsurf_integer c[] = {{six, 4}, {five, -2}, {one, 3}, {NULL, 0}, {zero, -2}};
     algsurf_real_root t[4];
@@ -109,8 +105,7 @@ static void test_form(void **state) {
     assert_int_equal(count, 0);
 }
 
-static void test_refused(void **state) {
-    (void)state;
+TEST(test_refused) {
     static const uint64_t limb[ALGSURF_MAX_LIMBS + 1] = {[0] = 1, [ALGSURF_MAX_LIMBS] = 1};
     const algsurf_integer good[] = {{limb, -1}, {limb, 1}, {limb, 1}}, zero[] = {{limb + 1, 2}, {NULL, 0}};
     const algsurf_integer bad[][2] = {{{limb, ALGSURF_MAX_LIMBS + 1}, {limb, 1}},
@@ -159,8 +154,7 @@ static void check_power(const double *c, int n, double lo, double hi, int expect
 
 /* q's root, b / a, is among the subnormal numbers, whose neighbours are far apart in proportion: 0 to 53
  * binary digits of it, and a root below all of them. */
-static void test_powers_of_subnormals(void **state) {
-    (void)state;
+TEST(test_powers_of_subnormals) {
     static const double known[][2] = {{3, 1e-310}, {3, 1e-320}, {0x1p100, 0x1.8p-974}};
     static const int steps[] = {2, 3, 4, 7, 20, 25, 64, 99, 256};
     uint64_t seed = 7;
@@ -201,8 +195,7 @@ static void check_cut(const double *c, int n, double lo, double hi) {
 }
 
 /* Roots just inside and at a bound: t^k = a and (t - a)^k, of all sizes; terms of both signs at random. */
-static void test_cuts(void **state) {
-    (void)state;
+TEST(test_cuts) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {0, INFINITY}, {0, 2}, {-3, 0}, {-1, 0x1p-1074}};
     uint64_t seed = 8;
     for (int i = 0; i < 1500; i++) {
@@ -226,8 +219,7 @@ static void test_cuts(void **state) {
 /* Roots that are doubles, beside doubles, at an end of the interval and one ulp beside it: degree 1 and 2 by
  * formula, 3 to 24 by boxes, with 0 as a root, and on all kinds of intervals.  Catches: a box's end taken for
  * no root, roots on the wrong side of an end, signs that do not alternate, a root at 0 forgotten. */
-static void test_ends_at_roots(void **state) {
-    (void)state;
+TEST(test_ends_at_roots) {
     uint64_t seed = 9;
     for (int i = 0; i < 500; i++) {
         int n = 0, zeros = i % 5 == 4 ? 1 + i % 3 : 0,
@@ -253,8 +245,7 @@ static void test_ends_at_roots(void **state) {
 /* An end at 0, or far beyond the roots, costs no more than one beside them: counted in what the walk looks
  * at.
  */
-static void test_zero_is_no_place_to_search(void **state) {
-    (void)state;
+TEST(test_zero_is_no_place_to_search) {
     static double c[513];
     static algsurf_bracket b[512];
     uint64_t seed = 10;
@@ -278,17 +269,4 @@ static void test_zero_is_no_place_to_search(void **state) {
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_far),
-        cmocka_unit_test(test_form),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_powers_of_subnormals),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_ends_at_roots),
-        cmocka_unit_test(test_zero_is_no_place_to_search),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("real roots"); }

@@ -4,22 +4,15 @@
  * that are not the callback's, a Brent that is not Brent's (its points are compared with the book's
  * procedure, one by one), a Newton whose far end stays where it was, a halving that overflows, a limit that
  * is not told, a final bracket that radii do not widen. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
 #include <fenv.h>
-#include <float.h>
-#include <string.h>
 #if defined(__SSE2__) || defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
 
 #include "algsurf/refine.h"
+#include "unit.h"
 
 #define SEED 11u
 #define NEWTON_POINTS 248 /* 246 (search.c) and the two ends */
@@ -109,8 +102,7 @@ static const struct {
 };
 #define TABLE ((int)(sizeof table / sizeof table[0]))
 
-static void test_methods_agree_on_known_roots(void **state) {
-    (void)state;
+TEST(test_methods_agree_on_known_roots) {
     static const double tolerances[] = {1e-3, 1e-9, 0};
     static probe p;
     for (int i = 0; i < TABLE; i++)
@@ -134,8 +126,7 @@ static void test_methods_agree_on_known_roots(void **state) {
 
 /* Bisection needs log2 of width over tolerance, Brent stays under four times as many here (its own bound is
  * about the square), and a third of bisection's where the function is smooth. */
-static void test_evaluations_are_bounded(void **state) {
-    (void)state;
+TEST(test_evaluations_are_bounded) {
     static probe p;
     for (int i = 0; i < TABLE; i++) {
         algsurf_refined_root brent, bisection;
@@ -207,8 +198,7 @@ static void compare_with_book(double (*f)(double), double lo, double hi, double 
     assert_memory_equal(p.at, at, (size_t)count * sizeof *at);
 }
 
-static void test_brent_is_brents(void **state) {
-    (void)state;
+TEST(test_brent_is_brents) {
     for (int i = 0; i < TABLE; i++) {
         if (isinf(table[i].f(table[i].lo)) || isinf(table[i].f(table[i].hi)))
             continue; /* the book has no rule for infinite values */
@@ -226,8 +216,7 @@ static void test_brent_is_brents(void **state) {
 static double f_power(double x) { return pow(x, 9) - 0.5; }
 
 /* The chord of a convex function moves one end by 1e-4 a step; the root is at 0.93. */
-static void test_regula_falsi_says_when_it_fails(void **state) {
-    (void)state;
+TEST(test_regula_falsi_says_when_it_fails) {
     static probe p = {.f = f_power};
     algsurf_refine_options o = options_of(ALGSURF_METHOD_REGULA_FALSI, 1e-14, 60);
     algsurf_refined_root r;
@@ -241,8 +230,7 @@ static void test_regula_falsi_says_when_it_fails(void **state) {
 }
 
 /* t^2 - 2 within a radius of its constant: the final bracket is the range of the roots, to a unit or two. */
-static void test_radii(void **state) {
-    (void)state;
+TEST(test_radii) {
     algsurf_refined_root root = {.root = 7}, middle;
     static const double c[3] = {-2, 0, 1};
     for (int e = 2; e < 60; e += 3) {
@@ -276,8 +264,7 @@ static void test_radii(void **state) {
 }
 
 /* A bracket is refused where a polynomial of the set may have no root in it, and so are bad radii. */
-static void test_radii_refused(void **state) {
-    (void)state;
+TEST(test_radii_refused) {
     algsurf_refined_root root = {.root = 7};
     static const double c[3] = {-2, 0, 1}, r[3] = {0.5, 0, 0};
     static const struct {
@@ -308,8 +295,7 @@ static void test_radii_refused(void **state) {
     assert_true(root.root == 7);
 }
 
-static void test_iteration_limit(void **state) {
-    (void)state;
+TEST(test_iteration_limit) {
     static probe p;
     for (int m = 0; m < 4; m++)
         for (int limit = 1; limit < 6; limit++) {
@@ -327,8 +313,7 @@ static double f_identity(double x) { return x; }
 static double f_shifted(double x) { return x - 0x1.8p-1070; }
 static double f_big_root(double x) { return x > 1e-200 ? 1 : -1; }
 
-static void test_ends_and_extremes(void **state) {
-    (void)state;
+TEST(test_ends_and_extremes) {
     static probe p;
     algsurf_refined_root r;
     for (int m = 0; m < 4; m++) {
@@ -376,8 +361,7 @@ static void fail_poly(const char *what, const double *c, int n, int method, cons
 }
 
 /* Roots k/16, distinct, degree up to 7: coefficients are exact, so is the sign between roots. */
-static void test_polynomials_with_known_roots(void **state) {
-    (void)state;
+TEST(test_polynomials_with_known_roots) {
     uint64_t seed = SEED;
     int points[4] = {0};
     for (int round = 0; round < 1500; round++) {
@@ -412,8 +396,7 @@ static void test_polynomials_with_known_roots(void **state) {
 }
 
 /* Odd multiplicities: rounding noise hides the root, but never the sign change, and nothing hangs. */
-static void test_multiple_roots(void **state) {
-    (void)state;
+TEST(test_multiple_roots) {
     static const int multiplicity[] = {3, 5, 9};
     static const double noise[] = {1e-4, 5e-3, 0.1};
     for (int i = 0; i < 3; i++) {
@@ -435,8 +418,7 @@ static void test_multiple_roots(void **state) {
 
 /* Newton's limit holds on whatever has a sign change, in brackets from subnormal to near overflow, and its
  * bracket always closes. */
-static void test_newton_is_bounded(void **state) {
-    (void)state;
+TEST(test_newton_is_bounded) {
     uint64_t seed = SEED;
     static double c[ALGSURF_MAX_POLY_DEGREE + 1];
     static const int degrees[] = {1, 2, 3, 5, 9, 21, 64, 512};
@@ -458,8 +440,7 @@ static void test_newton_is_bounded(void **state) {
     assert_true(done > 1000 && points < 22 * done); /* 51 when steps are not lengthened */
 }
 
-static void test_extreme_polynomials(void **state) {
-    (void)state;
+TEST(test_extreme_polynomials) {
     algsurf_refined_root r;
     static const double sqrt2 = 1.4142135623730951;
     static const double scales[] = {1, 1e300, 1e-300, 0x1p-1070, 0x1p1020};
@@ -501,8 +482,7 @@ static double f_in_mode(double x, void *data) {
     return x - 0.3;
 }
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const double c[6] = {0.3, -1.1, 0.7, 2.3, -0.9, 0.01};
     const double small[3] = {-0x1p-1060, 0x1p-1061, 0x1p-1062};
@@ -536,8 +516,7 @@ static void test_any_environment(void **state) {
     assert_int_equal(seen, r.evaluations);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     static probe p = {.f = f_exp};
     algsurf_refined_root r;
     struct {
@@ -567,8 +546,7 @@ static void test_options(void **state) {
 static double f_nan(double x) { return x > 0.2 && x < 0.8 ? NAN : x - 0.5; }
 static double f_nan_end(double x) { return x == 0 ? NAN : x - 0.5; }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     static probe p = {.f = f_exp};
     algsurf_refined_root r, before;
     memset(&r, 0x5a, sizeof r), memcpy(&before, &r, sizeof r);
@@ -657,8 +635,7 @@ static void check_record(const record *seen, const double *c, int n, double lo, 
 
 /* Catches: an observer that is not told an end or a point, is told another polynomial's value (that of the
  * balanced one), counts otherwise, changes the result, or runs in the caller's rounding. */
-static void test_observer(void **state) {
-    (void)state;
+TEST(test_observer) {
     static record seen;
     uint64_t seed = SEED;
     int polynomials = 0;
@@ -692,8 +669,7 @@ static void test_observer(void **state) {
 
 /* Of a function, too, in the caller's environment; integers are named; what is refused has seen nothing, and
  * a bracket that is none both ends. */
-static void test_observer_of_others(void **state) {
-    (void)state;
+TEST(test_observer_of_others) {
     static record seen;
     const double c[2] = {-0.5, 1}, thrice[4] = {-1, 3, -3, 1};
     algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = watch};
@@ -723,25 +699,4 @@ static void test_observer_of_others(void **state) {
     assert_int_equal(seen.calls, 2);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_methods_agree_on_known_roots),
-        cmocka_unit_test(test_evaluations_are_bounded),
-        cmocka_unit_test(test_brent_is_brents),
-        cmocka_unit_test(test_regula_falsi_says_when_it_fails),
-        cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_radii_refused),
-        cmocka_unit_test(test_iteration_limit),
-        cmocka_unit_test(test_ends_and_extremes),
-        cmocka_unit_test(test_polynomials_with_known_roots),
-        cmocka_unit_test(test_multiple_roots),
-        cmocka_unit_test(test_newton_is_bounded),
-        cmocka_unit_test(test_extreme_polynomials),
-        cmocka_unit_test(test_any_environment),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_observer),
-        cmocka_unit_test(test_observer_of_others),
-    };
-    return cmocka_run_group_tests_name("refine", tests, NULL, NULL);
-}
+int main(void) { return unit_run("refine"); }

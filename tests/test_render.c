@@ -11,16 +11,6 @@
  *   directions in half of each quarter, 15 of them, their reach             openness
  *   the default light behind what is shown                                  lighting_of_scenes, defaults
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "lattice_reference.h"
 #include "render_case.h"
 #include "shade_reference.h"
@@ -77,12 +67,11 @@ static int compare_bytes(const picture *p, int pixel, const double sum[3], int s
 
 /* Bytes and hits of pictures in standard quality, each from the single steps: with lights, and with the
  * default one. */
-static void pixel_by_pixel(void **state) {
+TEST(pixel_by_pixel) {
     const algsurf_light lights[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
                                      {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
     const double sky[3] = {0.13, 0.25, 0.6};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int n = 1; n <= 3; n++) {
         algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
         if (n != 2) assert_int_equal(algsurf_scene_set_lights(scene, lights, 2), ALGSURF_OK);
@@ -148,10 +137,9 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void preview_depth(void **state) {
+TEST(preview_depth) {
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 4, 9}};
     const algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         double eye_y = (k % 2 ? -1 : 1) * (k < 2 ? 8 : 1e7);
         check_depth(&ball, 3.2, 1.6, eye_y);
@@ -335,11 +323,10 @@ static algsurf_material lights_only(void) {
     return m;
 }
 
-static void shadows(void **state) {
+TEST(shadows) {
     algsurf_light light = {{0.5, -0.5, 5}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1};
     const algsurf_material m = lights_only();
     static shares found;
-    (void)state;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
     assert_true(found.lit > 200 && found.dark > 40 && found.between == 0);
     light.position[2] = -0.5; /* below the ball, which casts no shadow then; its underside is lit */
@@ -351,11 +338,10 @@ static void shadows(void **state) {
     assert_true(found.dark > 5 && found.between == 0);
 }
 
-static void penumbra(void **state) {
+TEST(penumbra) {
     algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4};
     const algsurf_material m = lights_only();
     static shares found;
-    (void)state;
     for (int n = 1; n <= 2; n++) {
         light.samples_u = 5, light.samples_v = 4;
         check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, n, &found);
@@ -370,12 +356,11 @@ static void penumbra(void **state) {
 }
 
 /* A light with points of its own for each pixel, beside another one of all kinds, and all other light. */
-static void spread_light(void **state) {
+TEST(spread_light) {
     const algsurf_light lights[3] = {{{0.5, -0.5, 3}, {0.7, 0.7, 0.7}, {2, 0, 0}, {0, 2, 0}, 0, 0},
                                      {{-2, 3, 4}, {0.1, 0.3, 0.2}, {1, 0, 1}, {0, 1.5, 0}, 0, 0},
                                      {{3, 3, 4}, {0.2, 0.1, 0}, {1, 0, 0}, {0, 1, 0}, 2, 2}};
     static shares found;
-    (void)state;
     for (int n = 1; n <= 3; n++) {
         check_full(ball_and_plane, clears_ball_and_plane, &plain, lights, 3, n, &found);
         assert_true(found.pixels > 300 && found.lit > 50 && found.between > 10);
@@ -383,7 +368,7 @@ static void spread_light(void **state) {
 }
 
 /* Its share of 32 points is near that of a fine grid's, on the average nearer. */
-static void spread_evenly(void **state) {
+TEST(spread_evenly) {
     const algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 0, 0};
     const algsurf_material m = lights_only();
     algsurf_light fine = light;
@@ -391,7 +376,6 @@ static void spread_evenly(void **state) {
     static shares found;
     double off = 0, sum = 0;
     int between = 0, alike = 0;
-    (void)state;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
     fine.samples_u = fine.samples_v = 40;
     for (int k = 0; k < W * H; k++) {
@@ -414,9 +398,8 @@ static void spread_evenly(void **state) {
 }
 
 /* Light from all around: all of it in the middle of a plane, half of it in the edge between two planes. */
-static void openness(void **state) {
+TEST(openness) {
     static shares found;
-    (void)state;
     check_full("z+1", clears_floor, &plain, NULL, 0, 1, &found);
     assert_true(found.pixels > 300 && found.around[16] == found.pixels);
     for (int n = 1; n <= 3; n++) {
@@ -428,7 +411,7 @@ static void openness(void **state) {
 }
 
 /* What is told of a scene's light: its own, and the default. */
-static void lighting_of_scenes(void **state) {
+TEST(lighting_of_scenes) {
     const algsurf_light set[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
                                   {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
     algsurf_surface *surface = torus();
@@ -436,7 +419,6 @@ static void lighting_of_scenes(void **state) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
-    (void)state;
     assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
     assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
     assert_true(l.size == sizeof l && l.lights == lights && l.light_count == 1 && l.bounded == 1);
@@ -495,21 +477,19 @@ static void double_plane(int tier) {
     algsurf_surface_free(surface);
 }
 
-static void touching_is_drawn(void **state) {
-    (void)state;
+TEST(touching_is_drawn) {
     double_plane(ALGSURF_TIER_CERTIFIED);
     double_plane(ALGSURF_TIER_BOUNDED);
 }
 
 /* From a million radii with a narrow field of view the picture is that of the parallel projection. */
-static void far_eye(void **state) {
+TEST(far_eye) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 1);
     const double eye[3] = {7, 4, 5};
     double distance = 3.2e6, scale = distance / sqrt(90), differ = 0;
     algsurf_camera parallel,
         far = camera_at(7 * scale, 4 * scale, 5 * scale, 360 / acos(-1) * atan(3 / distance));
-    (void)state;
     assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &far), ALGSURF_OK);
     picture *a = drawn(scene, 1);
@@ -525,10 +505,9 @@ static void far_eye(void **state) {
 }
 
 /* Defaults are usable as they are; removing the lights leaves light from all around. */
-static void defaults(void **state) {
+TEST(defaults) {
     algsurf_surface *surface = surface_of("x^2+y^2+z^2-1");
     algsurf_scene *scene;
-    (void)state;
     assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
     picture *p = drawn(scene, 0);
     const uint8_t *centre = p->bytes + H / 2 * STRIDE + W / 2 * 3;
@@ -543,7 +522,7 @@ static void defaults(void **state) {
     algsurf_scene_free(NULL);
 }
 
-static void bad_scene(void **state) {
+TEST(bad_scene) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1), *none = NULL;
     algsurf_extent extent = ball;
@@ -553,7 +532,6 @@ static void bad_scene(void **state) {
     algsurf_intersect_options o = {.size = sizeof o};
     double colour[3] = {0, 0, 0};
     picture *before = drawn(scene, 1), *after;
-    (void)state;
     for (int l = 0; l < 17; l++) lights[l] = (algsurf_light){.samples_u = 1, .samples_v = 1};
 #define REFUSED(status, call) assert_int_equal(algsurf_scene_##call, ALGSURF_E_##status)
     REFUSED(ARGUMENT, create(NULL, &none));
@@ -630,8 +608,7 @@ static void bad_scene(void **state) {
 
 /* Across a steep ramp numbers of the row tell little of where its root is: t is that of the pixel's own ray.
  */
-static void steep_ramps(void **state) {
-    (void)state;
+TEST(steep_ramps) {
     for (int power = 6; power <= 16; power++)
         for (int zoom = 4; zoom <= 10; zoom++) {
             enum { SIDE = 5 };
@@ -672,21 +649,4 @@ static void steep_ramps(void **state) {
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steep_ramps),
-        cmocka_unit_test(pixel_by_pixel),
-        cmocka_unit_test(preview_depth),
-        cmocka_unit_test(shadows),
-        cmocka_unit_test(penumbra),
-        cmocka_unit_test(spread_light),
-        cmocka_unit_test(spread_evenly),
-        cmocka_unit_test(openness),
-        cmocka_unit_test(lighting_of_scenes),
-        cmocka_unit_test(touching_is_drawn),
-        cmocka_unit_test(far_eye),
-        cmocka_unit_test(defaults),
-        cmocka_unit_test(bad_scene),
-    };
-    return cmocka_run_group_tests_name("render", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render"); }

@@ -15,12 +15,6 @@
  *   alpha left out where it is not asked for                                         same_choice
  *   a sheet told without its chords                                                  proofs
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 /* Ways to draw the torus: by packets, ray by ray, in complex space. */
@@ -131,10 +125,9 @@ static void check(const struct way *way, const picture *one, const picture *all,
 }
 
 /* 51/255: differences of exactly the threshold are frequent enough to count. */
-static void one_of_two(void **state) {
+TEST(one_of_two) {
     static const double thresholds[] = {0.01, 51 / 255., 0.35};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         picture *one = drawn(scene, 1);
@@ -188,10 +181,9 @@ static picture *sliced(const algsurf_scene *scene) {
     return p;
 }
 
-static void same_bytes(void **state) {
+TEST(same_bytes) {
     static const int threads[4] = {2, 3, 7, 256};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         set(scene, 3, 0.1);
@@ -209,9 +201,8 @@ static void same_bytes(void **state) {
 }
 
 /* Threshold 0 is all pixels, 1 none, and one sample is one sample. */
-static void ends(void **state) {
+TEST(ends) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         picture *one = drawn(scene, 1), *p;
@@ -235,11 +226,10 @@ static void ends(void **state) {
 }
 
 /* Pictures of one column, one row, one pixel. */
-static void thin_pictures(void **state) {
+TEST(thin_pictures) {
     static const int sizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 40}};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
-    (void)state;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         int w = sizes[s][0], h = sizes[s][1], chosen = 0;
         uint8_t *bytes[3];
@@ -266,10 +256,9 @@ static void thin_pictures(void **state) {
 
 /* No more rays and hits than ray by ray, where nothing is proved of pixels; not many fewer.  Also from
  * inside, so near and wide that packets leave rows to single rays. */
-static void counts_as_by_rays(void **state) {
+TEST(counts_as_by_rays) {
     const algsurf_camera cameras[2] = {camera_at(7, 4, 5, 36), camera_at(0.5, 0.3, 0.2, 150)};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int k = 0; k < 2; k++) {
         picture *p[2];
         for (int singly = 0; singly < 2; singly++) {
@@ -289,13 +278,12 @@ static void counts_as_by_rays(void **state) {
 }
 
 /* Alpha counts where it is not asked for; and nothing else here. */
-static void same_choice(void **state) {
+TEST(same_choice) {
     static uint8_t pixels[4 * W * H];
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
     algsurf_render_options o = options_for(1);
     uint64_t rays[3];
-    (void)state;
     assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
     set(scene, 2, 0.99);
     for (int k = 0; k < 3; k++) {
@@ -399,14 +387,13 @@ static int attack_scene(const attack *a) {
 
 /* Pixels that are left with one sample although they stand out, by proof: single rays, which are certain,
  * look for an edge between their samples. */
-static void proofs(void **state) {
+TEST(proofs) {
     static const attack attacks[] = {
         {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", 3.2, 10, 0.02, 0},
         {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 3.7, 14, 0.02, 0},
         {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 2.2, 9, 0.02, 1},
         {"4(2.618x^2-y^2)(2.618y^2-z^2)(2.618z^2-x^2) - 4.236(x^2+y^2+z^2-1)^2", 2, 4, 0.02, 1},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof attacks / sizeof *attacks; i++)
         if (attack_scene(attacks + i) < 10) fail_msg("%s: hardly a proof", attacks[i].equation);
 }
@@ -417,11 +404,10 @@ static int stop_at(int done, int total, void *data) {
 }
 
 /* Finished rows are as they should be, others untouched; with helpers, some are in the middle of a row. */
-static void cancel(void **state) {
+TEST(cancel) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[2], surface);
     picture blanked;
-    (void)state;
     blank(&blanked);
     set(scene, 8, 0.01);
     picture *whole = drawn(scene, 1), p;
@@ -445,11 +431,10 @@ static void cancel(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void bad_thresholds(void **state) {
+TEST(bad_thresholds) {
     static const double bad[] = {-1, -0x1p-1074, 0x1.0000000000001p0, 255, INFINITY, -INFINITY, NAN};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
-    (void)state;
     set(scene, 2, 0.2);
     picture *before = drawn(scene, 1);
     assert_int_equal(algsurf_scene_set_antialias_threshold(NULL, 0.5), ALGSURF_E_ARGUMENT);
@@ -461,11 +446,4 @@ static void bad_thresholds(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_of_two),        cmocka_unit_test(same_bytes),  cmocka_unit_test(ends),
-        cmocka_unit_test(counts_as_by_rays), cmocka_unit_test(same_choice), cmocka_unit_test(proofs),
-        cmocka_unit_test(thin_pictures),     cmocka_unit_test(cancel),      cmocka_unit_test(bad_thresholds),
-    };
-    return cmocka_run_group_tests_name("render: antialias", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: antialias"); }

@@ -12,12 +12,6 @@
  *   a refused space kept, null space refused                                     setters
  *   more of a caller's struct written than it has                                older_stats
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
 
 #include "catalogue.h"
@@ -69,7 +63,7 @@ static int agrees(double t, const algsurf_hit *hit) {
 }
 
 /* Bytes and hits from the public single steps. */
-static void pixel_by_pixel(void **state) {
+TEST(pixel_by_pixel) {
     const algsurf_material plain = {.size = sizeof plain,
                                     .outside = {0.9, 0.5, 0.3},
                                     .inside = {0.2, 0.4, 0.8},
@@ -88,7 +82,6 @@ static void pixel_by_pixel(void **state) {
     algsurf_scene *scene = complex_scene("tangle", &space, &surface);
     algsurf_camera camera;
     uint64_t hits = 0;
-    (void)state;
     assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
                      ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_lights(scene, &light, 1), ALGSURF_OK);
@@ -167,9 +160,8 @@ static picture *sliced(const algsurf_scene *scene) {
     return p;
 }
 
-static void same_bytes(void **state) {
+TEST(same_bytes) {
     static const int threads[3] = {1, 2, 5};
-    (void)state;
     for (int s = 0; s < SHOTS; s++) {
         const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
         algsurf_surface *surface;
@@ -220,8 +212,7 @@ static uint64_t iterations_of_slices(const algsurf_scene *scene) {
 /* The roots of the row above save a twentieth of the iterations even in a picture as coarse as this one (in a
  * large one they save more than half), and how many are needed depends neither on the threads nor on slices.
  */
-static void iterations_saved(void **state) {
-    (void)state;
+TEST(iterations_saved) {
     for (int s = 0; s < SHOTS; s++) {
         const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
         algsurf_surface *surface;
@@ -241,13 +232,12 @@ static void iterations_saved(void **state) {
 }
 
 /* Every named surface by every kernel: the same bytes, and each pixel's state is that of its single ray. */
-static void states_of_single_rays(void **state) {
+TEST(states_of_single_rays) {
     static const struct {
         double sigma, delta, imaginary;
         int k;
     } spaces[] = {{0, 0.4, 0, 0}, {0, 0.2, 1.5, 0}, {0.3, 1, 0.3, 1}, {0, PI, 0, 0}, {0.1, 0.5, -0.2, 2}};
     uint64_t alone = 0, rays = 0;
-    (void)state;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         for (size_t i = 0; i < sizeof spaces / sizeof *spaces; i++) {
             algsurf_complex_space space = space_of(spaces[i].delta, 0, 0);
@@ -275,10 +265,9 @@ static void states_of_single_rays(void **state) {
 }
 
 /* sigma = 0, delta = 1e-10 is real space. */
-static void real_space(void **state) {
+TEST(real_space) {
     static const char *const names[4] = {"sphere", "tangle", "torus", "boy"};
     const algsurf_complex_space space = space_of(1e-10, 0, 0);
-    (void)state;
     for (int s = 0; s < 4; s++) {
         algsurf_surface *surface;
         algsurf_scene *scene = named(names[s], &surface);
@@ -311,12 +300,11 @@ static algsurf_scene *from_above(const algsurf_surface *surface, double height) 
 
 /* Every ray has the root 4 + i, and delta is its argument: open for each, however it was started.  With
  * z = 4 - t:  z (z+20) - 1 + (28 - 2t) i = (t - 4 - i)(t - 24 - i). */
-static void border_is_undecided(void **state) {
+TEST(border_is_undecided) {
     algsurf_surface *surface = surface_of("z (z+20) - 1");
     algsurf_scene *scene = from_above(surface, 4);
     algsurf_complex_space space = space_of(atan2(1, 4), 0, 28);
     space.imaginary[1] = -2;
-    (void)state;
     assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
     picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
@@ -348,11 +336,10 @@ static uint64_t cubic_column(double c) {
 
 /* Along the rays of one column the three roots, 3e-5 apart, come as one cluster, certainly in the sector:
  * lanes leave each of its pixels to the single ray. */
-static void cluster_is_left(void **state) {
+TEST(cluster_is_left) {
     const double eye[3] = {0, 0, 4}, up[3] = {0, 1, 0};
     algsurf_camera camera;
     algsurf_ray ray;
-    (void)state;
     assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray), ALGSURF_OK);
     uint64_t clustered = cubic_column(ray.origin[0] - 4e-15), apart = cubic_column(ray.origin[0] - 1e-3);
@@ -360,10 +347,9 @@ static void cluster_is_left(void **state) {
 }
 
 /* No roots at all, fewer than the degree along every ray, one multiple root along every ray. */
-static void odd_surfaces(void **state) {
+TEST(odd_surfaces) {
     static const char *const equations[3] = {"1", "x z + 0.3 x^2 + 1", "(z + 1)^2"};
     const algsurf_complex_space space = space_of(PI / 4, 0, 0);
-    (void)state;
     for (int s = 0; s < 3; s++) {
         algsurf_surface *surface = surface_of(equations[s]);
         algsurf_scene *scene = from_above(surface, 4);
@@ -380,12 +366,11 @@ static void odd_surfaces(void **state) {
     }
 }
 
-static void setters(void **state) {
+TEST(setters) {
     algsurf_complex_space good = space_of(0.3, 0, 1), bad;
     algsurf_surface *surface;
     algsurf_scene *scene = named("tangle", &surface);
     picture *real = drawn(scene, 1), *before, *after;
-    (void)state;
     assert_int_equal(algsurf_scene_set_complex_space(scene, &good), ALGSURF_OK);
     before = drawn(scene, 1);
     assert_true(memcmp(real->bytes, before->bytes, sizeof real->bytes) != 0);
@@ -426,13 +411,4 @@ static void setters(void **state) {
     release(scene, surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pixel_by_pixel),        cmocka_unit_test(same_bytes),
-        cmocka_unit_test(iterations_saved),      cmocka_unit_test(real_space),
-        cmocka_unit_test(border_is_undecided),   cmocka_unit_test(cluster_is_left),
-        cmocka_unit_test(odd_surfaces),          cmocka_unit_test(setters),
-        cmocka_unit_test(states_of_single_rays),
-    };
-    return cmocka_run_group_tests_name("render: complex space", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: complex space"); }

@@ -19,12 +19,6 @@
  *
  *     test_render_exact [views [first [seed]]]     default: views 0 to 249; 30000 take a quarter of an hour
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact_pixel.h"
 #include "scenes.h"
@@ -485,8 +479,7 @@ static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
     return 1;
 }
 
-static void test_extreme_views(void **state) {
-    (void)state;
+TEST(test_extreme_views) {
     static drawing d;
     for (int number = first_view; number < first_view + view_count; number++) {
         view v = {.number = number, .seed = first_seed + 1000003u * (uint64_t)number};
@@ -533,8 +526,7 @@ static void check_all(view *v) {
 }
 
 /* Rays that pass the extent's edge within the noise of a far camera, across a plane through its centre. */
-static void test_edge_of_a_far_ball(void **state) {
-    (void)state;
+TEST(test_edge_of_a_far_ball) {
     uint64_t seed = 3;
     for (int turn = 0; turn < 40; turn++) {
         const double origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -554,9 +546,8 @@ static void test_edge_of_a_far_ball(void **state) {
 }
 
 /* Parallel pictures of extents whose inverse squares leave the range of double. */
-static void test_tiny_and_huge_parallel(void **state) {
+TEST(test_tiny_and_huge_parallel) {
     static const double radii[] = {1e-100, 1e-150, 1e-155, 1e-160, 1e150, 1e160};
-    (void)state;
     for (int turn = 0; turn < 6; turn++) {
         double r = radii[turn], a = ldexp(1, -ilogb(r));
         const double eye[3] = {3 * r, r, 2 * r}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -572,8 +563,7 @@ static void test_tiny_and_huge_parallel(void **state) {
 
 /* Two planes l = +-e, the middle plane l = 0 containing the eye and the view's axis exactly: the ray differs
  * from the axis by a rounding of its direction, in which P is quadratic: the first derivatives are 0. */
-static void test_noise_of_second_order(void **state) {
-    (void)state;
+TEST(test_noise_of_second_order) {
     for (int far = 4; far <= 24; far += 4) {
         double a = 46281973, b = nearbyint(sqrt(0x1p52 - a * a)), y = 0x1p-26 * a, z = 0x1p-26 * b;
         double distance = ldexp(1, far);
@@ -604,8 +594,7 @@ static void test_noise_of_second_order(void **state) {
 
 /* A root between the computed and the true end of the chord, where the box's face is nearly along the rays:
  * the depths searched together must reach beyond the ends by what these may be off. */
-static void test_root_at_a_slanted_face(void **state) {
-    (void)state;
+TEST(test_root_at_a_slanted_face) {
     const algsurf_term terms[] = {{0, 0, 3, 1}, {1, 0, 1, 1}, {0, 1, 0, 1}};
     view v = {.name = "cusp", .width = 13, .height = 20, .row_begin = 6, .row_end = 13};
     set_surface(&v, terms, 3);
@@ -622,9 +611,8 @@ static void test_root_at_a_slanted_face(void **state) {
 }
 
 /* A surface of high degree in an extent that is large beside what happens at its origin. */
-static void test_depths_in_a_large_ball(void **state) {
+TEST(test_depths_in_a_large_ball) {
     const double eye[3] = {73.6, -67.2, 54.4}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
-    (void)state;
     for (int n = 8; n <= 16; n += 2) {
         static algsurf_term terms[2000];
         uint64_t seed = 5;
@@ -686,13 +674,12 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
 }
 
 /* Extents from 2^-1000 to 2^1020, about the origin or beside it, of surfaces as large, or of a size of 1. */
-static void test_wide_extents(void **state) {
+TEST(test_wide_extents) {
     static const int sizes[] = {-1000, -997, -505, -300, 0, 300, 499, 505, 900, 997, 1005, 1015, 1020};
     enum { SIZES = sizeof sizes / sizeof *sizes, TURNS = 12 };
     static drawing d;
     long wrong = seen.wrong, hits = seen.hits, misses = seen.misses, undecided = 0;
     uint64_t seed = 11;
-    (void)state;
     for (int turn = 0; turn < SIZES * TURNS; turn++) {
         int size = sizes[turn % SIZES], kind = turn / SIZES, box = kind % 2, aside = kind / 2 % 2;
         view v = {.number = turn, .name = "wide", .width = 14, .height = 10, .row_end = 10, .antialias = 1};
@@ -723,11 +710,5 @@ int main(int count, char **arguments) {
     if (count > 1) view_count = atoi(arguments[1]);
     if (count > 2) first_view = atoi(arguments[2]);
     if (count > 3) first_seed = strtoull(arguments[3], NULL, 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extreme_views),          cmocka_unit_test(test_edge_of_a_far_ball),
-        cmocka_unit_test(test_tiny_and_huge_parallel), cmocka_unit_test(test_noise_of_second_order),
-        cmocka_unit_test(test_root_at_a_slanted_face), cmocka_unit_test(test_depths_in_a_large_ball),
-        cmocka_unit_test(test_wide_extents),
-    };
-    return cmocka_run_group_tests_name("render_exact", tests, NULL, NULL);
+    return unit_run("render_exact");
 }

@@ -15,12 +15,6 @@
  *   everything undecided                                                          few_single_rays
  * Not caught: no error for cuts (the pictures' signs are far above it).
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact.h"
 #include "render_case.h"
@@ -137,10 +131,7 @@ static void compare_with_rays(const algsurf_surface *surface, const view *v, voi
     free(singly);
 }
 
-static void hits_as_by_rays(void **state) {
-    (void)state;
-    for_each_view(compare_with_rays, NULL);
-}
+TEST(hits_as_by_rays) { for_each_view(compare_with_rays, NULL); }
 
 typedef struct shares {
     uint64_t part, whole;
@@ -157,9 +148,8 @@ static void count_single_rays(const algsurf_surface *surface, const view *v, voi
 }
 
 /* Pixels whose rays packets leave undecided are rare, but where a whole picture is symmetric. */
-static void few_single_rays(void **state) {
+TEST(few_single_rays) {
     shares s = {0, 0};
-    (void)state;
     for_each_view(count_single_rays, &s);
     if (s.part * 1000 > s.whole)
         fail_msg("%lu of %lu rays went singly", (unsigned long)s.part, (unsigned long)s.whole);
@@ -181,16 +171,6 @@ static void compare_kernels(const algsurf_surface *surface, const view *v, void 
     free(first);
 }
 
-static void kernels_give_the_same_bits(void **state) {
-    (void)state;
-    for_each_view(compare_kernels, NULL);
-}
+TEST(kernels_give_the_same_bits) { for_each_view(compare_kernels, NULL); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits_as_by_rays),
-        cmocka_unit_test(few_single_rays),
-        cmocka_unit_test(kernels_give_the_same_bits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("render packets"); }

@@ -13,12 +13,6 @@
  *   shading, or shadow rays, of a picture without pixels                             any_planes
  *   rows that begin at the end of the row before although stride says otherwise      strides
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
@@ -81,9 +75,8 @@ static int shows(const picture *p, int k, const algsurf_hit *hit) {
     return fabs(p->hits[k] - hit->t) <= 1e-9 && away <= 1e-6 && fabs(length - 1) <= 1e-6;
 }
 
-static void one_ray(void **state) {
+TEST(one_ray) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 1);
         picture *p = drawn(scene, 2);
@@ -103,9 +96,8 @@ static void one_ray(void **state) {
 }
 
 /* 3 x 3 samples: those of the nearest.  Where two are as near as rounding, either may be it. */
-static void nearest_sample(void **state) {
+TEST(nearest_sample) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 3);
         picture *p = drawn(scene, 2);
@@ -130,12 +122,11 @@ static void nearest_sample(void **state) {
 }
 
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
-static void undecided(void **state) {
+TEST(undecided) {
     static const int as[] = {ALGSURF_AS_UNDECIDED, ALGSURF_AS_HIT, ALGSURF_AS_MISS};
     static const int told[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
-    (void)state;
     for (int n = 1; n <= 2; n++)
         for (int d = 0; d < 3; d++) {
             const algsurf_intersect_options how = {
@@ -167,13 +158,12 @@ static void undecided(void **state) {
 
 /* A wedge z = |x|, seen in parallel from above, its edge in the middle of a column of pixels: samples left
  * and right of it are at the same distance, and the first is on the left. */
-static void first_of_equals(void **state) {
+TEST(first_of_equals) {
     const double eye[3] = {0.0625, 0, 4}, at[3] = {0.0625, 0, 0}, up[3] = {0, 1, 0};
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 4}};
     algsurf_surface *surface = surface_of("(z-x)(z+x)");
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     algsurf_camera camera;
-    (void)state;
     assert_int_equal(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
     assert_int_equal(algsurf_scene_set_extent(scene, &box), ALGSURF_OK);
@@ -199,11 +189,10 @@ static void draw_pixels(const algsurf_scene *scene, int format, uint8_t *pixels)
 
 /* With a background RGBA8 is RGB8 and 255; without one, alpha is the share of samples with a point, which
  * alone make the colour.  RGB8 without a background is that on black. */
-static void alpha(void **state) {
+TEST(alpha) {
     static uint8_t rgb[W * H][3], rgba[W * H][4], clear[W * H][4], black[W * H][3], none[W * H][3];
     const double dark[3] = {0, 0, 0}, sky[3] = {0.3, 1, 0.8};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 3);
         int part = 0;
@@ -270,11 +259,10 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
     }
 }
 
-static void any_planes(void **state) {
+TEST(any_planes) {
     static const double dark[3] = {0, 0, 0};
     const algsurf_material soot = {.size = sizeof soot, .roughness = 1};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int look = 0; look < 3; look++)
         for (int threshold = 0; threshold < 2; threshold++) {
             picture *first = NULL;
@@ -301,13 +289,12 @@ static void any_planes(void **state) {
 }
 
 /* Rows of any distance, and without a gap. */
-static void strides(void **state) {
+TEST(strides) {
     enum { GAP = 7 };
     static uint8_t tight[H * 4 * W], apart[H * (4 * W + GAP)];
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     const algsurf_render_options o = options_for(2);
-    (void)state;
     for (int format = ALGSURF_RGB8; format <= ALGSURF_RGBA8; format++) {
         size_t row = (size_t)(format == ALGSURF_RGBA8 ? 4 : 3) * W;
         const algsurf_picture planes = {
@@ -324,11 +311,4 @@ static void strides(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_ray),         cmocka_unit_test(nearest_sample), cmocka_unit_test(undecided),
-        cmocka_unit_test(first_of_equals), cmocka_unit_test(alpha),          cmocka_unit_test(any_planes),
-        cmocka_unit_test(strides),
-    };
-    return cmocka_run_group_tests_name("render: planes", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: planes"); }

@@ -8,17 +8,8 @@
  *
  *     test_render_tiles [views [seed]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "scenes.h"
-
-#include <math.h>
-#include <string.h>
 
 enum { WIDTH = 250, HEIGHT = 2000, ROWS = 37, TILED_DEGREE = 10 };
 
@@ -191,22 +182,16 @@ static void for_each_view(void (*check)(view *v), int count) {
     }
 }
 
-static void hits_as_by_rays(void **state) {
-    (void)state;
+TEST(hits_as_by_rays) {
     for_each_view(compare_with_rays, views);
     printf("%ld hits, %ld misses\n", hits, misses);
     assert_true(hits * 4 > misses && misses * 10 > hits);
 }
 
-static void nothing_changes_a_byte(void **state) {
-    (void)state;
-    for_each_view(compare_with_others, (views + 2) / 3);
-}
+TEST(nothing_changes_a_byte) { for_each_view(compare_with_others, (views + 2) / 3); }
 
 int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(hits_as_by_rays),
-                                       cmocka_unit_test(nothing_changes_a_byte)};
-    return cmocka_run_group_tests_name("tiles", tests, NULL, NULL);
+    return unit_run("tiles");
 }

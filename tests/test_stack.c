@@ -11,19 +11,11 @@
  * compared where they were measured: x86-64, gcc, optimised.  Sanitizers, debugging builds and emulators take
  * more, and other compilers have other frames: there the calls are made, and what they took is printed. */
 #define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 enum { USUAL = 8, RENDERER = 64, OTHERS = 128, MOST = ALGSURF_MAX_POLY_DEGREE };
 
@@ -890,10 +882,9 @@ static const struct {
 #define COMPARED 0
 #endif
 
-static void as_stated(void **state) {
+TEST(as_stated) {
     size_t own = depth_of(NULL);
     int failures = 0;
-    (void)state;
     print_message("a thread's own: %zu bytes\n", own);
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         calls[i].run();
@@ -915,8 +906,7 @@ int main(void) {
     if (algsurf_scene_create(surfaces[0], &scene) != ALGSURF_OK) return 1;
     if (algsurf_camera_pinhole(eye, origin, up, 30, &camera) != ALGSURF_OK) return 1;
     for (int k = 0; k <= MOST; k++) row[k] = I, complex_row[k] = C;
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_stated)};
-    int failed = cmocka_run_group_tests_name("stack", tests, NULL, NULL);
+    int failed = unit_run("stack");
     algsurf_scene_free(scene);
     algsurf_complex_solver_free(solver);
     free_surfaces();

@@ -88,11 +88,10 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
     }
 }
 
-static void rays(void **state) {
+TEST(rays) {
     static const double errors[] = {1e-2, 1e-5, 1e-14, 0x1p-53};
     uint64_t seed = SEED;
     int certain = 0, judged = 0;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
@@ -109,11 +108,10 @@ static void rays(void **state) {
 }
 
 /* Roots far out, and far beyond the largest double: all of them count on a ray without an end. */
-static void far_roots(void **state) {
+TEST(far_roots) {
     static const double errors[] = {1e-2, 1e-5, 1e-9};
     uint64_t seed = SEED;
     int certain = 0, judged = 0;
-    (void)state;
     for (int i = 0; i < 600; i++) {
         algsurf_term terms[4];
         int n = 1 + exact_random_int(&seed, 3);
@@ -145,9 +143,8 @@ static void far_roots(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-static void values(void **state) {
+TEST(values) {
     uint64_t seed = SEED;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(1e-3);
@@ -192,10 +189,9 @@ static void draw(const algsurf_surface *s, double off, int tier, double *t, uint
 }
 
 /* A picture's undecided pixels are counted, not marked: members may differ from it in no more than those. */
-static void pictures(void **state) {
+TEST(pictures) {
     static double t[SIDE * SIDE], own[SIDE * SIDE];
     uint64_t seed = SEED, undecided, none;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(5e-4);
@@ -223,8 +219,7 @@ static double rounding_of(const char *equation) {
     return rounding;
 }
 
-static void rounding(void **state) {
-    (void)state;
+TEST(rounding) {
     assert_true(rounding_of("x^2 + y^2 - 1.5 z^3 + 1/1024") == 0);
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)/3*3") < 0x1p-90);
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)^5 + sqrt(49/4)") == 0);
@@ -240,9 +235,8 @@ static void rounding(void **state) {
     assert_true(algsurf_surface_rounding(NULL) == 0);
 }
 
-static void a_surface_with_error_is_the_same(void **state) {
+TEST(a_surface_with_error_is_the_same) {
     algsurf_term given[40], kept[40];
-    (void)state;
     intersect_equation(&c, "x^2 - 0.1 y + z^3");
     algsurf_surface *s = with_error(algsurf_surface_rounding(c.surface)), *none = NULL;
     assert_int_equal(algsurf_surface_degree(s), 3);
@@ -264,10 +258,9 @@ static void a_surface_with_error_is_the_same(void **state) {
 }
 
 /* A point that is on the surface for some coefficients only. */
-static void a_point(void **state) {
+TEST(a_point) {
     const algsurf_intersect_options o = {.size = sizeof o, .tier = ALGSURF_TIER_CERTIFIED};
     algsurf_hit hit;
-    (void)state;
     intersect_equation(&c, "x - 1");
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
@@ -280,11 +273,4 @@ static void a_point(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rays),     cmocka_unit_test(far_roots),
-        cmocka_unit_test(values),   cmocka_unit_test(pictures),
-        cmocka_unit_test(rounding), cmocka_unit_test(a_surface_with_error_is_the_same),
-        cmocka_unit_test(a_point)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("surface error"); }

@@ -4,20 +4,11 @@
  * a coefficient that strtod reads in part, infinite ones, a fifth field, a line number off by one, a
  * comment that hides the field before it, text after a NUL byte dropped, a byte order mark or a CR kept.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
-
-#include <cmocka.h>
 
 #include "catalogue.h"
 #include "terms_file.h"
+#include "unit.h"
 
 static FILE *file_of(const char *text, size_t length) {
     FILE *file = tmpfile();
@@ -64,8 +55,7 @@ static void refuses(const char *text, size_t line, const char *part) {
     refuses_bytes(text, strlen(text), line, part);
 }
 
-static void test_accepted(void **state) {
-    (void)state;
+TEST(test_accepted) {
     static const algsurf_term sphere[] = {{0, 0, 2, 1}, {0, 2, 0, 1}, {2, 0, 0, 1}, {0, 0, 0, -1}};
     static const algsurf_term line[] = {{1, 0, 0, 1.5}};
     accepts("2 0 0 1\n0 2 0 1\n0 0 2 1\n0 0 0 -1\n",
@@ -79,8 +69,7 @@ static void test_accepted(void **state) {
     accepts("1 0 0 1e-999\n1 0 0 1.5\n", line, 1);
 }
 
-static void test_fields(void **state) {
-    (void)state;
+TEST(test_fields) {
     refuses("", 0, "no terms");
     refuses("# nothing\n\n", 0, "no terms");
     refuses("1 0 0 0\n", 0, "zero");
@@ -94,8 +83,7 @@ static void test_fields(void **state) {
     refuses_bytes("\0", 1, 1, "NUL");
 }
 
-static void test_exponents(void **state) {
-    (void)state;
+TEST(test_exponents) {
     static const char *const bad[] = {
         "-1",         "+3",         "0x2",         "1.0",
         "2e0",        "x",          "1a",          "65",
@@ -112,8 +100,7 @@ static void test_exponents(void **state) {
     refuses("64 64 64 1", 1, "degree 192");
 }
 
-static void test_coefficients(void **state) {
-    (void)state;
+TEST(test_coefficients) {
     static const char *const bad[] = {"nan", "NaN", "inf", "-infinity", "1e400", "-0x1p1024", "nan(1)"};
     static const char *const no_numbers[] = {"x",     "1x",  "0x",  "0x1p", "1e",
                                              "1.2.3", "--1", "1,5", "/",    "1\v"};
@@ -129,8 +116,7 @@ static void test_coefficients(void **state) {
 }
 
 /* Lines of many megabytes take no longer than their bytes do. */
-static void test_long_lines(void **state) {
-    (void)state;
+TEST(test_long_lines) {
     const size_t length = (size_t)8 << 20;
     char *text = malloc(length + 16);
     assert_non_null(text);
@@ -156,8 +142,7 @@ static void test_long_lines(void **state) {
 }
 
 /* Every catalogued equation is what its degree says, and its default view is a camera. */
-static void test_catalogue(void **state) {
-    (void)state;
+TEST(test_catalogue) {
     assert_null(catalogue_find(""));
     assert_null(catalogue_find("Sphere"));
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
@@ -172,11 +157,4 @@ static void test_catalogue(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_accepted),   cmocka_unit_test(test_fields),
-        cmocka_unit_test(test_exponents),  cmocka_unit_test(test_coefficients),
-        cmocka_unit_test(test_long_lines), cmocka_unit_test(test_catalogue),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("terms file"); }

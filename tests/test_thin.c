@@ -15,18 +15,10 @@
  *
  *     test_thin [views [seed]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact.h"
 #include "algsurf/algsurf.h"
-
-#include <math.h>
-#include <string.h>
+#include "unit.h"
 
 enum { MOST = 1024 };
 
@@ -127,7 +119,7 @@ static void random_camera(uint64_t *seed, double far, const double look[3], doub
 
 static int is_drawn(int state) { return state == ALGSURF_THIN || state == ALGSURF_HIT; }
 
-static void points_are_one_dot(void **state) {
+TEST(points_are_one_dot) {
     static const struct {
         const char *equation;
         double at[3];
@@ -137,7 +129,6 @@ static void points_are_one_dot(void **state) {
                   {"-x^2 - 5 (y-1)^2 - z^4", {0, 1, 0}}};
     static const int sizes[] = {16, 65, 200, 300};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < sizeof points / sizeof *points; n++) {
         algsurf_surface *surface = surface_of(points[n].equation);
@@ -255,10 +246,9 @@ static int check_line(const algsurf_camera *camera, const part *l, const char *e
     return last >= first_column ? last - first_column + 1 : 0;
 }
 
-static void lines_are_a_pixel_wide(void **state) {
+TEST(lines_are_a_pixel_wide) {
     static const int sizes[] = {64, 101, 300, 640};
     static const double centre[3] = {0, 0, 0}, beside[3] = {2, 0, 0};
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < sizeof lines / sizeof *lines; n++) {
         algsurf_surface *surface = surface_of(lines[n].equation);
@@ -296,10 +286,9 @@ static void lines_are_a_pixel_wide(void **state) {
 
 /* Behind a place where it is undecided what a ray hits: the rays of the middle column touch the line x = y =
  * 0, which doubles do not decide, and what stands for it is the middle of the chord, before the line. */
-static void undecided_places_hide_nothing(void **state) {
+TEST(undecided_places_hide_nothing) {
     enum { SIZE = 65 };
     static const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {1.5, 0, 0}, {2, 0, 0}};
-    (void)state;
     algsurf_surface *surface = surface_of("x^2 + y^2");
     algsurf_camera camera;
     assert_int_equal(
@@ -325,11 +314,10 @@ static void undecided_places_hide_nothing(void **state) {
 }
 
 /* A closed curve has no ends: each of its pixels has two neighbours, but for one or two where it turns. */
-static void curves_have_no_gaps(void **state) {
+TEST(curves_have_no_gaps) {
     enum { SIZE = 300 };
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     static const double centre[3] = {0, 0, 0.4};
-    (void)state;
     uint64_t seed = first_seed;
     algsurf_surface *surface = surface_of("(x^2 + y^2 - 1)^2 + (z - x^2)^2");
     for (int view = 0; view < 2 * views; view++) {
@@ -355,7 +343,7 @@ static void curves_have_no_gaps(void **state) {
 
 /* ---- what is not ---- */
 
-static void others_have_nothing_thin(void **state) {
+TEST(others_have_nothing_thin) {
     static const char *const equations[] = {"x^2 + y^2 + z^2 - 1",
                                             "x^2 + y^2 - 1",
                                             "x^2 + y^2 - z^2",
@@ -372,7 +360,6 @@ static void others_have_nothing_thin(void **state) {
     static const char *const names[] = {"barth", "chair", "tangle", "boy", "torus", "pillow", "bicube"};
     static const double distances[] = {1.7, 3, 5, 40};
     const size_t own = sizeof equations / sizeof *equations, all = own + sizeof names / sizeof *names;
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < all; n++) {
         const catalogue_entry *entry = n < own ? NULL : catalogue_find(names[n - own]);
@@ -399,10 +386,9 @@ static void others_have_nothing_thin(void **state) {
 }
 
 /* A small sphere in a large extent, seen from near and far. */
-static void small_things_are_not_thin(void **state) {
+TEST(small_things_are_not_thin) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1e6, 0, 0}};
     static const double centre[3] = {0, 0, 0};
-    (void)state;
     uint64_t seed = first_seed;
     algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 - 1");
     for (int view = 0; view < 2 * views; view++) {
@@ -419,11 +405,10 @@ static void small_things_are_not_thin(void **state) {
 }
 
 /* Where nothing is searched. */
-static void out_of_reach_is_as_before(void **state) {
+TEST(out_of_reach_is_as_before) {
     static const algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL};
     static const algsurf_intersect_options brent = {.size = sizeof brent, .method = ALGSURF_METHOD_BRENT};
     static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
-    (void)state;
     algsurf_camera camera;
     assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
                                             (double[]){0, 0, 1}, 45, &camera),
@@ -478,9 +463,8 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
     algsurf_scene_free(scene);
 }
 
-static void nothing_changes_a_byte(void **state) {
+TEST(nothing_changes_a_byte) {
     static const char *const names[] = {"whitney", "steiner", "barth"};
-    (void)state;
     for (int n = 0; n < 3; n++) {
         const catalogue_entry *entry = catalogue_find(names[n]);
         algsurf_surface *surface = surface_of(entry->equation);
@@ -496,9 +480,8 @@ static void nothing_changes_a_byte(void **state) {
 }
 
 /* A cell of each sample: 4 x 4 of them are a picture with as many times more pixels. */
-static void samples_are_finer_pixels(void **state) {
+TEST(samples_are_finer_pixels) {
     enum { N = 4, SIZE = 96 };
-    (void)state;
     algsurf_surface *surface = surface_of(lines[0].equation);
     algsurf_camera camera;
     assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
@@ -525,11 +508,5 @@ static void samples_are_finer_pixels(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_one_dot),        cmocka_unit_test(lines_are_a_pixel_wide),
-        cmocka_unit_test(curves_have_no_gaps),       cmocka_unit_test(others_have_nothing_thin),
-        cmocka_unit_test(small_things_are_not_thin), cmocka_unit_test(undecided_places_hide_nothing),
-        cmocka_unit_test(out_of_reach_is_as_before), cmocka_unit_test(nothing_changes_a_byte),
-        cmocka_unit_test(samples_are_finer_pixels)};
-    return cmocka_run_group_tests_name("thin", tests, NULL, NULL);
+    return unit_run("thin");
 }
