@@ -32,9 +32,9 @@ static inline int intersect_terms(intersect_case *c, const algsurf_term *terms, 
 
 static inline void intersect_equation(intersect_case *c, const char *text) {
     c->surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(text, NULL, 0, &c->surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(text, NULL, 0, &c->surface, NULL));
     c->count = (int)algsurf_surface_term_count(c->surface), c->degree = algsurf_surface_degree(c->surface);
-    assert_int_equal(algsurf_surface_terms(c->surface, c->terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(c->surface, c->terms));
 }
 
 static inline _Noreturn void intersect_fail(const char *what, const intersect_case *c,
@@ -57,11 +57,10 @@ static inline _Noreturn void intersect_fail(const char *what, const intersect_ca
 static inline void intersect_ask(const intersect_case *c, const algsurf_extent *extent,
                                  const algsurf_intersect_options *options, intersect_answer *a) {
     memset(a, 0, sizeof *a);
-    assert_int_equal(algsurf_intersect_first(c->surface, extent, &c->ray, options, &a->first), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all,
-                                           ALGSURF_MAX_DEGREE + 1, &a->count),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(c->surface, extent, &c->ray, options, &a->occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(c->surface, extent, &c->ray, options, &a->first));
+    assert_ok(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all, ALGSURF_MAX_DEGREE + 1,
+                                    &a->count));
+    assert_ok(algsurf_occluded(c->surface, extent, &c->ray, options, &a->occluded));
 }
 
 static inline int intersect_unit(const double n[3]) {

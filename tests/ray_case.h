@@ -23,7 +23,7 @@ static inline void print_case(const algsurf_extent *e, const algsurf_ray *r, con
 
 static inline int clip(const algsurf_extent *e, const algsurf_ray *r, algsurf_ray *chord) {
     int meets = -1;
-    assert_int_equal(algsurf_extent_clip(e, r, chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(e, r, chord, &meets));
     return meets;
 }
 

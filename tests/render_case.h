@@ -43,8 +43,8 @@ static inline algsurf_scene *torus_scene(const algsurf_surface *surface, algsurf
                                          int antialias) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_scene *scene = scene_of(surface, &ball, &camera, NULL);
-    assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_quality(scene, quality));
+    assert_ok(algsurf_scene_set_antialias(scene, antialias));
     return scene;
 }
 
@@ -60,7 +60,7 @@ static inline void blank(picture *p) {
 
 static inline void render(const algsurf_scene *scene, const algsurf_render_options *o, picture *p) {
     const algsurf_picture planes = planes_of(p, o->row_begin);
-    assert_int_equal(algsurf_render(scene, o, &planes, &p->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, o, &planes, &p->stats));
 }
 
 static inline picture *drawn(const algsurf_scene *scene, int threads) {

@@ -22,7 +22,7 @@ static algsurf_complex large[LARGE + 1];
 
 static int solve(const double *c, const double *r, int degree) {
     int count = -1;
-    assert_int_equal(algsurf_complex_roots_of_real(c, r, degree, boxes, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_of_real(c, r, degree, boxes, &count));
     return count;
 }
 
@@ -96,7 +96,7 @@ TEST(test_solver_refusals) {
     assert_int_equal(algsurf_complex_solver_create(-1, &s), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_solver_create(LARGE + 1, &s), ALGSURF_E_DEGREE);
     assert_ptr_equal(s, untouched);
-    assert_int_equal(algsurf_complex_solver_create(2, &s), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(2, &s));
     assert_int_equal(algsurf_complex_solver_run(s, cubic, NULL, 3, NULL, boxes, &count, NULL),
                      ALGSURF_E_DEGREE);
     assert_int_equal(count, 77);
@@ -165,7 +165,7 @@ TEST(test_radii) {
     const algsurf_complex two[3] = {{-1, 0}, {0, 0}, {1, 0}}, through[3] = {{0, 0}, {1, 0}, {1, 0}};
     int count = -1;
     /* -1 + 1e-3 i is one of the constants meant: its roots are not real */
-    assert_int_equal(algsurf_complex_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count));
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(boxes[i].real, 0);
@@ -173,16 +173,14 @@ TEST(test_radii) {
     }
     for (int again = 0; again < 3; again++) { /* a constant of 0 that need not be: the same each time */
         memset(boxes, again ? 0x7f : 0, sizeof boxes);
-        assert_int_equal(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count));
         assert_int_equal(count, 2);
         assert_true(fabs(boxes[1].root.re) < 1e-9 && boxes[1].box.re.hi >= 1e-10);
         assert_true(boxes[1].box.re.hi < 1e-9 && boxes[1].box.re.lo <= -1e-10);
     }
     /* z^3 - z with an undecided middle: the exact zero and the others stay apart, or are one box */
-    assert_int_equal(algsurf_complex_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
-                                           (double[]){0, 3, 0, 0}, 3, boxes, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_complex_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
+                                    (double[]){0, 3, 0, 0}, 3, boxes, &count));
     assert_null(case_boxes_wrong(3, boxes, count));
     refused(ALGSURF_E_RANGE, two, (double[]){0, 0, 1}, 2);
     refused(ALGSURF_E_RANGE, (algsurf_complex[]){{1, 0}, {1, 0}, {0, 0}}, (double[]){0, 0, 1e-9}, 2);
@@ -193,8 +191,7 @@ TEST(test_radii) {
 
 static int run(int degree, const algsurf_complex *start, algsurf_complex_solver_stats *stats) {
     int count = -1;
-    assert_int_equal(algsurf_complex_solver_run(solver, large, NULL, degree, start, boxes, &count, stats),
-                     ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, large, NULL, degree, start, boxes, &count, stats));
     const char *what = case_boxes_wrong(degree, boxes, count);
     if (what) fail_msg("degree %d: %s", degree, what);
     return count;
@@ -223,7 +220,7 @@ TEST(test_unity) {
         assert_int_equal(exact, 4);
         static algsurf_complex_root simple[LARGE];
         int count = 0;
-        assert_int_equal(algsurf_complex_roots(large, NULL, degree, simple, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(large, NULL, degree, simple, &count));
         assert_int_equal(count, degree);
         assert_memory_equal(simple, boxes, (size_t)degree * sizeof *simple);
     }
@@ -274,7 +271,7 @@ TEST(test_reuse_and_environments) {
     algsurf_complex_root first[N], again[N];
     int count, count_again;
     for (int k = 0; k <= N; k++) c[k] = (algsurf_complex){1.0 / (k + 1), k == 4 ? 0x1p-1060 : 0.1 * k};
-    assert_int_equal(algsurf_complex_roots(c, NULL, N, first, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(c, NULL, N, first, &count));
     for (int i = 0; i < 2 * ENVIRONMENTS; i++) {
         if (i == ENVIRONMENTS) { /* after a large and different problem */
             memset(large, 0, sizeof large), large[0].re = 7, large[100].im = 1;
@@ -286,7 +283,7 @@ TEST(test_reuse_and_environments) {
             i % 2 ? algsurf_complex_roots(c, NULL, N, again, &count_again)
                   : algsurf_complex_solver_run(solver, c, NULL, N, NULL, again, &count_again, NULL);
         assert_true(environment_unset(i % ENVIRONMENTS));
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(count, count_again);
         for (int k = 0; k < count; k++) {
             assert_memory_equal(&first[k].box, &again[k].box, sizeof first[k].box);

@@ -30,7 +30,7 @@ TEST(test_finds_all) {
         algsurf_complex start[SEED_DEGREE];
         int complete = -1;
         for (int i = 0; i < c.n; i++) start[i] = (algsurf_complex){0.3 + 0.01 * i, 0.2 - 0.02 * i};
-        assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete));
         for (int i = 0; i < c.n; i++) {
             assert_true(!zeros[i].verified || seed_count(&c, zeros[i].box) == 1);
             assert_true(!zeros[i].verified || (zeros[i].unique && zeros[i].inflations >= 1));
@@ -61,7 +61,7 @@ TEST(test_radii_are_handed_on) {
         }
         const algsurf_complex start[SEED_DEGREE] = {{0.3, 0.2}, {-0.1, 0.5}, {0.2, -0.3},
                                                     {0.4, 0.4}, {1, 2},      {2, -1}};
-        assert_int_equal(algsurf_cpoly_zeros(c.p, r, c.n, start, NULL, zeros, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, r, c.n, start, NULL, zeros, &complete));
         complete_ones += complete;
         assert_true(!complete || each_once(&c, zeros));
     }
@@ -73,10 +73,10 @@ TEST(test_cold_start_fails_on_even) {
     const algsurf_complex p[] = {{-0.25, 0}, {0, 0}, {1, 0}}, off[] = {{0.1, 1}, {0.1, 1}};
     algsurf_cpoly_zero zeros[2];
     int complete = 1;
-    assert_int_equal(algsurf_cpoly_zeros(p, NULL, 2, NULL, NULL, zeros, &complete), ALGSURF_OK);
+    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, NULL, NULL, zeros, &complete));
     assert_int_equal(complete, 0);
     for (int i = 0; i < 2; i++) assert_true(!zeros[i].converged && !zeros[i].verified && !zeros[i].unique);
-    assert_int_equal(algsurf_cpoly_zeros(p, NULL, 2, off, NULL, zeros, &complete), ALGSURF_OK);
+    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, off, NULL, zeros, &complete));
     assert_int_equal(complete, 1);
     for (int i = 0; i < 2; i++) assert_true(zeros[i].converged && zeros[i].verified && zeros[i].unique);
 }
@@ -90,7 +90,7 @@ TEST(test_slides_are_noticed) {
         seed_case c = seed_random(&seed, 3, 1);
         algsurf_cpoly_zero z[3];
         int complete, verified = 0;
-        assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, 3, NULL, &few, z, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, NULL, 3, NULL, &few, z, &complete));
         for (int i = 0; i < 3; i++) verified += z[i].verified;
         assert_int_equal(complete, verified == 3 && each_once(&c, z));
         slid += verified == 3 && !complete;
@@ -190,9 +190,8 @@ TEST(test_highest_degree) {
     static algsurf_cinterval Z, Q[ALGSURF_MAX_POLY_DEGREE];
     int n = ALGSURF_MAX_POLY_DEGREE, unique = 0;
     p[0].re = -1, p[n].re = 1;
-    assert_int_equal(algsurf_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL), ALGSURF_OK);
+    assert_ok(algsurf_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL));
+    assert_ok(algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL));
     assert_true(unique && seed_in(Z, (algsurf_complex){1, 0}) && Z.re.hi - Z.re.lo < 1e-15);
     for (int k = 0; k < n; k++) assert_true(seed_in(Q[k], (algsurf_complex){1, 0}));
 }

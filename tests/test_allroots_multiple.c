@@ -211,7 +211,7 @@ static int judge(const product *t) {
         algsurf_complex_solver *solver;
         algsurf_complex z[MOST_DEGREE + 1];
         for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-        assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+        assert_ok(algsurf_complex_solver_create(t->n, &solver));
         status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         algsurf_complex_solver_free(solver);
     }
@@ -364,15 +364,13 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
     algsurf_complex z[MOST_DEGREE + 1];
     algsurf_complex_solver *solver;
     int count, in_q, in_r = 0;
-    assert_int_equal(algsurf_complex_solver_create(MOST_DEGREE, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(MOST_DEGREE, &solver));
     for (int k = 0; k <= dq; k++) z[k] = (algsurf_complex){(double)q[k], 0};
-    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL));
     for (int k = 0; k <= dr; k++) z[k] = (algsurf_complex){(double)r[k], 0};
-    if (dr)
-        assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL),
-                         ALGSURF_OK);
+    if (dr) assert_ok(algsurf_complex_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL));
     algsurf_complex_solver_free(solver);
     const char *what = case_boxes_wrong(t->n, e, count);
     if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
@@ -447,13 +445,13 @@ TEST(test_clusters_stay) {
     join_factor(t, 0, 1, -1, 4);
     assert_true(finish(t, 0));
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK); /* radii of 0 are exact */
+    assert_ok(algsurf_complex_roots(z, r, 4, e, &count)); /* radii of 0 are exact */
     assert_true(count == 1 && e[0].multiplicity == 4 && e[0].real && ulps(e) <= 2);
     r[2] = 0x1p-40;
-    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(z, r, 4, e, &count));
     assert_true(count == 1 && e[0].multiplicity == 4 && !e[0].real && ulps(e) > 1e6);
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], t->c[k]};
-    assert_int_equal(algsurf_complex_roots(z, NULL, 4, e, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(z, NULL, 4, e, &count));
     assert_true(count == 1 && e[0].multiplicity == 4 && ulps(e) > 1e6);
     close_product(t);
 }
@@ -469,13 +467,13 @@ TEST(test_without_memory) {
     times(t, q, 10, 20);
     assert_true(finish(t, 0));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(t->n, &solver));
     for (int fails = 0; fails < 2; fails++) {
         int count, before = blocks;
         malloc_fails = fails;
         algsurf_status status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         malloc_fails = 0;
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(blocks, before);
         const char *what = case_boxes_wrong(t->n, e, count);
         if (what) give_up(t, e, count, what);

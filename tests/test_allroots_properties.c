@@ -178,7 +178,7 @@ TEST(test_reconstruction) {
                                        round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
         algsurf_complex_root e[CASE_MAX];
         int count = 0;
-        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
         assert_null(case_boxes_wrong(p.n, e, count));
         check_reconstruction(&p, e, count);
     }
@@ -198,8 +198,8 @@ TEST(test_scaling) {
         }
         algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
         int count = 0, count_scaled = 0;
-        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
-        assert_int_equal(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
+        assert_ok(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled));
         assert_int_equal(count, count_scaled);
         for (int i = 0; i < count; i++) {
             const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
@@ -251,7 +251,7 @@ TEST(test_spread) {
             int end = exact_random_int(&seed, 2) ? range : -range;
             c[k] = exact_random_wide(&seed, extreme ? end : -range, extreme ? end : range);
         }
-        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, n, e, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(c, NULL, n, e, &count));
         const char *what = case_boxes_wrong(n, e, count);
         if (what) fail_msg("%s, degree %d", what, n);
         judge_circles(c, n, e, count, &circles);

@@ -41,8 +41,7 @@ static algsurf_real_batch packet_of(int degree, size_t first, size_t count, int 
 static void solve(int degree, size_t first, size_t count, int radii, const char *kernel, answers *to) {
     algsurf_real_batch p = packet_of(degree, first, count, radii);
     algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
-    assert_int_equal(algsurf_first_roots_batch(&p, &options, to->state + first, to->root + first),
-                     ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&p, &options, to->state + first, to->root + first));
 }
 
 static _Noreturn void complain(const char *what, int degree, int i, const answers *a, int expected) {
@@ -470,7 +469,7 @@ TEST(test_counts) {
             }
         }
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        assert_int_equal(algsurf_first_roots_batch(&p, NULL, some.state, NULL), ALGSURF_OK);
+        assert_ok(algsurf_first_roots_batch(&p, NULL, some.state, NULL));
         assert_memory_equal(some.state, all.state, MOST);
     }
 }
@@ -487,9 +486,9 @@ static void check_wide(int n, double sign, double from, double to) {
     unsigned char state;
     double root = 0;
     int found = 0;
-    assert_int_equal(algsurf_first_roots_batch(&p, NULL, &state, &root), ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&p, NULL, &state, &root));
     assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
-    assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, NULL, &b, &found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(one, NULL, n, from, to, NULL, &b, &found));
     /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
     double room = 0x1p-52 * fabs(root) + (n <= 20 ? 1e-12 * (to - from) : 0);
     double left = fmax(root - room, b.lo), right = fmin(root + room, b.hi);
@@ -517,7 +516,7 @@ TEST(test_tolerance) {
         solve(n, 0, MOST, 0, NULL, &fine);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         algsurf_batch_options options = {.size = sizeof options, .relative_tolerance = 1e-4};
-        assert_int_equal(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
+        assert_ok(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root));
         for (int i = 0; i < MOST; i++)
             if (fine.state[i] == ALGSURF_FIRST_ROOT_FOUND &&
                 !(fabs(fine.root[i] - coarse.root[i]) <= 2e-4 * (hi[i] - lo[i])))
@@ -648,15 +647,15 @@ TEST(test_errors) {
     options.relative_tolerance = (double)NAN;
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_first_roots_batch(&good, NULL, a.state, a.root), ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&good, NULL, a.state, a.root));
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, counts),
                      ALGSURF_E_ARGUMENT); /* radii */
     good = packet_of(3, 0, MOST, 0);
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, NULL, counts), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, NULL), ALGSURF_E_ARGUMENT);
     p = (algsurf_real_batch){.size = sizeof p, .degree = 3};
-    assert_int_equal(algsurf_real_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_first_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_batch(&p, NULL, NULL, NULL));
+    assert_ok(algsurf_first_roots_batch(&p, NULL, NULL, NULL));
 }
 
 /* The same polynomials by rows, backwards, spread, as parts of complex numbers, in one interval or with one
@@ -689,12 +688,12 @@ TEST(test_layouts) {
                 p.coefficients = (algsurf_table){spread + start, power, polynomial};
                 if (radii) p.radii = (algsurf_table){spread_radii + start, power, polynomial};
                 p.interval_step = 0;
-                assert_int_equal(algsurf_first_roots_batch(&p, NULL, here.state, here.root), ALGSURF_OK);
+                assert_ok(algsurf_first_roots_batch(&p, NULL, here.state, here.root));
                 assert_true(same(&usual, &here, MOST));
                 if (radii) continue;
-                assert_int_equal(algsurf_real_roots_batch(&p, NULL, found, found_counts), ALGSURF_OK);
+                assert_ok(algsurf_real_roots_batch(&p, NULL, found, found_counts));
                 p = packet_of(n, 0, MOST, 0);
-                assert_int_equal(algsurf_real_roots_batch(&p, NULL, all_roots, counts), ALGSURF_OK);
+                assert_ok(algsurf_real_roots_batch(&p, NULL, all_roots, counts));
                 for (int i = 0; i < MOST; i++) {
                     assert_int_equal(found_counts[i], counts[i]);
                     assert_memory_equal(found + i * n, all_roots + i * n, (size_t)counts[i] * sizeof *found);
@@ -717,7 +716,7 @@ TEST(test_environment) {
             algsurf_real_batch p = packet_of(n, 0, MOST, 0);
             algsurf_status status = algsurf_first_roots_batch(&p, NULL, here.state, here.root);
             int kept = environment_unset(i);
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             assert_true(kept);
             assert_true(same(&usual, &here, MOST));
         }

@@ -46,7 +46,7 @@ typedef struct test_view {
 } test_view;
 
 static void make_frame(test_view *v, uint64_t *seed, int degree, const algsurf_term *terms, size_t count) {
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &v->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, count, &v->surface));
     algsurf_i_view *view = &v->frame.view;
     memset(view, 0, sizeof *view);
     v->frame.q = v->q, v->frame.basis = v->basis, v->frame.sizes = v->sizes, v->frame.along = v->along;

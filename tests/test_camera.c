@@ -29,13 +29,13 @@ static void assert_near(double got, double expected, double allowed) {
 
 static algsurf_camera pinhole(const double eye[3], const double look_at[3], const double up[3], double fov) {
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, look_at, up, fov, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, look_at, up, fov, &camera));
     return camera;
 }
 
 static algsurf_ray ray_at(const algsurf_camera *camera, int width, int height, double x, double y) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(camera, width, height, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, width, height, x, y, &ray));
     assert_true(ray.t_min == 0 && ray.t_max == INFINITY);
     assert_near(dot(ray.direction, ray.direction), 1, 1e-15);
     return ray;
@@ -58,7 +58,7 @@ TEST(frames) {
         algsurf_camera c;
         algsurf_status status = k % 2 ? algsurf_camera_pinhole(eye, look_at, up, 40, &c)
                                       : algsurf_camera_orthographic(eye, look_at, up, 2, &c);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         const double *axis[3] = {c.right, c.up, c.forward};
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) assert_near(dot(axis[i], axis[j]), i == j, 1e-15);
@@ -143,7 +143,7 @@ TEST(far_eye) {
 TEST(orthographic) {
     const double eye[3] = {0, 0, 5}, up[3] = {0, 1, 0}, down[3] = {0, 0, -1};
     algsurf_camera c;
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 3, &c), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, up, 3, &c));
     for (int corner = 0; corner < 4; corner++) {
         algsurf_ray r = ray_at(&c, 200, 100, corner & 1 ? 200 : 0, corner & 2 ? 100 : 0);
         const double expected[3] = {corner & 1 ? 3 : -3, corner & 2 ? -1.5 : 1.5, 5};
@@ -193,8 +193,8 @@ TEST(bad_cameras) {
     algsurf_camera c = {.half_height = 7};
     assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, 180, &c), ALGSURF_E_ARGUMENT);
     assert_true(c.half_height == 7);
-    assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, nextafter(180, 0), &c), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_orthographic(eye, at, z_up, 1000, &c), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, z_up, nextafter(180, 0), &c));
+    assert_ok(algsurf_camera_orthographic(eye, at, z_up, 1000, &c));
 }
 
 static void refuse_ray(const algsurf_camera *c, int width, int height, double x, double y,
@@ -247,8 +247,8 @@ TEST(rounding_modes) {
         algsurf_status shot = algsurf_camera_ray(&c[m], 640, 480, 12.3, 45.6, &r[m]);
         int mode = fegetround();
         fesetround(FE_TONEAREST);
-        assert_int_equal(made, ALGSURF_OK);
-        assert_int_equal(shot, ALGSURF_OK);
+        assert_ok(made);
+        assert_ok(shot);
         assert_int_equal(mode, modes[m]);
         assert_memory_equal(&c[m], &c[0], offsetof(algsurf_camera, orthographic)); /* no padding */
         assert_memory_equal(&r[m], &r[0], sizeof r[0]);

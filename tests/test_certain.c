@@ -48,7 +48,7 @@ static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
 static int check_on(const double *c, int n, double lo, double hi) {
     static algsurf_bracket b[MOST];
     int count;
-    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, MOST, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, MOST, &count));
     for (int i = 0; i < count; i++)
         if (b[i].kind == ALGSURF_BRACKET_ISOLATED) check_bracket(c, n, b + i);
     return count;
@@ -115,7 +115,7 @@ TEST(test_underflow) {
             algsurf_refined_root r;
             c[k] = -a, c[k + 1] = 1;
             check(c, k + 1, 1.1 * a);
-            assert_int_equal(algsurf_refine_poly(c, NULL, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(c, NULL, k + 1, b.lo, b.hi, NULL, &r));
             if (r.root != a || r.residual != 0 || r.lo != a || r.hi != a)
                 give_up("known root", c, k + 1, &b, &r);
         }
@@ -162,7 +162,7 @@ TEST(test_multiple_roots) {
         double c[MOST + 1] = {1};
         algsurf_refined_root r;
         for (int k = 0; k < m; k++) times_root(c, k, 1);
-        assert_int_equal(algsurf_refine_poly(c, NULL, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
+        assert_ok(algsurf_refine_poly(c, NULL, m, -0.7, 2.3, NULL, &r));
         assert_true(r.root == 1 && r.residual == 0 && r.evaluations < 16);
     }
 }
@@ -176,7 +176,7 @@ TEST(test_neighbours) {
     algsurf_refined_root r;
     check_bracket(third_squared, 2, &good);
     check_bracket(beyond, 1, &far);
-    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, NULL, &r));
     assert_true(r.lo == DBL_MAX && r.root == DBL_MAX && isinf(r.hi) && r.residual != 0);
     assert_int_equal(algsurf_refine_poly(none, NULL, 2, third, above, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, -INFINITY, -DBL_MAX, NULL, &r), ALGSURF_E_ARGUMENT);

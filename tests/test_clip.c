@@ -150,8 +150,8 @@ static void ask(const algsurf_surface *surface, const algsurf_extent *extent, do
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->t, .multiplicity = a->multiplicity};
     memset(a, 0, sizeof *a);
-    assert_int_equal(algsurf_intersect_packet(surface, extent, &rays, o, &hits), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(surface, extent, &rays, o, &hits));
+    assert_ok(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded));
 }
 
 /* Rays from anywhere to about the middle. */
@@ -211,7 +211,7 @@ static void draw(const algsurf_scene *scene, picture *p) {
     const algsurf_picture planes = {
         .size = sizeof planes, .pixels = p->bytes, .format = ALGSURF_RGB8, .state = p->states, .t = p->t};
     const algsurf_render_options o = {.size = sizeof o, .width = WIDTH, .height = HEIGHT, .threads = 1};
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
 /* By Brent's method every ray goes by itself, and no fan is asked: what is cut away casts no shadow. */
@@ -224,11 +224,11 @@ TEST(shadows_as_by_rays) {
     algsurf_surface *surface = surface_of(tangle);
     for (int i = 0; i < 2; i++) {
         algsurf_scene *scene = scene_of(surface, &extents[i], NULL, NULL);
-        assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL));
         draw(scene, &whole);
-        assert_int_equal(algsurf_scene_set_clip(scene, planes, 3), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_clip(scene, planes, 3));
         draw(scene, &fans);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &by_rays), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_intersect(scene, &by_rays));
         draw(scene, &rays);
         assert_memory_equal(fans.states, rays.states, sizeof fans.states);
         int differ = 0, brighter = 0; /* t is rounded otherwise: a few bytes may differ by one */
@@ -247,9 +247,7 @@ TEST(shadows_as_by_rays) {
 /* The part of a pixel's ray before or behind a plane. */
 static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *plane, int pixel) {
     algsurf_ray ray;
-    assert_int_equal(
-        algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray),
-        ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray));
     double above = -plane->offset, rise = 0;
     for (int i = 0; i < 3; i++) {
         above += plane->normal[i] * ray.origin[i];
@@ -271,19 +269,18 @@ TEST(complex_space_is_cut) {
     algsurf_camera camera;
     algsurf_surface *surface = surface_of(tangle);
     int fewer = 0, hits = 0;
-    assert_int_equal(algsurf_camera_pinhole(eye, centre, up, 45, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, centre, up, 45, &camera));
     algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     draw(scene, &whole);
-    assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, &plane, 1));
     draw(scene, &cut);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         const algsurf_ray ray = cut_ray(&camera, &plane, i);
         algsurf_hit hit = {.state = ALGSURF_MISS};
         if (ray.t_min <= ray.t_max)
-            assert_int_equal(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL));
         if (hit.state != cut.states[i]) fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
         if (hit.state == ALGSURF_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
             fail_msg("pixel %d: t = %a, not %a", i, cut.t[i], hit.t);
@@ -327,14 +324,14 @@ TEST(bad_planes_are_refused) {
         assert_int_equal(algsurf_scene_set_clip(scene, &bad[i].plane, 1), bad[i].status);
     }
     /* a scene's planes are set by algsurf_scene_set_clip alone, and stay */
-    assert_int_equal(algsurf_scene_set_clip(scene, good, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, good, 1));
     draw(scene, &before);
     o.planes = good;
     assert_int_equal(algsurf_scene_set_intersect(scene, &o), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_set_intersect(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(scene, NULL));
     draw(scene, &after);
     assert_memory_equal(before.bytes, after.bytes, sizeof before.bytes);
-    assert_int_equal(algsurf_scene_set_clip(scene, NULL, 0), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, NULL, 0));
     draw(scene, &after);
     assert_memory_not_equal(before.bytes, after.bytes, sizeof before.bytes);
     algsurf_scene_free(scene);

@@ -229,9 +229,9 @@ TEST(rows_of_numbers) {
             problem p = random_problem(n, PLAIN, 0);
             for (int k = 0; k <= n; k++) z[i][k] = (algsurf_complex){p.re[k], p.im[k]};
         }
-        assert_int_equal(algsurf_complex_roots_batch(&rows, NULL, roots, found), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_batch(&rows, NULL, roots, found));
         for (int i = 0; i < MANY; i++) {
-            assert_int_equal(algsurf_complex_roots(z[i], NULL, n, single, &count), ALGSURF_OK);
+            assert_ok(algsurf_complex_roots(z[i], NULL, n, single, &count));
             assert_int_equal(found[i], count);
             assert_memory_equal(single, roots + i * n, (size_t)count * sizeof *single);
         }
@@ -256,10 +256,10 @@ TEST(the_interface) {
     for (int i = 0; i < MANY; i++) p[i] = random_problem(5, PLAIN, 1);
     set_batch(&b, p, 1);
     b.packet.radii = (algsurf_table){spread, 0, 1};
-    assert_int_equal(algsurf_complex_roots_batch(&b.packet, NULL, roots, found), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_batch(&b.packet, NULL, roots, found));
     for (int i = 0; i < MANY; i++) {
         for (int k = 0; k <= 5; k++) radii[k] = spread[i];
-        assert_int_equal(algsurf_complex_roots_of_real(p[i].re, radii, 5, single, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(p[i].re, radii, 5, single, &count));
         assert_int_equal(count, found[i]);
         assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
     }
@@ -280,7 +280,7 @@ TEST(the_interface) {
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(found[0], 77);
     bad.count = 0;
-    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL));
 }
 
 int main(void) { return unit_run("complex: many polynomials"); }

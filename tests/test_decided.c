@@ -431,7 +431,7 @@ TEST(test_picture_of_itself) {
     const double eye[3] = {1.7, -2.3, 1.1}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;
     int hits = 0;
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 42, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 42, &camera));
     set_equation("x^2 + y^2 + z^2 - 1");
     algsurf_ray_packet rays = {.size = sizeof rays, .count = SIDE};
     const algsurf_hit_packet to = {.size = sizeof to, .state = found, .t = t};
@@ -439,11 +439,11 @@ TEST(test_picture_of_itself) {
     for (int row = 0; row < SIDE; row++) {
         for (int x = 0; x < SIDE; x++) {
             algsurf_ray ray;
-            assert_int_equal(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray));
             for (int k = 0; k < 3; k++) o[k][x] = ray.origin[k], d[k][x] = ray.direction[k];
         }
-        assert_int_equal(algsurf_intersect_packet(c.surface, &ball, &rays, NULL, &to), ALGSURF_OK);
-        assert_int_equal(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(c.surface, &ball, &rays, NULL, &to));
+        assert_ok(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded));
         for (int x = 0; x < SIDE; x++) {
             const double origin[3] = {o[0][x], o[1][x], o[2][x]}, along[3] = {d[0][x], d[1][x], d[2][x]};
             int wanted = meets_sphere(origin, along) ? ALGSURF_HIT : ALGSURF_MISS;
@@ -472,7 +472,7 @@ TEST(test_far_exponents) {
                           0,
                           8};
     double begun = seconds();
-    assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
     double taken = seconds() - begun;
     printf("far exponents: %.2f s, state %d, multiplicity %d at %a\n", taken, hit.state, hit.multiplicity,
            hit.t);
@@ -504,7 +504,7 @@ static int power_of_sphere(int power) {
                 terms[count++] = (algsurf_term){2 * i, 2 * j, 2 * k, left % 2 ? -a : a};
             }
     mpz_clears(ways, factor, NULL);
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &c.surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &c.surface));
     return exact;
 }
 
@@ -526,7 +526,7 @@ TEST(test_powers_of_a_sphere) {
             }
             c.ray.t_min = -INFINITY, c.ray.t_max = INFINITY;
             double begun = seconds();
-            assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
             taken += seconds() - begun;
             int meets = meets_sphere(c.ray.origin, c.ray.direction);
             int right = meets ? hit.multiplicity == rows[i].power && hit.side == 1 : hit.multiplicity == 0;
@@ -578,7 +578,7 @@ TEST(test_limit_of_memory) {
         assert_int_equal(any[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
     }
     options.max_memory = (size_t)1 << 24;
-    assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to));
     assert_int_equal(states[1], ALGSURF_HIT);
     done();
     begin("limit of memory");

@@ -26,8 +26,7 @@ typedef struct box {
 
 static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent, int part) {
     box b = {.empty = -1};
-    assert_int_equal(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty),
-                     ALGSURF_OK);
+    assert_ok(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty));
     assert_true(b.empty == 0 || b.empty == 1);
     for (int i = 0; i < 3 && !b.empty; i++) assert_true(b.lo[i] <= b.hi[i]);
     return b;
@@ -35,7 +34,7 @@ static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent
 
 static algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
     return surface;
 }
 
@@ -137,7 +136,7 @@ static void check_points(uint64_t random, double sign_z, int part) {
         algsurf_surface *surface;
         for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
         point_terms(p, 3, sign_z, terms);
-        assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 7, &surface));
         check_point(surface, p, part, 0.5);
         algsurf_surface_free(surface);
     }
@@ -152,7 +151,7 @@ TEST(tips) { check_points(seed + 2, -1, ALGSURF_PART_SINGULAR); }
 TEST(approximate) {
     algsurf_surface *unit = surface_of("x^2 + y^2 + z^2 - 1"), *about;
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
-    assert_int_equal(algsurf_surface_with_error(unit, 0.125, &about), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(unit, 0.125, &about));
     const box b = enclosed(about, &extent, ALGSURF_PART_ALL);
     const double farthest[3] = {sqrt(1.125 / 0.875), 0, 0}, nearest[3] = {0, 0, -farthest[0]};
     assert_true(holds(&b, farthest, 0) && holds(&b, nearest, 0));
@@ -187,7 +186,7 @@ static int check_plane(double a, double b, const algsurf_extent *e) {
     exact_set(root, a), exact_set(off, b), mpq_div(root, off, root);
     exact_set(off, e->centre[0]), mpq_sub(off, root, off), mpq_abs(off, off), exact_set(size, e->size[0]);
     int inside = e->kind == ALGSURF_EXTENT_BOX ? mpq_cmp(off, size) <= 0 : mpq_sgn(off) == 0;
-    assert_int_equal(algsurf_surface_from_terms(terms, b == 0 ? 1 : 2, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, b == 0 ? 1 : 2, &surface));
     const box found = enclosed(surface, e, ALGSURF_PART_ALL);
     if (inside) {
         char what[200];
@@ -296,7 +295,7 @@ TEST(rounding_modes) {
         algsurf_status status =
             algsurf_surface_enclose(surface, &extent, ALGSURF_PART_ALL, 0.1, b.lo, b.hi, &b.empty);
         fesetround(FE_TONEAREST);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         if (m == 0) memcpy(&first, &b, sizeof b);
         assert_memory_equal(b.lo, first.lo, sizeof b.lo);
         assert_memory_equal(b.hi, first.hi, sizeof b.hi);

@@ -209,8 +209,8 @@ TEST(packets) {
                                              .normal = {x[3], x[4], x[5]},
                                              .side = sides};
             memset(states, 77, sizeof states), memset(occluded, 77, sizeof occluded);
-            assert_int_equal(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits), ALGSURF_OK);
-            assert_int_equal(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded), ALGSURF_OK);
+            assert_ok(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits));
+            assert_ok(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded));
             for (int i = 0; i < RAYS; i++) {
                 algsurf_hit h;
                 int any;
@@ -222,8 +222,8 @@ TEST(packets) {
                                       {numbers[3][i], numbers[4][i], numbers[5][i]},
                                       numbers[6][i],
                                       numbers[7][i]};
-                assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h), ALGSURF_OK);
-                assert_int_equal(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any), ALGSURF_OK);
+                assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h));
+                assert_ok(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any));
                 int same = states[i] == h.state && sides[i] == h.side && occluded[i] == any &&
                            (any == ALGSURF_HIT) == (h.state == ALGSURF_HIT);
                 const double one[3] = {h.t, h.t_lo, h.t_hi};

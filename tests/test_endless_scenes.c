@@ -44,8 +44,8 @@ static void judge(const algsurf_surface *surface, int e, const algsurf_camera *c
             algsurf_ray ray;
             algsurf_hit hit;
             const double t = p->hits[y * W + x];
-            assert_int_equal(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
-            assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, options, &hit), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray));
+            assert_ok(algsurf_intersect_first(surface, NULL, &ray, options, &hit));
             if (p->states[y * W + x] != hit.state) fail_pixel("another state", e, camera, x, y, t, &hit);
             if (hit.state != ALGSURF_HIT) continue;
             double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
@@ -69,7 +69,7 @@ static algsurf_camera random_camera(uint64_t *seed, int number) {
     }
     const double up[3] = {0.1, 1, 0.2};
     if (number % 5 > 2)
-        assert_int_equal(algsurf_camera_orthographic(eye, at, up, number % 2 ? 1.5 : 6, &camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, at, up, number % 2 ? 1.5 : 6, &camera));
     else
         camera = pinhole_of(eye, at, up, far > 1e3 ? 0.02 : number % 2 ? 60 : 25);
     return camera;
@@ -85,7 +85,7 @@ TEST(pixels_show_what_their_rays_hit) {
             algsurf_intersect_options options = {.size = sizeof options};
             algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
             if (number % 3 == 2) {
-                assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+                assert_ok(algsurf_scene_set_clip(scene, &plane, 1));
                 options.planes = &plane, options.plane_count = 1;
             }
             picture *p = drawn(scene, 1);
@@ -124,8 +124,8 @@ TEST(the_same_bytes_by_all_ways) {
         const algsurf_camera camera = camera_at(5, 4, 3, 40);
         algsurf_intersect_options how = {.size = sizeof how};
         algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
-        assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.05), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_antialias(scene, 3));
+        assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.05));
         picture *all = drawn(scene, 1), *threads = drawn(scene, 3);
         assert_same_picture(all, threads);
         blank(threads);
@@ -137,7 +137,7 @@ TEST(the_same_bytes_by_all_ways) {
         for (int row = 0; row < H; row++) assert_same_row(all, threads, row);
         free(threads);
         for (int k = 0; (how.kernel = algsurf_kernel_name(k)); k++) {
-            assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_intersect(scene, &how));
             picture *other = drawn(scene, 1);
             assert_same_picture(all, other);
             free(other);

@@ -205,12 +205,12 @@ TEST(test_constants) {
     algsurf_surface *s;
     for (size_t c = 0; c < sizeof uses / sizeof *uses; c++) {
         algsurf_term a[4], b[4];
-        assert_int_equal(algsurf_surface_from_equation(uses[c].text, good, 7, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(uses[c].text, good, 7, &s, NULL));
         algsurf_surface *t = parse(uses[c].same);
         size_t count = algsurf_surface_term_count(s);
         assert_int_equal(count, algsurf_surface_term_count(t));
-        assert_int_equal(algsurf_surface_terms(s, a), ALGSURF_OK);
-        assert_int_equal(algsurf_surface_terms(t, b), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s, a));
+        assert_ok(algsurf_surface_terms(t, b));
         for (size_t n = 0; n < count; n++)
             assert_true(a[n].a == b[n].a && a[n].i == b[n].i && a[n].k == b[n].k);
         algsurf_surface_free(s);
@@ -218,9 +218,9 @@ TEST(test_constants) {
     }
     const algsurf_constant own[] = {{"X", 2}, {"pi", 3}}; /* come before what these names mean otherwise */
     algsurf_term terms[2];
-    assert_int_equal(algsurf_surface_from_equation("X pi y + z", own, 2, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("X pi y + z", own, 2, &s, NULL));
     assert_int_equal(algsurf_surface_term_count(s), 2);
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     assert_true(terms[0].k == 1 && terms[0].a == 1 && terms[1].j == 1 && terms[1].a == 6);
     algsurf_surface_free(s);
     const char *const bad[] = {NULL, "", "x", "y", "z", "sqrt", "1a", "_a", "a b", "a-", "\xc3\xa9"};
@@ -253,7 +253,7 @@ TEST(test_long_texts) {
     memset(text, '7', LENGTH), strcpy(text + LENGTH, "e-999999x"); /* a million digits */
     s = parse(text);
     algsurf_term term;
-    assert_int_equal(algsurf_surface_terms(s, &term), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, &term));
     assert_true(term.a == 7.777777777777777777777);
     algsurf_surface_free(s);
 
@@ -294,7 +294,7 @@ TEST(test_large_powers) {
     assert_int_equal(count, 47905);
     algsurf_term *terms = malloc(count * sizeof *terms);
     assert_non_null(terms);
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     mpz_t exact, factor;
     mpq_t q;
     mpz_inits(exact, factor, NULL), mpq_init(q);
@@ -351,7 +351,7 @@ TEST(test_catalogue) {
         algsurf_term terms[MOST_TERMS], t;
         size_t count = algsurf_surface_term_count(s), found = 0, lines = 0;
         assert_true(count <= MOST_TERMS);
-        assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s, terms));
         while (fgets(line, sizeof line, file)) {
             if (sscanf(line, "%d %d %d %la", &t.i, &t.j, &t.k, &t.a) != 4) continue;
             for (size_t n = 0; n < count; n++) {

@@ -15,7 +15,7 @@ static algsurf_surface *parse(const char *text) {
     algsurf_parse_error error = {0, 0, ""};
     algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &s, &error);
     if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     return s;
 }
 
@@ -25,7 +25,7 @@ static double lone(const char *number) {
     assert_true(snprintf(text, sizeof text, "%s+x", number) < (int)sizeof text);
     algsurf_surface *s = parse(text);
     algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     algsurf_surface_free(s);
     return terms[1].a;
 }
@@ -105,8 +105,8 @@ TEST(test_rounding_mode) {
     algsurf_status status = algsurf_surface_from_equation("0.1", NULL, 0, &s, NULL);
     assert_int_equal(fegetround(), FE_UPWARD);
     assert_int_equal(fesetround(FE_TONEAREST), 0);
-    assert_int_equal(status, ALGSURF_OK);
-    assert_int_equal(algsurf_surface_terms(s, &t), ALGSURF_OK);
+    assert_ok(status);
+    assert_ok(algsurf_surface_terms(s, &t));
     assert_true(t.a == nearest);
     algsurf_surface_free(s);
 }

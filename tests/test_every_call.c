@@ -124,7 +124,7 @@ static algsurf_surface *made(void) {
     memcpy(terms, usual, sizeof terms);
     for (int i = 0; i < 5; i++) terms[i].a = number(usual[i].a);
     if (algsurf_surface_from_terms(terms, 5, &surface) != ALGSURF_OK)
-        assert_int_equal(algsurf_surface_from_terms(usual, 5, &surface), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(usual, 5, &surface));
     return surface;
 }
 
@@ -742,7 +742,7 @@ CALL(algsurf_complex_solver_create) {
 
 CALL(algsurf_complex_solver_free) {
     algsurf_complex_solver *solver = NULL;
-    assert_int_equal(algsurf_complex_solver_create(8, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(8, &solver));
     IN_HOST(algsurf_complex_solver_free(solver));
 }
 
@@ -753,7 +753,7 @@ CALL(algsurf_complex_solver_run) {
     algsurf_complex_solver_stats stats = {.size = sizeof stats};
     int count = 0;
     double r[DEGREE + 1];
-    assert_int_equal(algsurf_complex_solver_create(8, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(8, &solver));
     complex_coefficients(c);
     numbers(r, DEGREE + 1, radii);
     for (int i = 0; i < DEGREE; i++) start[i] = complex_made(quartic[0][i], 1);
@@ -907,9 +907,9 @@ static stage stage_made(void) {
     static const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1.25}, {0, 0, 2, 1}, {0, 0, 0, -1}};
     static const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2.5, 0, 0}};
     stage of = {NULL, NULL};
-    assert_int_equal(algsurf_surface_from_terms(terms, 4, &of.surface), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(of.surface, &of.scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(of.scene, &extent), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 4, &of.surface));
+    assert_ok(algsurf_scene_create(of.surface, &of.scene));
+    assert_ok(algsurf_scene_set_extent(of.scene, &extent));
     return of;
 }
 

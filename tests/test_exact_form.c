@@ -297,7 +297,7 @@ TEST(test_largest) {
     algsurf_zpoly p;
     mpq_t wanted, got;
     mpq_inits(wanted, got, NULL);
-    assert_int_equal(algsurf_surface_from_terms(t, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
     algsurf_memory_begin(&m, block, ROOM, LIMIT);
     algsurf_memory_mark start = algsurf_memory_here(&m);
     assert_true(algsurf_i_exact_form(&m, s, ray.origin, ray.direction, -4, &p, &scale));
@@ -320,7 +320,7 @@ TEST(test_memory) {
     algsurf_zpoly p;
     algsurf_ray ray = random_ray(&seed, ORDINARY);
     int count = dense(t, &seed, 6, ORDINARY), done = 0;
-    assert_int_equal(algsurf_surface_from_terms(t, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
     size_t words = 0;
     for (; !done && words < 1024; words++) {
         algsurf_memory_begin(&m, block, words, 0);

@@ -131,7 +131,7 @@ TEST(test_radii_hold) {
             algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
             if (status == ALGSURF_OK) {
                 judge_power(&r, i, c, radius);
-                assert_int_equal(algsurf_expand_power(r.surface, &r.ray, alone, NULL), ALGSURF_OK);
+                assert_ok(algsurf_expand_power(r.surface, &r.ray, alone, NULL));
                 assert_memory_equal(c, alone, (size_t)(r.degree + 1) * sizeof *c);
             } else
                 assert_int_equal(status, ALGSURF_E_RANGE);
@@ -153,7 +153,7 @@ TEST(test_tiny_components) {
         random_case r = {.count = 3, .degree = 2};
         r.terms[0] = (algsurf_term){2, 0, 0, 1}, r.terms[1] = (algsurf_term){0, 1, 0, 0.5 + i};
         r.terms[2] = (algsurf_term){i % 2, 0, i % 2, -0.25};
-        assert_int_equal(algsurf_surface_from_terms(r.terms, 3, &r.surface), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(r.terms, 3, &r.surface));
         r.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, -0.5, 1};
         for (int k = 0; k < 3; k++) {
             r.ray.origin[k] = exact_random_int(&seed, 2) ? exact_random_wide(&seed, -1074, -1000) : 0;
@@ -161,9 +161,9 @@ TEST(test_tiny_components) {
         }
         double c[3], radius[3];
         algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         judge_power(&r, i, c, radius);
-        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        assert_ok(algsurf_expand_bernstein(r.surface, &r.ray, c, radius));
         judge_bernstein(&r, i, c, radius);
         algsurf_surface_free(r.surface);
     }
@@ -185,7 +185,7 @@ TEST(test_radii_are_small) {
         double c[16], radius[16];
         if (!make_surface(&r, &seed, 0)) continue;
         make_ray(&r, &seed, 4, 0, 0);
-        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        assert_ok(algsurf_expand_power(r.surface, &r.ray, c, radius));
         exact_line size = exact_magnitudes_of(r.terms, r.count, r.degree, &r.ray);
         mpq_t q;
         mpq_init(q);
@@ -211,13 +211,13 @@ TEST(test_far_camera) {
     const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5},
                                    {0, 0, 6, 1}, {1, 1, 1, 2},  {0, 0, 0, -1}};
     algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_terms(sextic, 6, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(sextic, 6, &s));
     double radii[2][7], b[2][7], p[7], pr[7];
     for (int far = 0; far < 2; far++) {
         double distance = far ? 0x1p20 : 4;
         algsurf_ray ray = {{0.25, -0.5, -distance}, {0, 0, 1}, distance - 1.25, distance + 1.25};
-        assert_int_equal(algsurf_expand_bernstein(s, &ray, b[far], radii[far]), ALGSURF_OK);
-        assert_int_equal(algsurf_expand_power(s, &ray, p, pr), ALGSURF_OK);
+        assert_ok(algsurf_expand_bernstein(s, &ray, b[far], radii[far]));
+        assert_ok(algsurf_expand_power(s, &ray, p, pr));
     }
     for (int k = 0; k < 7; k++) {
         assert_true(radii[1][k] <= 1.01 * radii[0][k] && radii[1][k] < 1e-12);
@@ -244,7 +244,7 @@ TEST(test_bad_input) {
     algsurf_ray ray = good;
     algsurf_surface *s;
     double c[3];
-    assert_int_equal(algsurf_surface_from_terms(sphere, 4, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(sphere, 4, &s));
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, NULL, &ray);
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, NULL);
     assert_int_equal(algsurf_expand_power(s, &ray, NULL, c), ALGSURF_E_ARGUMENT);
@@ -260,7 +260,7 @@ TEST(test_bad_input) {
     algsurf_surface_free(s);
     /* A chord so short, against the size of the surface, that its ends cannot be told apart. */
     const algsurf_term plane[] = {{1, 0, 0, 0x1p-454}, {0, 0, 0, -0x1p486}};
-    assert_int_equal(algsurf_surface_from_terms(plane, 2, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(plane, 2, &s));
     ray = (algsurf_ray){{0, 0, 0x1p109}, {0, 0, 0x1p-720}, 2, 10};
     expect(ALGSURF_OK, ALGSURF_E_RANGE, s, &ray);
     algsurf_surface_free(s);
@@ -274,8 +274,8 @@ TEST(test_environment) {
         if (!make_surface(&r, &seed, i % 3 ? 0 : -90)) continue;
         make_ray(&r, &seed, 4, i % 3 ? 0 : -90, 0);
         memset(usual, 0, sizeof usual), memset(other, 0, sizeof other);
-        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, usual[0], usual[1]), ALGSURF_OK);
-        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, usual[2], usual[3]), ALGSURF_OK);
+        assert_ok(algsurf_expand_power(r.surface, &r.ray, usual[0], usual[1]));
+        assert_ok(algsurf_expand_bernstein(r.surface, &r.ray, usual[2], usual[3]));
         for (int e = 1; e < ENVIRONMENTS; e++) {
             environment_set(e);
             algsurf_status power = algsurf_expand_power(r.surface, &r.ray, other[0], other[1]);

@@ -102,7 +102,7 @@ static void judge_complex(const char *family, const poly *p, int real) {
         c[k] = (algsurf_complex){mpz_get_d(p->c[k]), 0};
         if (mpz_cmp_d(p->c[k], c[k].re) != 0) return;
     }
-    assert_int_equal(algsurf_complex_solver_create(p->degree, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(p->degree, &solver));
     algsurf_status status = algsurf_complex_solver_run(solver, c, NULL, p->degree, NULL, e, &count, NULL);
     algsurf_complex_solver_free(solver);
     if (status != ALGSURF_OK) fail_msg("%s, degree %d: status %d", family, p->degree, status);

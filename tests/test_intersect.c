@@ -135,8 +135,7 @@ TEST(test_normals) {
         for (int k = 0; k < answer.count; k++) {
             const algsurf_hit *h = answer.all + k;
             double g[3], value, size;
-            assert_int_equal(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL));
             size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
             for (int j = 0; j < 3; j++) assert_true(fabs(h->normal[j] - g[j] / size) < 1e-12);
         }

@@ -12,7 +12,7 @@ static const double pi = 3.141592653589793;
 
 static algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
     return surface;
 }
 
@@ -31,7 +31,7 @@ static algsurf_ray ray_towards(const double eye[3], const double target[3]) {
 static algsurf_hit hit_of(const algsurf_surface *s, const algsurf_ray *ray,
                           const algsurf_complex_space *space) {
     algsurf_hit hit;
-    assert_int_equal(algsurf_intersect_complex(s, NULL, ray, space, NULL, NULL, &hit, NULL), ALGSURF_OK);
+    assert_ok(algsurf_intersect_complex(s, NULL, ray, space, NULL, NULL, &hit, NULL));
     return hit;
 }
 
@@ -50,7 +50,7 @@ TEST(test_real_space) {
             for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
             algsurf_ray ray = ray_towards(eye, target);
             algsurf_hit real, complex = hit_of(s, &ray, &space);
-            assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
             if (complex.state == ALGSURF_UNDECIDED || real.state == ALGSURF_UNDECIDED) continue;
             assert_int_equal(complex.state, real.state);
             if (real.state != ALGSURF_HIT) continue;
@@ -159,11 +159,9 @@ TEST(test_start_values) {
         double target[3];
         for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
         algsurf_ray ray = ray_towards(eye, target);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL));
         for (int k = 0; k < 4; k++) roots[k].re *= 1.01, roots[k].im *= 0.97;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL));
         assert_int_equal(cold.state, warm.state);
         if (cold.state != ALGSURF_HIT) continue;
         assert_memory_equal(&cold.t, &warm.t, sizeof cold.t);
@@ -178,7 +176,7 @@ TEST(test_far_eye) {
     const double eye[3] = {6e5, 5e5, 4e5}, target[3] = {0.1, 0.2, 0.3};
     algsurf_ray ray = ray_towards(eye, target);
     algsurf_hit real, hit = hit_of(s, &ray, &space);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
     assert_int_equal(hit.state, ALGSURF_HIT);
     assert_true(fabs(hit.t - real.t) <= 4e-16 * real.t);
     for (int k = 0; k < 3; k++) assert_true(fabs(hit.position[k] - real.position[k]) < 1e-12);
@@ -204,8 +202,7 @@ TEST(test_undecided) {
         const algsurf_ray *ray = &cases[i].ray;
         algsurf_complex root = {0, 0};
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root));
         assert_int_equal(hit.state, ALGSURF_UNDECIDED);
         assert_int_equal(hit.reason, cases[i].reason);
         assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && fabs(hit.t - cases[i].t) < 1e-6);
@@ -237,8 +234,7 @@ TEST(test_beyond_range) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         algsurf_surface *s = surface_of(cases[i].equation);
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL));
         assert_int_equal(hit.state, cases[i].state);
         assert_true(isfinite(hit.t) == (hit.state != ALGSURF_MISS) && hit.t_lo <= hit.t && hit.t <= hit.t_hi);
         for (int k = 0; k < 3; k++) assert_true(isfinite(hit.position[k]));
@@ -258,7 +254,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
     algsurf_complex_space space = space_of(0, delta);
     algsurf_surface *s = NULL;
     space.imaginary[0] = p->m, space.imaginary[1] = p->k;
-    assert_int_equal(algsurf_surface_from_terms(terms, 1, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 1, &s));
     algsurf_hit hit = hit_of(s, &ray, &space);
     algsurf_surface_free(s);
     if (hit.state != ALGSURF_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
@@ -323,9 +319,8 @@ TEST(test_rivals) {
         algsurf_surface *s = NULL;
         algsurf_complex root;
         algsurf_hit hit;
-        assert_int_equal(algsurf_surface_from_terms(terms, 3, &s), ALGSURF_OK);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 3, &s));
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         algsurf_surface_free(s);
         if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
@@ -346,8 +341,7 @@ TEST(test_conjugates) {
     int decided = 0;
     for (int k = 4; k <= 1074; k++) {
         space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
         if (hit.state != ALGSURF_HIT || (root.im > 0) != (k % 2))
@@ -365,8 +359,8 @@ TEST(test_edge_of_the_extent) {
     const algsurf_complex_space space = space_of(0, 0);
     algsurf_surface *s = NULL;
     algsurf_hit hit;
-    assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    assert_ok(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL));
     assert_int_equal(hit.state, ALGSURF_MISS);
     algsurf_surface_free(s);
 }

@@ -134,9 +134,8 @@ static void judge_complex(const edge_case *e, int round) {
     intersect_answer a = {.count = 0};
     int first = 0;
     while (first < PLANES && e->sign[first] < 0) first++;
-    assert_int_equal(
-        algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL));
     if (a.first.state != (first < PLANES ? ALGSURF_HIT : ALGSURF_MISS))
         refuse(e, &a, "in complex space", round);
     if (first < PLANES && !exact_between(a.first.t_lo, e->root[first], a.first.t_hi))
@@ -300,7 +299,7 @@ TEST(a_long_box) {
     algsurf_surface *exact;
     intersect_equation(&c, "x - 1");
     exact = c.surface;
-    assert_int_equal(algsurf_surface_with_error(exact, 1e-10, &c.surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(exact, 1e-10, &c.surface));
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_ask(&c, &extent, NULL, &a);
     if (a.first.state != ALGSURF_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
@@ -337,9 +336,8 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     algsurf_ray ray = beside;
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
-    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL,
-                                           ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
-                     ALGSURF_OK);
+    assert_ok(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY,
+                                    NULL, found, 8, &n));
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {
         if (!hair_between(roots[i], lo, hi)) continue;

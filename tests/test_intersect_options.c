@@ -42,7 +42,7 @@ static void random_ray(uint64_t *seed, int length) {
 static double promised(double t, double tolerance) {
     double x[3], value, gradient[3], size = 0;
     for (int i = 0; i < 3; i++) x[i] = fma(t, c.ray.direction[i], c.ray.origin[i]);
-    assert_int_equal(algsurf_surface_gradient(c.surface, x, &value, gradient, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_gradient(c.surface, x, &value, gradient, NULL, NULL));
     for (int k = 0; k < c.count; k++)
         size +=
             fabs(c.terms[k].a * pow(x[0], c.terms[k].i) * pow(x[1], c.terms[k].j) * pow(x[2], c.terms[k].k));
@@ -89,16 +89,14 @@ TEST(test_tolerance_and_rounding) {
         double seen = 0;
         int hits = 0;
         intersect_equation(&c, entry->equation);
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         for (int pixel = 0; pixel < 9 * 12; pixel++) {
             double x = hard[i].x % 8 + pixel % 12 * 8 + 0.5, y = hard[i].y % 8 + pixel / 12 * 8 + 0.5;
             algsurf_hit known;
             int meets;
-            assert_int_equal(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray), ALGSURF_OK);
-            assert_int_equal(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets), ALGSURF_OK);
-            assert_int_equal(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known),
-                             ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray));
+            assert_ok(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets));
+            assert_ok(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known));
             if (!meets || known.state != ALGSURF_HIT) continue;
             exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
             double root = exact_root(&s, known.t_lo, known.t_hi, 0);
@@ -222,7 +220,7 @@ TEST(test_capacity) {
     assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 1, &count), ALGSURF_E_ARGUMENT);
     assert_memory_equal(hits, untouched, sizeof hits);
     assert_int_equal(count, 77);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count));
     assert_int_equal(count, 2);
     algsurf_surface_free(c.surface);
 }

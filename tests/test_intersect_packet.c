@@ -128,8 +128,8 @@ static void judge_single(const packet_case *c, int i, const algsurf_extent *exte
     algsurf_ray ray = ray_at(c, i);
     algsurf_hit single, hit = hit_at(c, i);
     int occluded;
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, options, &single), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(surface, extent, &ray, options, &occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, options, &single));
+    assert_ok(algsurf_occluded(surface, extent, &ray, options, &occluded));
     if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNDECIDED))
         packet_fail("a reason to be undecided", c, i, &single);
     single.reason = ALGSURF_OK; /* packets do not tell */
@@ -143,9 +143,8 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY,
-                                           NULL, &root, 1, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY, NULL,
+                                    &root, 1, &count));
     if (count == 0) return hit;
     hit = (algsurf_hit){.state = ALGSURF_HIT,
                         .multiplicity = root.multiplicity,
@@ -192,7 +191,7 @@ static void judge_all(int count, const algsurf_extent *extent) {
         const algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(k)};
         packet_case *c = k ? &q : &p;
         if (k) q = p, memset(q.state, 9, (size_t)count), memset(q.t, 9, (size_t)count * sizeof *q.t);
-        assert_int_equal(ask(c, 0, count, extent, &options), ALGSURF_OK);
+        assert_ok(ask(c, 0, count, extent, &options));
         for (int i = 0; k == 0 && i < count; i++) judge(c, i, extent, &options);
         if (k && memcmp(&p, &q, sizeof p) != 0) fail_msg("seed %u: %s differs", SEED, options.kernel);
     }
@@ -218,7 +217,7 @@ static algsurf_ray ray_from(uint64_t *seed, const algsurf_extent *e, double dist
 static int find_hit(uint64_t *seed, const algsurf_extent *e, double distance, algsurf_ray *ray,
                     algsurf_hit *hit) {
     *ray = ray_from(seed, e, distance);
-    assert_int_equal(algsurf_intersect_first(surface, e, ray, NULL, hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, e, ray, NULL, hit));
     return hit->state == ALGSURF_HIT;
 }
 
@@ -300,7 +299,7 @@ TEST(test_catalogue) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
         surface = s;
         tallied = (tally){0};
         for (int kind = 0; kind < KINDS; kind++)
@@ -325,7 +324,7 @@ TEST(test_cancellation) {
     tallied = (tally){0};
     for (int i = 0; i < 3; i++) {
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equations[i], NULL, 0, &s, NULL));
         surface = s;
         const algsurf_extent ball = {
             ALGSURF_EXTENT_SPHERE, {centres[i][0], centres[i][1], centres[i][2]}, {3, 0, 0}};
@@ -364,7 +363,7 @@ TEST(test_hits_on_the_extent) {
     const catalogue_entry *entry = catalogue_find("tangle");
     algsurf_surface *s;
     uint64_t seed = SEED;
-    assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
     surface = s;
     tallied = (tally){0};
     for (int round = 0; round < 1500; round++) {
@@ -416,7 +415,7 @@ TEST(test_undecided_rays) {
     tallied = (tally){0};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL));
         surface = s;
         put_ray(&p, 0, &odd[i].ray);
         judge_all(1, NULL);
@@ -481,7 +480,7 @@ TEST(test_exact) {
             ray.t_max = exact_random_int(&seed, 8) ? eye + 4 : 1e4;
             put_ray(&p, i, &ray);
         }
-        assert_int_equal(ask(&p, 0, MOST, NULL, NULL), ALGSURF_OK);
+        assert_ok(ask(&p, 0, MOST, NULL, NULL));
         for (int i = 0; i < MOST; i++) {
             double error = 0;
             if (!judge_exactly(i, &error)) continue;
@@ -506,7 +505,7 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
                 terms[count++] = (algsurf_term){i, j, k, exact_random_unit(seed) * exp(0.5 * ways)};
             }
     algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
     return s;
 }
 
@@ -550,7 +549,7 @@ TEST(test_catalogue_is_decided) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s;
         int left = 0, rays = 0;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
         surface = s;
         for (int round = 0; round < 60; round++) {
             for (int i = 0; i < MOST; i++) {
@@ -566,8 +565,7 @@ TEST(test_catalogue_is_decided) {
 
 static algsurf_surface *barth(void) {
     algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_equation(catalogue_find("barth")->equation, NULL, 0, &s, NULL),
-                     ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(catalogue_find("barth")->equation, NULL, 0, &s, NULL));
     surface = s;
     return s;
 }
@@ -589,8 +587,8 @@ TEST(test_counts_masks_splits) {
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case untouched = p, whole = p, single = p;
-    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
-    for (int i = 0; i < MOST; i++) assert_int_equal(ask(&single, i, 1, extent, NULL), ALGSURF_OK);
+    assert_ok(ask(&whole, 0, MOST, extent, NULL));
+    for (int i = 0; i < MOST; i++) assert_ok(ask(&single, i, 1, extent, NULL));
     assert_memory_equal(&whole, &single, sizeof whole);
     for (int count = 0; count <= MOST; count++)
         for (int masked = 0; masked < 2; masked++) {
@@ -611,7 +609,7 @@ TEST(test_counts_masks_splits) {
                     if (!got.active[i])
                         got.origin[0][i] = wanted.origin[0][i] = i % 2 ? INFINITY : NAN,
                         got.direction[1][i] = wanted.direction[1][i] = 0;
-            assert_int_equal(ask(&got, 0, count, extent, NULL), ALGSURF_OK);
+            assert_ok(ask(&got, 0, count, extent, NULL));
             if (memcmp(&got, &wanted, sizeof got) != 0)
                 fail_msg("seed %u: count %d, masked %d", SEED, count, masked);
         }
@@ -626,7 +624,7 @@ TEST(test_missing_arrays) {
     fill(&seed, extent);
     packet_case untouched = p, whole = p;
     for (int i = 0; i < MOST; i++) whole.t_min[i] = 0, whole.t_max[i] = INFINITY;
-    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
+    assert_ok(ask(&whole, 0, MOST, extent, NULL));
     algsurf_ray_packet rays = {.size = sizeof rays, .count = MOST};
     for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
     for (int given = 0; given < 10; given++) { /* the one result asked for; 9: none */
@@ -642,7 +640,7 @@ TEST(test_missing_arrays) {
                                     &hits.position[0], &hits.position[1], &hits.position[2],
                                     &hits.normal[0],   &hits.normal[1],   &hits.normal[2]};
         if (given < 9) *members[given] = results[given];
-        assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
         assert_memory_equal(got.state, whole.state, sizeof got.state);
         for (int i = 0; i < 9; i++)
             assert_memory_equal(results[i], i == given ? wanted[i] : untouched.t, sizeof untouched.t);
@@ -701,8 +699,8 @@ TEST(test_errors) {
         assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     const algsurf_ray_packet none = {.size = sizeof none};
     const algsurf_hit_packet nowhere = {.size = sizeof nowhere};
-    assert_int_equal(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(s, extent, &none, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere));
+    assert_ok(algsurf_occluded_packet(s, extent, &none, NULL, NULL));
     algsurf_surface_free(s);
 }
 
@@ -717,7 +715,7 @@ TEST(test_kernel_names) {
         char name[16];
         snprintf(name, sizeof name, "%s", algsurf_kernel_name(count++));
         options.kernel = name;
-        assert_int_equal(algsurf_intersect_first(s, NULL, &ray, &options, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(s, NULL, &ray, &options, &hit));
     }
     assert_true(count >= 1 && count <= 3);
     assert_string_equal(algsurf_kernel_name(count - 1), "baseline");
@@ -739,21 +737,21 @@ TEST(test_options) {
         algsurf_intersect_options options = {.size = sizeof options, .method = method};
         options.max_iterations = method == ALGSURF_METHOD_DEFAULT ? 100 : 0;
         options.absolute_tolerance = 1e-4;
-        assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+        assert_ok(ask(&p, 0, MOST, extent, &options));
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = ray_at(&p, i);
             algsurf_hit single, hit = hit_at(&p, i);
-            assert_int_equal(algsurf_intersect_first(s, extent, &ray, &options, &single), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, extent, &ray, &options, &single));
             single.reason = ALGSURF_OK;
             assert_memory_equal(&hit, &single, sizeof hit);
         }
     }
     algsurf_intersect_options options = {.size = sizeof options, .absolute_tolerance = 1e-4};
-    assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+    assert_ok(ask(&p, 0, MOST, extent, &options));
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = ray_at(&p, i);
         algsurf_hit exact;
-        assert_int_equal(algsurf_intersect_first(s, extent, &ray, NULL, &exact), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(s, extent, &ray, NULL, &exact));
         assert_int_equal(p.state[i], exact.state);
         if (p.state[i] == ALGSURF_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
     }
@@ -798,7 +796,7 @@ TEST(test_lengths) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
         surface = s;
         for (int k = 0; k < 6; k++) {
             for (int i = 0; i < MOST; i++) {
@@ -810,8 +808,8 @@ TEST(test_lengths) {
                 for (int j = 0; j < 3; j++) q.direction[j][i] = ldexp(p.direction[j][i], lengths[k]);
                 q.t_min[i] = ldexp(p.t_min[i], -lengths[k]), q.t_max[i] = ldexp(p.t_max[i], -lengths[k]);
             }
-            assert_int_equal(ask(&p, 0, MOST, &entry->extent, &options), ALGSURF_OK);
-            assert_int_equal(ask(&q, 0, MOST, &entry->extent, &options), ALGSURF_OK);
+            assert_ok(ask(&p, 0, MOST, &entry->extent, &options));
+            assert_ok(ask(&q, 0, MOST, &entry->extent, &options));
             for (int i = 0; i < MOST; i++) {
                 algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
                 scaled.t = ldexp(scaled.t, lengths[k]);
@@ -837,7 +835,7 @@ TEST(test_out_of_range) {
                                           {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}}};
         const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 1, 1, 1}, {0, 0, 0, -ldexp(1, k)}};
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_terms(terms, 4, &s), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 4, &s));
         surface = s;
         for (int i = 0; i < ENDS_COUNT * ENDS_COUNT; i++) {
             for (int j = 0; j < LENGTHS_COUNT; j++) {
@@ -862,8 +860,8 @@ TEST(test_subnormal) {
     const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
     algsurf_surface *s;
     algsurf_hit hit;
-    assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
     assert_int_equal(hit.state, ALGSURF_HIT);
     assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
     algsurf_surface_free(s);
@@ -903,7 +901,7 @@ TEST(test_environments) {
             algsurf_status status = ask(&q, 0, MOST, extent, &options);
             int same = environment_unset(i);
             assert_true(same);
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             if (k == 0 && i == 0) p = q;
             assert_memory_equal(&q, &p, sizeof p);
         }

@@ -27,7 +27,7 @@ static int units(algsurf_interval r) {
 
 static algsurf_interval arg_of(double re0, double re1, double im0, double im1) {
     algsurf_interval r = {7, 7};
-    assert_int_equal(algsurf_cinterval_arg((algsurf_cinterval){{re0, re1}, {im0, im1}}, &r), ALGSURF_OK);
+    assert_ok(algsurf_cinterval_arg((algsurf_cinterval){{re0, re1}, {im0, im1}}, &r));
     return r;
 }
 

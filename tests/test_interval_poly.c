@@ -21,8 +21,8 @@ TEST(test_poly) {
         for (int k = 0; k <= n; k++) p[k] = tame ? case_tame(&seed) : case_interval(&seed);
         if (tame && i % 2)
             for (int k = 0; k <= n; k++) p[k].hi = p[k].lo;
-        assert_int_equal(algsurf_interval_poly(p, n, t, &h), ALGSURF_OK);
-        assert_int_equal(algsurf_interval_poly_centred(p, n, t, &r), ALGSURF_OK);
+        assert_ok(algsurf_interval_poly(p, n, t, &h));
+        assert_ok(algsurf_interval_poly_centred(p, n, t, &r));
         exact_set(x, case_inside(&seed, t)), mpq_set_ui(y, 0, 1);
         for (int k = n; k >= 0; k--)
             exact_set(c, case_inside(&seed, p[k])), mpq_mul(y, y, x), mpq_add(y, y, c);
@@ -38,8 +38,8 @@ TEST(test_poly) {
      */
     const algsurf_interval cube[] = {{-1, -1}, {3, 3}, {-3, -3}, {1, 1}};
     algsurf_interval h, r, t = {1 - 0x1p-10, 1 + 0x1p-10};
-    assert_int_equal(algsurf_interval_poly(cube, 3, t, &h), ALGSURF_OK);
-    assert_int_equal(algsurf_interval_poly_centred(cube, 3, t, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_poly(cube, 3, t, &h));
+    assert_ok(algsurf_interval_poly_centred(cube, 3, t, &r));
     assert_true(algsurf_interval_width(h) > 0x1p-8 && algsurf_interval_width(r) < 0x1p-15);
 }
 

@@ -139,7 +139,7 @@ TEST(test_moved_split_points) {
         for (int k = 22; k <= 26; k++) n = isolate_times_root(c, n, k, 64);
         for (int k = 0; k <= n; k++) c[k] = ldexp(c[k], -4 * k * shift);
         isolate_judge(c, n, ldexp(0.25, 4 * shift), ldexp(0.5, 4 * shift), &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         assert_int_equal(answer.count, 5);
     }
 }
@@ -249,12 +249,12 @@ TEST(test_interval_at_infinity) {
             int count = 77;
             isolate_judge(c, n, ends[i], ends[i], &answer);
             assert_int_equal(answer.count, 0);
-            assert_int_equal(algsurf_isolate_first(c, r, n, ends[i], ends[i], NULL, &b, &count), ALGSURF_OK);
+            assert_ok(algsurf_isolate_first(c, r, n, ends[i], ends[i], NULL, &b, &count));
             assert_int_equal(count, 0);
-            assert_int_equal(algsurf_count_roots(c, r, n, ends[i], ends[i], &count), ALGSURF_OK);
+            assert_ok(algsurf_count_roots(c, r, n, ends[i], ends[i], &count));
             assert_int_equal(count, 0);
             count = 77;
-            assert_int_equal(algsurf_real_roots(c, n, ends[i], ends[i], roots, 3, &count), ALGSURF_OK);
+            assert_ok(algsurf_real_roots(c, n, ends[i], ends[i], roots, 3, &count));
             assert_int_equal(count, 0);
         }
 }
@@ -309,11 +309,11 @@ TEST(test_capacity) {
         assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, room, &k), ALGSURF_E_ARGUMENT);
     assert_int_equal(k, 77);
     assert_memory_equal(b, untouched, sizeof b);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k));
     assert_int_equal(k, 3);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 5, 6, NULL, b, 0, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 5, 6, NULL, b, 0, &k));
     assert_int_equal(k, 0);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, NULL, b, 1, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, NULL, b, 1, &k));
     assert_int_equal(k, 1);
 }
 
@@ -333,7 +333,7 @@ TEST(test_quadratics) {
         if (lo > hi) lo = -lo, hi = -hi;
         if (!(lo < hi)) continue;
         algsurf_bracket b[2];
-        assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, 2, &k), ALGSURF_OK);
+        assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, 2, &k));
         exact_sturm s = exact_sturm_of_doubles(c, n);
         int all = exact_count_roots(&s, lo, hi), held = 0;
         for (int j = 0; j < k; j++) held += exact_count_roots(&s, b[j].lo, b[j].hi);
@@ -350,7 +350,7 @@ TEST(test_quadratics) {
 static size_t intervals(const double *c, int n, double lo, double hi, algsurf_bracket *b, int *found) {
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
-    assert_int_equal(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found));
     return observer.cells;
 }
 

@@ -49,9 +49,9 @@ TEST(test_degree_drop) {
     for (int k = -60; k <= 60; k++) {
         double lead = k ? copysign(ldexp(1, -abs(k)), k) : 0, c[] = {-2, 1, 0, lead, 0, 0};
         isolate_judge(c, 5, -INFINITY, INFINITY, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         isolate_judge(c, 5, -2.5, 3, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
     }
 }
 
@@ -66,9 +66,9 @@ TEST(test_wilkinson) {
     for (int k = 15; k <= 20; k++) { /* rounded: another polynomial, whose roots Sturm knows */
         for (int i = k; i >= 0; i--) c[i] = (i > 0 ? c[i - 1] : 0) - (i < k ? k * c[i] : 0);
         isolate_judge(c, k, 0, 25, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         isolate_judge(c, k, -INFINITY, INFINITY, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
     }
 }
 
@@ -157,9 +157,7 @@ TEST(test_bounded_work) {
     isolate_judge(c, 64, 0.25, INFINITY, &answer);
     memset(&answer, 0, sizeof answer);
     for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = exact_random_unit(&seed);
-    assert_int_equal(
-        algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count),
-        ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count));
     for (int i = 0; i < answer.count; i++)
         if (isfinite(answer.b[i].lo))
             assert_int_equal(exact_poly_sign(c, 512, answer.b[i].lo), answer.b[i].sign);

@@ -116,7 +116,7 @@ TEST(test_box_decides_where_it_can) {
     for (int k = 4; k <= 40; k += 2) {
         double d = ldexp(1, -k), c[3] = {1 - d, -2, 1}, r[3] = {d / 4, 0, 0};
         judge_box(&seed, c, r, 2, 0, 4);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         assert_int_equal(answer.count, 2);
         r[0] = 2 * d;
         judge_box(&seed, c, r, 2, 0, 4);
@@ -130,7 +130,7 @@ TEST(test_box_decides_where_it_can) {
     assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, NULL, answer.b, 3, &answer.count) >
                 0);
     judge_box(&seed, lead, unsure, 2, -100, 100);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
 
 /* Far from 0 the radius of the leading coefficient counts, not that of the constant. */
@@ -198,17 +198,17 @@ TEST(test_least_numbers) {
     }
     const double c[] = {0, 1}, r[] = {0, 0.5}; /* the root at 0 is certain, for all members */
     judge_box(&seed, c, r, 1, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     judge_box(&seed, c, r, 1, 0, 0);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     const double touching[] = {0, 1, 1e5}, touch[] = {0, 1, 0}; /* the other root is not right of 0 */
     judge_box(&seed, touching, touch, 2, 0, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     const double least[] = {0, 1e5, 1}, below[] = {0x1p-1060, 0, 0}; /* a root below the least double */
     judge_box(&seed, least, below, 2, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_true(answer.b[0].lo == -0x1p-1074 && answer.b[0].hi == 0x1p-1074 && answer.b[0].sign == -1);
 }
 
@@ -217,7 +217,7 @@ TEST(test_root_on_either_side) {
     uint64_t seed = SEED;
     const double line[] = {0, 1}, narrow[4] = {1e-9};
     judge_box(&seed, line, narrow, 1, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.count, 1);
     assert_true(answer.b[0].kind == ALGSURF_BRACKET_ISOLATED && answer.b[0].sign == -1);
     assert_true(answer.b[0].lo < -1e-9 && answer.b[0].lo > -1.1e-9);
@@ -251,7 +251,7 @@ TEST(test_nothing_far_out) {
     const double c[] = {-1, 1, 0.5},
                  r[] = {0, 0, 0.5}; /* a root on the right, perhaps another one far left */
     judge_box(&seed, c, r, 2, -0.5, INFINITY);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.count, 1);
     judge_box(&seed, c, r, 2, -INFINITY, INFINITY);
     assert_int_equal(answer.status, ALGSURF_UNDECIDED_RANGE);
@@ -277,7 +277,7 @@ TEST(test_counted) {
     int found = 0;
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
-    assert_int_equal(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found));
     assert_true(found == 1 && observer.cells > 0 && observer.engine == ALGSURF_ENGINE_INTEGERS);
 }
 

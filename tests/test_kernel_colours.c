@@ -118,10 +118,9 @@ static void random_turn(int number, uint64_t *state, turn *t) {
 static void public_colour(const turn *t, int e, double colour[3]) {
     const batch *b = &t->b;
     const double *visible = t->with_visible ? b->visible + e * (t->lighting.light_count + 1) : NULL;
-    assert_int_equal(
-        t->preview ? algsurf_shade_preview(&t->lighting, b->point[e], b->normal[e], b->direction[e], colour)
-                   : algsurf_shade(&t->lighting, visible, b->point[e], b->normal[e], b->direction[e], colour),
-        ALGSURF_OK);
+    assert_ok(t->preview
+                  ? algsurf_shade_preview(&t->lighting, b->point[e], b->normal[e], b->direction[e], colour)
+                  : algsurf_shade(&t->lighting, visible, b->point[e], b->normal[e], b->direction[e], colour));
 }
 
 /* Every kernel gives the bits of algsurf_shade, and its bytes. */
@@ -140,7 +139,7 @@ TEST(public_functions) {
                 double colour[3];
                 unsigned char bytes[3];
                 public_colour(&t, e, colour);
-                assert_int_equal(algsurf_srgb_encode(colour, bytes), ALGSURF_OK);
+                assert_ok(algsurf_srgb_encode(colour, bytes));
                 for (int i = 0; i < 3; i++)
                     if (got.rgb[3 * e + i] != (float)colour[i] || (got.bytes[e] >> 8 * i & 255) != bytes[i])
                         fail_msg("turn %d, %s, entry %d: %.9g, not %.9g", number, kernel_names[k], e,

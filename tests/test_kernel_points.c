@@ -81,7 +81,7 @@ static void random_view(stage *s, const double centre[3], double radius, int ort
     algsurf_status status =
         orthographic ? algsurf_camera_orthographic(eye, aim, up, 2.2 * radius, &s->camera)
                      : algsurf_camera_pinhole(eye, aim, up, 40 + 30 * exact_random_unit(state), &s->camera);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     set_view(s, centre, radius);
 }
 
@@ -123,7 +123,7 @@ static int check_entry(const stage *s, int pixel, double depth, const batch *out
     }
     double gradient[3], value = algsurf_i_surface_value(s->surface, x, gradient), value_bound, bound[3], p,
                         g[3];
-    assert_int_equal(algsurf_surface_gradient(s->surface, here, &p, g, &value_bound, bound), ALGSURF_OK);
+    assert_ok(algsurf_surface_gradient(s->surface, here, &p, g, &value_bound, bound));
     double length = algsurf_length(along), rise = fabs(algsurf_dot(g, along)) / length, doubt = 0, z = depth;
     double step = -value / (view->size * algsurf_dot(gradient, along));
     if (fabs(fabs(step) / 0x1p-16 - 1) < 0.01) return 0;
@@ -181,7 +181,7 @@ static int hits_of_row(const stage *s, const algsurf_extent *extent, int y, int 
         algsurf_ray ray;
         algsurf_hit *hit = &hits[count];
         double from_centre[3];
-        assert_int_equal(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
         assert_true(algsurf_intersect_first(s->surface, extent, &ray, NULL, hit) >= 0);
         if (hit->state != ALGSURF_HIT || fabs(algsurf_dot(hit->normal, ray.direction)) < 0.05) continue;
         for (int i = 0; i < 3; i++)
@@ -235,7 +235,7 @@ static algsurf_surface *random_surface(int degree, int even, uint64_t *state) {
                 if (exact_random_int(state, 3) == 0 || count == 0)
                     terms[count++] = (algsurf_term){i, j, k, exact_random_unit(state)};
             }
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, count, &s));
     return s;
 }
 

@@ -28,22 +28,21 @@ static algsurf_scene *scene_of(const catalogue_entry *entry, algsurf_quality qua
     algsurf_camera camera;
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, surface, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(*surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &entry->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, surface, NULL));
+    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    assert_ok(algsurf_scene_create(*surface, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, &entry->extent));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_quality(scene, quality));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
+    assert_ok(algsurf_scene_set_antialias(scene, 3));
+    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
     algsurf_material material = *lighting.material;
     for (int i = 0; i < 3; i++) {
         material.outside[i] = entry->outside[i];
         material.inside[i] = entry->inside[i];
     }
-    assert_int_equal(algsurf_scene_set_material(scene, &material), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_material(scene, &material));
     return scene;
 }
 
@@ -55,7 +54,7 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
     algsurf_surface *surface;
     algsurf_scene *scene = scene_of(entry, quality, &surface);
     int count = 0, darkest = 255, dark = 0, burnt = 0;
-    assert_int_equal(algsurf_render(scene, &size, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &size, &planes, NULL));
     for (const unsigned char *p = pixels; p < pixels + sizeof pixels; p += 4) {
         double colour[3];
         int largest = p[0] > p[1] ? p[0] : p[1];
@@ -64,7 +63,7 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
         darkest = largest < darkest ? largest : darkest;
         dark += largest < 60;
         burnt += largest == 255;
-        assert_int_equal(algsurf_srgb_decode(p, colour), ALGSURF_OK);
+        assert_ok(algsurf_srgb_decode(p, colour));
         light[count++] = lightness(colour);
     }
     qsort(light, (size_t)count, sizeof *light, by_size);

@@ -44,10 +44,10 @@ static double uniform(uint64_t *seed, double lo, double hi) {
 }
 
 static void set_surface(view *v, const char *equation) {
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &v->surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &v->surface, NULL));
     size_t count = algsurf_surface_term_count(v->surface);
     algsurf_term *terms = calloc(count, sizeof *terms);
-    assert_int_equal(algsurf_surface_terms(v->surface, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(v->surface, terms));
     v->form = exact_form_of(terms, (int)count, algsurf_surface_degree(v->surface));
     free(terms);
 }
@@ -63,8 +63,7 @@ static void set_camera(view *v, uint64_t *seed) {
     }
     for (int i = 0; i < 3; i++) eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
     double tangent = radius / far * pow(10, v->number % 2 ? uniform(seed, -2, 0) : 0);
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera));
     v->distance = far;
 }
 
@@ -75,8 +74,8 @@ static void draw(const view *v, int tier) {
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = hits[tier]};
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_render(scene, &o, &planes, &stats));
     algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
     if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
@@ -112,7 +111,7 @@ static const char *judge(const view *v, const exact_answer *answer, double t) {
 
 static void check_pixel(const view *v, int x, int row) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5, &ray));
     double reach = v->distance + v->extent.size[0];
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * 0x1p-53 * reach);
     seen.checked++, seen.hits += answer.sure, seen.misses += answer.count == 0;
@@ -122,7 +121,7 @@ static void check_pixel(const view *v, int x, int row) {
         if (!wrong) continue;
         const algsurf_intersect_options how = {.size = sizeof how, .tier = tiers[tier]};
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
         uint8_t *before = &is_excused[(row - v->row_begin) * WIDTH + x];
         if (hit.state == ALGSURF_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
             seen.excused += !*before, *before = 1;

@@ -85,7 +85,7 @@ static const algsurf_constant constants[] = {{"k", 3.0}};
 
 static algsurf_surface *make_surface(void) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, constants, 1, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, constants, 1, &s, NULL));
     return s;
 }
 
@@ -211,7 +211,7 @@ static int refuse_each(algsurf_status (*attempt)(void)) {
         atomic_store(&until_failure, -1);
         assert_int_equal(atomic_load(&alive), 0);
         if (!atomic_load(&failed)) {
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             return n;
         }
         if (status != ALGSURF_OK) assert_int_equal(status, ALGSURF_E_NO_MEMORY);
@@ -331,8 +331,7 @@ static algsurf_status undecided_intersect(void) {
 TEST(test_undecided_rays) {
     for (size_t i = 0; i < sizeof undecided_rays / sizeof *undecided_rays; i++) {
         asked = undecided_rays + i;
-        assert_int_equal(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL));
         int refused = refuse_each(undecided_intersect);
         if ((refused > 0) != asked->allocates) fail_msg("%s: %d allocations", asked->equation, refused);
         algsurf_surface_free(asked_surface);
@@ -384,18 +383,17 @@ static algsurf_status render_small(void) {
 TEST(test_certified_picture) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
-    assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(stage, &extent), ALGSURF_OK);
-    assert_int_equal(draw_small(&small_reference), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL));
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_extent(stage, &extent));
+    assert_ok(draw_small(&small_reference));
     assert_true(small_reference.stats.hits > WIDTH * HEIGHT / 90);
     int refused = refuse_each(render_small);
     assert_true(refused > 0);
     /* rays that are not decided for want of memory do not keep the others from being drawn */
     const algsurf_intersect_options poor = {.size = sizeof poor, .max_memory = 1};
     static small_picture p;
-    assert_int_equal(algsurf_scene_set_intersect(stage, &poor), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(stage, &poor));
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
     assert_true(p.stats.rays == small_reference.stats.rays && p.stats.undecided > 0 &&
                 p.pixels[0][0] != 0xa5);
@@ -478,9 +476,9 @@ TEST(test_scene_and_render) {
     algsurf_surface *s = make_surface();
     torus = s;
     assert_true(refuse_each(scene) > 0);
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(stage, ALGSURF_QUALITY_FULL), ALGSURF_OK);
-    assert_int_equal(draw(reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_quality(stage, ALGSURF_QUALITY_FULL));
+    assert_ok(draw(reference));
     assert_true(refuse_each(render) > 0);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
@@ -489,12 +487,12 @@ TEST(test_scene_and_render) {
 TEST(test_complex_space) {
     algsurf_complex_space space = {.size = sizeof space, .sector = {0.01, 0.2}, .imaginary = {[0] = 0.5}};
     algsurf_surface *s = make_surface();
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(stage, &space), ALGSURF_OK);
-    assert_int_equal(draw_complex(&complex_reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_complex_space(stage, &space));
+    assert_ok(draw_complex(&complex_reference));
     assert_in_range(complex_reference.stats.hits, WIDTH * HEIGHT / 10, WIDTH * HEIGHT * 9 / 10);
     for (int c = ALGSURF_COHERENCE_NONE; c <= ALGSURF_COHERENCE_NEIGHBOURS; c++) {
-        assert_int_equal(algsurf_scene_set_coherence(stage, (algsurf_coherence)c), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_coherence(stage, (algsurf_coherence)c));
         assert_true(refuse_each(render_complex) > 0);
     }
     algsurf_scene_free(stage);
@@ -509,14 +507,14 @@ TEST(test_threads) {
     const algsurf_picture planes = {.size = sizeof planes, .pixels = &pixels[0][0]};
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 4};
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(draw(reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(draw(reference));
     for (int allowed = 0; allowed <= 3; allowed++) {
         memset(pixels, 0xa5, sizeof pixels);
         threads_allowed = allowed;
         algsurf_status status = algsurf_render(stage, &options, &planes, &stats);
         threads_allowed = -1;
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(stats.threads, allowed + 1);
         assert_memory_equal(pixels, reference, sizeof pixels);
     }

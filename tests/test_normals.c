@@ -71,7 +71,7 @@ static void finish(body *b) {
     for (int t = 0; t < b->count; t++)
         if (b->term[t].a != 0) b->term[kept++] = b->term[t];
     b->count = kept;
-    assert_int_equal(algsurf_surface_from_terms(b->term, (size_t)kept, &b->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(b->term, (size_t)kept, &b->surface));
 }
 
 static void drop(body *b) {
@@ -180,9 +180,8 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
                       tally *judged) {
     algsurf_hit hits[ALGSURF_MAX_DEGREE], first;
     int count;
-    assert_int_equal(algsurf_intersect_all(b->surface, extent, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(b->surface, extent, ray, NULL, &first), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(b->surface, extent, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count));
+    assert_ok(algsurf_intersect_first(b->surface, extent, ray, NULL, &first));
     for (int k = 0; k < count; k++) check_normal(b, ray, hits + k, family, judged);
     check_normal(b, ray, &first, family, judged);
     const double *o = ray->origin, *d = ray->direction;
@@ -196,7 +195,7 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
                                      .t_max = &ray->t_max};
     const algsurf_hit_packet to = {
         .size = sizeof to, .state = &state, .normal = {normal, normal + 1, normal + 2}};
-    assert_int_equal(algsurf_intersect_packet(b->surface, extent, &rays, NULL, &to), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(b->surface, extent, &rays, NULL, &to));
     assert_int_equal(state, first.state);
     assert_memory_equal(normal, first.normal, sizeof normal);
 }
@@ -308,7 +307,7 @@ TEST(near_tips) {
         for (int i = 0; i < 3; i++) before[i] = -cone_weights[i] * d[i], square += before[i] * before[i];
         if (square > 0 && d[0] * d[0] + d[1] * d[1] != d[2] * d[2]) {
             algsurf_hit hit;
-            assert_int_equal(algsurf_intersect_first(b.surface, NULL, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(b.surface, NULL, &ray, NULL, &hit));
             assert_int_equal(hit.multiplicity, 2);
             for (int i = 0; i < 3; i++) normal[i] = hit.normal[i];
             double off = degrees_between(normal, before);
@@ -363,18 +362,17 @@ TEST(pictures) {
         const algsurf_render_options options = {
             .size = sizeof options, .width = SIDE, .height = SIDE, .row_end = SIDE};
         const algsurf_picture picture = {.size = sizeof picture, .t = t, .normals = normals};
-        assert_int_equal(algsurf_camera_pinhole(eye, c, up, 0.5, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_create(b.surface, &scene), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_extent(scene, &extent), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_render(scene, &options, &picture, NULL), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, c, up, 0.5, &camera));
+        assert_ok(algsurf_scene_create(b.surface, &scene));
+        assert_ok(algsurf_scene_set_extent(scene, &extent));
+        assert_ok(algsurf_scene_set_camera(scene, &camera));
+        assert_ok(algsurf_render(scene, &options, &picture, NULL));
         int seen = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
             algsurf_ray ray;
             long double radial[3], normal[3], dot = 0;
             if (!isfinite(t[i])) continue;
-            assert_int_equal(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray),
-                             ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
             for (int k = 0; k < 3; k++) {
                 normal[k] = normals[3 * i + k];
                 radial[k] = ((long double)ray.origin[k] - c[k]) + (long double)t[i] * ray.direction[k];

@@ -131,15 +131,11 @@ static int same_with_and_without(const poly *p, int all, algsurf_bracket *b) {
     memset(b, 0, TOP * sizeof *b), memset(plain, 0, sizeof plain);
     fesetround(all ? FE_UPWARD : FE_TONEAREST);
     if (all) {
-        assert_int_equal(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, TOP, &plain_count),
-                         ALGSURF_OK);
-        assert_int_equal(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, &watched, b, TOP, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, TOP, &plain_count));
+        assert_ok(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, &watched, b, TOP, &count));
     } else {
-        assert_int_equal(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, &plain_count),
-                         ALGSURF_OK);
-        assert_int_equal(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, &watched, b, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, &plain_count));
+        assert_ok(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, &watched, b, &count));
     }
     fesetround(FE_TONEAREST);
     assert_int_equal(count, plain_count);
@@ -236,9 +232,9 @@ TEST(bad_observers) {
     assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_ARGUMENT);
     assert_true(count == 77 && observer.cells == 0);
     o.size = sizeof o; /* no callbacks: it counts, and adds */
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count));
     size_t once = observer.cells;
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count));
     assert_true(once > 0 && observer.cells == 2 * once && observer.engine == ALGSURF_ENGINE_DOUBLES);
 }
 
@@ -280,7 +276,7 @@ static void check_points(const scene *s, int method, const algsurf_hit *hit) {
         double x[3], value, gradient[3], size = 0;
         if (p->engine == ALGSURF_ENGINE_INTEGERS && hit->multiplicity != 1) continue;
         for (int k = 0; k < 3; k++) x[k] = s->ray.origin[k] + p->t * s->ray.direction[k];
-        assert_int_equal(algsurf_surface_value(s->surface, x, &value, gradient), ALGSURF_OK);
+        assert_ok(algsurf_surface_value(s->surface, x, &value, gradient));
         for (int m = 0; m < s->count; m++)
             size += fabs(s->terms[m].a * pow(x[0], s->terms[m].i) * pow(x[1], s->terms[m].j) *
                          pow(x[2], s->terms[m].k));
@@ -312,26 +308,24 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     int count = 0, plain_count = 0;
     memset(&hit, 0, sizeof hit), memset(&plain, 0, sizeof plain);
     memset(all, 0, sizeof all), memset(plain_all, 0, sizeof all);
-    assert_int_equal(algsurf_intersect_first(surface, &ball, &s->ray, &how, &plain), ALGSURF_OK);
-    assert_int_equal(
-        algsurf_intersect_all(surface, &ball, &s->ray, &how, plain_all, ALGSURF_MAX_DEGREE, &plain_count),
-        ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(surface, &ball, &s->ray, &how, &plain_hidden), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, &ball, &s->ray, &how, &plain));
+    assert_ok(
+        algsurf_intersect_all(surface, &ball, &s->ray, &how, plain_all, ALGSURF_MAX_DEGREE, &plain_count));
+    assert_ok(algsurf_occluded(surface, &ball, &s->ray, &how, &plain_hidden));
     how.observer = begin();
-    assert_int_equal(algsurf_intersect_all(surface, &ball, &s->ray, &how, all, ALGSURF_MAX_DEGREE, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(surface, &ball, &s->ray, &how, all, ALGSURF_MAX_DEGREE, &count));
     assert_true(count == plain_count && memcmp(all, plain_all, sizeof all) == 0);
     check_counts();
     check_ray_cells(s);
     how.observer = begin();
-    assert_int_equal(algsurf_occluded(surface, &ball, &s->ray, &how, &hidden), ALGSURF_OK);
+    assert_ok(algsurf_occluded(surface, &ball, &s->ray, &how, &hidden));
     assert_int_equal(hidden, plain_hidden);
     check_counts();
     how.observer = begin();
     fesetround(FE_DOWNWARD);
     algsurf_status status = algsurf_intersect_first(surface, &ball, &s->ray, &how, &hit);
     fesetround(FE_TONEAREST);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     assert_memory_equal(&hit, &plain, sizeof hit);
     check_counts();
     check_ray_cells(s);
@@ -345,11 +339,11 @@ TEST(rays_are_watched) {
     uint64_t seed = 99;
     int decided[3] = {0};
     for (int e = 0; e < EQUATIONS; e++) {
-        assert_int_equal(algsurf_surface_from_equation(equations[e], NULL, 0, &s.surface, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equations[e], NULL, 0, &s.surface, NULL));
         s.count = (int)algsurf_surface_term_count(s.surface);
         s.degree = algsurf_surface_degree(s.surface);
         assert_true(s.count <= TERMS);
-        assert_int_equal(algsurf_surface_terms(s.surface, s.terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s.surface, s.terms));
         for (int round = 0; round < 60; round++) {
             algsurf_intersect_options how = {.size = sizeof how};
             how.method = (int)(round % 8 < 4 ? 0 : round % 4);
@@ -380,8 +374,8 @@ TEST(packets_and_pictures_refuse) {
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = &hit};
     const algsurf_ray ray = {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, 9};
     algsurf_hit one;
-    assert_int_equal(algsurf_surface_from_equation(equations[0], NULL, 0, &surface, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(surface, &picture), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equations[0], NULL, 0, &surface, NULL));
+    assert_ok(algsurf_scene_create(surface, &picture));
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_E_ARGUMENT);
@@ -389,8 +383,8 @@ TEST(packets_and_pictures_refuse) {
     observer.size = 0;
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_ARGUMENT);
     how.observer = NULL;
-    assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits));
+    assert_ok(algsurf_scene_set_intersect(picture, &how));
     algsurf_scene_free(picture);
     algsurf_surface_free(surface);
 }

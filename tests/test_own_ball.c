@@ -37,7 +37,7 @@ static ball random_ball(uint64_t *seed) {
 
 static int is_own(const ball *b, const algsurf_extent *extent) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_terms(b->term, 7, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(b->term, 7, &s));
     int own = algsurf_i_is_own_ball(s, extent);
     algsurf_surface_free(s);
     return own;
@@ -73,14 +73,14 @@ TEST(test_others) {
                          box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     algsurf_surface *s, *known;
     for (size_t i = 0; i < sizeof equation / sizeof *equation; i++) {
-        assert_int_equal(algsurf_surface_from_equation(equation[i], NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equation[i], NULL, 0, &s, NULL));
         assert_false(algsurf_i_is_own_ball(s, &ball_of_1));
         algsurf_surface_free(s);
     }
-    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &s, NULL));
     assert_true(algsurf_i_is_own_ball(s, &ball_of_1));
     assert_false(algsurf_i_is_own_ball(s, &box) || algsurf_i_is_own_ball(s, NULL));
-    assert_int_equal(algsurf_surface_with_error(s, 1e-10, &known), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(s, 1e-10, &known));
     assert_false(algsurf_i_is_own_ball(known, &ball_of_1));
     algsurf_surface_free(known);
     algsurf_surface_free(s);
@@ -101,7 +101,7 @@ TEST(test_shared_origin) {
         unsigned char states[RAYS];
         int multiplicity[RAYS];
         signed char side[RAYS];
-        assert_int_equal(algsurf_surface_from_equation(equation[e], NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equation[e], NULL, 0, &s, NULL));
         for (int i = 0; i < RAYS; i++)
             for (int k = 0; k < 3; k++) {
                 origin[k][i] = k == 0 ? -3.1 : 0.3 * k;
@@ -118,14 +118,14 @@ TEST(test_shared_origin) {
                                        .t_hi = t_hi,
                                        .multiplicity = multiplicity,
                                        .side = side};
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &to), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, NULL, &rays, NULL, &to));
         for (int i = 0; i < RAYS; i++) {
             const algsurf_ray ray = {{origin[0][i], origin[1][i], origin[2][i]},
                                      {direction[0][i], direction[1][i], direction[2][i]},
                                      0,
                                      INFINITY};
             algsurf_hit hit;
-            assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
             if (states[i] != hit.state || t[i] != hit.t || t_lo[i] != hit.t_lo || t_hi[i] != hit.t_hi ||
                 multiplicity[i] != hit.multiplicity || side[i] != hit.side)
                 fail_msg("%s: ray %d along (%a, %a, %a): %d at %a alone, %d at %a in the packet", equation[e],
@@ -145,12 +145,11 @@ TEST(test_vanishing_direction) {
     const algsurf_ray ray = {{0, 0.5, 0}, {1, 1, 0}, 0, 0x1p60};
     algsurf_hit hits[4];
     int count = 0, beyond = 0;
-    assert_int_equal(algsurf_surface_from_equation("x^2 - y^2 + z^2 + x = 1", NULL, 0, &exact, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_surface_with_error(exact, 1e-9, &known), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("x^2 - y^2 + z^2 + x = 1", NULL, 0, &exact, NULL));
+    assert_ok(algsurf_surface_with_error(exact, 1e-9, &known));
+    assert_ok(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count));
     assert_int_equal(count, 0); /* p is -5/4 */
-    assert_int_equal(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count));
     for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_UNDECIDED && hits[i].t_hi > 1e4;
     assert_true(beyond);
     algsurf_surface_free(known);

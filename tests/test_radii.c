@@ -165,7 +165,7 @@ static int make_terms(algsurf_term *t, int n, int kind, uint64_t *random) {
 
 /* The surface's terms in natural units and scale, as the lanes know them. */
 static void to_natural(const algsurf_surface *s, algsurf_term *t) {
-    assert_int_equal(algsurf_surface_terms(s, t), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, t));
     for (size_t i = 0; i < s->term_count; i++)
         t[i].a = ldexp(t[i].a, s->unit * (t[i].i + t[i].j + t[i].k) + s->scale);
 }
@@ -174,7 +174,7 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     static algsurf_term terms[400];
     algsurf_surface *s = NULL;
     int count = make_terms(terms, n, kind, random);
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
     to_natural(s, terms);
     exact_form f[LANES];
     lanes b[MOST + 1], e[MOST + 1];

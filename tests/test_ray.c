@@ -55,7 +55,7 @@ TEST(box_random) {
             r.origin[i] = target - scale * r.direction[i];
         }
         if (zero == 6) r.direction[k % 3] = 1e-5;
-        assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+        assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
         int exact = box_exact(&e, &r, ends);
         if (meets != exact) {
             print_case(&e, &r, NULL);

@@ -95,13 +95,13 @@ TEST(test_form) {
     const algsurf_integer c[] = {{six, 4}, {five, -2}, {one, 3}, {NULL, 0}, {zero, -2}};
     algsurf_real_root t[4];
     int count = -1;
-    assert_int_equal(algsurf_real_roots_integers(c, 4, -INFINITY, INFINITY, t, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(c, 4, -INFINITY, INFINITY, t, 4, &count));
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
         assert_true(t[i].root == 2 + i && t[i].lo == 2 + i && t[i].hi == 2 + i);
         assert_true(t[i].multiplicity == 1 && t[i].sign == 1 - 2 * i);
     }
-    assert_int_equal(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count));
     assert_int_equal(count, 0);
 }
 
@@ -129,7 +129,7 @@ TEST(test_refused) {
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, -1, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 1, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(count, 77);
-    assert_int_equal(algsurf_real_roots_integers(longest, 1, 0, 1, t, 1, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(longest, 1, 0, 1, t, 1, &count));
     assert_true(count == 1 && t[0].lo == 0 && t[0].hi == 0x1p-1074);
 }
 
@@ -147,7 +147,7 @@ static void check_final(const double *c, int n, const algsurf_real_root *r) {
 static void check_power(const double *c, int n, double lo, double hi, int expected) {
     algsurf_real_root t[4];
     int count = -1;
-    assert_int_equal(algsurf_real_roots(c, n, lo, hi, t, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots(c, n, lo, hi, t, 4, &count));
     assert_int_equal(count, expected);
     for (int i = 0; i < count; i++) check_final(c, n, t + i);
 }
@@ -258,13 +258,12 @@ TEST(test_zero_is_no_place_to_search) {
             for (int i = 0; i < 3; i++) {
                 algsurf_observer o = {.size = sizeof o};
                 const algsurf_isolate_options options = {.size = sizeof options, .observer = &o};
-                assert_int_equal(algsurf_isolate_all(c, NULL, n, lo[i], 2, &options, b, 512, count + i),
-                                 ALGSURF_OK);
+                assert_ok(algsurf_isolate_all(c, NULL, n, lo[i], 2, &options, b, 512, count + i));
                 cells[i] = o.cells;
             }
             assert_true(count[1] == count[0] && count[2] == count[0]);
             assert_true(cells[1] <= cells[0] + 2 && cells[2] <= cells[0] + 4);
-            assert_int_equal(algsurf_isolate_all(c, NULL, n, 0, 0, NULL, b, 512, count), ALGSURF_OK);
+            assert_ok(algsurf_isolate_all(c, NULL, n, 0, 0, NULL, b, 512, count));
             assert_int_equal(count[0], 0);
         }
 }

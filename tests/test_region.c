@@ -247,7 +247,7 @@ static void fail_case(const region_case *c, int round, const algsurf_ray *chord,
 
 static int region_clip(const region_case *c, size_t count, algsurf_ray *chord) {
     int meets = -1;
-    assert_int_equal(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets));
     return meets;
 }
 
@@ -304,12 +304,12 @@ TEST(along_a_plane) {
     const algsurf_plane kept = {{3, 0, -1}, 0.5}, lost = {{3, 0, -1}, -0.5}, in = {{3, 0, -1}, 0};
     algsurf_ray chord;
     int meets;
-    assert_int_equal(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(chord.t_min == -INFINITY && chord.t_max == INFINITY);
-    assert_int_equal(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 0);
-    assert_int_equal(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 1);
 }
 
@@ -332,10 +332,10 @@ TEST(arguments) {
     assert_int_equal(algsurf_region_clip(&ball, &plane, ALGSURF_MAX_CLIP_PLANES + 1, &ray, &same, &meets),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(meets, -1);
-    assert_int_equal(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets));
     assert_int_equal(meets, 0);
     assert_memory_equal(&same, &before, sizeof same);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets));
     assert_int_equal(meets, 1);
     assert_true(same.t_min <= 1 && same.t_min > 1 - 1e-11 && same.t_max >= 2.5 && same.t_max < 2.5 + 1e-13);
     assert_memory_equal(same.origin, before.origin, sizeof same.origin + sizeof same.direction);

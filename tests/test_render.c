@@ -33,8 +33,8 @@ static uint8_t byte_of(const picture *p, int pixel, int channel) {
 static algsurf_hit hit_of(const algsurf_surface *surface, double x, double y, algsurf_ray *ray) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, ray), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, &ball, ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, ray));
+    assert_ok(algsurf_intersect_first(surface, &ball, ray, NULL, &hit));
     return hit;
 }
 
@@ -44,10 +44,9 @@ static void add_colour(const algsurf_scene *scene, const algsurf_hit *hit, const
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     double c[3] = {sky[0], sky[1], sky[2]};
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
     if (hit->state != ALGSURF_MISS)
-        assert_int_equal(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c),
-                         ALGSURF_OK);
+        assert_ok(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
 }
 
@@ -57,7 +56,7 @@ static int compare_bytes(const picture *p, int pixel, const double sum[3], int s
     double average[3];
     int otherwise = 0;
     for (int i = 0; i < 3; i++) average[i] = sum[i] / samples;
-    assert_int_equal(algsurf_srgb_encode(average, expected), ALGSURF_OK);
+    assert_ok(algsurf_srgb_encode(average, expected));
     for (int i = 0; i < 3; i++) {
         assert_in_range(byte_of(p, pixel, i), expected[i] - (expected[i] > 0), expected[i] + 1);
         otherwise += byte_of(p, pixel, i) != expected[i];
@@ -74,9 +73,9 @@ TEST(pixel_by_pixel) {
     algsurf_surface *surface = torus();
     for (int n = 1; n <= 3; n++) {
         algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
-        if (n != 2) assert_int_equal(algsurf_scene_set_lights(scene, lights, 2), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
+        if (n != 2) assert_ok(algsurf_scene_set_lights(scene, lights, 2));
+        assert_ok(algsurf_scene_set_material(scene, &plain));
+        assert_ok(algsurf_scene_set_background(scene, sky));
         picture *p = drawn(scene, 2);
         uint64_t count = 0;
         int otherwise = 0;
@@ -125,14 +124,14 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
                                        .bounded = extent->kind != ALGSURF_EXTENT_ALL};
     double colour[3];
     unsigned char expected[3];
-    assert_int_equal(algsurf_surface_from_terms(plane, 2, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(plane, 2, &surface));
     scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, 1);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    assert_ok(algsurf_scene_set_extent(scene, extent));
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
     reference_preview(&lighting, place, gradient, view, colour);
-    assert_int_equal(algsurf_srgb_encode(colour, expected), ALGSURF_OK);
+    assert_ok(algsurf_srgb_encode(colour, expected));
     assert_memory_equal(pixel, expected, 3);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
@@ -211,8 +210,7 @@ static void look_at_light(seeing *s, const algsurf_light *light, int number, con
     int each = rounded_up(32, sample->count);
     begin_places(s);
     for (int k = 0; k < light->samples_u * light->samples_v; k++) {
-        assert_int_equal(algsurf_light_sample(light, k % light->samples_u, k / light->samples_u, place),
-                         ALGSURF_OK);
+        assert_ok(algsurf_light_sample(light, k % light->samples_u, k / light->samples_u, place));
         look_at(s, place);
     }
     if (light->samples_u > 0) return;
@@ -267,8 +265,7 @@ static int add_full_colour(const algsurf_lighting *lighting, clearance *clears, 
     found->most_rays += (uint64_t)s.count;
     if (sure) found->around[(int)(16 * visible[lights])]++;
     if (lights > 0) found->light[sample->y * W + sample->x] = visible[0];
-    assert_int_equal(algsurf_shade(lighting, visible, hit->position, hit->normal, ray->direction, c),
-                     ALGSURF_OK);
+    assert_ok(algsurf_shade(lighting, visible, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
     return sure;
 }
@@ -281,9 +278,9 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
     algsurf_light all[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     int otherwise = 0;
-    assert_int_equal(algsurf_scene_set_lights(scene, lights, count), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_material(scene, material), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, all, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, lights, count));
+    assert_ok(algsurf_scene_set_material(scene, material));
+    assert_ok(algsurf_scene_lighting(scene, all, &lighting));
     picture *p = drawn(scene, 2);
     *found = (shares){0};
     for (int k = 0; k < W * H; k++) {
@@ -419,8 +416,8 @@ TEST(lighting_of_scenes) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
-    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_true(l.size == sizeof l && l.lights == lights && l.light_count == 1 && l.bounded == 1);
     assert_memory_equal(l.material, &plain, sizeof plain);
     assert_memory_equal(l.up, camera.up, sizeof l.up);
@@ -436,13 +433,13 @@ TEST(lighting_of_scenes) {
     assert_true(fabs(sqrt(reference_dot(light->edge_u, light->edge_u)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(fabs(sqrt(reference_dot(light->edge_v, light->edge_v)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(light->samples_u == 0 && light->samples_v == 0 && light->colour[1] == 1);
-    assert_int_equal(algsurf_scene_set_lights(scene, set, 2), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, set, 2));
+    assert_ok(algsurf_scene_set_extent(scene, NULL));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_true(l.light_count == 2 && l.bounded == 0 && l.radius > 0);
     assert_memory_equal(lights, set, sizeof set);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_int_equal(l.light_count, 0);
     assert_int_equal(algsurf_scene_lighting(NULL, lights, &l), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_lighting(scene, NULL, &l), ALGSURF_E_ARGUMENT);
@@ -461,13 +458,13 @@ static void double_plane(int tier) {
     for (int q = ALGSURF_QUALITY_PREVIEW; q <= ALGSURF_QUALITY_FULL; q++) {
         algsurf_scene *scene = torus_scene(surface, (algsurf_quality)q, 1);
         algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
-        assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_camera(scene, &camera));
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         picture *p = drawn(scene, 1);
         assert_true(p->stats.undecided == open && p->stats.hits == all - open && p->stats.rays == all);
         for (int k = 0; k < W * H; k++) {
             algsurf_ray ray;
-            assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
             assert_true(open > 0 || fabs(p->hits[k] - 6 / ray.direction[1]) < 1e-12);
             assert_true(p->bytes[k / W * STRIDE + k % W * 3 + 2] < 250); /* the background is white */
         }
@@ -490,10 +487,10 @@ TEST(far_eye) {
     double distance = 3.2e6, scale = distance / sqrt(90), differ = 0;
     algsurf_camera parallel,
         far = camera_at(7 * scale, 4 * scale, 5 * scale, 360 / acos(-1) * atan(3 / distance));
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &far), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel));
+    assert_ok(algsurf_scene_set_camera(scene, &far));
     picture *a = drawn(scene, 1);
-    assert_int_equal(algsurf_scene_set_camera(scene, &parallel), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &parallel));
     picture *b = drawn(scene, 1);
     for (int y = 0; y < H; y++)
         for (int i = 0; i < 3 * W; i++)
@@ -508,13 +505,13 @@ TEST(far_eye) {
 TEST(defaults) {
     algsurf_surface *surface = surface_of("x^2+y^2+z^2-1");
     algsurf_scene *scene;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(surface, &scene));
     picture *p = drawn(scene, 0);
     const uint8_t *centre = p->bytes + H / 2 * STRIDE + W / 2 * 3;
     assert_true(p->bytes[0] == 255 && p->bytes[1] == 255 && p->bytes[2] == 255 && p->hits[0] == INFINITY);
     assert_true(fabs(p->hits[H / 2 * W + W / 2] - (sqrt(31.25) - 1)) < 0.01);
     assert_true(centre[2] > 200 && centre[2] > centre[1] && centre[1] > centre[0]); /* bright and blue */
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     picture *dark = drawn(scene, 0);
     assert_in_range(dark->bytes[H / 2 * STRIDE + W / 2 * 3 + 2], 100, 190);
     free(p), free(dark);
@@ -598,8 +595,8 @@ TEST(bad_scene) {
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */
     assert_same_picture(before, after);
     free(after);
-    assert_int_equal(algsurf_scene_set_intersect(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(scene, NULL));
+    assert_ok(algsurf_scene_set_extent(scene, NULL));
     after = drawn(scene, 1); /* the torus lies in the ball: all of space shows the same hits */
     assert_true(after->stats.hits == before->stats.hits);
     free(before), free(after);
@@ -624,20 +621,18 @@ TEST(steep_ramps) {
             algsurf_scene *scene = NULL;
             double t[SIDE * SIDE];
             unsigned char states[SIDE * SIDE];
-            assert_int_equal(algsurf_surface_from_terms(terms, 3, &surface), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_extent(scene, &unit_ball), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+            assert_ok(algsurf_surface_from_terms(terms, 3, &surface));
+            assert_ok(algsurf_scene_create(surface, &scene));
+            assert_ok(algsurf_scene_set_extent(scene, &unit_ball));
+            assert_ok(algsurf_scene_set_camera(scene, &camera));
             const algsurf_render_options options = {.size = sizeof options, .width = SIDE, .height = SIDE};
             const algsurf_picture planes = {.size = sizeof planes, .t = t, .state = states};
-            assert_int_equal(algsurf_render(scene, &options, &planes, NULL), ALGSURF_OK);
+            assert_ok(algsurf_render(scene, &options, &planes, NULL));
             for (int i = 0; i < SIDE * SIDE; i++) {
                 algsurf_ray ray;
                 algsurf_hit hit;
-                assert_int_equal(
-                    algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray),
-                    ALGSURF_OK);
-                assert_int_equal(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit), ALGSURF_OK);
+                assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
+                assert_ok(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit));
                 assert_int_equal(states[i], hit.state);
                 double slope = 2 * pow(10, power) * fabs(hit.position[2]); /* of t, across the ray */
                 if (hit.state == ALGSURF_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))

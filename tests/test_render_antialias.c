@@ -39,16 +39,16 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
     const double sky[3] = {0.6, 0.1, 0.02};
     algsurf_scene *scene = torus_scene(surface, way->quality, 1);
-    assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_coherence(scene, way->coherence), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_background(scene, sky));
+    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
+    assert_ok(algsurf_scene_set_coherence(scene, way->coherence));
     return scene;
 }
 
 static void set(algsurf_scene *scene, int n, double threshold) {
-    assert_int_equal(algsurf_scene_set_antialias(scene, n), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, n));
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, threshold));
 }
 
 /* Does the pixel (x,y) of a picture of one sample differ by more than the threshold from a neighbour? */
@@ -81,7 +81,7 @@ static double *samples_of(algsurf_scene *scene, int n) {
     const algsurf_picture planes = {.size = sizeof planes, .t = t};
     assert_non_null(t);
     set(scene, 1, 0);
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
     return t;
 }
 
@@ -239,7 +239,7 @@ TEST(thin_pictures) {
             bytes[k] = malloc((size_t)(3 * w * h));
             assert_non_null(bytes[k]);
             const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes[k]};
-            assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+            assert_ok(algsurf_render(scene, &o, &planes, NULL));
         }
         for (int i = 0; i < w * h; i++) {
             int out = stands_out(bytes[0], 3 * w, w, h, i % w, i / w, 0.1);
@@ -263,7 +263,7 @@ TEST(counts_as_by_rays) {
         picture *p[2];
         for (int singly = 0; singly < 2; singly++) {
             algsurf_scene *scene = scene_in(&ways[singly ? 3 : 1], surface);
-            assert_int_equal(algsurf_scene_set_camera(scene, &cameras[k]), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_camera(scene, &cameras[k]));
             set(scene, 4, 0.1);
             p[singly] = drawn(scene, 1);
             algsurf_scene_free(scene);
@@ -284,14 +284,14 @@ TEST(same_choice) {
     algsurf_scene *scene = scene_in(&ways[1], surface);
     algsurf_render_options o = options_for(1);
     uint64_t rays[3];
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_background(scene, NULL));
     set(scene, 2, 0.99);
     for (int k = 0; k < 3; k++) {
         algsurf_render_stats stats = {.size = sizeof stats};
         const algsurf_picture planes = {.size = sizeof planes,
                                         .pixels = k < 2 ? pixels : NULL,
                                         .format = k == 1 ? ALGSURF_RGBA8 : ALGSURF_RGB8};
-        assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, &stats));
         rays[k] = stats.rays;
     }
     assert_true(rays[0] > W * H && rays[1] == rays[0] && rays[2] == rays[0]);
@@ -319,9 +319,8 @@ static double t_at(const algsurf_surface *surface, const algsurf_extent *extent,
         .size = sizeof how, .planes = &cut, .plane_count = (size_t)a->planes};
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray));
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
     return hit.state == ALGSURF_HIT ? hit.t : INFINITY;
 }
 
@@ -363,13 +362,13 @@ static int attack_scene(const attack *a) {
     algsurf_surface *surface = surface_of(a->equation);
     algsurf_scene *scene = scene_in(&ways[1], surface);
     int proved = 0;
-    assert_int_equal(algsurf_scene_set_extent(scene, &extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_clip(scene, &cut, (size_t)a->planes), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_extent(scene, &extent));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_clip(scene, &cut, (size_t)a->planes));
     for (int k = 0; k < 3; k++) {
         const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes[k]};
         set(scene, k > 0 ? ACROSS : 1, k > 1 ? a->threshold : 0);
-        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, NULL));
     }
     for (int i = 0; i < LARGE_WIDE * LARGE_HIGH; i++) {
         int x = i % LARGE_WIDE, y = i / LARGE_WIDE;

@@ -31,18 +31,17 @@ static algsurf_scene *named(const char *name, algsurf_surface **surface) {
     algsurf_scene *scene = NULL;
     algsurf_camera camera;
     *surface = surface_of(entry->equation);
-    assert_int_equal(algsurf_scene_create(*surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &entry->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(*surface, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, &entry->extent));
+    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
     return scene;
 }
 
 static algsurf_scene *complex_scene(const char *name, const algsurf_complex_space *space,
                                     algsurf_surface **surface) {
     algsurf_scene *scene = named(name, surface);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, space));
     return scene;
 }
 
@@ -52,7 +51,7 @@ static void release(algsurf_scene *scene, algsurf_surface *surface) {
 }
 
 static picture *drawn_with(algsurf_scene *scene, algsurf_coherence coherence, int threads) {
-    assert_int_equal(algsurf_scene_set_coherence(scene, coherence), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_coherence(scene, coherence));
     return drawn(scene, threads);
 }
 
@@ -82,27 +81,23 @@ TEST(pixel_by_pixel) {
     algsurf_scene *scene = complex_scene("tangle", &space, &surface);
     algsurf_camera camera;
     uint64_t hits = 0;
-    assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_lights(scene, &light, 1), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    assert_ok(algsurf_scene_set_lights(scene, &light, 1));
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL));
+    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
     picture *p = drawn(scene, 2);
     for (int k = 0; k < W * H; k++) {
         double c[3] = {1, 1, 1};
         unsigned char bytes[3];
         algsurf_ray ray;
         algsurf_hit hit;
-        assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
-        assert_int_equal(
-            algsurf_intersect_complex(surface, &entry->extent, &ray, &space, NULL, NULL, &hit, NULL),
-            ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
+        assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, &space, NULL, NULL, &hit, NULL));
         hits += hit.state == ALGSURF_HIT;
         if (hit.state != ALGSURF_MISS)
-            assert_int_equal(algsurf_shade(&lighting, NULL, hit.position, hit.normal, ray.direction, c),
-                             ALGSURF_OK);
-        assert_int_equal(algsurf_srgb_encode(c, bytes), ALGSURF_OK);
+            assert_ok(algsurf_shade(&lighting, NULL, hit.position, hit.normal, ray.direction, c));
+        assert_ok(algsurf_srgb_encode(c, bytes));
         for (int i = 0; i < 3; i++)
             assert_true(abs(p->bytes[k / W * STRIDE + k % W * 3 + i] - bytes[i]) <= 1);
         if (hit.state == ALGSURF_MISS)
@@ -120,15 +115,12 @@ static void assert_same_states(const catalogue_entry *entry, const algsurf_surfa
                                const algsurf_complex_space *space, const picture *p) {
     algsurf_camera camera;
     uint64_t undecided = 0;
-    assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
     for (int k = 0; k < W * H; k++) {
         algsurf_ray ray;
         algsurf_hit hit;
-        assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
-        assert_int_equal(
-            algsurf_intersect_complex(surface, &entry->extent, &ray, space, NULL, NULL, &hit, NULL),
-            ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
+        assert_ok(algsurf_intersect_complex(surface, &entry->extent, &ray, space, NULL, NULL, &hit, NULL));
         undecided += hit.state == ALGSURF_UNDECIDED;
         assert_true(isinf(p->hits[k]) == (hit.state == ALGSURF_MISS));
         if (hit.state == ALGSURF_HIT) assert_true(agrees(p->hits[k], &hit));
@@ -166,7 +158,7 @@ TEST(same_bytes) {
         const algsurf_complex_space space = space_of(shots[s].delta, shots[s].k, shots[s].imaginary);
         algsurf_surface *surface;
         algsurf_scene *scene = complex_scene(shots[s].name, &space, &surface);
-        assert_int_equal(algsurf_scene_set_antialias(scene, shots[s].antialias), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_antialias(scene, shots[s].antialias));
         picture *one = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
         assert_in_range(one->stats.hits * 100 / one->stats.rays, 10, 95);
         assert_true(one->stats.undecided <= one->stats.rays / 200);
@@ -223,7 +215,7 @@ TEST(iterations_saved) {
         assert_true(warm->stats.iterations >= cold->stats.hits);
         assert_true(warm->stats.iterations == again->stats.iterations);
         assert_true(warm->stats.iterations == iterations_of_slices(scene));
-        assert_int_equal(algsurf_scene_set_complex_space(scene, NULL), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_complex_space(scene, NULL));
         free(again), again = drawn(scene, 1);
         assert_true(again->stats.iterations == 0);
         free(cold), free(warm), free(again);
@@ -249,7 +241,7 @@ TEST(states_of_single_rays) {
             for (int k = 0; algsurf_kernel_name(k); k++) {
                 algsurf_intersect_options options = {.size = sizeof options,
                                                      .kernel = algsurf_kernel_name(k)};
-                assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
+                assert_ok(algsurf_scene_set_intersect(scene, &options));
                 picture *other = drawn(scene, 2);
                 assert_same_picture(p, other);
                 assert_true(other->stats.single_rays == p->stats.single_rays &&
@@ -272,7 +264,7 @@ TEST(real_space) {
         algsurf_surface *surface;
         algsurf_scene *scene = named(names[s], &surface);
         picture *real = drawn(scene, 2);
-        assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_complex_space(scene, &space));
         picture *complex = drawn(scene, 2);
         uint64_t differ = 0;
         assert_true(real->stats.hits > W * H / 10);
@@ -293,8 +285,8 @@ static algsurf_scene *from_above(const algsurf_surface *surface, double height) 
     const double eye[3] = {0, 0, height}, up[3] = {0, 1, 0};
     algsurf_camera camera;
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, up, 2, &camera));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
     return scene;
 }
 
@@ -305,7 +297,7 @@ TEST(border_is_undecided) {
     algsurf_scene *scene = from_above(surface, 4);
     algsurf_complex_space space = space_of(atan2(1, 4), 0, 28);
     space.imaginary[1] = -2;
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
     picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
     assert_true(cold->stats.undecided == W * H && warm->stats.undecided == W * H);
@@ -321,9 +313,9 @@ static uint64_t cubic_column(double c) {
     const algsurf_term terms[5] = {{0, 0, 3, 1}, {0, 0, 2, 3}, {0, 0, 1, 3}, {0, 0, 0, 1 + c}, {1, 0, 0, -1}};
     const algsurf_complex_space space = space_of(PI / 4, 0, 0);
     algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_terms(terms, 5, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 5, &surface));
     algsurf_scene *scene = from_above(surface, 4);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
     picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 1);
     uint64_t alone = warm->stats.single_rays;
@@ -340,8 +332,8 @@ TEST(cluster_is_left) {
     const double eye[3] = {0, 0, 4}, up[3] = {0, 1, 0};
     algsurf_camera camera;
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, up, 2, &camera));
+    assert_ok(algsurf_camera_ray(&camera, W, H, 17.5, 0.5, &ray));
     uint64_t clustered = cubic_column(ray.origin[0] - 4e-15), apart = cubic_column(ray.origin[0] - 1e-3);
     assert_true(clustered >= H && apart == 0);
 }
@@ -353,8 +345,8 @@ TEST(odd_surfaces) {
     for (int s = 0; s < 3; s++) {
         algsurf_surface *surface = surface_of(equations[s]);
         algsurf_scene *scene = from_above(surface, 4);
-        assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
-        if (s == 2) assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK); /* no rows then */
+        assert_ok(algsurf_scene_set_complex_space(scene, &space));
+        if (s == 2) assert_ok(algsurf_scene_set_extent(scene, NULL)); /* no rows then */
         picture *cold = drawn_with(scene, ALGSURF_COHERENCE_NONE, 1);
         picture *warm = drawn_with(scene, ALGSURF_COHERENCE_NEIGHBOURS, 2);
         assert_same_picture(cold, warm);
@@ -371,7 +363,7 @@ TEST(setters) {
     algsurf_surface *surface;
     algsurf_scene *scene = named("tangle", &surface);
     picture *real = drawn(scene, 1), *before, *after;
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &good), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, &good));
     before = drawn(scene, 1);
     assert_true(memcmp(real->bytes, before->bytes, sizeof real->bytes) != 0);
     assert_int_equal(algsurf_scene_set_complex_space(NULL, &good), ALGSURF_E_ARGUMENT);
@@ -404,7 +396,7 @@ TEST(setters) {
     free(after);
     for (bad.size = 0; bad.size < sizeof bad; bad.size++) /* no release had a smaller one */
         assert_int_equal(algsurf_scene_set_complex_space(scene, &bad), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, NULL));
     after = drawn(scene, 1);
     assert_same_picture(real, after);
     free(after), free(before), free(real);

@@ -109,11 +109,11 @@ static void scale_terms(algsurf_term *terms, int count, int length, int value) {
 }
 
 static void set_surface(view *v, const algsurf_term *terms, int count) {
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &v->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &v->surface));
     v->term_count = (int)algsurf_surface_term_count(v->surface);
     v->degree = algsurf_surface_degree(v->surface);
     v->terms = calloc((size_t)v->term_count, sizeof *v->terms);
-    assert_int_equal(algsurf_surface_terms(v->surface, v->terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(v->surface, v->terms));
     v->form = exact_form_of(v->terms, v->term_count, v->degree);
 }
 
@@ -132,9 +132,9 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
         algsurf_surface *named;
         const catalogue_entry *entry = catalogue + kind;
         v->extent = entry->extent;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &named, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &named, NULL));
         n = entry->degree, count = (int)algsurf_surface_term_count(named);
-        assert_int_equal(algsurf_surface_terms(named, terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(named, terms));
         algsurf_surface_free(named);
         (void)snprintf(v->name, sizeof v->name, "%s", entry->name);
     } else if (kind < NAMED + 2) {
@@ -164,7 +164,7 @@ static int find_point(const view *v, double far, uint64_t *seed, double point[3]
             ray.origin[k] = far * exact_random_unit(seed);
             ray.direction[k] = exact_random_unit(seed);
         }
-        assert_int_equal(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit));
         if (hit.state != ALGSURF_HIT) continue;
         for (int k = 0; k < 3; k++) point[k] = hit.position[k];
         return 1;
@@ -284,15 +284,15 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
     const algsurf_picture planes = {.size = sizeof planes, .pixels = out->bytes, .t = out->hits};
     out->stats.size = sizeof out->stats;
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
-    assert_int_equal(algsurf_scene_set_antialias(scene, v->antialias), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &out->stats), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, v->antialias));
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_render(scene, &o, &planes, &out->stats));
     algsurf_scene_free(scene);
 }
 
 static algsurf_ray ray_at(const view *v, double x, double y) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(&v->camera, v->width, v->height, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, v->width, v->height, x, y, &ray));
     return ray;
 }
 
@@ -365,7 +365,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         ray = ray_at(v, sx, sy);
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
-        assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
         undecided |= hit.state == ALGSURF_UNDECIDED;
         for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
@@ -442,7 +442,7 @@ static void check_same(const view *v, const drawing *d, uint64_t *seed) {
 static int hits_at(const view *v, double x, double y) {
     algsurf_ray ray = ray_at(v, x, y);
     algsurf_hit hit;
-    assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
     return hit.state != ALGSURF_MISS;
 }
 
@@ -537,9 +537,9 @@ TEST(test_edge_of_a_far_ball) {
         const algsurf_term terms[] = {{1, 0, 0, d[0]}, {0, 1, 0, d[1]}, {0, 0, 1, d[2]}};
         set_surface(&v, terms, 3);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {1}};
-        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 1, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, origin, up, 1, &v.camera));
         const double edge[3] = {v.camera.right[0], v.camera.right[1], v.camera.right[2]};
-        assert_int_equal(algsurf_camera_pinhole(eye, edge, up, 1, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, edge, up, 1, &v.camera));
         v.camera.half_height = 2e-8 / far;
         check_all(&v);
     }
@@ -556,7 +556,7 @@ TEST(test_tiny_and_huge_parallel) {
         view v = {.number = turn, .name = "sphere", .width = 11, .height = 11};
         set_surface(&v, terms, 4);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {r}};
-        assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2.2 * r, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, origin, up, 2.2 * r, &v.camera));
         check_all(&v);
     }
 }
@@ -574,7 +574,7 @@ TEST(test_noise_of_second_order) {
                                     .forward = {0, -y, -z},
                                     .half_height = 1e-8};
         algsurf_ray ray;
-        assert_int_equal(algsurf_camera_ray(&v.camera, 1, 1, 0.5, 0.5, &ray), ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&v.camera, 1, 1, 0.5, 0.5, &ray));
         exact_line l; /* b y - a z along the ray */
         const algsurf_term plane[] = {{0, 1, 0, b}, {0, 0, 1, -a}};
         mpq_t slope;
@@ -621,7 +621,7 @@ TEST(test_depths_in_a_large_ball) {
         add_dense(terms, &count, n, &seed);
         set_surface(&v, terms, count);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {32}};
-        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 34, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, origin, up, 34, &v.camera));
         check_all(&v);
     }
 }
@@ -663,7 +663,7 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
     algsurf_hit hit;
     int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT;
-    assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
     seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;
     if (hit.state == ALGSURF_UNDECIDED) return 1;

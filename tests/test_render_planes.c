@@ -32,8 +32,7 @@ enum { WAYS = sizeof ways / sizeof *ways };
 static algsurf_camera camera_in(const struct way *way) {
     const double eye[3] = {7, 4, 5};
     algsurf_camera camera = camera_at(7, 4, 5, 36);
-    if (way->parallel)
-        assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6.5, &camera), ALGSURF_OK);
+    if (way->parallel) assert_ok(algsurf_camera_orthographic(eye, origin, z_up, 6.5, &camera));
     return camera;
 }
 
@@ -41,9 +40,9 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
     const algsurf_camera camera = camera_in(way);
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
     return scene;
 }
 
@@ -51,11 +50,11 @@ static algsurf_hit hit_at(const struct way *way, const algsurf_surface *surface,
     const algsurf_camera camera = camera_in(way);
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
     algsurf_status status =
         way->complex ? algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL)
                      : algsurf_intersect_first(surface, &ball, &ray, NULL, &hit);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     return hit;
 }
 
@@ -132,8 +131,8 @@ TEST(undecided) {
             const algsurf_intersect_options how = {
                 .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as[d]};
             algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, n);
-            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_camera(scene, &camera));
+            assert_ok(algsurf_scene_set_intersect(scene, &how));
             picture *p = drawn(scene, 1);
             for (int k = 0; k < W * H; k++) {
                 algsurf_hit nearest = {.t = INFINITY};
@@ -141,8 +140,8 @@ TEST(undecided) {
                     double x = k % W + (s % n + 0.5) / n, y = k / W + (s / n + 0.5) / n;
                     algsurf_ray ray;
                     algsurf_hit hit;
-                    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, &ray), ALGSURF_OK);
-                    assert_int_equal(algsurf_intersect_first(surface, &ball, &ray, &how, &hit), ALGSURF_OK);
+                    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
+                    assert_ok(algsurf_intersect_first(surface, &ball, &ray, &how, &hit));
                     if (s == 0 || hit.t < nearest.t) nearest = hit;
                 }
                 assert_int_equal(nearest.state, told[d]);
@@ -164,9 +163,9 @@ TEST(first_of_equals) {
     algsurf_surface *surface = surface_of("(z-x)(z+x)");
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &box), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_extent(scene, &box));
     picture *p = drawn(scene, 1);
     int seen = 0;
     for (int k = W / 2 - 1; k < W * H; k += W) { /* pixels from x = -0.0625 to 0.0625 */
@@ -184,7 +183,7 @@ TEST(first_of_equals) {
 static void draw_pixels(const algsurf_scene *scene, int format, uint8_t *pixels) {
     const algsurf_render_options o = options_for(2);
     const algsurf_picture planes = {.size = sizeof planes, .pixels = pixels, .format = format};
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
 /* With a background RGBA8 is RGB8 and 255; without one, alpha is the share of samples with a point, which
@@ -196,12 +195,12 @@ TEST(alpha) {
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 3);
         int part = 0;
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, sky));
         draw_pixels(scene, ALGSURF_RGB8, rgb[0]);
         draw_pixels(scene, ALGSURF_RGBA8, rgba[0]);
-        assert_int_equal(algsurf_scene_set_background(scene, dark), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, dark));
         draw_pixels(scene, ALGSURF_RGB8, black[0]);
-        assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, NULL));
         draw_pixels(scene, ALGSURF_RGB8, none[0]);
         draw_pixels(scene, ALGSURF_RGBA8, clear[0]);
         assert_memory_equal(none, black, sizeof none);
@@ -215,9 +214,9 @@ TEST(alpha) {
             assert_int_equal(clear[k][3], (int)floor(255 * (samples / 9.0) + 0.5));
             double light[3];
             unsigned char over_black[3];
-            assert_int_equal(algsurf_srgb_decode(clear[k], light), ALGSURF_OK);
+            assert_ok(algsurf_srgb_decode(clear[k], light));
             for (int i = 0; i < 3; i++) light[i] *= samples / 9.0;
-            assert_int_equal(algsurf_srgb_encode(light, over_black), ALGSURF_OK);
+            assert_ok(algsurf_srgb_encode(light, over_black));
             for (int i = 0; i < 3; i++) { /* twice rounded */
                 assert_in_range(black[k][i] + 1, over_black[i], over_black[i] + 2);
                 if (samples == 0) assert_int_equal(clear[k][i], 0);
@@ -225,7 +224,7 @@ TEST(alpha) {
             part += samples > 0 && samples < 9;
         }
         assert_true(part > 50);
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK); /* there is one again */
+        assert_ok(algsurf_scene_set_background(scene, sky)); /* there is one again */
         draw_pixels(scene, ALGSURF_RGBA8, clear[0]);
         assert_memory_equal(clear, rgba, sizeof clear);
         algsurf_scene_free(scene);
@@ -251,7 +250,7 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
         if (!(choice & 4)) planes.normals = NULL;
         if (!(choice & 8)) planes.state = NULL;
         if (!(choice & 16)) planes.way = NULL;
-        assert_int_equal(algsurf_render(scene, &o, &planes, &p.stats), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, &p.stats));
         assert_same_picture(&p, &expected);
         assert_true(p.stats.rays == whole->stats.rays && p.stats.hits == whole->stats.hits);
         if (choice & 1) assert_true(p.stats.shadow_rays == whole->stats.shadow_rays);
@@ -270,10 +269,10 @@ TEST(any_planes) {
             for (int k = 0; (kernel = algsurf_kernel_name(k)) != NULL; k++) {
                 const algsurf_intersect_options options = {.size = sizeof options, .kernel = kernel};
                 algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
-                assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-                assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold), ALGSURF_OK);
-                assert_int_equal(algsurf_scene_set_background(scene, look == 0 ? dark : NULL), ALGSURF_OK);
-                if (look == 2) assert_int_equal(algsurf_scene_set_material(scene, &soot), ALGSURF_OK);
+                assert_ok(algsurf_scene_set_intersect(scene, &options));
+                assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold));
+                assert_ok(algsurf_scene_set_background(scene, look == 0 ? dark : NULL));
+                if (look == 2) assert_ok(algsurf_scene_set_material(scene, &soot));
                 picture *whole = drawn(scene, 1);
                 check_choices(scene, whole, threshold);
                 if (first) assert_same_picture(first, whole);
@@ -301,7 +300,7 @@ TEST(strides) {
             .size = sizeof planes, .pixels = apart, .stride = row + GAP, .format = format};
         memset(apart, SENTINEL, sizeof apart);
         draw_pixels(scene, format, tight);
-        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, NULL));
         for (size_t y = 0; y < H; y++) {
             const uint8_t *there = apart + y * (row + GAP);
             assert_memory_equal(there, tight + y * row, row);

@@ -174,7 +174,7 @@ TEST(bad_options) {
     assert_int_equal(p.bytes[0], SENTINEL);
     algsurf_camera huge = camera_at(7, 4, 5, 36);
     huge.orthographic = 1, huge.half_height = 1.7e308;
-    assert_int_equal(algsurf_scene_set_camera(scene, &huge), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &huge));
     refuse(scene, &good, ALGSURF_E_NOT_FINITE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
@@ -198,7 +198,7 @@ TEST(sized_structs) {
     } planes = {.p = planes_of(&p, 0)};
     newer.o.size = sizeof newer, stats.s.size = sizeof stats, planes.p.size = sizeof planes;
     blank(&p);
-    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, &stats.s), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &newer.o, &planes.p, &stats.s));
     assert_same_picture(whole, &p);
     assert_true(stats.s.rays == W * H && stats.more == 0 && stats.s.size == sizeof stats);
     planes.more = 1;

@@ -25,7 +25,7 @@ static algsurf_camera camera_of(const algsurf_extent *extent) {
     const double eye[3] = {2.2 * extent->size[0], -3.3 * extent->size[0], 1.1 * extent->size[0]},
                  up[3] = {0, 0, 1};
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera));
     return camera;
 }
 
@@ -47,7 +47,7 @@ static void draw(const algsurf_scene *scene, int begin, int end, int threads, dr
                                       .row_end = end,
                                       .threads = threads};
     d->stats.size = sizeof d->stats;
-    assert_int_equal(algsurf_render(scene, &o, &planes, &d->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, &d->stats));
 }
 
 static int side_of(const drawn *d, int x, int y) { return d->ways[y * WIDTH + x] & ~KIND; }
@@ -189,8 +189,8 @@ TEST(slices) {
     algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
     for_each_scene(check_slices);
     for (int way = 0; way < 3; way++) {
-        assert_int_equal(algsurf_scene_set_antialias(scene, way ? 3 : 1), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_antialias(scene, way ? 3 : 1));
+        assert_ok(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0));
         check_threads(scene);
     }
     algsurf_scene_free(scene);
@@ -205,11 +205,11 @@ TEST(samples) {
     algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
     int raised = 0, kept = 0;
     draw(scene, 0, HEIGHT, 1, &one);
-    assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, 3));
     draw(scene, 0, HEIGHT, 1, &all);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.1));
     draw(scene, 0, HEIGHT, 1, &some);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, 1));
     draw(scene, 0, HEIGHT, 1, &none);
     assert_memory_equal(none.ways, one.ways, sizeof one.ways);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -235,8 +235,8 @@ static int engine_of(const algsurf_surface *surface, const algsurf_extent *exten
     const algsurf_intersect_options how = {.size = sizeof how, .observer = &observer};
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
     return observer.engine;
 }
 
@@ -281,7 +281,7 @@ TEST(without_tiles) {
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), WIDTH * HEIGHT);
     assert_int_equal(d.stats.tiles, 0);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);

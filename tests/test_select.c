@@ -26,7 +26,7 @@ static algsurf_complex_root near_point(double re, double im) {
 static void check_holds(double sigma, double delta, algsurf_complex_root root, int expected) {
     const algsurf_sector sector = {sigma, delta};
     int holds = 17;
-    assert_int_equal(algsurf_sector_holds(&sector, &root, &holds), ALGSURF_OK);
+    assert_ok(algsurf_sector_holds(&sector, &root, &holds));
     assert_int_equal(holds, expected);
 }
 
@@ -60,7 +60,7 @@ static int truth_of(const algsurf_sector *sector, const mpf_t arg) {
 static int held(const algsurf_sector *sector, double re, double im) {
     const algsurf_complex_root root = box(re, re, im, im);
     int holds = 17;
-    assert_int_equal(algsurf_sector_holds(sector, &root, &holds), ALGSURF_OK);
+    assert_ok(algsurf_sector_holds(sector, &root, &holds));
     return holds;
 }
 
@@ -122,7 +122,7 @@ static void check_select(const algsurf_complex_root *roots, int count, double lo
     const algsurf_sector sector = {0, 0.5};
     int selected = ALGSURF_SELECTED_UNDECIDED;
     int index = 99;
-    assert_int_equal(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
+    assert_ok(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index));
     assert_int_equal(selected, expected);
     assert_int_equal(index, expected == ALGSURF_SELECTED_NONE ? 99 : which);
 }
@@ -157,7 +157,7 @@ typedef algsurf_status selector(const algsurf_complex_root *, int, const algsurf
 static int selected_by(selector *by, const algsurf_complex_root *roots, int count, double delta, int *index) {
     const algsurf_sector sector = {0, delta};
     int selected = ALGSURF_SELECTED_NONE;
-    assert_int_equal(by(roots, count, &sector, 0, HUGE_VAL, &selected, index), ALGSURF_OK);
+    assert_ok(by(roots, count, &sector, 0, HUGE_VAL, &selected, index));
     return selected;
 }
 
@@ -170,7 +170,7 @@ TEST(test_real_rivals) {
         const double c[3] = {-1, ldexp(1, -k), 1};
         algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count));
         assert_int_equal(count, 2);
         for (int i = 0; i < 2; i++) {
             int selected = selected_by(selectors[i], roots, 2, pi, &index);
@@ -193,7 +193,7 @@ TEST(test_near_conjugates) {
         const algsurf_complex c[3] = {{2 + 2 * e, 0}, {-(2 + e), e}, {1, 0}};
         algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_complex_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(c, NULL, 2, roots, &count));
         assert_int_equal(count, 2);
         int selected = selected_by(algsurf_select, roots, 2, pi, &index);
         assert_true(selected != ALGSURF_SELECTED_NONE);

@@ -27,7 +27,7 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
     const algsurf_i_coefficients p = {c, NULL, n};
     const algsurf_i_kernel *kernel;
     int all = 0, count = 0;
-    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, ALGSURF_MAX_DEGREE, &all), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, ALGSURF_MAX_DEGREE, &all));
     for (int i = 0; i < all; i++)
         if (b[i].kind == ALGSURF_BRACKET_ISOLATED && b[i].multiplicity == 1 && !isinf(b[i].lo) &&
             !isinf(b[i].hi))

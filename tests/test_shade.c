@@ -68,7 +68,7 @@ static double grey(double light, double highlight) {
 static void check_grey(const algsurf_lighting *lighting, const double *visible, const double normal[3],
                        const double direction[3], double light, double highlight) {
     double c[3], expected = grey(light, highlight);
-    assert_int_equal(algsurf_shade(lighting, visible, point, normal, direction, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(lighting, visible, point, normal, direction, c));
     assert_near3(c, expected, expected, expected, 1e-6);
 }
 
@@ -107,10 +107,10 @@ TEST(sides) {
     const algsurf_lighting lighting = lighting_of(&light, 1);
     double c[3], red = 0.25 * (1 + 0.75 * 0.75 * 2.4), red_lit = 0.75 * (1 + 0.25 * 0.25 * 2.4);
     check_grey(&lighting, NULL, down, up, 0.75, 0.4);
-    assert_int_equal(algsurf_shade(&lighting, NULL, point, up, up, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, point, up, up, c));
     assert_near3(c, 0.9 * (red_lit + 0.4 * (1 - red_lit)) + 0.1, 0.9 * 0.4, 0.9 * 0.4, 1e-6);
     light = light_towards(0, 0, 1); /* lights the other side only */
-    assert_int_equal(algsurf_shade(&lighting, NULL, point, up, up, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, point, up, up, c));
     assert_near3(c, 0.9 * red + 0.1, 0, 0, 1e-6);
     check_grey(&lighting, NULL, up, down, 0.75, 0.4);
 }
@@ -143,19 +143,19 @@ TEST(distance) {
             light.position[1] = s * (around & 2 ? 0.2 : 0.6);
             light.position[2] = s * 0.7;
             lighting.radius = s < 1e-12 ? s : 1;
-            assert_int_equal(algsurf_shade(&lighting, NULL, zero, up, direction, c), ALGSURF_OK);
+            assert_ok(algsurf_shade(&lighting, NULL, zero, up, direction, c));
             reference_shade(&lighting, NULL, zero, up, direction, expected);
             assert_near3(c, expected[0], expected[1], expected[2], 1e-5);
         }
     algsurf_light light = {.position = {0, 0, 1e-300}, .colour = {1, 1, 1}, .samples_u = 1, .samples_v = 1};
     algsurf_lighting lighting = lighting_of(&light, 1);
     double c[3];
-    assert_int_equal(algsurf_shade(&lighting, NULL, zero, up, down, c), ALGSURF_OK); /* as at the point */
+    assert_ok(algsurf_shade(&lighting, NULL, zero, up, down, c)); /* as at the point */
     assert_near3(c, grey(0.25 + 0.5 / 16, 0), c[0], c[0], 1e-6);
     const double lowest[3] = {0, 0, -1.7e308};
     for (int i = 0; i < 3; i++) lighting.centre[i] = lowest[i];
     light.position[2] = 1.7e308;
-    assert_int_equal(algsurf_shade(&lighting, NULL, lowest, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, lowest, up, down, c));
     assert_near3(c, grey(0.75, 0.4), c[0], c[0], 1e-6);
 }
 
@@ -178,25 +178,25 @@ TEST(depth) {
     for (int i = 0; i < 3; i++) lighting.centre[i] = point[i];
     e = 0.1 * 0.7 + 0.15 * (fill + less * 0.7);
     check_grey(&lighting, NULL, up, down, e, 0);
-    assert_int_equal(algsurf_shade(&lighting, NULL, near, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, near, up, down, c));
     assert_near3(c, 0.5 * 0.25, c[0], c[0], 1e-6); /* all open, no haze */
     e = 0.1 * 0.4 + 0.15 * (fill + less * 0.4);
-    assert_int_equal(algsurf_shade(&lighting, NULL, far, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, far, up, down, c));
     assert_near3(c, 0.5 * (e + (1 - e) * 0.4), c[0], c[0], 1e-6);
-    assert_int_equal(algsurf_shade(&lighting, NULL, outside, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&lighting, NULL, outside, up, down, c));
     assert_near3(c, 0.5 * (e + (1 - e) * 0.4), c[0], c[0], 1e-6);
 }
 
 TEST(preview) {
     const algsurf_lighting lighting = lighting_of(NULL, 0);
     double c[3], e = 0.86;
-    assert_int_equal(algsurf_shade_preview(&lighting, point, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade_preview(&lighting, point, up, down, c));
     assert_near3(c, 0.5 * (e + (1 - e) * 0.075), c[0], c[0], 1e-6);
     e = 0.20 + 0.12; /* edge-on, looking up */
     const double y_axis[3] = {0, 1, 0};
-    assert_int_equal(algsurf_shade_preview(&lighting, point, y_axis, sideways, c), ALGSURF_OK);
+    assert_ok(algsurf_shade_preview(&lighting, point, y_axis, sideways, c));
     assert_near3(c, 0.5 * (e + (1 - e) * 0.075), c[0], c[0], 1e-6);
-    assert_int_equal(algsurf_shade_preview(&lighting, point, up, up, c), ALGSURF_OK);
+    assert_ok(algsurf_shade_preview(&lighting, point, up, up, c));
     assert_true(c[0] > 0.8 && c[1] == 0 && c[2] == 0);
 }
 
@@ -288,10 +288,10 @@ TEST(random_points) {
         double c[3], expected[3];
         random_look(&random, 0.1, &r);
         const double *visible = k % 2 ? r.visible : NULL;
-        assert_int_equal(algsurf_shade(&r.lighting, visible, r.point, r.normal, r.direction, c), ALGSURF_OK);
+        assert_ok(algsurf_shade(&r.lighting, visible, r.point, r.normal, r.direction, c));
         reference_shade(&r.lighting, visible, r.point, r.normal, r.direction, expected);
         largest = fmax(largest, add_differences(c, expected, &many));
-        assert_int_equal(algsurf_shade_preview(&r.lighting, r.point, r.normal, r.direction, c), ALGSURF_OK);
+        assert_ok(algsurf_shade_preview(&r.lighting, r.point, r.normal, r.direction, c));
         reference_preview(&r.lighting, r.point, r.normal, r.direction, expected);
         assert_true(add_differences(c, expected, &many) < 1e-6);
     }
@@ -311,7 +311,7 @@ TEST(nothing_exceeds_one) {
         r.material.specular = r.material.diffuse = 1;
         for (int l = 0; l < r.lighting.light_count; l++)
             for (int i = 0; i < 3; i++) r.lights[l].colour[i] *= 1000;
-        assert_int_equal(algsurf_shade(&r.lighting, NULL, r.point, r.normal, r.direction, c), ALGSURF_OK);
+        assert_ok(algsurf_shade(&r.lighting, NULL, r.point, r.normal, r.direction, c));
         for (int i = 0; i < 3; i++) assert_true(c[i] >= 0 && c[i] <= 1);
         full += c[0] > 0.999;
     }
@@ -328,7 +328,7 @@ TEST(burnt_out) {
     for (int count = 1; count <= 2; count++) {
         algsurf_lighting lighting = lighting_of(lights, count);
         lighting.material = &shiny;
-        assert_int_equal(algsurf_shade(&lighting, NULL, point, up, down, c), ALGSURF_OK);
+        assert_ok(algsurf_shade(&lighting, NULL, point, up, down, c));
         assert_true(c[0] == 1 && c[1] == 1 && c[2] == 1);
     }
 }
@@ -341,17 +341,17 @@ TEST(samples) {
                            .samples_u = 5,
                            .samples_v = 3};
     double p[3];
-    assert_int_equal(algsurf_light_sample(&light, 0, 0, p), ALGSURF_OK);
+    assert_ok(algsurf_light_sample(&light, 0, 0, p));
     assert_near3(p, 6, 18, 29, 1e-14);
-    assert_int_equal(algsurf_light_sample(&light, 4, 2, p), ALGSURF_OK);
+    assert_ok(algsurf_light_sample(&light, 4, 2, p));
     assert_near3(p, 14, 22, 31, 1e-14);
-    assert_int_equal(algsurf_light_sample(&light, 1, 1, p), ALGSURF_OK);
+    assert_ok(algsurf_light_sample(&light, 1, 1, p));
     assert_near3(p, 8, 20, 30, 1e-14);
     light.samples_u = 1;
-    assert_int_equal(algsurf_light_sample(&light, 0, 2, p), ALGSURF_OK);
+    assert_ok(algsurf_light_sample(&light, 0, 2, p));
     assert_near3(p, 10, 22, 31, 1e-14);
     light.samples_u = 64, light.samples_v = 1;
-    assert_int_equal(algsurf_light_sample(&light, 63, 0, p), ALGSURF_OK);
+    assert_ok(algsurf_light_sample(&light, 63, 0, p));
     assert_near3(p, 14, 20, 30, 1e-14);
 }
 
@@ -439,7 +439,7 @@ TEST(bad_shade) {
     }
     assert_int_equal(algsurf_shade(&good, NULL, point, up, down, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_shade_preview(&good, point, up, down, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_shade(&good, NULL, point, up, down, c), ALGSURF_OK);
+    assert_ok(algsurf_shade(&good, NULL, point, up, down, c));
 }
 
 TEST(bad_lighting) {
@@ -518,8 +518,8 @@ TEST(rounding_modes) {
         algsurf_status second = algsurf_shade_preview(&lighting, point, normal, direction, p[m]);
         int mode = fegetround();
         fesetround(FE_TONEAREST);
-        assert_int_equal(status, ALGSURF_OK);
-        assert_int_equal(second, ALGSURF_OK);
+        assert_ok(status);
+        assert_ok(second);
         assert_int_equal(mode, modes[m]);
         assert_memory_equal(c[m], c[0], sizeof c[0]);
         assert_memory_equal(p[m], p[0], sizeof p[0]);

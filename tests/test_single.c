@@ -82,7 +82,7 @@ TEST(test_rays) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         algsurf_surface *s = NULL;
         int decided = 0;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
         for (int i = 0; i < RAYS; i++) {
             double origin[3], direction[3], near = 0, far = INFINITY;
             for (int k = 0; k < 3; k++) {

@@ -166,9 +166,9 @@ TEST(larger_structs) {
     const size_t size = sizeof room;
     memset(room, 0, sizeof room);
     memcpy(room, &size, sizeof size);
-    assert_int_equal(first(room), ALGSURF_OK);
-    assert_int_equal(refined(room), ALGSURF_OK);
-    assert_int_equal(render_stats(room), ALGSURF_OK);
+    assert_ok(first(room));
+    assert_ok(refined(room));
+    assert_ok(render_stats(room));
     room[4095] = 1;
     memcpy(room, &size, sizeof size);
     assert_int_equal(first(room), ALGSURF_E_ARGUMENT);

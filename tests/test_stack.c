@@ -117,9 +117,8 @@ static void make_surfaces(void) {
         "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8",
     };
     for (int i = 0; i < SURFACES - 1; i++)
-        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, surfaces + i, NULL),
-                         ALGSURF_OK);
-    assert_int_equal(algsurf_surface_with_error(surfaces[3], 1e-9, surfaces + SURFACES - 1), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equations[i], NULL, 0, surfaces + i, NULL));
+    assert_ok(algsurf_surface_with_error(surfaces[3], 1e-9, surfaces + SURFACES - 1));
 }
 
 static void free_surfaces(void) {

@@ -85,7 +85,7 @@ TEST(test_merging) {
     algsurf_term got[5];
     assert_int_equal(algsurf_surface_term_count(s), 5);
     assert_int_equal(algsurf_surface_degree(s), 4);
-    assert_int_equal(algsurf_surface_terms(s, got), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, got));
     for (int t = 0; t < 5; t++) {
         assert_true(got[t].i == out[t].i && got[t].j == out[t].j && got[t].k == out[t].k &&
                     got[t].a == out[t].a);

@@ -42,7 +42,7 @@ static void make_member(uint64_t *seed, double error) {
 
 static algsurf_surface *with_error(double error) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_with_error(c.surface, error, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(c.surface, error, &s));
     return s;
 }
 
@@ -68,7 +68,7 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
             .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
             .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
         const algsurf_hit_packet to = {.size = sizeof to, .state = &state};
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &one, &o, &to), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, NULL, &one, &o, &to));
         for (int m = 0; m < MEMBERS; m++) {
             make_member(seed, error);
             algsurf_surface *own = member.surface;
@@ -137,7 +137,7 @@ TEST(far_roots) {
     algsurf_hit hit;
     assert_true(intersect_terms(&c, line, 2));
     algsurf_surface *s = with_error(0x1p-53);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &along, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &along, NULL, &hit));
     assert_true(hit.state == ALGSURF_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
@@ -152,9 +152,8 @@ TEST(values) {
             double x[3], v, bound, g[3], g_bound[3], own, own_g[3];
             for (int k = 0; k < 3; k++) x[k] = 2 * exact_random_unit(&seed);
             make_member(&seed, 1e-3);
-            assert_int_equal(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound), ALGSURF_OK);
-            assert_int_equal(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound));
+            assert_ok(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL));
             int within = fabs(own - v) <= bound;
             for (int k = 0; k < 3; k++) within &= fabs(own_g[k] - g[k]) <= g_bound[k];
             if (!within) fail_msg("seed %u, %s: %a at %a %a %a", SEED, equations[e], v, x[0], x[1], x[2]);
@@ -177,13 +176,13 @@ static void draw(const algsurf_surface *s, double off, int tier, double *t, uint
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_camera camera;
     algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 50, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(s, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 50, &camera));
+    assert_ok(algsurf_scene_create(s, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, &ball));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW));
+    assert_ok(algsurf_scene_set_intersect(scene, &how));
+    assert_ok(algsurf_render(scene, &o, &planes, &stats));
     *undecided = (uint64_t)stats.undecided;
     algsurf_scene_free(scene);
 }
@@ -242,8 +241,8 @@ TEST(a_surface_with_error_is_the_same) {
     assert_int_equal(algsurf_surface_degree(s), 3);
     assert_int_equal(algsurf_surface_term_count(s), 3);
     assert_true(algsurf_surface_rounding(s) == algsurf_surface_rounding(c.surface));
-    assert_int_equal(algsurf_surface_terms(c.surface, given), ALGSURF_OK);
-    assert_int_equal(algsurf_surface_terms(s, kept), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(c.surface, given));
+    assert_ok(algsurf_surface_terms(s, kept));
     for (int i = 0; i < 3; i++)
         assert_true(given[i].i == kept[i].i && given[i].j == kept[i].j && given[i].k == kept[i].k &&
                     given[i].a == kept[i].a);
@@ -264,10 +263,10 @@ TEST(a_point) {
     intersect_equation(&c, "x - 1");
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
-    assert_int_equal(algsurf_intersect_first(s, NULL, &at_one, &o, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &at_one, &o, &hit));
     assert_int_equal(hit.state, ALGSURF_UNDECIDED);
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &beside, &o, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &beside, &o, &hit));
     assert_int_equal(hit.state, ALGSURF_MISS);
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);

@@ -27,7 +27,7 @@ static void accepts(const char *text, const algsurf_term *expected, size_t count
     algsurf_term terms[8];
     assert_int_equal(algsurf_surface_term_count(surface), count);
     assert_true(count <= 8);
-    assert_int_equal(algsurf_surface_terms(surface, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(surface, terms));
     for (size_t i = 0; i < count; i++) {
         assert_int_equal(terms[i].i, expected[i].i);
         assert_int_equal(terms[i].j, expected[i].j);
@@ -149,10 +149,9 @@ TEST(test_catalogue) {
         algsurf_surface *surface;
         algsurf_camera camera;
         assert_ptr_equal(catalogue_find(entry->name), entry);
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL));
         assert_int_equal(algsurf_surface_degree(surface), entry->degree);
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         algsurf_surface_free(surface);
     }
 }

@@ -55,7 +55,7 @@ static void draw_rows(const algsurf_scene *scene, int size, int begin, int end, 
                                       .threads = threads};
     to->size = size;
     to->stats = (algsurf_render_stats){.size = sizeof to->stats};
-    assert_int_equal(algsurf_render(scene, &o, &planes, &to->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, &to->stats));
 }
 
 static void draw(const algsurf_scene *scene, int size, image *to) { draw_rows(scene, size, 0, 0, 1, to); }
@@ -71,15 +71,15 @@ static void assert_same(const image *a, const image *b) {
 static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
                                const algsurf_camera *camera) {
     algsurf_scene *scene;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, camera), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(surface, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, extent));
+    assert_ok(algsurf_scene_set_camera(scene, camera));
     return scene;
 }
 
 static algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
     return surface;
 }
 
@@ -111,10 +111,9 @@ static void random_camera(uint64_t *seed, double far, const double look[3], doub
     }
     for (int i = 0; i < 3; i++) eye[i] = look[i] + far * eye[i] / sqrt(length);
     if (parallel)
-        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2 * far * tan(fov / 114.6), camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, look, up, 2 * far * tan(fov / 114.6), camera));
     else
-        assert_int_equal(algsurf_camera_pinhole(eye, look, up, fov, camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, look, up, fov, camera));
 }
 
 static int is_drawn(int state) { return state == ALGSURF_THIN || state == ALGSURF_HIT; }
@@ -140,7 +139,7 @@ TEST(points_are_one_dot) {
             algsurf_camera camera;
             random_camera(&seed, view % 3 ? 7 : 40, look, view % 3 ? 40 : 6, view % 5 == 4, &camera);
             algsurf_scene *scene = scene_of(surface, &extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             const place p = place_of(&camera, size, points[n].at);
             int dots = 0, near = 0;
@@ -258,15 +257,13 @@ TEST(lines_are_a_pixel_wide) {
             random_camera(&seed, view % 3 == 2 ? 60 : 7, view % 4 == 1 ? beside : centre,
                           view % 3 == 2 ? 5 : 50, view % 5 == 4, &camera);
             if (view == 0)
-                assert_int_equal(
-                    algsurf_camera_pinhole((double[]){2, -5, 0}, beside, (double[]){0, 0, 1}, 60, &camera),
-                    ALGSURF_OK);
+                assert_ok(
+                    algsurf_camera_pinhole((double[]){2, -5, 0}, beside, (double[]){0, 0, 1}, 60, &camera));
             if (view == 3)
-                assert_int_equal(
-                    algsurf_camera_pinhole((double[]){0, -6, 0}, centre, (double[]){0, 0, 1}, 50, &camera),
-                    ALGSURF_OK);
+                assert_ok(
+                    algsurf_camera_pinhole((double[]){0, -6, 0}, centre, (double[]){0, 0, 1}, 50, &camera));
             algsurf_scene *scene = scene_of(surface, &lines[n].extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             int length = 0, from_end = 0;
             for (int i = 0; i < lines[n].count; i++) {
@@ -291,17 +288,16 @@ TEST(undecided_places_hide_nothing) {
     static const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {1.5, 0, 0}, {2, 0, 0}};
     algsurf_surface *surface = surface_of("x^2 + y^2");
     algsurf_camera camera;
-    assert_int_equal(
-        algsurf_camera_pinhole((double[]){9, 0, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_camera_pinhole((double[]){9, 0, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera));
     for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
         const algsurf_intersect_options how = {
             .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};
         algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         draw(scene, SIZE, &first);
         assert_true(first.stats.undecided + first.stats.hits > 40 || as == ALGSURF_AS_MISS);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, SIZE, &second);
         assert_true(second.stats.thin > 40);
         for (size_t i = 0; i < SIZE * SIZE; i++) {
@@ -324,7 +320,7 @@ TEST(curves_have_no_gaps) {
         algsurf_camera camera;
         random_camera(&seed, 7, centre, 25, view % 5 == 4, &camera);
         algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, SIZE, &first);
         int ends = 0;
         for (int y = 1; y < SIZE - 1; y++)
@@ -376,7 +372,7 @@ TEST(others_have_nothing_thin) {
             random_camera(&seed, far, look, 114.6 * atan(fmin(1.1 * radius / far, 1)), view % 7 == 6,
                           &camera);
             algsurf_scene *scene = scene_of(surface, &extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, slow ? 60 : view % 2 ? 333 : 150, &first);
             if (first.stats.thin > 0) fail_msg("%s, view %d: %d", equation, view, (int)first.stats.thin);
             algsurf_scene_free(scene);
@@ -396,7 +392,7 @@ TEST(small_things_are_not_thin) {
         const double far = view % 2 ? 4 : 1000;
         random_camera(&seed, far, centre, 114.6 * atan(1.2 / far), view % 3 == 2, &camera);
         algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, 300, &first);
         if (first.stats.thin > 0) fail_msg("view %d: %d", view, (int)first.stats.thin);
         algsurf_scene_free(scene);
@@ -410,20 +406,19 @@ TEST(out_of_reach_is_as_before) {
     static const algsurf_intersect_options brent = {.size = sizeof brent, .method = ALGSURF_METHOD_BRENT};
     static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
-                                            (double[]){0, 0, 1}, 45, &camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 45,
+                                     &camera));
     for (int way = 0; way < 5; way++) {
         algsurf_surface *surface = surface_of(way == 3 ? "x^2 z^23 + y^2" : lines[0].equation);
         algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera);
-        if (way == 1) assert_int_equal(algsurf_scene_set_intersect(scene, &brent), ALGSURF_OK);
-        if (way == 2) assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+        if (way == 1) assert_ok(algsurf_scene_set_intersect(scene, &brent));
+        if (way == 2) assert_ok(algsurf_scene_set_complex_space(scene, &space));
         draw(scene, 64, &first);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         if (way == 4) { /* no longer wanted */
             draw(scene, 64, &second);
             assert_true(second.stats.thin > 0);
-            assert_int_equal(algsurf_scene_set_thin(scene, NULL), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_thin(scene, NULL));
         }
         draw(scene, 64, &second);
         assert_true(second.stats.thin == 0);
@@ -439,10 +434,10 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
                          const algsurf_camera *camera, int antialias, double threshold, uint64_t least) {
     enum { SIZE = 150, CUT = 77 };
     algsurf_scene *scene = scene_of(surface, extent, camera);
-    assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_thin(scene, red));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
+    assert_ok(algsurf_scene_set_antialias(scene, antialias));
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, threshold));
     draw(scene, SIZE, &first);
     assert_true(first.stats.thin >= least);
     uint64_t whole = first.stats.thin;
@@ -456,7 +451,7 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
     assert_same(&first, &second);
     for (int i = 0; algsurf_kernel_name(i); i++) {
         const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         draw(scene, SIZE, &second);
         assert_same(&first, &second);
     }
@@ -469,8 +464,7 @@ TEST(nothing_changes_a_byte) {
         const catalogue_entry *entry = catalogue_find(names[n]);
         algsurf_surface *surface = surface_of(entry->equation);
         algsurf_camera camera;
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         uint64_t least = n < 2; /* of points like those of Barth's sextic rays see enough */
         compare_ways(surface, &entry->extent, &camera, 1, 0, least);
         compare_ways(surface, &entry->extent, &camera, 3, 0, least);
@@ -484,14 +478,13 @@ TEST(samples_are_finer_pixels) {
     enum { N = 4, SIZE = 96 };
     algsurf_surface *surface = surface_of(lines[0].equation);
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
-                                            (double[]){0.1, 0, 1}, 45, &camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0.1, 0, 1},
+                                     45, &camera));
     algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera);
-    assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_thin(scene, red));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
     draw(scene, N * SIZE, &first);
-    assert_int_equal(algsurf_scene_set_antialias(scene, N), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, N));
     draw(scene, SIZE, &second);
     assert_true(first.stats.thin == second.stats.thin);
     for (int y = 0; y < SIZE; y++)

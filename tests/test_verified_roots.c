@@ -97,7 +97,7 @@ TEST(neighbours_are_near) {
         algsurf_complex_root root[ALGSURF_MAX_DEGREE];
         int count;
         if (!p[i].has_near) continue;
-        assert_int_equal(algsurf_complex_roots(p[i].c, NULL, p[i].degree, root, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(p[i].c, NULL, p[i].degree, root, &count));
         for (int k = 0; k < p[i].degree; k++) {
             const algsurf_complex z = p[i].near[k], zero = {0, 0};
             double least = INFINITY;
@@ -117,7 +117,7 @@ TEST(neighbours_are_near) {
 static answer true_answer(const polynomial *p) {
     algsurf_complex_root root[ALGSURF_MAX_DEGREE];
     answer a = {.complete = 1};
-    assert_int_equal(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count));
     for (int i = 0; i < a.count; i++)
         a.root[i] = (answer_root){root[i].box, root[i].root, root[i].multiplicity, root[i].multiplicity == 1};
     return a;

@@ -19,6 +19,9 @@
 
 #include <cmocka.h>
 
+/* The call says ALGSURF_OK. */
+#define assert_ok(status) assert_int_equal(status, 0)
+
 enum { UNIT_MOST = 64 };
 
 static struct {
