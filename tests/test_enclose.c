@@ -15,6 +15,7 @@
 
 #include "algsurf/algsurf.h"
 #include "exact.h"
+#include "scenes.h"
 #include "unit.h"
 
 static const uint64_t seed = 20250923;
@@ -30,12 +31,6 @@ static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent
     assert_true(b.empty == 0 || b.empty == 1);
     for (int i = 0; i < 3 && !b.empty; i++) assert_true(b.lo[i] <= b.hi[i]);
     return b;
-}
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface;
-    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
-    return surface;
 }
 
 static int holds(const box *b, const double p[3], double slack) {

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "algsurf/surface.h"
+#include "scenes.h"
 #include "unit.h"
 
 /* `count` times the unit, then the end; to be freed. */
@@ -121,8 +122,8 @@ TEST(test_by_factors) {
     static algsurf_term a[MOST], b[MOST];
     for (size_t n = 0; n < sizeof pairs / sizeof *pairs; n++) {
         algsurf_surface *left = NULL, *right = NULL;
-        assert_ok(algsurf_surface_from_equation(pairs[n][0], NULL, 0, &left, NULL));
-        assert_ok(algsurf_surface_from_equation(pairs[n][1], NULL, 0, &right, NULL));
+        left = surface_of(pairs[n][0]);
+        right = surface_of(pairs[n][1]);
         size_t count = algsurf_surface_term_count(left);
         if (count != algsurf_surface_term_count(right)) fail_msg("%s: %zu terms", pairs[n][0], count);
         assert_true(count <= MOST);

@@ -6,15 +6,10 @@
  * that depend on start values, what underflow takes from an imaginary part or an end of the ray forgotten. */
 #include "algsurf/intersect.h"
 #include "exact.h"
+#include "scenes.h"
 #include "unit.h"
 
 static const double pi = 3.141592653589793;
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface = NULL;
-    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
-    return surface;
-}
 
 static algsurf_complex_space space_of(double sigma, double delta) {
     return (algsurf_complex_space){.size = sizeof(algsurf_complex_space), .sector = {sigma, delta}};

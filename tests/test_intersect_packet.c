@@ -13,6 +13,7 @@
 #include "environments.h"
 #include "rays/exact_ray.h"
 #include "rays/packets.h"
+#include "scenes.h"
 
 #define SEED 47u
 enum { MOST = 33 };
@@ -298,8 +299,7 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
 TEST(test_catalogue) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         tallied = (tally){0};
         for (int kind = 0; kind < KINDS; kind++)
@@ -323,8 +323,7 @@ TEST(test_cancellation) {
     uint64_t seed = SEED;
     tallied = (tally){0};
     for (int i = 0; i < 3; i++) {
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_equation(equations[i], NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(equations[i]);
         surface = s;
         const algsurf_extent ball = {
             ALGSURF_EXTENT_SPHERE, {centres[i][0], centres[i][1], centres[i][2]}, {3, 0, 0}};
@@ -361,9 +360,8 @@ static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const
 /* The extent ends where the surface is hit, to the last digits. */
 TEST(test_hits_on_the_extent) {
     const catalogue_entry *entry = catalogue_find("tangle");
-    algsurf_surface *s;
     uint64_t seed = SEED;
-    assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
+    algsurf_surface *s = surface_of(entry->equation);
     surface = s;
     tallied = (tally){0};
     for (int round = 0; round < 1500; round++) {
@@ -414,8 +412,7 @@ TEST(test_undecided_rays) {
     const algsurf_extent wide = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {64, 0, 0}};
     tallied = (tally){0};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(odd[i].equation);
         surface = s;
         put_ray(&p, 0, &odd[i].ray);
         judge_all(1, NULL);
@@ -547,9 +544,8 @@ TEST(test_degrees) {
 TEST(test_catalogue_is_decided) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
         int left = 0, rays = 0;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         for (int round = 0; round < 60; round++) {
             for (int i = 0; i < MOST; i++) {
@@ -564,8 +560,7 @@ TEST(test_catalogue_is_decided) {
 }
 
 static algsurf_surface *barth(void) {
-    algsurf_surface *s;
-    assert_ok(algsurf_surface_from_equation(catalogue_find("barth")->equation, NULL, 0, &s, NULL));
+    algsurf_surface *s = surface_of(catalogue_find("barth")->equation);
     surface = s;
     return s;
 }
@@ -795,8 +790,7 @@ TEST(test_lengths) {
     const algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_BOUNDED};
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         for (int k = 0; k < 6; k++) {
             for (int i = 0; i < MOST; i++) {

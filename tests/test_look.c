@@ -7,6 +7,7 @@
  */
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
+#include "scenes.h"
 #include "unit.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
@@ -22,17 +23,12 @@ static int by_size(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static algsurf_scene *scene_of(const catalogue_entry *entry, algsurf_quality quality,
-                               algsurf_surface **surface) {
-    algsurf_scene *scene;
-    algsurf_camera camera;
+static algsurf_scene *shown(const catalogue_entry *entry, algsurf_quality quality, algsurf_surface **surface) {
+    algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, surface, NULL));
-    assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
-    assert_ok(algsurf_scene_create(*surface, &scene));
-    assert_ok(algsurf_scene_set_extent(scene, &entry->extent));
-    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    *surface = surface_of(entry->equation);
+    algsurf_scene *scene = scene_of(*surface, &entry->extent, &camera, NULL);
     assert_ok(algsurf_scene_set_quality(scene, quality));
     assert_ok(algsurf_scene_set_background(scene, NULL));
     assert_ok(algsurf_scene_set_antialias(scene, 3));
@@ -52,7 +48,7 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
     const algsurf_render_options size = {.size = sizeof size, .width = WIDTH, .height = HEIGHT};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = pixels, .format = ALGSURF_RGBA8};
     algsurf_surface *surface;
-    algsurf_scene *scene = scene_of(entry, quality, &surface);
+    algsurf_scene *scene = shown(entry, quality, &surface);
     int count = 0, darkest = 255, dark = 0, burnt = 0;
     assert_ok(algsurf_render(scene, &size, &planes, NULL));
     for (const unsigned char *p = pixels; p < pixels + sizeof pixels; p += 4) {

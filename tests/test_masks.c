@@ -44,7 +44,7 @@ static double uniform(uint64_t *seed, double lo, double hi) {
 }
 
 static void set_surface(view *v, const char *equation) {
-    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &v->surface, NULL));
+    v->surface = surface_of(equation);
     size_t count = algsurf_surface_term_count(v->surface);
     algsurf_term *terms = calloc(count, sizeof *terms);
     assert_ok(algsurf_surface_terms(v->surface, terms));

@@ -12,6 +12,7 @@
 #include "algsurf/algsurf.h"
 #include "exact.h"
 #include "exact_ray.h"
+#include "scenes.h"
 #include "unit.h"
 
 enum { MOST = 4000, TOP = 12 };
@@ -339,7 +340,7 @@ TEST(rays_are_watched) {
     uint64_t seed = 99;
     int decided[3] = {0};
     for (int e = 0; e < EQUATIONS; e++) {
-        assert_ok(algsurf_surface_from_equation(equations[e], NULL, 0, &s.surface, NULL));
+        s.surface = surface_of(equations[e]);
         s.count = (int)algsurf_surface_term_count(s.surface);
         s.degree = algsurf_surface_degree(s.surface);
         assert_true(s.count <= TERMS);
@@ -374,7 +375,7 @@ TEST(packets_and_pictures_refuse) {
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = &hit};
     const algsurf_ray ray = {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, 9};
     algsurf_hit one;
-    assert_ok(algsurf_surface_from_equation(equations[0], NULL, 0, &surface, NULL));
+    surface = surface_of(equations[0]);
     assert_ok(algsurf_scene_create(surface, &picture));
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);

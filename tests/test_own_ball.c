@@ -8,6 +8,7 @@
 
 #include "algsurf/algsurf.h"
 #include "rays/own_ball.h"
+#include "scenes.h"
 #include "unit.h"
 
 static const uint64_t SEED = 20261122;
@@ -73,11 +74,11 @@ TEST(test_others) {
                          box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     algsurf_surface *s, *known;
     for (size_t i = 0; i < sizeof equation / sizeof *equation; i++) {
-        assert_ok(algsurf_surface_from_equation(equation[i], NULL, 0, &s, NULL));
+        s = surface_of(equation[i]);
         assert_false(algsurf_i_is_own_ball(s, &ball_of_1));
         algsurf_surface_free(s);
     }
-    assert_ok(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &s, NULL));
+    s = surface_of("x^2 + y^2 + z^2 = 1");
     assert_true(algsurf_i_is_own_ball(s, &ball_of_1));
     assert_false(algsurf_i_is_own_ball(s, &box) || algsurf_i_is_own_ball(s, NULL));
     assert_ok(algsurf_surface_with_error(s, 1e-10, &known));
@@ -96,12 +97,11 @@ TEST(test_shared_origin) {
     uint64_t seed = SEED + 1;
     int hits = 0, misses = 0;
     for (size_t e = 0; e < sizeof equation / sizeof *equation; e++) {
-        algsurf_surface *s;
         double origin[3][RAYS], direction[3][RAYS], t[RAYS], t_lo[RAYS], t_hi[RAYS];
         unsigned char states[RAYS];
         int multiplicity[RAYS];
         signed char side[RAYS];
-        assert_ok(algsurf_surface_from_equation(equation[e], NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(equation[e]);
         for (int i = 0; i < RAYS; i++)
             for (int k = 0; k < 3; k++) {
                 origin[k][i] = k == 0 ? -3.1 : 0.3 * k;
@@ -145,7 +145,7 @@ TEST(test_vanishing_direction) {
     const algsurf_ray ray = {{0, 0.5, 0}, {1, 1, 0}, 0, 0x1p60};
     algsurf_hit hits[4];
     int count = 0, beyond = 0;
-    assert_ok(algsurf_surface_from_equation("x^2 - y^2 + z^2 + x = 1", NULL, 0, &exact, NULL));
+    exact = surface_of("x^2 - y^2 + z^2 + x = 1");
     assert_ok(algsurf_surface_with_error(exact, 1e-9, &known));
     assert_ok(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count));
     assert_int_equal(count, 0); /* p is -5/4 */

@@ -129,10 +129,9 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
     algsurf_term *terms = calloc(2000, sizeof *terms);
     v->extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {kind % 2 ? 1.2 : 2}};
     if (kind < NAMED) {
-        algsurf_surface *named;
         const catalogue_entry *entry = catalogue + kind;
         v->extent = entry->extent;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &named, NULL));
+        algsurf_surface *named = surface_of(entry->equation);
         n = entry->degree, count = (int)algsurf_surface_term_count(named);
         assert_ok(algsurf_surface_terms(named, terms));
         algsurf_surface_free(named);

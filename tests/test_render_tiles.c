@@ -167,7 +167,7 @@ static void for_each_view(void (*check)(view *v), int count) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         view v = {.entry = entry, .seed = first_seed + (uint64_t)(entry - catalogue)};
         if (entry->degree > TILED_DEGREE || catalogue_first_of(entry) != entry) continue;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &v.surface, NULL));
+        v.surface = surface_of(entry->equation);
         for (v.number = 0; v.number < count; v.number++) {
             set_view(&v);
             check(&v);

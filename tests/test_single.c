@@ -5,6 +5,7 @@
 #include "catalogue.h"
 #include "exact.h"
 #include "rays/packets.h"
+#include "scenes.h"
 #include "unit.h"
 
 #define SEED 20261122u
@@ -80,9 +81,8 @@ static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *jo
 TEST(test_rays) {
     uint64_t random = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s = NULL;
         int decided = 0;
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL));
+        algsurf_surface *s = surface_of(entry->equation);
         for (int i = 0; i < RAYS; i++) {
             double origin[3], direction[3], near = 0, far = INFINITY;
             for (int k = 0; k < 3; k++) {

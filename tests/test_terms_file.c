@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "catalogue.h"
+#include "scenes.h"
 #include "terms_file.h"
 #include "unit.h"
 
@@ -146,10 +147,9 @@ TEST(test_catalogue) {
     assert_null(catalogue_find(""));
     assert_null(catalogue_find("Sphere"));
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *surface;
         algsurf_camera camera;
         assert_ptr_equal(catalogue_find(entry->name), entry);
-        assert_ok(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL));
+        algsurf_surface *surface = surface_of(entry->equation);
         assert_int_equal(algsurf_surface_degree(surface), entry->degree);
         assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         algsurf_surface_free(surface);

@@ -18,6 +18,7 @@
 #include "catalogue.h"
 #include "exact.h"
 #include "algsurf/algsurf.h"
+#include "scenes.h"
 #include "unit.h"
 
 enum { MOST = 1024 };
@@ -66,21 +67,6 @@ static void assert_same(const image *a, const image *b) {
     assert_memory_equal(a->t, b->t, count * sizeof *a->t);
     assert_memory_equal(a->normals, b->normals, 3 * count * sizeof *a->normals);
     assert_memory_equal(a->states, b->states, count);
-}
-
-static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_camera *camera) {
-    algsurf_scene *scene;
-    assert_ok(algsurf_scene_create(surface, &scene));
-    assert_ok(algsurf_scene_set_extent(scene, extent));
-    assert_ok(algsurf_scene_set_camera(scene, camera));
-    return scene;
-}
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface;
-    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
-    return surface;
 }
 
 /* ---- what is to be drawn ---- */
@@ -138,7 +124,7 @@ TEST(points_are_one_dot) {
                 look[i] = points[n].at[i] + (view < 8 ? 0 : 0.5 * exact_random_unit(&seed));
             algsurf_camera camera;
             random_camera(&seed, view % 3 ? 7 : 40, look, view % 3 ? 40 : 6, view % 5 == 4, &camera);
-            algsurf_scene *scene = scene_of(surface, &extent, &camera);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
             assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             const place p = place_of(&camera, size, points[n].at);
@@ -262,7 +248,7 @@ TEST(lines_are_a_pixel_wide) {
             if (view == 3)
                 assert_ok(
                     algsurf_camera_pinhole((double[]){0, -6, 0}, centre, (double[]){0, 0, 1}, 50, &camera));
-            algsurf_scene *scene = scene_of(surface, &lines[n].extent, &camera);
+            algsurf_scene *scene = scene_of(surface, &lines[n].extent, &camera, NULL);
             assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             int length = 0, from_end = 0;
@@ -293,7 +279,7 @@ TEST(undecided_places_hide_nothing) {
     for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
         const algsurf_intersect_options how = {
             .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
         assert_ok(algsurf_scene_set_intersect(scene, &how));
         draw(scene, SIZE, &first);
         assert_true(first.stats.undecided + first.stats.hits > 40 || as == ALGSURF_AS_MISS);
@@ -319,7 +305,7 @@ TEST(curves_have_no_gaps) {
     for (int view = 0; view < 2 * views; view++) {
         algsurf_camera camera;
         random_camera(&seed, 7, centre, 25, view % 5 == 4, &camera);
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
         assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, SIZE, &first);
         int ends = 0;
@@ -371,7 +357,7 @@ TEST(others_have_nothing_thin) {
                 look[i] = extent.centre[i] + (view % 3 ? 0.5 * radius * exact_random_unit(&seed) : 0);
             random_camera(&seed, far, look, 114.6 * atan(fmin(1.1 * radius / far, 1)), view % 7 == 6,
                           &camera);
-            algsurf_scene *scene = scene_of(surface, &extent, &camera);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
             assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, slow ? 60 : view % 2 ? 333 : 150, &first);
             if (first.stats.thin > 0) fail_msg("%s, view %d: %d", equation, view, (int)first.stats.thin);
@@ -391,7 +377,7 @@ TEST(small_things_are_not_thin) {
         algsurf_camera camera;
         const double far = view % 2 ? 4 : 1000;
         random_camera(&seed, far, centre, 114.6 * atan(1.2 / far), view % 3 == 2, &camera);
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
         assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, 300, &first);
         if (first.stats.thin > 0) fail_msg("view %d: %d", view, (int)first.stats.thin);
@@ -410,7 +396,7 @@ TEST(out_of_reach_is_as_before) {
                                      &camera));
     for (int way = 0; way < 5; way++) {
         algsurf_surface *surface = surface_of(way == 3 ? "x^2 z^23 + y^2" : lines[0].equation);
-        algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera);
+        algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera, NULL);
         if (way == 1) assert_ok(algsurf_scene_set_intersect(scene, &brent));
         if (way == 2) assert_ok(algsurf_scene_set_complex_space(scene, &space));
         draw(scene, 64, &first);
@@ -433,7 +419,7 @@ TEST(out_of_reach_is_as_before) {
 static void compare_ways(const algsurf_surface *surface, const algsurf_extent *extent,
                          const algsurf_camera *camera, int antialias, double threshold, uint64_t least) {
     enum { SIZE = 150, CUT = 77 };
-    algsurf_scene *scene = scene_of(surface, extent, camera);
+    algsurf_scene *scene = scene_of(surface, extent, camera, NULL);
     assert_ok(algsurf_scene_set_thin(scene, red));
     assert_ok(algsurf_scene_set_background(scene, NULL));
     assert_ok(algsurf_scene_set_antialias(scene, antialias));
@@ -480,7 +466,7 @@ TEST(samples_are_finer_pixels) {
     algsurf_camera camera;
     assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0.1, 0, 1},
                                      45, &camera));
-    algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera);
+    algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera, NULL);
     assert_ok(algsurf_scene_set_thin(scene, red));
     assert_ok(algsurf_scene_set_background(scene, NULL));
     draw(scene, N * SIZE, &first);
