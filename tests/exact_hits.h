@@ -61,25 +61,6 @@ static inline int exact_between_q(const exact_sturm *s, const mpq_t lo, const mp
     return exact_variations_q(s, lo) - exact_variations_q(s, hi);
 }
 
-/* Euclid's algorithm: g, with room for degree n, becomes the gcd of a and b, neither zero. */
-static inline int exact_gcd(mpz_t *g, mpz_t *a, int n, mpz_t *b, int m) {
-    int top = n > m ? n : m;
-    mpz_t *r = exact_polynomials(1, top + 1), *swap, *x = exact_polynomials(1, top + 1), *y = r, *first = x;
-    for (int k = 0; k <= n; k++) mpz_set(x[k], a[k]);
-    for (int k = 0; k <= m; k++) mpz_set(y[k], b[k]);
-    while (m >= 0) {
-        exact_primitive(y, m);
-        n = n >= m ? exact_remainder(x, n, y, m) : n;
-        if (n >= 0) exact_primitive(x, n);
-        swap = x, x = y, y = swap;
-        int degree = n;
-        n = m, m = degree;
-    }
-    for (int k = 0; k <= n; k++) mpz_set(g[k], x[k]);
-    exact_free(first, top + 1), exact_free(r, top + 1);
-    return n;
-}
-
 /* Doubles in their order as integers. */
 static inline int64_t exact_rank(double x) {
     int64_t bits;

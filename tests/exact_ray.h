@@ -23,17 +23,6 @@ static inline void exact_multiply(mpz_t *product, mpz_t *a, int n, mpz_t *b, int
         for (int j = 0; j <= m; j++) mpz_addmul(product[i + j], a[i], b[j]);
 }
 
-static inline mpz_t *exact_polynomials(int count, int width) {
-    mpz_t *p = malloc((size_t)(count * width) * sizeof *p);
-    for (int k = 0; k < count * width; k++) mpz_init(p[k]);
-    return p;
-}
-
-static inline void exact_free(mpz_t *p, int count) {
-    for (int k = 0; k < count; k++) mpz_clear(p[k]);
-    free(p);
-}
-
 /* The line of the terms along the ray; n at least the terms' total degrees.  To be cleared. */
 static inline exact_line exact_line_of(const algsurf_term *terms, int count, int n, const algsurf_ray *ray) {
     int width = n + 1, unit;

@@ -36,7 +36,7 @@ static int times_root(mpz_t *p, int n, mpz_t a, mpz_t b) {
 TEST(test_random) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {-1, 1}, {0, INFINITY}, {-3, 0x1p-30}};
     uint64_t seed = 5;
-    mpz_t *p = isolate_integers(TOP + 1);
+    mpz_t *p = exact_polynomials(1, TOP + 1);
     for (int i = 0; i < 600; i++) {
         int n = 1 + exact_random_int(&seed, 9);
         for (int k = 0; k <= n; k++)
@@ -44,14 +44,14 @@ TEST(test_random) {
         if (exact_degree(p, n) < 0) continue;
         isolate_judge_integers(p, n, ends[i % 4][0], ends[i % 4][1], &answer);
     }
-    isolate_integers_clear(p, TOP + 1);
+    exact_free(p, TOP + 1);
 }
 
 /* Rational roots of many digits, some multiple, some 2^-500 apart. */
 TEST(test_known) {
     uint64_t seed = 6;
     int multiple = 0, shared = 0;
-    mpz_t a, b, *p = isolate_integers(TOP + 1);
+    mpz_t a, b, *p = exact_polynomials(1, TOP + 1);
     mpz_inits(a, b, NULL);
     for (int i = 0; i < 150; i++) {
         int n = 0;
@@ -72,12 +72,12 @@ TEST(test_known) {
     }
     assert_true(multiple > 100 && shared > 50);
     mpz_clears(a, b, NULL);
-    isolate_integers_clear(p, TOP + 1);
+    exact_free(p, TOP + 1);
 }
 
 /* Roots far below the least double, far above the largest, and both. */
 TEST(test_far) {
-    mpz_t *p = isolate_integers(3);
+    mpz_t *p = exact_polynomials(1, 3);
     for (int e = 1000; e < 60000; e *= 3) {
         mpz_set_ui(p[0], 1), mpz_set_si(p[1], -7), mpz_set_ui(p[2], 1);
         mpz_mul_2exp(p[1], p[1], (unsigned long)e);
@@ -86,7 +86,7 @@ TEST(test_far) {
         isolate_judge_integers(p, 2, 0x1p-1074, 1e308, &answer);
         isolate_judge_integers(p, 2, -1, 0, &answer);
     }
-    isolate_integers_clear(p, 3);
+    exact_free(p, 3);
 }
 
 /* The form of the coefficients: leading zero limbs, null for 0, a common power of two, negative lengths. */
