@@ -72,6 +72,34 @@ static inline picture *drawn(const algsurf_scene *scene, int threads) {
     return p;
 }
 
+static inline void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
+    sum->rays += more->rays;
+    sum->hits += more->hits;
+    sum->undecided += more->undecided;
+    sum->shadow_rays += more->shadow_rays;
+    sum->single_rays += more->single_rays;
+    sum->iterations += more->iterations;
+}
+
+/* The picture in slices between the cuts, 0 to H, from the bottom up, with changing numbers of threads; the
+ * counts are added up. */
+static inline picture *sliced(const algsurf_scene *scene, const int *cuts) {
+    picture *p = malloc(sizeof *p);
+    algsurf_render_stats sum = {.size = sizeof sum};
+    int count = 0;
+    assert_non_null(p);
+    blank(p);
+    while (cuts[count] < H) count++;
+    for (int k = count - 1; k >= 0; k--) {
+        algsurf_render_options o = options_for(k % 2 + 1);
+        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
+        render(scene, &o, p);
+        add_stats(&sum, &p->stats);
+    }
+    p->stats = sum;
+    return p;
+}
+
 static inline void assert_same_row(const picture *a, const picture *b, int row) {
     size_t first = (size_t)row;
     assert_memory_equal(a->bytes + first * STRIDE, b->bytes + first * STRIDE, STRIDE);

@@ -48,4 +48,14 @@ static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algs
     return scene;
 }
 
+/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
+static inline int is_zero(const algsurf_surface *surface, const algsurf_ray *ray, double t) {
+    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
+    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
+    assert_ok(algsurf_surface_gradient(surface, point, &value, gradient, &bound, gradient_bound));
+    for (int i = 0; i < 3; i++)
+        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
+    return fabs(value) <= 32 * bound + slack;
+}
+
 #endif

@@ -161,23 +161,10 @@ static double ulps(const algsurf_complex_root *e) {
     return w > 0 ? w / (nextafter(size, HUGE_VAL) - size) : 0;
 }
 
-static int mirrored(const algsurf_complex_root *e, int count) {
-    for (int i = 0; i < count; i++) {
-        int images = 0;
-        for (int j = 0; j < count; j++)
-            images += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
-                      e[i].box.im.lo == -e[j].box.im.hi && e[i].box.im.hi == -e[j].box.im.lo &&
-                      e[i].multiplicity == e[j].multiplicity && e[i].root.re == e[j].root.re &&
-                      e[i].root.im == -e[j].root.im;
-        if (images != 1) return 0;
-    }
-    return 1;
-}
-
 /* What is wrong; *alone grows by the boxes that hold one root, whatever its multiplicity. */
 static const char *wrong(const product *t, const algsurf_complex_root *e, int count, int *alone) {
     const char *what = case_boxes_wrong(t->n, e, count);
-    if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
+    if (!what && !case_mirrored(e, count)) what = "boxes that are not conjugate";
     for (int i = 0; i < count && !what; i++) {
         int different = 0, all = 0, real = 0, its;
         for (int j = 0; j < t->count; j++) {
@@ -373,7 +360,7 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
     assert_ok(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL));
     algsurf_complex_solver_free(solver);
     const char *what = case_boxes_wrong(t->n, e, count);
-    if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
+    if (!what && !case_mirrored(e, count)) what = "boxes that are not conjugate";
     if (count != in_q + in_r || in_q != dq || in_r != dr) what = "a root without a box of its own";
     for (int i = 0; i < count && !what; i++) {
         int met_q = 0, met_r = 0;

@@ -49,17 +49,6 @@ static void verdict(const allroots_case *p, const char *what, algsurf_status sta
     fail_msg("%s: %s (seed %llu)", what, algsurf_status_text(status), (unsigned long long)seed);
 }
 
-static int conjugate_boxes(const algsurf_complex_root *e, int count) {
-    for (int i = 0; i < count; i++) {
-        int mirrored = 0;
-        for (int j = 0; j < count; j++)
-            mirrored += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
-                        e[i].box.im.lo == -e[j].box.im.hi && e[i].multiplicity == e[j].multiplicity;
-        if (mirrored != 1) return 0;
-    }
-    return 1;
-}
-
 TEST(test_exact_products) {
     int solved = 0, boxes = 0, roots = 0;
     for (int round = 0; round < 6000; round++) {
@@ -72,7 +61,7 @@ TEST(test_exact_products) {
         verdict(&p, "exact product", status, e, count);
         int real = 1;
         for (int k = 0; k <= p.n; k++) real = real && p.c[k].im == 0;
-        if (real && !conjugate_boxes(e, count)) {
+        if (real && !case_mirrored(e, count)) {
             case_print(&p, e, count);
             fail_msg("boxes that are not conjugate");
         }

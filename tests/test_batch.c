@@ -524,70 +524,50 @@ TEST(test_tolerance) {
     }
 }
 
+/* What the packet code leaves open of the polynomials put, asked for the first root or for all. */
+static int left_open(int n, int all) {
+    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
+    answers a;
+    int open = 0;
+    algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+    algsurf_i_polys_job job = {.c = p.coefficients, .lo = lo, .hi = hi, .interval = 1, .degree = n};
+    if (all) {
+        job.roots = all_roots, job.found = counts;
+        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
+    } else {
+        job.state = a.state, job.root = a.root;
+        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
+    }
+    for (int i = 0; i < MOST; i++) open += all ? counts[i] < 0 : a.state[i] == ALGSURF_LANE_UNDECIDED;
+    return open;
+}
+
 /* The packet code decides what is well-conditioned by itself. */
 TEST(test_kernels_decide) {
     uint64_t random = SEED + 8;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 1; n <= 10; n++) {
-        answers a;
-        int undecided = 0;
         put_random(n, &random);
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .state = a.state,
-                                         .root = a.root};
-        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
-        assert_true(undecided <= MOST / 16);
+        assert_true(left_open(n, 0) <= MOST / 16);
     }
 }
 
 /* Two near roots, ill-conditioned: the packet code encloses them. */
 TEST(test_kernels_enclose) {
     uint64_t random = SEED + 14;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) {
-        answers a;
-        int undecided = 0;
         for (int i = 0; i < MOST; i++) {
             double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
             put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
         }
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .state = a.state,
-                                         .root = a.root};
-        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
-        assert_true(undecided <= MOST / 16);
+        assert_true(left_open(n, 0) <= MOST / 16);
     }
 }
 
 TEST(test_kernels_find_all) {
     uint64_t random = SEED + 13;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
-        int undecided = 0;
         put_random(n, &random);
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .roots = all_roots,
-                                         .found = counts};
-        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += counts[i] < 0;
-        assert_true(undecided <= MOST / 16);
+        assert_true(left_open(n, 1) <= MOST / 16);
     }
 }
 

@@ -4,20 +4,10 @@
  */
 #include <fenv.h>
 
-#include "algsurf/surface.h"
+#include "equation_case.h"
 #include "exact.h"
-#include "unit.h"
 
 static const uint64_t seed = 20240607;
-
-static algsurf_surface *parse(const char *text) {
-    algsurf_surface *s = NULL;
-    algsurf_parse_error error = {0, 0, ""};
-    algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &s, &error);
-    if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
-    assert_ok(status);
-    return s;
-}
 
 /* The constant term of "NUMBER+x". */
 static double lone(const char *number) {

@@ -6,6 +6,7 @@
  * leading zeros kept, a work area kept on the stack, a parameter that makes numbers too long.
  */
 #include "exact_ray.h"
+#include "exact_zpolys.h"
 
 #include "surface/exact_form.h"
 #include "unit.h"
@@ -22,15 +23,6 @@ static void print_case(const algsurf_term *terms, int count, const algsurf_ray *
     exact_print_doubles("origin", ray->origin, 3), exact_print_doubles("direction", ray->direction, 3);
     for (int i = 0; i < count && i < 100; i++)
         fprintf(stderr, "{%d, %d, %d, %a},\n", terms[i].i, terms[i].j, terms[i].k, terms[i].a);
-}
-
-static void to_mpz(mpz_t z, const algsurf_limb *a, int w) {
-    mpz_import(z, (size_t)w, -1, sizeof *a, 0, 0, a);
-    if (!algsurf_z_negative(a, w)) return;
-    mpz_t top;
-    mpz_init(top);
-    mpz_setbit(top, (mp_bitcnt_t)(64 * w));
-    mpz_sub(z, z, top), mpz_clear(top);
 }
 
 /* a = b 2^shift? */
@@ -52,18 +44,11 @@ static int is_line(const algsurf_zpoly *p, const exact_line *line, int e, int sc
     mpz_inits(a, none, NULL);
     int same = p->degree <= line->degree;
     for (int k = 0; same && k <= line->degree; k++) {
-        if (k <= p->degree) to_mpz(a, algsurf_zpoly_at(p, k), p->width);
+        if (k <= p->degree) exact_limbs(a, algsurf_zpoly_at(p, k), p->width);
         same = is_scaled(k <= p->degree ? a : none, line->c[k], (long)scale - line->shift + (long)e * k);
     }
     mpz_clears(a, none, NULL);
     return same;
-}
-
-/* Without leading zeros, a common power of two, limbs too many. */
-static int is_compact(const algsurf_zpoly *p) {
-    if (p->degree < 0) return p->degree == -1;
-    return algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) != 0 && algsurf_zpoly_trailing(p) == 0 &&
-           p->width == algsurf_z_width(algsurf_zpoly_bits(p));
 }
 
 static int is_same(const algsurf_zpoly *p, const algsurf_zpoly *q) {
@@ -96,7 +81,8 @@ static int check(const algsurf_term *given, int given_count, const algsurf_ray *
     int done = algsurf_i_exact_form(&m, s, ray->origin, ray->direction, e, &p, &scale) &&
                algsurf_i_exact_form(&tight, s, ray->origin, ray->direction, e, &again, &other);
     exact_line line = exact_line_of(terms, count, n, ray);
-    if (!done || !is_compact(&p) || !is_line(&p, &line, e, scale) || !is_same(&p, &again) || scale != other) {
+    if (!done || !exact_is_compact(&p) || !is_line(&p, &line, e, scale) || !is_same(&p, &again) ||
+        scale != other) {
         print_case(terms, count, ray, e);
         fail_msg("another polynomial");
     }
@@ -274,7 +260,7 @@ static void form_at(mpq_t value, const algsurf_zpoly *p, int scale, int u) {
     mpz_t a, sum;
     mpz_inits(a, sum, NULL);
     for (int k = p->degree; k >= 0; k--) {
-        to_mpz(a, algsurf_zpoly_at(p, k), p->width);
+        exact_limbs(a, algsurf_zpoly_at(p, k), p->width);
         mpz_mul_si(sum, sum, u), mpz_add(sum, sum, a);
     }
     mpq_set_z(value, sum), mpz_clears(a, sum, NULL);
@@ -302,7 +288,7 @@ TEST(test_largest) {
     algsurf_memory_mark start = algsurf_memory_here(&m);
     assert_true(algsurf_i_exact_form(&m, s, ray.origin, ray.direction, -4, &p, &scale));
     assert_int_equal(p.degree, n);
-    assert_true(is_compact(&p));
+    assert_true(exact_is_compact(&p));
     for (int u = -3; u < 4; u += 3) {
         value_at(wanted, t, count, &ray, -4, u), form_at(got, &p, scale, u);
         assert_true(mpq_equal(wanted, got));

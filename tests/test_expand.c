@@ -64,30 +64,6 @@ static _Noreturn void expand_fail(const char *what, const random_case *r, int ro
     abort();
 }
 
-/* Bernstein coefficients over [lo,hi] of the exact polynomial along the ray; b is initialised. */
-static void exact_chord(mpq_t *b, const exact_line *line, double lo, double hi) {
-    int n = line->degree;
-    mpq_t *a = malloc((size_t)(n + 1) * sizeof *a), x, w;
-    mpz_t binomial;
-    mpq_inits(x, w, NULL), mpz_init(binomial);
-    for (int i = 0; i <= n; i++) mpq_init(a[i]), exact_line_coefficient(a[i], line, i);
-    exact_set(x, lo);
-    for (int k = 0; k < n; k++)
-        for (int i = n - 1; i >= k; i--) mpq_mul(w, x, a[i + 1]), mpq_add(a[i], a[i], w);
-    exact_set(w, hi), mpq_sub(x, w, x), mpq_set_ui(w, 1, 1);
-    for (int i = 1; i <= n; i++) mpq_mul(w, w, x), mpq_mul(a[i], a[i], w);
-    for (int j = 0; j <= n; j++) { /* b_j = sum_{i<=j} C(j,i) / C(n,i) a_i */
-        mpq_set_ui(b[j], 0, 1);
-        for (int i = 0; i <= j; i++) {
-            mpz_bin_uiui(binomial, (unsigned long)j, (unsigned long)i), mpq_set_z(w, binomial);
-            mpz_bin_uiui(binomial, (unsigned long)n, (unsigned long)i), mpq_set_z(x, binomial);
-            mpq_div(w, w, x), mpq_mul(w, w, a[i]), mpq_add(b[j], b[j], w);
-        }
-    }
-    for (int i = 0; i <= n; i++) mpq_clear(a[i]);
-    free(a), mpq_clears(x, w, NULL), mpz_clear(binomial);
-}
-
 static void judge_power(const random_case *r, int round, double *c, double *radius) {
     exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
     mpq_t q;
@@ -101,12 +77,12 @@ static void judge_power(const random_case *r, int round, double *c, double *radi
 
 static void judge_bernstein(const random_case *r, int round, double *b, double *radius) {
     exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
-    mpq_t q[16];
-    for (int k = 0; k <= r->degree; k++) mpq_init(q[k]);
-    exact_chord(q, &line, r->ray.t_min, r->ray.t_max);
+    mpq_t q[16], a[16];
+    for (int k = 0; k <= r->degree; k++) mpq_inits(q[k], a[k], NULL), exact_line_coefficient(a[k], &line, k);
+    exact_bernstein_of(q, a, r->degree, r->ray.t_min, r->ray.t_max);
     for (int k = 0; k <= r->degree; k++)
         if (!exact_within(b[k], q[k], radius[k])) expand_fail("Bernstein", r, round, k);
-    for (int k = 0; k <= r->degree; k++) mpq_clear(q[k]);
+    for (int k = 0; k <= r->degree; k++) mpq_clears(q[k], a[k], NULL);
     exact_line_clear(&line);
 }
 

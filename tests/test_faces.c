@@ -3,7 +3,7 @@
  * Breaks caught, each tried: the centre's sign, a mixed product added once, a bit less of width, the
  * direction without its power of two, the two sides of a box exchanged, a polynomial that is not compact.
  */
-#include "exact.h"
+#include "exact_zpolys.h"
 
 #include "rays/faces.h"
 #include "unit.h"
@@ -99,12 +99,6 @@ static int is_multiple(const algsurf_zpoly *p, mpq_t q[3]) {
     return same;
 }
 
-static int is_compact(const algsurf_zpoly *p) {
-    if (p->degree < 0) return p->degree == -1;
-    return algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) != 0 && algsurf_zpoly_trailing(p) == 0 &&
-           p->width == algsurf_z_width(algsurf_zpoly_bits(p));
-}
-
 /* Counts the faces of each degree. */
 static void check(const algsurf_extent *x, const algsurf_plane *plane, const double *o, const double *d,
                   int e, int of_degree[4]) {
@@ -124,7 +118,7 @@ static void check(const algsurf_extent *x, const algsurf_plane *plane, const dou
             define_face(q, x, o, d, e, f);
         else
             define_plane(q, plane, o, d, e);
-        if (!is_multiple(&face[f], q) || !is_compact(&face[f])) {
+        if (!is_multiple(&face[f], q) || !exact_is_compact(&face[f])) {
             print_case(x, o, d, e);
             exact_print_doubles("normal", plane->normal, 3), exact_print_doubles("offset", &plane->offset, 1);
             fail_msg("another face %d", f);

@@ -424,17 +424,6 @@ TEST(test_undecided_rays) {
 
 static intersect_case c;
 
-static int random_surface(uint64_t *seed, int n) {
-    algsurf_term terms[24];
-    int count = 2 + exact_random_int(seed, 20);
-    for (int i = 0; i < count; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        terms[i] = (algsurf_term){e[0], e[1], e[2], exact_random_wide(seed, -2, 2)};
-    }
-    return intersect_terms(&c, terms, count);
-}
-
 /* Ray i of the packet, with the packet's answers in place of a single call's, judged by a Sturm chain. */
 static int judge_exactly(int i, double *error) {
     intersect_answer answer;
@@ -463,7 +452,7 @@ TEST(test_exact) {
     uint64_t seed = SEED;
     int judged = 0, hits = 0, precise = 0;
     for (int round = 0; round < 60; round++) {
-        if (!random_surface(&seed, 1 + round % 12)) continue;
+        if (!intersect_random(&c, &seed, 1 + round % 12, 0)) continue;
         surface = c.surface;
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = {.t_min = 0};

@@ -12,18 +12,6 @@
 static intersect_case c;
 static intersect_answer answer;
 
-static int random_surface(uint64_t *seed, int n, int small) {
-    algsurf_term terms[24];
-    int count = 2 + exact_random_int(seed, 20);
-    for (int i = 0; i < count; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        double a = small ? exact_random_int(seed, 9) - 4 : exact_random_wide(seed, -2, 2);
-        terms[i] = (algsurf_term){e[0], e[1], e[2], a};
-    }
-    return intersect_terms(&c, terms, count);
-}
-
 /* Numbers of at most `bits` bits. */
 static double short_number(uint64_t *seed, int bits) {
     return ldexp(floor(ldexp(exact_random_unit(seed), bits)), -bits);
@@ -55,7 +43,7 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
     for (int i = 0; i < rounds; i++) {
         if (i % 4 == 0) {
             algsurf_surface_free(c.surface);
-            if (!random_surface(&seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
+            if (!intersect_random(&c, &seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
                 c.surface = NULL;
                 i += 3;
                 continue;

@@ -23,7 +23,8 @@ static int by_size(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static algsurf_scene *shown(const catalogue_entry *entry, algsurf_quality quality, algsurf_surface **surface) {
+static algsurf_scene *shown(const catalogue_entry *entry, algsurf_quality quality,
+                            algsurf_surface **surface) {
     algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};

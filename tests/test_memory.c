@@ -91,60 +91,32 @@ static algsurf_surface *make_surface(void) {
 
 static void *const untouched = &alive; /* any address the library cannot return */
 
-static algsurf_status from_terms(void) {
-    const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {1, 1, 1, 0.5}, {0, 0, 0, -1}};
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_terms(terms, sizeof terms / sizeof *terms, &s);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+/* An attempt to make something: it is made, or its pointer is as it was. */
+#define MAKES(name, type, release, call)                                                                     \
+    static algsurf_status name(void) {                                                                       \
+        type *s = untouched;                                                                                 \
+        algsurf_status status = call;                                                                        \
+        if (status == ALGSURF_OK)                                                                            \
+            release(s);                                                                                      \
+        else                                                                                                 \
+            assert_ptr_equal(s, untouched);                                                                  \
+        return status;                                                                                       \
+    }
 
-static algsurf_status from_equation(void) {
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_equation(equation, constants, 1, &s, NULL);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+static const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {1, 1, 1, 0.5}, {0, 0, 0, -1}};
+MAKES(from_terms, algsurf_surface, algsurf_surface_free, algsurf_surface_from_terms(terms, 5, &s))
+MAKES(from_equation, algsurf_surface, algsurf_surface_free,
+      algsurf_surface_from_equation(equation, constants, 1, &s, NULL))
 
 /* Polynomials that keep their factors and summands. */
-static algsurf_status from_factors(void) {
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_equation(
-        "((x+y+z+1)^5 + (x-y+z)^5/3 - x k)(2 (-(x+y-z+1)^5)^2 (y+z)) = k", constants, 1, &s, NULL);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+static const char factors[] = "((x+y+z+1)^5 + (x-y+z)^5/3 - x k)(2 (-(x+y-z+1)^5)^2 (y+z)) = k";
+MAKES(from_factors, algsurf_surface, algsurf_surface_free,
+      algsurf_surface_from_equation(factors, constants, 1, &s, NULL))
 
 static const algsurf_surface *torus; /* made before counting starts */
-
-static algsurf_status scene(void) {
-    algsurf_scene *s = untouched;
-    algsurf_status status = algsurf_scene_create(torus, &s);
-    if (status == ALGSURF_OK)
-        algsurf_scene_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
-
-static algsurf_status root_solver(void) {
-    algsurf_complex_solver *s = untouched;
-    algsurf_status status = algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &s);
-    if (status == ALGSURF_OK)
-        algsurf_complex_solver_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+MAKES(scene, algsurf_scene, algsurf_scene_free, algsurf_scene_create(torus, &s))
+MAKES(root_solver, algsurf_complex_solver, algsurf_complex_solver_free,
+      algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &s))
 
 enum { WIDTH = 48, HEIGHT = 32 };
 static algsurf_scene *stage;

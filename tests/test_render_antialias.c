@@ -149,36 +149,10 @@ TEST(one_of_two) {
     algsurf_surface_free(surface);
 }
 
-static void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
-    sum->rays += more->rays;
-    sum->hits += more->hits;
-    sum->undecided += more->undecided;
-    sum->shadow_rays += more->shadow_rays;
-    sum->single_rays += more->single_rays;
-    sum->iterations += more->iterations;
-}
-
 static void assert_same_counts(const algsurf_render_stats *a, const algsurf_render_stats *b) {
     assert_true(a->rays == b->rays && a->hits == b->hits && a->undecided == b->undecided);
     assert_true(a->shadow_rays == b->shadow_rays && a->single_rays == b->single_rays);
     assert_true(a->iterations == b->iterations);
-}
-
-/* Draws the picture in slices, from the bottom up; the counts are added up. */
-static picture *sliced(const algsurf_scene *scene) {
-    static const int cuts[6] = {0, 1, 9, 12, 13, H};
-    picture *p = malloc(sizeof *p);
-    algsurf_render_stats sum = {.size = sizeof sum};
-    assert_non_null(p);
-    blank(p);
-    for (int k = 4; k >= 0; k--) {
-        algsurf_render_options o = options_for(k % 2 + 1);
-        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
-        render(scene, &o, p);
-        add_stats(&sum, &p->stats);
-    }
-    p->stats = sum;
-    return p;
 }
 
 TEST(same_bytes) {
@@ -189,7 +163,8 @@ TEST(same_bytes) {
         set(scene, 3, 0.1);
         picture *one = drawn(scene, 1);
         for (int k = 0; k <= 4; k++) {
-            picture *other = k < 4 ? drawn(scene, threads[k]) : sliced(scene);
+            picture *other =
+                k < 4 ? drawn(scene, threads[k]) : sliced(scene, (const int[]){0, 1, 9, 12, 13, H});
             assert_same_picture(one, other);
             assert_same_counts(&one->stats, &other->stats);
             free(other);

@@ -138,19 +138,7 @@ static const struct {
              {"boy", 4, 1, 10, PI / 18},       {"barth-decic", 0, 1, 0, 1e-10}};
 enum { SHOTS = sizeof shots / sizeof *shots };
 
-/* Draws the picture in slices, from the bottom up, with changing numbers of threads. */
-static picture *sliced(const algsurf_scene *scene) {
-    static const int cuts[6] = {0, 1, 9, 16, 20, H};
-    picture *p = malloc(sizeof *p);
-    assert_non_null(p);
-    blank(p);
-    for (int k = 4; k >= 0; k--) {
-        algsurf_render_options o = options_for(k % 2 + 1);
-        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
-        render(scene, &o, p);
-    }
-    return p;
-}
+static const int cuts[] = {0, 1, 9, 16, 20, H};
 
 TEST(same_bytes) {
     static const int threads[3] = {1, 2, 5};
@@ -171,7 +159,7 @@ TEST(same_bytes) {
                             other->stats.undecided == one->stats.undecided);
                 free(other);
             }
-            other = sliced(scene);
+            other = sliced(scene, cuts);
             assert_same_picture(one, other);
             free(other);
         }
@@ -182,23 +170,6 @@ TEST(same_bytes) {
         free(other), free(one);
         release(scene, surface);
     }
-}
-
-/* Summed over slices, which begin anywhere. */
-static uint64_t iterations_of_slices(const algsurf_scene *scene) {
-    static const int cuts[6] = {0, 1, 9, 16, 20, H};
-    uint64_t sum = 0;
-    picture *p = malloc(sizeof *p);
-    assert_non_null(p);
-    for (int k = 0; k < 5; k++) {
-        algsurf_render_options o = options_for(1);
-        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
-        blank(p);
-        render(scene, &o, p);
-        sum += p->stats.iterations;
-    }
-    free(p);
-    return sum;
 }
 
 /* The roots of the row above save a twentieth of the iterations even in a picture as coarse as this one (in a
@@ -214,7 +185,9 @@ TEST(iterations_saved) {
         assert_true(warm->stats.iterations * 20 < cold->stats.iterations * 19);
         assert_true(warm->stats.iterations >= cold->stats.hits);
         assert_true(warm->stats.iterations == again->stats.iterations);
-        assert_true(warm->stats.iterations == iterations_of_slices(scene));
+        picture *slices = sliced(scene, cuts);
+        assert_true(warm->stats.iterations == slices->stats.iterations);
+        free(slices);
         assert_ok(algsurf_scene_set_complex_space(scene, NULL));
         free(again), again = drawn(scene, 1);
         assert_true(again->stats.iterations == 0);

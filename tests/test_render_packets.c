@@ -73,16 +73,6 @@ static picture *draw(const algsurf_surface *surface, const view *v,
     return p;
 }
 
-/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
-static int is_zero(const algsurf_surface *surface, const algsurf_ray *ray, double t) {
-    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
-    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
-    assert_ok(algsurf_surface_gradient(surface, point, &value, gradient, &bound, gradient_bound));
-    for (int i = 0; i < 3; i++)
-        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
-    return fabs(value) <= 32 * bound + slack;
-}
-
 static void check_pixels(const algsurf_surface *surface, const view *v, const picture *packets,
                          const picture *singly) {
     for (int i = 0; i < W * H; i++) {

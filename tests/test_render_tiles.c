@@ -103,16 +103,6 @@ static void draw(const view *v, const algsurf_scene *scene, int begin, int end, 
     assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
-/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
-static int is_zero(const view *v, const algsurf_ray *ray, double t) {
-    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
-    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
-    assert_ok(algsurf_surface_gradient(v->surface, point, &value, gradient, &bound, gradient_bound));
-    for (int i = 0; i < 3; i++)
-        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
-    return fabs(value) <= 32 * bound + slack;
-}
-
 static long hits, misses;
 
 static void check_pixel(const view *v, int i, const slice *tiles, const slice *rays) {
@@ -122,7 +112,7 @@ static void check_pixel(const view *v, int i, const slice *tiles, const slice *r
     assert_ok(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, i % WIDTH + 0.5, v->row + i / WIDTH + 0.5, &ray));
     hits += isfinite(t), misses += isinf(t) != 0;
     double apart = same && isfinite(t) ? fabs(t - rays->t[i]) : 0;
-    if (apart > 0x1p-36 * v->entry->extent.size[0]) same = is_zero(v, &ray, t) && apart < 1e-6 * t;
+    if (apart > 0x1p-36 * v->entry->extent.size[0]) same = is_zero(v->surface, &ray, t) && apart < 1e-6 * t;
     if (!same)
         fail_msg("%s, view %d (seed %#llx), pixel %d,%d: state %d, not %d; t = %a, not %a", v->entry->name,
                  v->number, (unsigned long long)first_seed, i % WIDTH, v->row + i / WIDTH, tiles->states[i],
