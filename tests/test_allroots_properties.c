@@ -139,69 +139,6 @@ TEST(test_far_apart) {
     assert_true(roots > 5000 && alone > 0.98 * roots);
 }
 
-/* The product of (X - box), times the leading coefficient, encloses the coefficients. */
-static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
-    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
-    int n = 0;
-    q[0] = algsurf_cinterval_point(p->c[p->n]);
-    for (int i = 0; i < count; i++)
-        for (int m = 0; m < e[i].multiplicity; m++) {
-            n++;
-            for (int k = n; k >= 0; k--) {
-                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
-                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
-            }
-        }
-    for (int k = 0; k <= p->n; k++)
-        if (!case_in(p->c[k], q[k])) {
-            case_print(p, e, count);
-            fail_msg("coefficient %d is not enclosed", k);
-        }
-}
-
-TEST(test_reconstruction) {
-    for (int round = 0; round < 400; round++) {
-        allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
-        for (int k = 0; k <= p.n; k++)
-            p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
-                                       round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
-        algsurf_complex_root e[CASE_MAX];
-        int count = 0;
-        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
-        assert_null(case_boxes_wrong(p.n, e, count));
-        check_reconstruction(&p, e, count);
-    }
-}
-
-/* Multiplying the value or the variable by a power of two changes nothing but exponents. */
-TEST(test_scaling) {
-    for (int round = 0; round < 600; round++) {
-        allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
-        for (int k = 0; k <= p.n; k++)
-            p.c[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
-        q = p;
-        int value = exact_random_int(&seed, 601) - 300, variable = exact_random_int(&seed, 41) - 20;
-        for (int k = 0; k <= p.n; k++) {
-            q.c[k].re = ldexp(p.c[k].re, value - k * variable);
-            q.c[k].im = ldexp(p.c[k].im, value - k * variable);
-        }
-        algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
-        int count = 0, count_scaled = 0;
-        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
-        assert_ok(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled));
-        assert_int_equal(count, count_scaled);
-        for (int i = 0; i < count; i++) {
-            const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
-            if (ldexp(a->lo, variable) != b->lo || ldexp(a->hi, variable) != b->hi ||
-                ldexp(e[i].box.im.lo, variable) != f[i].box.im.lo ||
-                ldexp(e[i].box.im.hi, variable) != f[i].box.im.hi) {
-                case_print(&p, e, count), case_print(&q, f, count);
-                fail_msg("scaling the variable by 2^%d, the value by 2^%d changes digits", variable, value);
-            }
-        }
-    }
-}
-
 /* Pellet: if |c_k| R^k is larger than all other terms together, k roots are below R in magnitude.  Boxes that
  * are certainly below, or beyond, may not hold more roots than that. */
 static void judge_circles(const double *c, int n, const algsurf_complex_root *e, int count, int *circles) {
@@ -284,6 +221,69 @@ TEST(test_zero_ends) {
         }
     }
     assert_true(ends > 100);
+}
+
+/* The product of (X - box), times the leading coefficient, encloses the coefficients. */
+static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
+    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
+    int n = 0;
+    q[0] = algsurf_cinterval_point(p->c[p->n]);
+    for (int i = 0; i < count; i++)
+        for (int m = 0; m < e[i].multiplicity; m++) {
+            n++;
+            for (int k = n; k >= 0; k--) {
+                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
+                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
+            }
+        }
+    for (int k = 0; k <= p->n; k++)
+        if (!case_in(p->c[k], q[k])) {
+            case_print(p, e, count);
+            fail_msg("coefficient %d is not enclosed", k);
+        }
+}
+
+TEST(test_reconstruction) {
+    for (int round = 0; round < 400; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
+                                       round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
+        algsurf_complex_root e[CASE_MAX];
+        int count = 0;
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
+        assert_null(case_boxes_wrong(p.n, e, count));
+        check_reconstruction(&p, e, count);
+    }
+}
+
+/* Multiplying the value or the variable by a power of two changes nothing but exponents. */
+TEST(test_scaling) {
+    for (int round = 0; round < 600; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
+        q = p;
+        int value = exact_random_int(&seed, 601) - 300, variable = exact_random_int(&seed, 41) - 20;
+        for (int k = 0; k <= p.n; k++) {
+            q.c[k].re = ldexp(p.c[k].re, value - k * variable);
+            q.c[k].im = ldexp(p.c[k].im, value - k * variable);
+        }
+        algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
+        int count = 0, count_scaled = 0;
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
+        assert_ok(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled));
+        assert_int_equal(count, count_scaled);
+        for (int i = 0; i < count; i++) {
+            const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
+            if (ldexp(a->lo, variable) != b->lo || ldexp(a->hi, variable) != b->hi ||
+                ldexp(e[i].box.im.lo, variable) != f[i].box.im.lo ||
+                ldexp(e[i].box.im.hi, variable) != f[i].box.im.hi) {
+                case_print(&p, e, count), case_print(&q, f, count);
+                fail_msg("scaling the variable by 2^%d, the value by 2^%d changes digits", variable, value);
+            }
+        }
+    }
 }
 
 int main(void) { return unit_run("allroots properties"); }

@@ -40,34 +40,6 @@ static algsurf_status timed(char *text, const algsurf_constant *constants, size_
     return status;
 }
 
-/* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
-TEST(test_names) {
-    for (size_t length = 2000; length <= 2000000; length *= 1000) {
-        char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
-        const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
-        double bound = length == 2000 ? 0.1 : 5;
-        assert_int_equal(timed(repeated("", "a", length, "b"), constants, 2, bound), ALGSURF_E_NAME);
-        assert_ok(timed(repeated("", "a", length - 1, "x"), constants, 4, bound));
-        assert_int_equal(timed(repeated("x+sin ", "a", length - 1, ""), constants, 4, bound),
-                         ALGSURF_E_SYNTAX);
-        assert_ok(timed(repeated("", "\\mu", length / 4 - 1, " x"), constants, 4, bound));
-        assert_ok(timed(repeated("", "\xce\xbc", length / 4 - 1, "x"), constants, 4, bound));
-        assert_int_equal(timed(repeated("", "x", length, ""), constants, 4, bound), ALGSURF_E_DEGREE);
-        free(name), free(greek);
-    }
-    enum { CONSTANTS = 3000, WIDTH = 8 }; /* many, each the beginning of others */
-    static char names[CONSTANTS][WIDTH], text[CONSTANTS * WIDTH * 10];
-    static algsurf_constant constants[CONSTANTS];
-    for (int n = 0; n < CONSTANTS; n++) {
-        snprintf(names[n], WIDTH, "c%d", n);
-        constants[n] = (algsurf_constant){names[n], 1};
-    }
-    size_t length = 0;
-    for (int n = 0; n < 9 * CONSTANTS; n++)
-        length += (size_t)snprintf(text + length, WIDTH + 1, "c%d+", n % CONSTANTS);
-    assert_ok(timed(repeated("", text, 1, "x"), constants, CONSTANTS, 1));
-}
-
 /* Products, powers and sums of polynomials as large as they can be, in units of the time that it takes to
  * multiply such a polynomial by a constant.  Catches: factors multiplied term by term that are short as they
  * are written, on whatever side, behind whatever sum, sign, divisor or exponent. */
@@ -121,9 +93,7 @@ TEST(test_by_factors) {
     enum { MOST = 8000 };
     static algsurf_term a[MOST], b[MOST];
     for (size_t n = 0; n < sizeof pairs / sizeof *pairs; n++) {
-        algsurf_surface *left = NULL, *right = NULL;
-        left = surface_of(pairs[n][0]);
-        right = surface_of(pairs[n][1]);
+        algsurf_surface *left = surface_of(pairs[n][0]), *right = surface_of(pairs[n][1]);
         size_t count = algsurf_surface_term_count(left);
         if (count != algsurf_surface_term_count(right)) fail_msg("%s: %zu terms", pairs[n][0], count);
         assert_true(count <= MOST);
@@ -136,6 +106,34 @@ TEST(test_by_factors) {
         assert_true(algsurf_surface_rounding(left) < 0x1p-52);
         algsurf_surface_free(left), algsurf_surface_free(right);
     }
+}
+
+/* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
+TEST(test_names) {
+    for (size_t length = 2000; length <= 2000000; length *= 1000) {
+        char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
+        const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
+        double bound = length == 2000 ? 0.1 : 5;
+        assert_int_equal(timed(repeated("", "a", length, "b"), constants, 2, bound), ALGSURF_E_NAME);
+        assert_ok(timed(repeated("", "a", length - 1, "x"), constants, 4, bound));
+        assert_int_equal(timed(repeated("x+sin ", "a", length - 1, ""), constants, 4, bound),
+                         ALGSURF_E_SYNTAX);
+        assert_ok(timed(repeated("", "\\mu", length / 4 - 1, " x"), constants, 4, bound));
+        assert_ok(timed(repeated("", "\xce\xbc", length / 4 - 1, "x"), constants, 4, bound));
+        assert_int_equal(timed(repeated("", "x", length, ""), constants, 4, bound), ALGSURF_E_DEGREE);
+        free(name), free(greek);
+    }
+    enum { CONSTANTS = 3000, WIDTH = 8 }; /* many, each the beginning of others */
+    static char names[CONSTANTS][WIDTH], text[CONSTANTS * WIDTH * 10];
+    static algsurf_constant constants[CONSTANTS];
+    for (int n = 0; n < CONSTANTS; n++) {
+        snprintf(names[n], WIDTH, "c%d", n);
+        constants[n] = (algsurf_constant){names[n], 1};
+    }
+    size_t length = 0;
+    for (int n = 0; n < 9 * CONSTANTS; n++)
+        length += (size_t)snprintf(text + length, WIDTH + 1, "c%d+", n % CONSTANTS);
+    assert_ok(timed(repeated("", text, 1, "x"), constants, CONSTANTS, 1));
 }
 
 int main(void) { return unit_run("equation time"); }
