@@ -12,6 +12,7 @@
 #include "accuracy_pictures.h"
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "results.h"
 #include "surfaces.h"
 
@@ -137,25 +138,19 @@ static void settle(ways *w, record *r) {
 /* ---- the run ---- */
 
 static void print_head(const bench_options *o) {
-    char machine[512];
     size pixels = size_of(o);
-    measure_machine(machine, sizeof machine);
-    printf("%smachine: %s\nkernel: %s\nrays: of the pixels of %d rows of a picture of %dx%d, view of the "
+    measure_print_lines(legend, "");
+    measure_print_machine("");
+    printf("kernel: %s\nrays: of the pixels of %d rows of a picture of %dx%d, view of the "
            "catalogue\nrepeat: %d\n",
-           legend, machine, algsurf_kernel_name(0), pixels.rows, pixels.width, pixels.height, o->repeat);
-}
-
-static void *allocate(size_t count, size_t bytes) {
-    void *memory = calloc(count, bytes);
-    if (!memory) cli_no_memory();
-    return memory;
+           algsurf_kernel_name(0), pixels.rows, pixels.width, pixels.height, o->repeat);
 }
 
 static void run_all(const bench_options *o, record *records) {
     size_t count = (size_t)o->surfaces.count;
     size pixels = size_of(o);
-    view **v = allocate(count, sizeof *v);
-    ways **w = allocate(count, sizeof *w);
+    view **v = must_allocate(count, sizeof *v);
+    ways **w = must_allocate(count, sizeof *w);
     for (size_t i = 0; i < count; i++) {
         v[i] = view_open(o->surfaces.entry[i], pixels.width, pixels.height, pixels.rows);
         w[i] = ways_open(v[i]);
@@ -183,8 +178,8 @@ int main(int argc, char **argv) {
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     if (o.surfaces.count == 0) add_usual_surfaces(&o);
     if (o.output) results_folder(o.output);
-    record *records = allocate((size_t)o.surfaces.count, sizeof *records);
-    picture_record *pictures = allocate((size_t)o.surfaces.count, sizeof *pictures);
+    record *records = must_allocate((size_t)o.surfaces.count, sizeof *records);
+    picture_record *pictures = must_allocate((size_t)o.surfaces.count, sizeof *pictures);
     run_all(&o, records);
     for (int i = 0; i < o.surfaces.count; i++)
         pictures_run(o.surfaces.entry[i], o.quick, o.repeat, &pictures[i]);

@@ -4,6 +4,7 @@
 
 #include "accuracy_report.h"
 #include "cli.h"
+#include "must.h"
 #include "results.h"
 
 /* ---- numbers ---- */
@@ -112,9 +113,8 @@ static void write_charts(const record *r, const char *folder) {
         "settings without a wrong answer that no other beats in both.";
     static const int tiers[TIERS] = {ALGSURF_TIER_BOUNDED, ALGSURF_TIER_CERTIFIED};
     char name[TEXT];
-    panel *panels = calloc(TIERS, sizeof *panels);
+    panel *panels = must_allocate(TIERS, sizeof *panels);
     plot plots[TIERS];
-    if (!panels) cli_no_memory();
     for (int i = 0; i < TIERS; i++) {
         panel *p = &panels[i];
         fill_panel(p, r, tiers[i]);

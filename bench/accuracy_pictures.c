@@ -10,6 +10,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "results.h"
 
 static const double DEGREE = 57.29577951308232;
@@ -21,18 +22,9 @@ typedef struct planes {
     double *t;
 } planes;
 
-static void must(const picture_record *r, algsurf_status status) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", r->entry->name, algsurf_status_text(status));
-}
-
-static void *allocate(size_t count, size_t bytes) {
-    void *memory = calloc(count, bytes);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
 static planes make_planes(size_t pixels) {
-    return (planes){allocate(pixels, 3), allocate(pixels, 1), allocate(pixels, sizeof(double))};
+    return (planes){must_allocate(pixels, 3), must_allocate(pixels, 1),
+                    must_allocate(pixels, sizeof(double))};
 }
 
 static void free_planes(planes *p) {
@@ -49,8 +41,8 @@ static void place_camera(const picture_record *r, double distance, algsurf_scene
     for (int i = 0; i < 3; i++)
         eye[i] =
             e->extent.centre[i] + distance * e->extent.size[0] * (e->eye[i] - e->extent.centre[i]) / length;
-    must(r, algsurf_camera_pinhole(eye, e->extent.centre, e->up, fov, &camera));
-    must(r, algsurf_scene_set_camera(scene, &camera));
+    must(algsurf_camera_pinhole(eye, e->extent.centre, e->up, fov, &camera), r->entry->name);
+    must(algsurf_scene_set_camera(scene, &camera), r->entry->name);
 }
 
 /* CPU seconds.  With all planes, or those that are timed. */
@@ -61,9 +53,9 @@ static double draw(const picture_record *r, const picture_size *size, int tier, 
         .size = sizeof options, .width = size->width, .height = size->height, .threads = 1};
     const algsurf_picture picture = {
         .size = sizeof picture, .pixels = to->pixels, .t = to->t, .state = all ? to->state : NULL};
-    must(r, algsurf_scene_set_intersect(scene, &how));
+    must(algsurf_scene_set_intersect(scene, &how), r->entry->name);
     double begun = measure_cpu();
-    must(r, algsurf_render(scene, &options, &picture, NULL));
+    must(algsurf_render(scene, &options, &picture, NULL), r->entry->name);
     return measure_cpu() - begun;
 }
 
@@ -102,9 +94,9 @@ void pictures_run(const catalogue_entry *entry, int quick, int repeat, picture_r
     algsurf_scene *scene;
     *r = (picture_record){.entry = entry, .repeat = repeat, .sizes = quick ? 3 : SIZES};
     for (int i = 0; i < r->sizes; i++) r->size[i] = quick ? few[i] : all[i];
-    must(r, algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL));
-    must(r, algsurf_scene_create(surface, &scene));
-    must(r, algsurf_scene_set_extent(scene, &entry->extent));
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), r->entry->name);
+    must(algsurf_scene_create(surface, &scene), r->entry->name);
+    must(algsurf_scene_set_extent(scene, &entry->extent), r->entry->name);
     for (int i = 0; i < r->sizes; i++) run_size(r, &r->size[i], scene, r->line[i]);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
@@ -178,8 +170,8 @@ static plot panel_of(const picture_record *r, panel *p) {
 }
 
 void pictures_files(const picture_record *records, int count, const char *folder) {
-    panel *panels = allocate((size_t)count, sizeof *panels);
-    plot *plots = allocate((size_t)count, sizeof *plots);
+    panel *panels = must_allocate((size_t)count, sizeof *panels);
+    plot *plots = must_allocate((size_t)count, sizeof *plots);
     write_csv(records, count, folder);
     for (int i = 0; i < count; i++) plots[i] = panel_of(&records[i], &panels[i]);
     results_plot(plots, (size_t)count, folder, "accuracy_pictures.svg");

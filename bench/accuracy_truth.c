@@ -5,10 +5,6 @@
  * from its terms in double-double, t is polished by Newton's method, and P has certain, opposite signs at
  * t - error and t + error.  That no root comes before is looked at too, though not proved: P has no certain
  * sign other than the first at a few places from the beginning of the chord to the root, or to its end.
- *
- * Double-double: Dekker, A floating-point technique for extending the available precision, 1971, with the
- * error bounds of Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of
- * double-word arithmetic, 2017: 3 u^2 for a sum, 7 u^2 for a product, u = 2^-53.
  */
 #include "accuracy_truth.h"
 
@@ -16,42 +12,10 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
+#include "twofold.h"
 
 enum { SAMPLES = 24, NEWTON_STEPS = 8 };
-
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
-
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count ? count : 1, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
-/* ---- double-double ---- */
-
-typedef struct twofold {
-    double hi, lo;
-} twofold;
-
-static twofold sum(double a, double b) {
-    double s = a + b, part = s - a;
-    return (twofold){s, (a - (s - part)) + (b - part)};
-}
-
-static twofold add(twofold a, twofold b) {
-    twofold s = sum(a.hi, b.hi), t = sum(a.lo, b.lo);
-    s = sum(s.hi, s.lo + t.hi);
-    return sum(s.hi, s.lo + t.lo);
-}
-
-static twofold multiply(twofold a, twofold b) {
-    double p = a.hi * b.hi, e = fma(a.hi, b.hi, -p);
-    return sum(p, e + (a.hi * b.lo + a.lo * b.hi));
-}
-
-static twofold twice(double a) { return (twofold){a, 0}; }
 
 /* ---- P ---- */
 
@@ -203,7 +167,7 @@ static int is_taken(int y, int rows, int height) {
 }
 
 view *view_open(const catalogue_entry *entry, int width, int height, int rows) {
-    view *v = allocate(1, sizeof *v);
+    view *v = must_allocate(1, sizeof *v);
     size_t room = (size_t)width * (size_t)rows;
     v->entry = entry;
     v->width = width;
@@ -212,13 +176,13 @@ view *view_open(const catalogue_entry *entry, int width, int height, int rows) {
         cli_fail(CLI_BROKEN, "%s: not inside a sphere", entry->name);
     must(algsurf_surface_from_equation(entry->equation, NULL, 0, &v->surface, NULL), entry->name);
     v->term_count = algsurf_surface_term_count(v->surface);
-    v->terms = allocate(v->term_count, sizeof *v->terms);
+    v->terms = must_allocate(v->term_count, sizeof *v->terms);
     must(algsurf_surface_terms(v->surface, v->terms), entry->name);
     must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &v->camera), entry->name);
-    v->pixel = allocate(room, sizeof *v->pixel);
-    v->ray = allocate(room, sizeof *v->ray);
-    v->chord = allocate(room, sizeof *v->chord);
-    v->truth = allocate(room, sizeof *v->truth);
+    v->pixel = must_allocate(room, sizeof *v->pixel);
+    v->ray = must_allocate(room, sizeof *v->ray);
+    v->chord = must_allocate(room, sizeof *v->chord);
+    v->truth = must_allocate(room, sizeof *v->truth);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) add_ray(v, x, y, is_taken(y, rows, height));
     if (v->hits == 0) cli_fail(CLI_BROKEN, "%s: no ray hits it", entry->name);

@@ -7,6 +7,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 
 /* How many units of view_noise the residual at t may have: rounding of the coefficients, of P's value and of
  * the position. */
@@ -44,21 +45,10 @@ const char *tier_name(int tier) {
     return names[tier];
 }
 
-static void must(const ways *w, algsurf_status status) {
-    if (status != ALGSURF_OK)
-        cli_fail(CLI_BROKEN, "%s: %s", w->view->entry->name, algsurf_status_text(status));
-}
-
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
-static double *numbers(const view *v) { return allocate(v->count, sizeof(double)); }
+static double *numbers(const view *v) { return must_allocate(v->count, sizeof(double)); }
 
 ways *ways_open(const view *v) {
-    ways *w = allocate(1, sizeof *w);
+    ways *w = must_allocate(1, sizeof *w);
     size_t pixels = (size_t)v->width * (size_t)v->height;
     w->view = v;
     for (int k = 0; k < 3; k++) {
@@ -75,14 +65,14 @@ ways *ways_open(const view *v) {
     w->lo = numbers(v);
     w->hi = numbers(v);
     w->error = numbers(v);
-    w->answer = allocate(v->count, sizeof *w->answer);
-    w->state = allocate(v->count, 1);
-    w->picture_hits = allocate(pixels, sizeof(double));
-    w->pixels = allocate(pixels, 3);
-    w->settled_pixels = allocate(pixels, 3);
-    must(w, algsurf_scene_create(v->surface, &w->scene));
-    must(w, algsurf_scene_set_extent(w->scene, &v->entry->extent));
-    must(w, algsurf_scene_set_camera(w->scene, &v->camera));
+    w->answer = must_allocate(v->count, sizeof *w->answer);
+    w->state = must_allocate(v->count, 1);
+    w->picture_hits = must_allocate(pixels, sizeof(double));
+    w->pixels = must_allocate(pixels, 3);
+    w->settled_pixels = must_allocate(pixels, 3);
+    must(algsurf_scene_create(v->surface, &w->scene), w->view->entry->name);
+    must(algsurf_scene_set_extent(w->scene, &v->entry->extent), w->view->entry->name);
+    must(algsurf_scene_set_camera(w->scene, &v->camera), w->view->entry->name);
     return w;
 }
 
@@ -128,7 +118,7 @@ static double run_singly(ways *w, const setting *s) {
         w->answer[i] = (answer){hit.state, 1, hit.t, hit.t_lo, hit.t_hi};
     }
     double seconds = measure_cpu() - begun;
-    must(w, worst);
+    must(worst, w->view->entry->name);
     return seconds / (double)v->count;
 }
 
@@ -147,7 +137,7 @@ static double run_together(ways *w, const setting *s) {
     double begun = measure_cpu();
     algsurf_status status = algsurf_intersect_packet(v->surface, &v->entry->extent, &rays, &options, &hits);
     double seconds = measure_cpu() - begun;
-    must(w, status);
+    must(status, w->view->entry->name);
     for (size_t i = 0; i < v->count; i++)
         w->answer[i] = (answer){w->state[i], 1, w->t[i], w->lo[i], w->hi[i]};
     return seconds / (double)v->count;
@@ -162,9 +152,9 @@ static double draw(ways *w, const setting *s) {
         .size = sizeof options, .width = v->width, .height = v->height, .threads = 1};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = w->pixels, .t = w->picture_hits};
     algsurf_render_stats stats = {.size = sizeof stats};
-    must(w, algsurf_scene_set_intersect(w->scene, &intersect));
+    must(algsurf_scene_set_intersect(w->scene, &intersect), w->view->entry->name);
     double begun = measure_cpu();
-    must(w, algsurf_render(w->scene, &options, &picture, &stats));
+    must(algsurf_render(w->scene, &options, &picture, &stats), w->view->entry->name);
     double seconds = measure_cpu() - begun;
     return seconds * (stats.expand_s + stats.solve_s + stats.point_s) / stats.total_s;
 }

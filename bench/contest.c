@@ -34,7 +34,8 @@ void contest_warm_up(contestant *contestants, size_t count, size_t items, double
     }
 }
 
-void contest_run(contestant *contestants, size_t count, int takes) {
+void contest_run(contestant *contestants, contest_row *row, size_t count, int takes, double units_a_second,
+                 contest_table *table) {
     for (int take = 0; take < takes; take++)
         for (contestant *c = contestants; c < contestants + count; c++) {
             double begun = measure_cpu();
@@ -45,4 +46,8 @@ void contest_run(contestant *contestants, size_t count, int takes) {
             } while (measure_cpu() - begun < 2e-3);
             c->seconds[take] = (measure_cpu() - begun) / (double)(rounds * c->count);
         }
+    for (size_t k = 0; k < count; k++) {
+        contest_tell_time(&row[k], contestants[k].seconds, (size_t)takes, units_a_second);
+        contest_add(table, &row[k]);
+    }
 }

@@ -17,9 +17,6 @@ typedef struct contestant {
 /* Lets each solve as many of the items as it can in the budget of CPU seconds, at least one: its count. */
 void contest_warm_up(contestant *contestants, size_t count, size_t items, double budget);
 
-/* Times each on its items, in turn, so many takes. */
-void contest_run(contestant *contestants, size_t count, int takes);
-
 /* One line of the table: how a program did on one task. */
 typedef struct contest_row {
     const char *section, *task;
@@ -40,6 +37,10 @@ void contest_add(contest_table *table, const contest_row *row);
 /* Sorts the seconds, and puts median and spread in the unit into the row. */
 void contest_tell_time(contest_row *row, double *seconds, size_t count, double units_a_second);
 
+/* Times each on its items, in turn, so many takes; adds the rows, one of each, with the times. */
+void contest_run(contestant *contestants, contest_row *row, size_t count, int takes, double units_a_second,
+                 contest_table *table);
+
 /* What is told of a section: times are in units of the median of the program "algsurf". */
 typedef struct contest_chapter {
     const char *section, *title;                       /* some lines, above the table */
@@ -47,6 +48,9 @@ typedef struct contest_chapter {
     double most_error;                                 /* more is marked; 0: nothing is */
     const char *caption, *subtitle;                    /* of the chart */
 } contest_chapter;
+
+/* The head of a report: who is compared, how, and where. */
+void contest_head(const char *others, int takes);
 
 /* Each chapter that has rows, on standard output. */
 void contest_print(const contest_chapter *chapters, size_t count, const contest_table *table);

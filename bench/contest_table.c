@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "cli.h"
+#include "algsurf/status.h"
 #include "contest.h"
+#include "measure.h"
 #include "results.h"
 
 /* Of the row's task, the time of the program "algsurf". */
@@ -40,6 +42,14 @@ static void print_chapter(const contest_chapter *c, const contest_table *t) {
         }
         print_row(r, r->median / own_time(t, r), c->most_error > 0 && r->error > c->most_error);
     }
+}
+
+void contest_head(const char *others, int takes) {
+    char machine[512];
+    measure_machine(machine, sizeof machine);
+    printf("libalgsurf and %s; medians of %d takes in turn; times: in units of algsurf's median\n"
+           "machine: %s; kernel %s\n",
+           others, takes, machine, algsurf_kernel_name(0));
 }
 
 void contest_print(const contest_chapter *chapters, size_t count, const contest_table *table) {

@@ -11,6 +11,7 @@
 #include "cli.h"
 #include "decided_beside.h"
 #include "decided_report.h"
+#include "must.h"
 #include "results.h"
 
 enum { MOST_RAYS = 10000, NAMED = 2 };
@@ -141,16 +142,10 @@ static void take_times(task *w, double *us[WAYS]) {
         }
 }
 
-static double *make_room(size_t count) {
-    double *values = calloc(count, sizeof *values);
-    if (!values) cli_no_memory();
-    return values;
-}
-
 /* Of the rays' ratios, NaN where a way was not asked. */
 static double median_ratio(const double *us, const double *by, size_t count) {
     if (!us || !by) return NAN;
-    double *ratio = make_room(count);
+    double *ratio = must_allocate(count, sizeof(double));
     for (size_t i = 0; i < count; i++) ratio[i] = us[i] / by[i];
     measure_sort(ratio, count);
     double median = measure_quantile(ratio, count, 0.5);
@@ -169,7 +164,7 @@ static finding examine(const example *e, const beside_edition *other) {
     const int asked[WAYS] = {1, e->kind == KIND_CLEAR && f.open == 0, other != NULL};
     double *us[WAYS] = {NULL};
     for (int k = 0; k < WAYS; k++)
-        if (asked[k]) us[k] = make_room(e->count);
+        if (asked[k]) us[k] = must_allocate(e->count, sizeof(double));
     take_times(&w, us);
     f.ratio = median_ratio(us[OTHER], us[CERTIFIED], e->count);
     for (int k = 0; k < WAYS; k++)
@@ -217,10 +212,10 @@ static size_t run_named(const bench_options *o, const beside_edition *other, fin
 }
 
 static void print_head(const bench_options *o, const beside_edition *other) {
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    printf("%s%smachine: %s\nkernel: %s\nrays: %d of a surface\nseed: %d\n", legend,
-           other ? legend_beside : "", machine, algsurf_kernel_name(0), o->rays, o->seed);
+    measure_print_lines(legend, "");
+    if (other) measure_print_lines(legend_beside, "");
+    measure_print_machine("");
+    printf("kernel: %s\nrays: %d of a surface\nseed: %d\n", algsurf_kernel_name(0), o->rays, o->seed);
     if (other) printf("beside: %s\n", other->name);
 }
 

@@ -26,19 +26,10 @@
 
 #include "catalogue.h"
 #include "cli.h"
+#include "must.h"
 
 const char *const kind_names[KINDS] = {"clear",   "end",    "gap-20", "gap-60",  "gap-200",
                                        "tangent", "square", "inside", "own-ball"};
-
-static void must(algsurf_status status) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "a ray is refused: %s", algsurf_status_text(status));
-}
-
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
 
 /* ---- polynomials in x, y, z ---- */
 
@@ -54,7 +45,7 @@ static double *entry(const dense *p, int i, int j, int k) {
 
 static dense make(int degree) {
     size_t m = (size_t)degree + 1;
-    return (dense){degree, allocate(m * m * m, sizeof(double))};
+    return (dense){degree, must_allocate(m * m * m, sizeof(double))};
 }
 
 typedef struct walk {
@@ -199,14 +190,14 @@ static dense make_surface(const dense *l, int degree, kind which, measure_random
 
 static algsurf_surface *surface_of(const dense *p) {
     size_t count = 0, most = (size_t)(p->degree + 1) * (size_t)(p->degree + 2) * (size_t)(p->degree + 3) / 6;
-    algsurf_term *terms = allocate(most, sizeof *terms);
+    algsurf_term *terms = must_allocate(most, sizeof *terms);
     algsurf_surface *surface;
     walk w = {0, 0, 0};
     do {
         double a = *entry(p, w.i, w.j, w.k);
         if (a != 0) terms[count++] = (algsurf_term){w.i, w.j, w.k, a};
     } while (next(&w, p->degree));
-    must(algsurf_surface_from_terms(terms, count, &surface));
+    must(algsurf_surface_from_terms(terms, count, &surface), "a ray is refused");
     free(terms);
     return surface;
 }
@@ -245,7 +236,7 @@ static algsurf_ray random_ray(const dense *l, measure_random *random) {
 static double entry_of(const example *e, const algsurf_ray *ray) {
     algsurf_ray chord;
     int meets;
-    must(algsurf_extent_clip(&e->extent, ray, &chord, &meets));
+    must(algsurf_extent_clip(&e->extent, ray, &chord, &meets), "a ray is refused");
     if (!meets) cli_fail(CLI_BROKEN, "%s: a ray beside the extent", kind_names[e->kind]);
     return chord.t_min;
 }
@@ -256,7 +247,7 @@ static int hits_from(const example *e, const algsurf_ray *from, double t) {
     algsurf_hit hit;
     ray.t_min = t;
     ray.t_max = fmin(ray.t_max, t + 1e-9 * fabs(t));
-    must(algsurf_intersect_first(e->equation, &e->extent, &ray, NULL, &hit));
+    must(algsurf_intersect_first(e->equation, &e->extent, &ray, NULL, &hit), "a ray is refused");
     return hit.state == ALGSURF_HIT;
 }
 
@@ -265,7 +256,7 @@ static void begin_at_root(const example *e, size_t i) {
     enum { FAR = 100000 };
     double t = e->t[i], after;
     algsurf_hit hit;
-    must(algsurf_intersect_first(e->equation, &e->extent, &e->ray[i], NULL, &hit));
+    must(algsurf_intersect_first(e->equation, &e->extent, &e->ray[i], NULL, &hit), "a ray is refused");
     t = hit.t;
     int steps = 0;
     while (steps++ < FAR && !hits_from(e, &e->ray[i], t)) t = nextafter(t, 0);
@@ -277,8 +268,8 @@ static void begin_at_root(const example *e, size_t i) {
 
 static void take_rays(example *e, size_t count) {
     e->count = count;
-    e->ray = allocate(count, sizeof *e->ray);
-    e->t = allocate(count, sizeof *e->t);
+    e->ray = must_allocate(count, sizeof *e->ray);
+    e->t = must_allocate(count, sizeof *e->t);
 }
 
 void example_random(example *e, int degree, kind which, size_t count, int seed) {
@@ -308,7 +299,7 @@ void example_random(example *e, int degree, kind which, size_t count, int seed) 
 static int sign_at(const example *e, const algsurf_ray *ray, double t) {
     double x[3], value, bound;
     for (int k = 0; k < 3; k++) x[k] = fma(t, ray->direction[k], ray->origin[k]);
-    must(algsurf_surface_value(e->equation, x, &value, &bound));
+    must(algsurf_surface_value(e->equation, x, &value, &bound), "a ray is refused");
     return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
@@ -316,7 +307,7 @@ static int sign_at(const example *e, const algsurf_ray *ray, double t) {
 static int is_clear(const example *e, const algsurf_ray *ray, double *t) {
     const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
     algsurf_hit hit;
-    must(algsurf_intersect_first(e->equation, &e->extent, ray, &bounded, &hit));
+    must(algsurf_intersect_first(e->equation, &e->extent, ray, &bounded, &hit), "a ray is refused");
     *t = hit.t;
     return hit.state == ALGSURF_HIT &&
            sign_at(e, ray, hit.t * (1 - 1e-6)) * sign_at(e, ray, hit.t * (1 + 1e-6)) < 0;
@@ -331,12 +322,13 @@ void example_named(example *e, const char *name, kind which, size_t count, int s
     e->multiplicity = 1;
     e->least = 1;
     e->most = e->degree;
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &e->equation, NULL));
-    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &e->equation, NULL), "a ray is refused");
+    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
+         "a ray is refused");
     take_rays(e, count);
     for (size_t i = 0; i < count;) {
         double x = measure_uniform(&random, 0, WIDTH), y = measure_uniform(&random, 0, HEIGHT);
-        must(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x, y, &e->ray[i]));
+        must(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x, y, &e->ray[i]), "a ray is refused");
         if (!is_clear(e, &e->ray[i], &e->t[i])) continue;
         if (which == KIND_END) begin_at_root(e, i);
         i++;

@@ -11,6 +11,7 @@
 
 #include "cli.h"
 #include "extremes_report.h"
+#include "must.h"
 #include "results.h"
 
 enum { REPEAT = 3, MOST_VARIANTS = 6, MOST_RAYS = 10000 };
@@ -69,15 +70,9 @@ static const char legend[] =
 
 /* ---- one scene, in all manners ---- */
 
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
 static answers make_answers(size_t count) {
-    return (answers){allocate(count, 1), allocate(count, sizeof(double)), allocate(count, sizeof(double)),
-                     allocate(count, sizeof(double))};
+    return (answers){must_allocate(count, 1), must_allocate(count, sizeof(double)),
+                     must_allocate(count, sizeof(double)), must_allocate(count, sizeof(double))};
 }
 
 static void free_answers(answers *a) {
@@ -111,7 +106,7 @@ static void ask(void *data) {
 }
 
 static truth *find_truths(work *w) {
-    truth *known = allocate(w->scene.count, sizeof *known);
+    truth *known = must_allocate(w->scene.count, sizeof *known);
     w->manner = MANNER_CERTIFIED;
     ask(w);
     for (size_t i = 0; i < w->scene.count; i++) known[i] = scene_truth(&w->scene, i, &w->answers);
@@ -173,7 +168,8 @@ static void run_sweep(const bench_options *o, const sweep *which, record *r) {
     r->sweep = which;
     for (w.point = 0; w.point < which->points; w.point++) {
         tally tallies[MANNERS] = {{0}};
-        for (int m = 0; m < MANNERS; m++) tallies[m].error = allocate(MOST_VARIANTS * rays, sizeof(double));
+        for (int m = 0; m < MANNERS; m++)
+            tallies[m].error = must_allocate(MOST_VARIANTS * rays, sizeof(double));
         for (w.variant = 0; w.variant < which->variants; w.variant++) run_scene(&w, tallies);
         for (int m = 0; m < MANNERS; m++) {
             r->finding[w.point][m] = find(&tallies[m]);
@@ -186,10 +182,9 @@ static void run_sweep(const bench_options *o, const sweep *which, record *r) {
 /* ---- the run ---- */
 
 static void print_head(const bench_options *o) {
-    char machine[512];
-    measure_machine(machine, sizeof machine);
-    printf("%smachine: %s\nkernel: %s\nrays: %d of a scene\nseed: %d\n", legend, machine,
-           algsurf_kernel_name(0), o->rays, o->seed);
+    measure_print_lines(legend, "");
+    measure_print_machine("");
+    printf("kernel: %s\nrays: %d of a scene\nseed: %d\n", algsurf_kernel_name(0), o->rays, o->seed);
 }
 
 int main(int argc, char **argv) {

@@ -3,38 +3,12 @@
  * P along the ray in double-double, from its terms, with everything scaled by powers of two beforehand: each
  * coordinate, t, and the terms, so that the largest of each is about 1 and neither overflows nor loses its
  * lower half.
- *
- * Double-double: Dekker, A floating-point technique for extending the available precision, 1971; Joldes,
- * Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017.
  */
 #include "extremes_truth.h"
+#include "twofold.h"
 
 #include <limits.h>
 #include <math.h>
-
-/* ---- double-double ---- */
-
-typedef struct twofold {
-    double hi, lo;
-} twofold;
-
-static twofold sum(double a, double b) {
-    double s = a + b, part = s - a;
-    return (twofold){s, (a - (s - part)) + (b - part)};
-}
-
-static twofold add(twofold a, twofold b) {
-    twofold s = sum(a.hi, b.hi), t = sum(a.lo, b.lo);
-    s = sum(s.hi, s.lo + t.hi);
-    return sum(s.hi, s.lo + t.lo);
-}
-
-static twofold multiply(twofold a, twofold b) {
-    double p = a.hi * b.hi, e = fma(a.hi, b.hi, -p);
-    return sum(p, e + (a.hi * b.lo + a.lo * b.hi));
-}
-
-static twofold twice(double a) { return (twofold){a, 0}; }
 
 /* ---- P along a ray ---- */
 

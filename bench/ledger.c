@@ -13,16 +13,13 @@
 #include "catalogue.h"
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "rays.h"
 
 static const double BUDGET = 0.1; /* seconds for a task */
 enum { RAYS = 4096, POLYNOMIALS = 512, ROOM = 160 };
 
 static const char *kernel; /* null: the fastest */
-
-static void must(algsurf_status status, const char *what) {
-    if (status < 0) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
 
 static const catalogue_entry *entry_of(const char *name) {
     const catalogue_entry *entry = catalogue_find(name);
@@ -32,7 +29,7 @@ static const catalogue_entry *entry_of(const char *name) {
 
 static algsurf_surface *surface_of(const catalogue_entry *entry) {
     algsurf_surface *surface;
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
+    must_answer(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
     return surface;
 }
 
@@ -56,24 +53,23 @@ static double time_picture(const char *name, int kind) {
                                                                   : 480,
                                       .threads = 1};
     const size_t pixels = (size_t)o.width * (size_t)o.height;
-    uint8_t *bytes = malloc(3 * pixels);
+    uint8_t *bytes = must_allocate(3 * pixels, 1);
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes};
-    if (!bytes) cli_no_memory();
     rays_camera(&entry->extent, &camera);
-    must(algsurf_scene_create(surface, &scene), name);
-    must(algsurf_scene_set_extent(scene, &entry->extent), name);
-    must(algsurf_scene_set_camera(scene, &camera), name);
-    must(algsurf_scene_set_intersect(scene, &how), name);
-    if (kind == FULL) must(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), name);
-    if (kind == COMPLEX) must(algsurf_scene_set_complex_space(scene, &space), name);
+    must_answer(algsurf_scene_create(surface, &scene), name);
+    must_answer(algsurf_scene_set_extent(scene, &entry->extent), name);
+    must_answer(algsurf_scene_set_camera(scene, &camera), name);
+    must_answer(algsurf_scene_set_intersect(scene, &how), name);
+    if (kind == FULL) must_answer(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), name);
+    if (kind == COMPLEX) must_answer(algsurf_scene_set_complex_space(scene, &space), name);
     if (kind == ANTIALIAS) {
-        must(algsurf_scene_set_antialias(scene, 4), name);
-        must(algsurf_scene_set_antialias_threshold(scene, 0.1), name);
+        must_answer(algsurf_scene_set_antialias(scene, 4), name);
+        must_answer(algsurf_scene_set_antialias_threshold(scene, 0.1), name);
     }
     double least = HUGE_VAL, begun = measure_cpu();
     for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
         const double before = measure_cpu();
-        must(algsurf_render(scene, &o, &planes, NULL), name);
+        must_answer(algsurf_render(scene, &o, &planes, NULL), name);
         least = fmin(least, measure_cpu() - before);
     }
     free(bytes);
@@ -103,9 +99,9 @@ static double time_rays(const char *name, int kind) {
     measure_random random = {7};
     rays_camera(&entry->extent, &camera);
     for (int i = 0; i < RAYS; i++) {
-        must(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
-                                measure_uniform(&random, 0, 768), &ray[i]),
-             name);
+        must_answer(algsurf_camera_ray(&camera, 1024, 768, measure_uniform(&random, 128, 896),
+                                       measure_uniform(&random, 0, 768), &ray[i]),
+                    name);
         for (int k = 0; k < 3; k++) origin[k][i] = ray[i].origin[k], direction[k][i] = ray[i].direction[k];
     }
     double least = HUGE_VAL, begun = measure_cpu();
@@ -113,10 +109,10 @@ static double time_rays(const char *name, int kind) {
         const double before = measure_cpu();
         algsurf_hit hit;
         if (kind == PACKET || kind == ENDLESS_PACKET)
-            must(algsurf_intersect_packet(surface, extent, &rays, &how, &hits), name);
+            must_answer(algsurf_intersect_packet(surface, extent, &rays, &how, &hits), name);
         else
             for (int i = 0; i < RAYS; i++)
-                must(algsurf_intersect_first(surface, extent, &ray[i], &how, &hit), name);
+                must_answer(algsurf_intersect_first(surface, extent, &ray[i], &how, &hit), name);
         least = fmin(least, measure_cpu() - before);
     }
     algsurf_surface_free(surface);
@@ -176,12 +172,14 @@ static void solve(const double *c, int n, int kind) {
     algsurf_bracket bracket;
     int count;
     for (int i = 0; i < POLYNOMIALS; i++, c += n + 1) {
-        if (kind == ROOTS) must(algsurf_real_roots(c, n, -1, 1, roots, n, &count), "roots");
-        if (kind == LINE) must(algsurf_real_roots(c, n, -HUGE_VAL, HUGE_VAL, roots, n, &count), "line");
-        if (kind == NUMBER) must(algsurf_count_roots(c, NULL, n, -HUGE_VAL, HUGE_VAL, &count), "number");
+        if (kind == ROOTS) must_answer(algsurf_real_roots(c, n, -1, 1, roots, n, &count), "roots");
+        if (kind == LINE)
+            must_answer(algsurf_real_roots(c, n, -HUGE_VAL, HUGE_VAL, roots, n, &count), "line");
+        if (kind == NUMBER)
+            must_answer(algsurf_count_roots(c, NULL, n, -HUGE_VAL, HUGE_VAL, &count), "number");
         if (kind == ISOLATE)
-            must(algsurf_isolate_first(c, NULL, n, -1, 1, NULL, &bracket, &count), "isolate");
-        if (kind == BOXES) must(algsurf_complex_roots_of_real(c, NULL, n, boxes, &count), "boxes");
+            must_answer(algsurf_isolate_first(c, NULL, n, -1, 1, NULL, &bracket, &count), "isolate");
+        if (kind == BOXES) must_answer(algsurf_complex_roots_of_real(c, NULL, n, boxes, &count), "boxes");
     }
 }
 
@@ -200,7 +198,7 @@ static double time_polynomials(const char *name, int kind) {
     for (int takes = 0; takes < 2 || measure_cpu() - begun < BUDGET; takes++) {
         const double before = measure_cpu();
         if (kind == FIRST)
-            must(algsurf_first_roots_batch(&batch, &how, state, root), name);
+            must_answer(algsurf_first_roots_batch(&batch, &how, state, root), name);
         else
             solve(c, n, kind);
         least = fmin(least, measure_cpu() - before);
@@ -212,8 +210,7 @@ static double time_polynomials(const char *name, int kind) {
 static double time_cluster(const char *what, int kind) {
     const int bits = 2 * number_of(what, ""), limbs = bits / 64 + 2;
     if (bits < 0) cli_fail(CLI_BAD_INPUT, "cluster/%s: expected a number", what);
-    uint64_t *limb = calloc(3 * (size_t)limbs, sizeof *limb);
-    if (!limb) cli_no_memory();
+    uint64_t *limb = must_allocate(3 * (size_t)limbs, sizeof *limb);
     const uint64_t terms[3] = {25, 80, 64};
     for (int k = 0; k < 3; k++) {
         limb[k * limbs + bits / 64] = terms[k] << bits % 64;
@@ -228,7 +225,7 @@ static double time_cluster(const char *what, int kind) {
         for (int i = 0; i < POLYNOMIALS; i++) {
             algsurf_real_root roots[2];
             int count;
-            must(algsurf_real_roots_integers(c, 2, 0, 1, roots, 2, &count), "cluster");
+            must_answer(algsurf_real_roots_integers(c, 2, 0, 1, roots, 2, &count), "cluster");
             if (count != 2) cli_fail(CLI_BROKEN, "cluster of %s: %d roots", what, count);
         }
         least = fmin(least, measure_cpu() - before);

@@ -38,11 +38,13 @@ static const char *const few_surfaces[] = {"sphere", "torus", "barth", NULL};
 
 static const contest_chapter chapter = {
     .section = "pictures",
-    .title = "Pictures, 1024x768, one sample a pixel, one thread: CPU time of the picture proper, two point "
-             "lights, no\n"
-             "shadows.  hits: pixels that show the surface; lacking, extra: pixels that differ from the picture "
-             "that is\n"
-             "proved, without thin parts; off%: by how much the number of hits does, * where it is more than 0.1 %.",
+    .title =
+        "Pictures, 1024x768, one sample a pixel, one thread: CPU time of the picture proper, two point "
+        "lights, no\n"
+        "shadows.  hits: pixels that show the surface; lacking, extra: pixels that differ from the picture "
+        "that is\n"
+        "proved, without thin parts; off%: by how much the number of hits does, * where it is more than 0.1 "
+        "%.",
     .unit = "ms",
     .count = "hits",
     .missed = "lacking",
@@ -55,17 +57,13 @@ static const contest_chapter chapter = {
 int main(int argc, char **argv) {
     main_options o = {.output = NULL};
     contest_table table = {NULL, 0, 0};
-    char machine[512];
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     if (!o.programs.work) cli_fail(CLI_BAD_INPUT, "--work: is missing");
     if (o.output) results_folder(o.output); /* before the work */
     const int takes = o.quick ? 3 : 5;
     peers_pictures(o.quick ? few_surfaces : all_surfaces, takes, &o.programs, &table);
-    measure_machine(machine, sizeof machine);
-    printf("libalgsurf and its peers; medians of %d takes in turn; times: in units of algsurf's median\n"
-           "machine: %s; kernel %s\n",
-           takes, machine, algsurf_kernel_name(0));
+    contest_head("its peers", takes);
     contest_print(&chapter, 1, &table);
     if (o.output) contest_write(&chapter, 1, &table, o.output, "peers");
     free(table.row);

@@ -18,6 +18,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "peers.h"
 #include "peers_scene.h"
 
@@ -196,17 +197,12 @@ static void hang(const studio *s, double (*seconds)[CONTEST_MOST_TAKES], int tak
     }
 }
 
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
 void peers_pictures(const char *const *surfaces, int takes, const peers_programs *programs,
                     contest_table *table) {
-    studio s = {
-        .programs = programs, .pixels = allocate(PIXELS, 3), .hits = allocate(PIXELS, sizeof *s.hits)};
-    for (int who = 0; who < ARTISTS; who++) s.shows[who] = allocate(PIXELS, 1);
+    studio s = {.programs = programs,
+                .pixels = must_allocate(PIXELS, 3),
+                .hits = must_allocate(PIXELS, sizeof *s.hits)};
+    for (int who = 0; who < ARTISTS; who++) s.shows[who] = must_allocate(PIXELS, 1);
     for (const char *const *name = surfaces; *name; name++) {
         double seconds[ARTISTS][CONTEST_MOST_TAKES];
         peers_scene_open(&s.scene, catalogue_find(*name));

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
 #include "rays.h"
 
 static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii, as rays_camera */
@@ -23,16 +24,6 @@ static const struct {
     double at[3]; /* along the axes of the view, in radii */
     int percent;
 } lights[LIGHTS] = {{{-10, 10, 10}, 70}, {{10, 4, 10}, 40}};
-
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
-
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
 
 static void light_position(const peers_scene *s, int light, double position[3]) {
     for (int c = 0; c < 3; c++) {
@@ -59,9 +50,9 @@ static void make_cube(peers_scene *s, const catalogue_entry *entry) {
     must(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), entry->name);
     size_t side = (size_t)s->degree + 1, count = algsurf_surface_term_count(surface);
     const size_t stride[3] = {side * side, side, 1};
-    algsurf_term *term = allocate(count, sizeof *term);
+    algsurf_term *term = must_allocate(count, sizeof *term);
     must(algsurf_surface_terms(surface, term), entry->name);
-    s->cube = allocate(side * side * side, sizeof *s->cube);
+    s->cube = must_allocate(side * side * side, sizeof *s->cube);
     for (size_t n = 0; n < count; n++)
         s->cube[(size_t)term[n].i * stride[0] + (size_t)term[n].j * stride[1] + (size_t)term[n].k] =
             term[n].a;
@@ -85,7 +76,7 @@ static size_t list_terms(const peers_scene *s, algsurf_term *term) {
 
 static algsurf_term *make_terms(const peers_scene *s, size_t *count) {
     size_t side = (size_t)s->degree + 1;
-    algsurf_term *term = allocate(side * side * side, sizeof *term);
+    algsurf_term *term = must_allocate(side * side * side, sizeof *term);
     *count = list_terms(s, term);
     return term;
 }

@@ -12,6 +12,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "pictures_report.h"
 #include "results.h"
 #include "surfaces.h"
@@ -150,8 +151,7 @@ int main(int argc, char **argv) {
     set_defaults(&o);
     make_plan(&p, o.no_full);
     if (o.output) results_folder(o.output); /* before the work */
-    result *results = calloc((size_t)o.surfaces.count, sizeof *results);
-    if (!results) cli_no_memory();
+    result *results = must_allocate((size_t)o.surfaces.count, sizeof *results);
     for (int i = 0; i < o.surfaces.count; i++) measure(&o, &p, o.surfaces.entry[i], &results[i]);
     const report r = {&p, results, o.surfaces.count, o.width, o.height, o.repeat};
     if (o.output) report_write(&r, o.output);

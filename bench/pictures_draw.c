@@ -15,6 +15,7 @@
 #include <time.h>
 
 #include "cli.h"
+#include "must.h"
 
 static const double DISTANCE = 4, HALF_HEIGHT = 1.1; /* in radii */
 static const double TOWARDS_EYE[3] = {2, -3, 1.2};
@@ -33,17 +34,7 @@ struct stage {
     canvas reference, smooth, canvas;
 };
 
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
-
 static size_t pixel_count(const stage *s) { return (size_t)s->width * (size_t)s->height; }
-
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
 
 /* ---- the stage ---- */
 
@@ -68,7 +59,7 @@ static double above_all(const algsurf_term *terms, size_t count, const algsurf_e
 
 static algsurf_surface *lift(const algsurf_surface *surface, const catalogue_entry *entry) {
     size_t count = algsurf_surface_term_count(surface);
-    algsurf_term *terms = allocate(count + 1, sizeof *terms);
+    algsurf_term *terms = must_allocate(count + 1, sizeof *terms);
     algsurf_surface *lifted;
     must(algsurf_surface_terms(surface, terms), entry->name);
     terms[count] = (algsurf_term){0, 0, 0, above_all(terms, count, &entry->extent)};
@@ -87,7 +78,7 @@ static algsurf_scene *make_scene(const stage *s, const algsurf_surface *surface)
 
 static canvas make_canvas(const stage *s) {
     size_t count = pixel_count(s);
-    return (canvas){allocate(count, 3), allocate(count, sizeof(double))};
+    return (canvas){must_allocate(count, 3), must_allocate(count, sizeof(double))};
 }
 
 static void render(stage *s, const manner *m, const canvas *to, drawing *d);
@@ -95,7 +86,7 @@ static void render(stage *s, const manner *m, const canvas *to, drawing *d);
 stage *stage_open(const catalogue_entry *entry, int width, int height) {
     const manner reference = {.threads = 1, .quality = ALGSURF_QUALITY_STANDARD};
     drawing untimed;
-    stage *s = allocate(1, sizeof *s);
+    stage *s = must_allocate(1, sizeof *s);
     s->entry = entry;
     s->width = width;
     s->height = height;

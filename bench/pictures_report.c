@@ -7,6 +7,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "results.h"
 
 static const char legend[] =
@@ -150,11 +151,10 @@ typedef struct chart {
 
 static chart open_chart(const report *r) {
     size_t n = (size_t)r->surfaces;
-    chart c = {.name = calloc(n + 1, sizeof *c.name),
-               .x = calloc(n, sizeof *c.x),
-               .y = calloc(MOST_SERIES * n, sizeof *c.y),
+    chart c = {.name = must_allocate(n + 1, sizeof *c.name),
+               .x = must_allocate(n, sizeof *c.x),
+               .y = must_allocate(MOST_SERIES * n, sizeof *c.y),
                .surfaces = n};
-    if (!c.name || !c.x || !c.y) cli_no_memory();
     for (size_t i = 0; i < n; i++) {
         c.name[i] = r->results[i].entry->name;
         c.x[i] = (double)i;

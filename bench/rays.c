@@ -9,12 +9,9 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 
 enum { WIDTH = 1024, HEIGHT = 768 };
-
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
 
 void rays_camera(const algsurf_extent *extent, algsurf_camera *camera) {
     const double distance = 4, half_height = 1.1; /* in radii */

@@ -15,6 +15,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "results.h"
 #include "surfaces.h"
 #include "view.h"
@@ -66,23 +67,18 @@ typedef struct studio {
     unsigned char *pixels, *states;
 } studio;
 
-static void must(algsurf_status status, const studio *s) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", s->entry->name, algsurf_status_text(status));
-}
-
 static studio open_studio(const catalogue_entry *entry, int width) {
     studio s = {.entry = entry, .width = width, .height = 3 * width / 4};
     const view_options size = {.width = s.width, .height = s.height};
     const size_t room = (size_t)width * SLICE;
     s.shown = view_make(&size, entry);
     s.camera = view_camera(&s.shown, 0, 1);
-    s.pixels = malloc(3 * room);
-    s.states = malloc(room);
-    if (!s.pixels || !s.states) cli_no_memory();
-    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &s.surface, NULL), &s);
-    must(algsurf_scene_create(s.surface, &s.scene), &s);
-    must(algsurf_scene_set_extent(s.scene, &s.shown.extent), &s);
-    must(algsurf_scene_set_camera(s.scene, &s.camera), &s);
+    s.pixels = must_allocate(3 * room, 1);
+    s.states = must_allocate(room, 1);
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &s.surface, NULL), entry->name);
+    must(algsurf_scene_create(s.surface, &s.scene), entry->name);
+    must(algsurf_scene_set_extent(s.scene, &s.shown.extent), entry->name);
+    must(algsurf_scene_set_camera(s.scene, &s.camera), entry->name);
     return s;
 }
 
@@ -108,15 +104,15 @@ static algsurf_render_stats draw_slice(const studio *s, int begin, int with_stat
     const algsurf_picture picture = {
         .size = sizeof picture, .pixels = s->pixels, .state = with_states ? s->states : NULL};
     algsurf_render_stats stats = {.size = sizeof stats};
-    must(algsurf_render(s->scene, &options, &picture, &stats), s);
+    must(algsurf_render(s->scene, &options, &picture, &stats), s->entry->name);
     return stats;
 }
 
 static void check_pixel(const studio *s, int x, int y, int state) {
     algsurf_ray ray;
     algsurf_hit hit;
-    must(algsurf_camera_ray(&s->camera, s->width, s->height, x + 0.5, y + 0.5, &ray), s);
-    must(algsurf_intersect_first(s->surface, &s->shown.extent, &ray, NULL, &hit), s);
+    must(algsurf_camera_ray(&s->camera, s->width, s->height, x + 0.5, y + 0.5, &ray), s->entry->name);
+    must(algsurf_intersect_first(s->surface, &s->shown.extent, &ray, NULL, &hit), s->entry->name);
     if (hit.state != state)
         cli_fail(CLI_BROKEN, "%s, %d wide: pixel %d,%d: state %d, alone %d", s->entry->name, s->width, x, y,
                  state, hit.state);

@@ -45,7 +45,4 @@ algsurf_table roots_set_rows(const roots_set *set, const double *c, size_t begin
 
 void roots_set_free(roots_set *set);
 
-/* calloc, or the end of the program. */
-void *roots_allocate(size_t count, size_t size);
-
 #endif

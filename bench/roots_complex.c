@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "must.h"
 #include "roots.h"
 #include "roots_others.h"
 
@@ -151,17 +152,17 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
     contestant contestants[SOLVERS];
     contest_row row[SOLVERS];
     size_t count = 0;
-    box = roots_allocate(on->count * (size_t)on->degree, sizeof *box);
-    boxes = roots_allocate(on->count, sizeof *boxes);
-    packed_box = roots_allocate(on->count * (size_t)on->degree, sizeof *packed_box);
-    packed_boxes = roots_allocate(on->count, sizeof *packed_boxes);
+    box = must_allocate(on->count * (size_t)on->degree, sizeof *box);
+    boxes = must_allocate(on->count, sizeof *boxes);
+    packed_box = must_allocate(on->count * (size_t)on->degree, sizeof *packed_box);
+    packed_boxes = must_allocate(on->count, sizeof *packed_boxes);
     for (int k = 0; k < SOLVERS; k++) {
         if (solvers[k].real_only && on->im) continue;
         solver *s = &own[count];
         *s = solvers[k];
         s->on = on;
-        s->root = roots_allocate(on->count * (size_t)on->degree, sizeof *s->root);
-        s->roots = roots_allocate(on->count, sizeof *s->roots);
+        s->root = must_allocate(on->count * (size_t)on->degree, sizeof *s->root);
+        s->roots = must_allocate(on->count, sizeof *s->roots);
         contestants[count] = (contestant){.program = s->program, .solve = solve, .self = s};
         row[count++] = (contest_row){.section = "all roots",
                                      .task = on->name,
@@ -176,10 +177,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
         row[k].count = contestants[k].count;
         for (size_t i = 0; own[k].all && i < contestants[k].count; i++) judge_polynomial(&own[k], i, &row[k]);
     }
-    contest_run(contestants, count, effort->takes);
+    contest_run(contestants, row, count, effort->takes, 1e6, table);
     for (size_t k = 0; k < count; k++) {
-        contest_tell_time(&row[k], contestants[k].seconds, (size_t)effort->takes, 1e6);
-        contest_add(table, &row[k]);
         free(own[k].root);
         free(own[k].roots);
     }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
 #include "roots.h"
 #include "roots_others.h"
 
@@ -23,23 +24,19 @@ typedef struct solver {
     double *answer; /* NaN: none */
 } solver;
 
-static void must(algsurf_status status, const char *what) {
-    if (status < 0) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
-
 /* ---- this library ---- */
 
 static double refine_here(const double *c, int degree, double lo, double hi, double tolerance) {
     const algsurf_refine_options options = {.size = sizeof options, .absolute_tolerance = 2 * tolerance};
     algsurf_refined_root root;
-    must(algsurf_refine_poly(c, NULL, degree, lo, hi, &options, &root), "refinement");
+    must_answer(algsurf_refine_poly(c, NULL, degree, lo, hi, &options, &root), "refinement");
     return root.root;
 }
 
 static double first_root(const double *c, int degree, other_refine *refine, double tolerance) {
     algsurf_bracket bracket;
     int found;
-    must(algsurf_isolate_first(c, NULL, degree, -1, 1, NULL, &bracket, &found), "isolation");
+    must_answer(algsurf_isolate_first(c, NULL, degree, -1, 1, NULL, &bracket, &found), "isolation");
     if (!found) return NAN;
     if (bracket.lo == bracket.hi) return bracket.lo;
     return refine(c, degree, bracket.lo, bracket.hi, tolerance);
@@ -54,7 +51,7 @@ static void solve_packet(const solver *s, size_t begin, size_t end) {
                                        .coefficients = roots_set_rows(s->on, s->on->c, begin),
                                        .lo = &lo,
                                        .hi = &hi};
-    must(algsurf_first_roots_batch(&packet, NULL, state, s->answer + begin), "packet");
+    must_answer(algsurf_first_roots_batch(&packet, NULL, state, s->answer + begin), "packet");
     for (size_t i = 0; i < packet.count; i++) /* +inf is none there */
         if (state[i] != ALGSURF_FIRST_ROOT_FOUND) s->answer[begin + i] = NAN;
 }
@@ -111,13 +108,13 @@ static void judge(const solver *s, const double *truth, contest_row *row) {
 static void contend(const roots_set *on, const roots_effort *effort, contest_table *table) {
     solver own[SOLVERS];
     contestant contestants[SOLVERS];
-    double *truth = roots_allocate(on->count, sizeof *truth);
+    double *truth = must_allocate(on->count, sizeof *truth);
     for (size_t i = 0; i < on->count; i++)
         truth[i] = first_root(on->c + i * ((size_t)on->degree + 1), on->degree, refine_here, 0);
     for (int k = 0; k < SOLVERS; k++) {
         own[k] = solvers[k];
         own[k].on = on;
-        own[k].answer = roots_allocate(on->count, sizeof *own[k].answer);
+        own[k].answer = must_allocate(on->count, sizeof *own[k].answer);
         contestants[k] = (contestant){.program = own[k].program, .solve = solve, .self = &own[k]};
     }
     contest_warm_up(contestants, SOLVERS, on->count, effort->budget);
@@ -131,12 +128,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
                                .count = contestants[k].count};
         judge(&own[k], truth, &row[k]);
     }
-    contest_run(contestants, SOLVERS, effort->takes);
-    for (int k = 0; k < SOLVERS; k++) {
-        contest_tell_time(&row[k], contestants[k].seconds, (size_t)effort->takes, 1e9);
-        contest_add(table, &row[k]);
-        free(own[k].answer);
-    }
+    contest_run(contestants, row, SOLVERS, effort->takes, 1e9, table);
+    for (int k = 0; k < SOLVERS; k++) free(own[k].answer);
     free(truth);
 }
 

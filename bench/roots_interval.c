@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
 #include "roots.h"
 #include "roots_others.h"
 
@@ -114,8 +115,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
     for (int k = 0; k < SOLVERS; k++) {
         own[k] = solvers[k];
         own[k].on = on;
-        own[k].root = roots_allocate(on->count * (size_t)on->degree, sizeof *own[k].root);
-        own[k].count = roots_allocate(on->count, sizeof *own[k].count);
+        own[k].root = must_allocate(on->count * (size_t)on->degree, sizeof *own[k].root);
+        own[k].count = must_allocate(on->count, sizeof *own[k].count);
         contestants[k] = (contestant){.program = own[k].program, .solve = solve, .self = &own[k]};
     }
     contest_warm_up(contestants, 1, on->count, INFINITY); /* all of them, to judge by */
@@ -129,10 +130,8 @@ static void contend(const roots_set *on, const roots_effort *effort, contest_tab
                                .count = contestants[k].count};
         judge(&own[k], &own[0], &row[k]);
     }
-    contest_run(contestants, SOLVERS, effort->takes);
+    contest_run(contestants, row, SOLVERS, effort->takes, 1e9, table);
     for (int k = 0; k < SOLVERS; k++) {
-        contest_tell_time(&row[k], contestants[k].seconds, (size_t)effort->takes, 1e9);
-        contest_add(table, &row[k]);
         free(own[k].root);
         free(own[k].count);
     }

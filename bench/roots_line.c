@@ -11,6 +11,7 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "rays.h"
 #include "roots.h"
 #include "roots_others.h"
@@ -73,7 +74,7 @@ static void solve(void *self, size_t begin, size_t end) {
 /* ---- the polynomials ---- */
 
 static double *add(family *f, int degree, int real) {
-    double *c = f->c[f->count] = roots_allocate((size_t)degree + 1, sizeof *c);
+    double *c = f->c[f->count] = must_allocate((size_t)degree + 1, sizeof *c);
     f->degree[f->count] = degree;
     f->real[f->count++] = real;
     return c;
@@ -148,7 +149,7 @@ static int count_exactly(const double *c, int degree) {
     int count, least = 0, exponent;
     for (int k = 0; k <= degree; k++)
         if (frexp(c[k], &exponent) != 0 && exponent - 53 < least) least = exponent - 53;
-    uint64_t(*wide)[40] = roots_allocate((size_t)degree + 1, sizeof *wide);
+    uint64_t(*wide)[40] = must_allocate((size_t)degree + 1, sizeof *wide);
     for (int k = 0; k <= degree; k++) {
         double m = frexp(c[k], &exponent);
         uint64_t word = (uint64_t)ldexp(fabs(m), 53);
@@ -168,7 +169,7 @@ static int count_exactly(const double *c, int degree) {
 static void open_rays(family *f, const char *surface) {
     const catalogue_entry *entry = catalogue_find(surface);
     size_t stride = (size_t)entry->degree + 1;
-    double *c = roots_allocate(MOST_MEMBERS * stride, sizeof *c);
+    double *c = must_allocate(MOST_MEMBERS * stride, sizeof *c);
     *f = (family){.name = surface};
     rays_polynomials(entry, 3, MOST_MEMBERS, c);
     for (size_t i = 0; i < MOST_MEMBERS; i++)
@@ -236,7 +237,7 @@ static void contend(const char *section, const solver *solvers, size_t count, co
         if (solvers[k].find == complex_here && on->degree[on->count - 1] > ALGSURF_MAX_DEGREE) continue;
         own[some] = solvers[k];
         own[some].on = on;
-        own[some].answer = roots_allocate(on->count, sizeof *own[some].answer);
+        own[some].answer = must_allocate(on->count, sizeof *own[some].answer);
         contestants[some] = (contestant){.program = own[some].program, .solve = solve, .self = &own[some]};
         some++;
     }
@@ -250,12 +251,8 @@ static void contend(const char *section, const solver *solvers, size_t count, co
                                .count = contestants[k].count};
         judge(&own[k], &row[k]);
     }
-    contest_run(contestants, some, effort->takes);
-    for (size_t k = 0; k < some; k++) {
-        contest_tell_time(&row[k], contestants[k].seconds, (size_t)effort->takes, 1e6);
-        contest_add(table, &row[k]);
-        free(own[k].answer);
-    }
+    contest_run(contestants, row, some, effort->takes, 1e6, table);
+    for (size_t k = 0; k < some; k++) free(own[k].answer);
 }
 
 static void both(family *f, const roots_effort *effort, contest_table *table) {

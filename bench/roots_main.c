@@ -128,7 +128,6 @@ int others_in_interval(const other_root *roots, int count, double *real) {
 int main(int argc, char **argv) {
     main_options o = {.output = NULL};
     contest_table table = {NULL, 0, 0};
-    char machine[512];
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     if (o.output) results_folder(o.output); /* before the work */
@@ -138,11 +137,7 @@ int main(int argc, char **argv) {
     roots_line(effort, &table);
     roots_complex(effort, &table);
     roots_pictures(effort, &table);
-    measure_machine(machine, sizeof machine);
-    printf("libalgsurf and other root finders; medians of %d takes in turn; times: in units of algsurf's "
-           "median\n"
-           "machine: %s; kernel %s\n",
-           effort->takes, machine, algsurf_kernel_name(0));
+    contest_head("other root finders", effort->takes);
     contest_print(chapters, CHAPTERS, &table);
     if (o.output) contest_write(chapters, CHAPTERS, &table, o.output, "roots");
     free(table.row);

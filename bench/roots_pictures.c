@@ -10,6 +10,7 @@
 #include "catalogue.h"
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "rays.h"
 #include "roots.h"
 
@@ -24,10 +25,6 @@ typedef struct manner {
     uint8_t *pixels;
     algsurf_render_stats stats;
 } manner;
-
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
 
 static void solve(void *self, size_t begin, size_t end) {
     manner *m = self;
@@ -64,7 +61,7 @@ static void set_scene(manner *m, const algsurf_surface *surface, const catalogue
     must(algsurf_scene_set_intersect(m->scene, &intersect), entry->name);
     must(algsurf_scene_set_complex_space(m->scene, &space), entry->name);
     must(algsurf_scene_set_coherence(m->scene, m->coherence), entry->name);
-    m->pixels = roots_allocate(BYTES, 1);
+    m->pixels = must_allocate(BYTES, 1);
 }
 
 static void contend(const catalogue_entry *entry, const roots_effort *effort, contest_table *table) {
@@ -81,19 +78,19 @@ static void contend(const catalogue_entry *entry, const roots_effort *effort, co
     for (int i = 1; i < count; i++)
         if (memcmp(m[0].pixels, m[i].pixels, BYTES) != 0)
             cli_fail(CLI_BROKEN, "%s: not the same picture by %s", entry->name, m[i].program);
-    contest_run(contestants, (size_t)count, effort->takes);
+    contest_row row[MOST_MANNERS];
+    for (int i = 0; i < count; i++)
+        row[i] = (contest_row){.section = "complex pictures",
+                               .task = entry->name,
+                               .degree = entry->degree,
+                               .program = m[i].program,
+                               .unit = "ms",
+                               .count = m[i].stats.hits,
+                               .missed = m[i].stats.single_rays,
+                               .extra = m[i].stats.undecided,
+                               .error = (double)m[i].stats.iterations / (WIDTH * HEIGHT) / entry->degree};
+    contest_run(contestants, row, (size_t)count, effort->takes, 1e3, table);
     for (int i = 0; i < count; i++) {
-        contest_row row = {.section = "complex pictures",
-                           .task = entry->name,
-                           .degree = entry->degree,
-                           .program = m[i].program,
-                           .unit = "ms",
-                           .count = m[i].stats.hits,
-                           .missed = m[i].stats.single_rays,
-                           .extra = m[i].stats.undecided,
-                           .error = (double)m[i].stats.iterations / (WIDTH * HEIGHT) / entry->degree};
-        contest_tell_time(&row, contestants[i].seconds, (size_t)effort->takes, 1e3);
-        contest_add(table, &row);
         algsurf_scene_free(m[i].scene);
         free(m[i].pixels);
     }

@@ -4,20 +4,15 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 #include "rays.h"
 #include "roots.h"
-
-void *roots_allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
 
 static void open(roots_set *s, const char *name, int degree, int complex, size_t count) {
     size_t all = count * ((size_t)degree + 1);
     *s = (roots_set){.name = name, .degree = degree, .count = count};
-    s->c = roots_allocate(all, sizeof *s->c);
-    s->im = complex ? roots_allocate(all, sizeof *s->im) : NULL;
+    s->c = must_allocate(all, sizeof *s->c);
+    s->im = complex ? must_allocate(all, sizeof *s->im) : NULL;
 }
 
 algsurf_table roots_set_rows(const roots_set *s, const double *c, size_t begin) {

@@ -13,6 +13,7 @@
 
 #include "cli.h"
 #include "image.h"
+#include "must.h"
 #include "results.h"
 
 static const double TOLERANCE = 1e-6;
@@ -75,11 +76,11 @@ static void shade(const seed_view *view, const algsurf_lighting *lighting, const
     if (!seed_chord(view, ray->pixel, &chord)) return;
     double t = 0.5 * (chord.t_min + chord.t_max) + 0.5 * (chord.t_max - chord.t_min) * x;
     for (int i = 0; i < 3; i++) point[i] = chord.origin[i] + t * chord.direction[i];
-    seed_must(algsurf_surface_gradient(view->surface, point, &value, gradient, NULL, NULL), entry->name);
+    must(algsurf_surface_gradient(view->surface, point, &value, gradient, NULL, NULL), entry->name);
     for (int i = 0; i < 3; i++) size += gradient[i] * gradient[i];
     for (int i = 0; i < 3; i++) gradient[i] = size > 0 ? gradient[i] / sqrt(size) : 0;
-    seed_must(algsurf_shade(lighting, NULL, point, gradient, chord.direction, colour), entry->name);
-    seed_must(algsurf_srgb_encode(colour, pixel), entry->name);
+    must(algsurf_shade(lighting, NULL, point, gradient, chord.direction, colour), entry->name);
+    must(algsurf_srgb_encode(colour, pixel), entry->name);
 }
 
 /* Pale grey for what is right. */
@@ -98,7 +99,7 @@ static void write_picture(const uint8_t *picture, int width, int height, const c
                           const char *name) {
     int by = width < READABLE ? READABLE / width : 1;
     size_t across = (size_t)width * (size_t)by, down = (size_t)height * (size_t)by;
-    uint8_t *large = seed_allocate(across * down, 3);
+    uint8_t *large = must_allocate(across * down, 3);
     for (size_t i = 0; i < across * down; i++) {
         size_t column = i % across / (size_t)by, row = i / across / (size_t)by;
         memcpy(large + 3 * i, picture + 3 * (row * (size_t)width + column), 3);
@@ -113,14 +114,14 @@ static void draw(const seed_decic *decic, const double *found, int marked, const
                  const char *name) {
     const seed_view *view = &decic->view;
     size_t pixels = (size_t)view->width * (size_t)view->height;
-    uint8_t *picture = seed_allocate(pixels, 3);
+    uint8_t *picture = must_allocate(pixels, 3);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     algsurf_scene *scene;
-    seed_must(algsurf_scene_create(view->surface, &scene), view->entry->name);
-    seed_must(algsurf_scene_set_extent(scene, &view->entry->extent), view->entry->name);
-    seed_must(algsurf_scene_set_camera(scene, &view->camera), view->entry->name);
-    seed_must(algsurf_scene_lighting(scene, lights, &lighting), view->entry->name);
+    must(algsurf_scene_create(view->surface, &scene), view->entry->name);
+    must(algsurf_scene_set_extent(scene, &view->entry->extent), view->entry->name);
+    must(algsurf_scene_set_camera(scene, &view->camera), view->entry->name);
+    must(algsurf_scene_lighting(scene, lights, &lighting), view->entry->name);
     for (size_t i = 0; i < pixels; i++) memcpy(picture + 3 * i, BEHIND, 3);
     for (size_t i = 0; i < view->count; i++) {
         const seed_ray *ray = &view->rays[i];
@@ -158,7 +159,7 @@ void seed_decic_run(seed_decic *decic, int width, int height, const char *folder
     memcpy(decic->row, rows, sizeof rows);
     seed_open(&decic->view, "barth-decic", width, height);
     if (decic->view.bracketed == 0) cli_fail(CLI_BROKEN, "barth-decic: no root at all");
-    double *found = seed_allocate(decic->view.count, sizeof *found);
+    double *found = must_allocate(decic->view.count, sizeof *found);
     for (int row = 0; row < SEED_DECIC_ROWS; row++) {
         solve_all(decic, row, found);
         if (folder && row == BRENT) draw(decic, found, 0, folder, "seed_decic_brent.png");

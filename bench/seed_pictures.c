@@ -11,25 +11,26 @@
 
 #include "cli.h"
 #include "measure.h"
+#include "must.h"
 
 static void render(seed_easel *easel, const algsurf_intersect_options *intersect, double *hits) {
     const seed_view *view = easel->view;
     const algsurf_render_options options = {
         .size = sizeof options, .width = view->width, .height = view->height};
     const algsurf_picture picture = {.size = sizeof picture, .pixels = easel->pixels, .t = hits};
-    seed_must(algsurf_scene_set_intersect(easel->scene, intersect), view->entry->name);
-    seed_must(algsurf_render(easel->scene, &options, &picture, NULL), view->entry->name);
+    must(algsurf_scene_set_intersect(easel->scene, intersect), view->entry->name);
+    must(algsurf_render(easel->scene, &options, &picture, NULL), view->entry->name);
 }
 
 void seed_easel_open(seed_easel *easel, const seed_view *view) {
     size_t pixels = (size_t)view->width * (size_t)view->height;
     easel->view = view;
-    easel->pixels = seed_allocate(pixels, 3);
-    easel->hits = seed_allocate(pixels, sizeof *easel->hits);
-    easel->truth = seed_allocate(pixels, sizeof *easel->truth);
-    seed_must(algsurf_scene_create(view->surface, &easel->scene), view->entry->name);
-    seed_must(algsurf_scene_set_extent(easel->scene, &view->entry->extent), view->entry->name);
-    seed_must(algsurf_scene_set_camera(easel->scene, &view->camera), view->entry->name);
+    easel->pixels = must_allocate(pixels, 3);
+    easel->hits = must_allocate(pixels, sizeof *easel->hits);
+    easel->truth = must_allocate(pixels, sizeof *easel->truth);
+    must(algsurf_scene_create(view->surface, &easel->scene), view->entry->name);
+    must(algsurf_scene_set_extent(easel->scene, &view->entry->extent), view->entry->name);
+    must(algsurf_scene_set_camera(easel->scene, &view->camera), view->entry->name);
     render(easel, NULL, easel->truth);
 }
 
@@ -46,7 +47,7 @@ static int is_left_open(const seed_view *view, int pixel) {
     algsurf_ray chord;
     algsurf_hit hit;
     if (!seed_chord(view, pixel, &chord)) return 1; /* its ray touches the extent at most */
-    seed_must(algsurf_intersect_first(view->surface, NULL, &chord, &bounded, &hit), view->entry->name);
+    must(algsurf_intersect_first(view->surface, NULL, &chord, &bounded, &hit), view->entry->name);
     return hit.state == ALGSURF_UNDECIDED;
 }
 

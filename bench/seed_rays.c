@@ -11,27 +11,18 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
 #include "seed_bare.h"
 
 static const double FAR = 0x1p-34; /* a thousand times as far as any of the seven surfaces needs */
 
-void seed_must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
-
-void *seed_allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
 int seed_chord(const seed_view *view, int pixel, algsurf_ray *chord) {
     algsurf_ray ray;
     int meets;
-    seed_must(algsurf_camera_ray(&view->camera, view->width, view->height, pixel % view->width + 0.5,
-                                 pixel / view->width + 0.5, &ray),
-              view->entry->name);
-    seed_must(algsurf_extent_clip(&view->entry->extent, &ray, chord, &meets), view->entry->name);
+    must(algsurf_camera_ray(&view->camera, view->width, view->height, pixel % view->width + 0.5,
+                            pixel / view->width + 0.5, &ray),
+         view->entry->name);
+    must(algsurf_extent_clip(&view->entry->extent, &ray, chord, &meets), view->entry->name);
     return meets && chord->t_min < chord->t_max;
 }
 
@@ -48,8 +39,7 @@ static algsurf_ray from_the_middle(const algsurf_ray *chord) {
 
 static void prove_root(seed_ray *ray, int degree, const char *name) {
     algsurf_refined_root found;
-    seed_must(seed_solve(&seed_methods[SEED_BISECTION], ray->c, degree, ray->lo, ray->hi, 0, 0, &found),
-              name);
+    must(seed_solve(&seed_methods[SEED_BISECTION], ray->c, degree, ray->lo, ray->hi, 0, 0, &found), name);
     ray->root = found.root;
     for (ray->radius = 0x1p-50; ray->radius <= FAR; ray->radius *= 4) {
         double lo = fmax(ray->lo, ray->root - ray->radius), hi = fmin(ray->hi, ray->root + ray->radius);
@@ -76,7 +66,7 @@ static void isolate(seed_view *view, seed_ray *ray) {
     algsurf_bracket bracket;
     int found, degree = view->entry->degree;
     algsurf_status status = algsurf_isolate_first(ray->c, NULL, degree, -1, 1, NULL, &bracket, &found);
-    if (status < 0) seed_must(status, view->entry->name);
+    if (status < 0) must(status, view->entry->name);
     view->undecided += status > 0;
     ray->bracketed = status == ALGSURF_OK && found && bracket.kind == ALGSURF_BRACKET_ISOLATED;
     if (!ray->bracketed) return;
@@ -90,16 +80,16 @@ static void isolate(seed_view *view, seed_ray *ray) {
 void seed_open(seed_view *view, const char *name, int width, int height) {
     const catalogue_entry *entry = catalogue_find(name);
     *view = (seed_view){.entry = entry, .width = width, .height = height};
-    seed_must(algsurf_surface_from_equation(entry->equation, NULL, 0, &view->surface, NULL), name);
-    seed_must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &view->camera), name);
-    view->rays = seed_allocate((size_t)width * (size_t)height, sizeof *view->rays);
+    must(algsurf_surface_from_equation(entry->equation, NULL, 0, &view->surface, NULL), name);
+    must(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &view->camera), name);
+    view->rays = must_allocate((size_t)width * (size_t)height, sizeof *view->rays);
     for (int pixel = 0; pixel < width * height; pixel++) {
         algsurf_ray chord;
         if (!seed_chord(view, pixel, &chord)) continue;
         seed_ray *ray = &view->rays[view->count++];
         ray->pixel = pixel;
         chord = from_the_middle(&chord);
-        seed_must(algsurf_expand_power(view->surface, &chord, ray->c, NULL), name);
+        must(algsurf_expand_power(view->surface, &chord, ray->c, NULL), name);
         isolate(view, ray);
     }
 }

@@ -38,8 +38,4 @@ int seed_chord(const seed_view *view, int pixel, algsurf_ray *chord);
  * root, and the rounding error of p there. */
 double seed_allowed(const seed_view *view, const seed_ray *ray, double tolerance);
 
-/* Ends the program: "what: why". */
-void seed_must(algsurf_status status, const char *what);
-void *seed_allocate(size_t count, size_t size);
-
 #endif

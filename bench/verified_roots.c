@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "must.h"
 #include "results.h"
 #include "verified_roots_check.h"
 #include "verified_roots_report.h"
@@ -223,21 +224,15 @@ static void fill_row(row *r, const family *f, const method *m, tally *t) {
 
 /* ---- the run ---- */
 
-static void *allocate(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (!memory) cli_no_memory();
-    return memory;
-}
-
 /* Rows for one family; returns how many. */
 static int run_family(work *w, const family *f, row *rows) {
     tally tallies[METHODS] = {{0}};
     size_t count = (size_t)f->count;
     int written = 0;
     for (int m = 0; m < METHODS; m++) {
-        tallies[m].width = allocate(count * (size_t)f->degree, sizeof(double));
-        tallies[m].widest = allocate(count, sizeof(double));
-        tallies[m].seconds = allocate(count, sizeof(double));
+        tallies[m].width = must_allocate(count * (size_t)f->degree, sizeof(double));
+        tallies[m].widest = must_allocate(count, sizeof(double));
+        tallies[m].seconds = must_allocate(count, sizeof(double));
     }
     for (int i = 0; i < f->count; i++) judge(w, f, &f->p[i], tallies);
     clock_all(w, f, tallies);
@@ -306,13 +301,13 @@ static int run_more(work *w, const bench_options *o, measure_random *seeds, poly
 
 int main(int argc, char **argv) {
     bench_options o = {.seed = 1};
-    work *w = allocate(1, sizeof *w);
+    work *w = must_allocate(1, sizeof *w);
     cli_parse(&program, argc, argv, &o);
     if (o.extra) cli_fail(CLI_BAD_INPUT, "unexpected '%s'", cli_quote(o.extra).text);
     if (o.polys == 0) o.polys = o.quick ? QUICK_POLYS : POLYS;
     if (o.output) results_folder(o.output);
-    polynomial *p = allocate((size_t)o.polys, sizeof *p);
-    row *rows = allocate(MAX_FAMILIES * METHODS, sizeof *rows);
+    polynomial *p = must_allocate((size_t)o.polys, sizeof *p);
+    row *rows = must_allocate(MAX_FAMILIES * METHODS, sizeof *rows);
     if (algsurf_complex_solver_create(ALGSURF_MAX_DEGREE, &w->solver) != ALGSURF_OK) cli_no_memory();
     measure_random seeds = {(uint64_t)o.seed};
     int count = run_usual(w, &o, &seeds, p, rows);

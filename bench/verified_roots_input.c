@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "must.h"
 
 enum { WIDTH = 1024, HEIGHT = 768, TRIES = 1000 };
 
@@ -28,10 +29,6 @@ typedef struct view {
 typedef struct chord {
     double middle, half;
 } chord;
-
-static void must(algsurf_status status, const char *what) {
-    if (status != ALGSURF_OK) cli_fail(CLI_BROKEN, "%s: %s", what, algsurf_status_text(status));
-}
 
 /* The polynomial along the ray of a pixel; 0 when the ray has no chord or the polynomial no roots. */
 static int expand_pixel(const view *v, int x, int y, chord *on, polynomial *p) {

@@ -98,6 +98,20 @@ static inline const char *case_wrong(const allroots_case *p, const algsurf_compl
     return what;
 }
 
+/* Of a real polynomial: are the boxes each other's images in the axis? */
+static inline int case_mirrored(const algsurf_complex_root *e, int count) {
+    for (int i = 0; i < count; i++) {
+        int images = 0;
+        for (int j = 0; j < count; j++)
+            images += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
+                      e[i].box.im.lo == -e[j].box.im.hi && e[i].box.im.hi == -e[j].box.im.lo &&
+                      e[i].multiplicity == e[j].multiplicity && e[i].root.re == e[j].root.re &&
+                      e[i].root.im == -e[j].root.im;
+        if (images != 1) return 0;
+    }
+    return 1;
+}
+
 /* Boxes for people, with hexadecimal numbers that read back exactly. */
 static inline void case_print(const allroots_case *p, const algsurf_complex_root *e, int count) {
     for (int k = 0; k < p->n; k++) fprintf(stderr, "root %a %+a i\n", p->root[k].re, p->root[k].im);

@@ -1,16 +1,8 @@
 /* equation_case.h - equations as text, for tests: accepted and equal, or refused and explained. */
 #ifndef EQUATION_CASE_H
 #define EQUATION_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/surface.h"
+#include "unit.h"
 
 enum { MOST_TERMS = 64 };
 
@@ -19,7 +11,7 @@ static inline algsurf_surface *parse_with(const char *text, const algsurf_consta
     algsurf_parse_error error = {0, 0, ""};
     algsurf_status status = algsurf_surface_from_equation(text, constants, n, &s, &error);
     if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     return s;
 }
 
@@ -32,8 +24,8 @@ static inline void same_with(const char *a, const algsurf_constant *constants, s
     size_t count = algsurf_surface_term_count(sa);
     int equal = count == algsurf_surface_term_count(sb) && count <= MOST_TERMS;
     if (equal) {
-        assert_int_equal(algsurf_surface_terms(sa, ta), ALGSURF_OK);
-        assert_int_equal(algsurf_surface_terms(sb, tb), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(sa, ta));
+        assert_ok(algsurf_surface_terms(sb, tb));
     }
     for (size_t t = 0; equal && t < count; t++) {
         equal = ta[t].i == tb[t].i && ta[t].j == tb[t].j && ta[t].k == tb[t].k && ta[t].a == tb[t].a;

@@ -60,13 +60,12 @@ static inline int exact_poly_sign(const double *c, int n, double t) {
     return sign;
 }
 
-/* Bernstein coefficients b[0..n] (initialised) of p on [lo,hi], from the definition: with
- * p(lo + (hi-lo) s) = sum a_i s^i,  b_j = sum_{i<=j} C(j,i) / C(n,i) a_i. */
-static inline void exact_bernstein(mpq_t *b, const double *c, int n, double lo, double hi) {
-    mpq_t *a = malloc((size_t)(n + 1) * sizeof *a), x, w;
+/* Bernstein coefficients b[0..n] (initialised) of sum a_i t^i on [lo,hi], from the definition: with
+ * p(lo + (hi-lo) s) = sum a_i s^i,  b_j = sum_{i<=j} C(j,i) / C(n,i) a_i.  Changes a. */
+static inline void exact_bernstein_of(mpq_t *b, mpq_t *a, int n, double lo, double hi) {
+    mpq_t x, w;
     mpz_t choose;
     mpq_inits(x, w, NULL), mpz_init(choose);
-    for (int i = 0; i <= n; i++) mpq_init(a[i]), exact_set(a[i], c[i]);
     exact_set(x, lo);
     for (int k = 0; k < n; k++) /* Taylor shift by lo */
         for (int i = n - 1; i >= k; i--) mpq_mul(w, x, a[i + 1]), mpq_add(a[i], a[i], w);
@@ -80,8 +79,16 @@ static inline void exact_bernstein(mpq_t *b, const double *c, int n, double lo, 
             mpq_div(w, w, x), mpq_mul(w, w, a[i]), mpq_add(b[j], b[j], w);
         }
     }
+    mpq_clears(x, w, NULL), mpz_clear(choose);
+}
+
+/* The same of doubles. */
+static inline void exact_bernstein(mpq_t *b, const double *c, int n, double lo, double hi) {
+    mpq_t *a = malloc((size_t)(n + 1) * sizeof *a);
+    for (int i = 0; i <= n; i++) mpq_init(a[i]), exact_set(a[i], c[i]);
+    exact_bernstein_of(b, a, n, lo, hi);
     for (int i = 0; i <= n; i++) mpq_clear(a[i]);
-    free(a), mpq_clears(x, w, NULL), mpz_clear(choose);
+    free(a);
 }
 
 /* error = |x - q|. */

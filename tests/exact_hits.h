@@ -12,7 +12,7 @@
 
 #include "exact_ray.h"
 
-enum { EXACT_MOST_FACES = 6 + ALGSURF_MAX_CLIP_PLANES, EXACT_MOST_HITS = ALGSURF_MAX_DEGREE };
+enum { EXACT_MOST_HITS = ALGSURF_MAX_DEGREE };
 
 /* A root: lo itself if lo = hi, else the only root in (lo,hi), neither of which is a root. */
 typedef struct exact_place {
@@ -59,25 +59,6 @@ static inline int exact_variations_q(const exact_sturm *s, const mpq_t x) {
 /* The number of roots in (lo,hi]. */
 static inline int exact_between_q(const exact_sturm *s, const mpq_t lo, const mpq_t hi) {
     return exact_variations_q(s, lo) - exact_variations_q(s, hi);
-}
-
-/* Euclid's algorithm: g, with room for degree n, becomes the gcd of a and b, neither zero. */
-static inline int exact_gcd(mpz_t *g, mpz_t *a, int n, mpz_t *b, int m) {
-    int top = n > m ? n : m;
-    mpz_t *r = exact_polynomials(1, top + 1), *swap, *x = exact_polynomials(1, top + 1), *y = r, *first = x;
-    for (int k = 0; k <= n; k++) mpz_set(x[k], a[k]);
-    for (int k = 0; k <= m; k++) mpz_set(y[k], b[k]);
-    while (m >= 0) {
-        exact_primitive(y, m);
-        n = n >= m ? exact_remainder(x, n, y, m) : n;
-        if (n >= 0) exact_primitive(x, n);
-        swap = x, x = y, y = swap;
-        int degree = n;
-        n = m, m = degree;
-    }
-    for (int k = 0; k <= n; k++) mpz_set(g[k], x[k]);
-    exact_free(first, top + 1), exact_free(r, top + 1);
-    return n;
 }
 
 /* Doubles in their order as integers. */
@@ -219,81 +200,6 @@ static inline void exact_multiplicities(exact_hits *h, mpz_t *p, int n, const ex
         exact_place *x = h->place + i;
         x->side = exact_sign_after(p, n, x) * (x->multiplicity % 2 ? -1 : 1);
     }
-}
-
-/* ---- faces ---- */
-
-typedef struct exact_face {
-    int degree; /* -1: zero on the whole ray */
-    mpz_t c[3];
-} exact_face;
-
-/* From rational coefficients. */
-static inline void exact_face_of(exact_face *face, mpq_t c[3]) {
-    mpz_t common;
-    mpz_init_set_ui(common, 1);
-    for (int k = 0; k < 3; k++) mpz_lcm(common, common, mpq_denref(c[k]));
-    for (int k = 0; k < 3; k++) {
-        mpz_init(face->c[k]);
-        mpz_divexact(face->c[k], common, mpq_denref(c[k]));
-        mpz_mul(face->c[k], face->c[k], mpq_numref(c[k]));
-    }
-    mpz_clear(common);
-    face->degree = exact_degree(face->c, 2);
-}
-
-/* offset + t step = X_i - c_i along the ray. */
-static inline void exact_offset(mpq_t offset, mpq_t step, const algsurf_extent *e, const algsurf_ray *ray,
-                                int i) {
-    mpq_t q;
-    mpq_init(q);
-    exact_set(offset, ray->origin[i]), exact_set(q, e->centre[i]);
-    mpq_sub(offset, offset, q);
-    exact_set(step, ray->direction[i]);
-    mpq_clear(q);
-}
-
-/* offset - normal.X along the ray. */
-static inline void exact_plane_of(exact_face *face, const algsurf_plane *plane, const algsurf_ray *ray) {
-    mpq_t c[3], n, x;
-    mpq_inits(c[0], c[1], c[2], n, x, NULL);
-    exact_set(c[0], plane->offset);
-    for (int i = 0; i < 3; i++) {
-        exact_set(n, plane->normal[i]);
-        exact_set(x, ray->origin[i]), mpq_mul(x, x, n), mpq_sub(c[0], c[0], x);
-        exact_set(x, ray->direction[i]), mpq_mul(x, x, n), mpq_sub(c[1], c[1], x);
-    }
-    exact_face_of(face, c);
-    mpq_clears(c[0], c[1], c[2], n, x, NULL);
-}
-
-/* Inside: all faces >= 0. */
-static inline int exact_faces_of(exact_face *face, const algsurf_extent *e, const algsurf_ray *ray) {
-    mpq_t c[3], a, b, q;
-    int count = 0;
-    if (!e || e->kind == ALGSURF_EXTENT_ALL) return 0;
-    mpq_inits(c[0], c[1], c[2], a, b, q, NULL);
-    if (e->kind == ALGSURF_EXTENT_SPHERE) {
-        exact_set(q, e->size[0]);
-        mpq_mul(c[0], q, q);
-        for (int i = 0; i < 3; i++) {
-            exact_offset(a, b, e, ray, i);
-            mpq_mul(q, a, a), mpq_sub(c[0], c[0], q);
-            mpq_mul(q, a, b), mpq_mul_2exp(q, q, 1), mpq_sub(c[1], c[1], q);
-            mpq_mul(q, b, b), mpq_sub(c[2], c[2], q);
-        }
-        exact_face_of(face + count++, c);
-    } else {
-        for (int i = 0; i < 6; i++) {
-            exact_offset(a, b, e, ray, i / 2);
-            if (i % 2) mpq_neg(a, a), mpq_neg(b, b);
-            exact_set(q, e->size[i / 2]);
-            mpq_add(c[0], q, a), mpq_set(c[1], b), mpq_set_ui(c[2], 0, 1);
-            exact_face_of(face + count++, c);
-        }
-    }
-    mpq_clears(c[0], c[1], c[2], a, b, q, NULL);
-    return count;
 }
 
 /* The face's sign at a place, which is narrowed. */

@@ -1,11 +1,11 @@
 /* exact_pixel.h - the oracle for a pixel: the first root of P along its ray inside the extent, over integers.
  *
- * With one power of two for lengths and one for the direction the ray is (O + s D) 2^-length, s a multiple of
- * t, and all is integers.  The part of the ray inside the extent, made a little longer, becomes [0,1]; P
- * along it comes from Horner's scheme over polynomials in that variable; its roots are isolated from left to
- * right by Descartes' rule and bisection (Collins, Akritas 1976), a cluster that does not come apart by a
- * Sturm chain.  What `room` says is what the ends of the part may be off by: of a root closer to an end of
- * the extent than that, either answer is right.  The ray's own beginning, the eye, is exact.
+ * The part of the ray inside the extent, made a little longer, becomes [0,1], with integers over a power of
+ * two as its ends; P along it comes from Horner's scheme over polynomials in that variable; its roots are
+ * isolated from left to right by Descartes' rule and bisection (Collins, Akritas 1976), a cluster that does
+ * not come apart by a Sturm chain.  What `room` says is what the ends of the part may be off by: of a root
+ * closer to an end of the extent than that, either answer is right.  The ray's own beginning, the eye, is
+ * exact.
  */
 #ifndef EXACT_PIXEL_H
 #define EXACT_PIXEL_H
@@ -36,12 +36,13 @@ typedef struct exact_part {
     mpf_t scale; /* p = P scale */
 } exact_part;
 
-/* The first root that is surely inside the extent, and those before it that may be. */
+/* The first roots that are surely inside the extent, as many as wanted, and others that may be. */
 typedef struct exact_answer {
-    int sure;      /* is there a root for sure? */
-    int count;     /* of t: the last one is the sure one, if there is */
+    int sure;      /* roots that are surely inside */
+    int count;     /* of t: the last one is the last sure one wanted, if there is */
     int clustered; /* a root is multiple, or as good as */
-    double t[ALGSURF_MAX_DEGREE + 1];
+    char is_sure[ALGSURF_MAX_DEGREE + 1];
+    double t[ALGSURF_MAX_DEGREE + 1], rest[ALGSURF_MAX_DEGREE + 1];          /* the root is t + rest */
     long double slope[ALGSURF_MAX_DEGREE + 1], bend[ALGSURF_MAX_DEGREE + 1]; /* |dP/dt|, |d2P/dt2| there */
 } exact_answer;
 
@@ -92,6 +93,19 @@ static inline void exact_along(const exact_form *form, const mpz_t *u, const mpz
     exact_free(level, n + 2), exact_free(row, n + 2), mpz_clear(a);
 }
 
+/* P along the ray. */
+static inline exact_line exact_form_line(const exact_form *form, const algsurf_ray *ray) {
+    exact_line line = {form->n, 0, exact_polynomials(1, form->n + 1)};
+    mpz_t *parts = exact_polynomials(1, 6);
+    double six[6];
+    for (int i = 0; i < 3; i++) six[i] = ray->origin[i], six[3 + i] = ray->direction[i];
+    int unit = exact_integers(parts, six, 5);
+    exact_along(form, (const mpz_t *)parts, (const mpz_t *)parts + 3, unit, line.c);
+    line.shift = form->shift + (long)unit * form->n;
+    exact_free(parts, 6);
+    return line;
+}
+
 /* f = x / 2^shift. */
 static inline void exact_float(mpf_t f, const mpz_t x, long shift) {
     mpf_set_z(f, x);
@@ -101,56 +115,36 @@ static inline void exact_float(mpf_t f, const mpz_t x, long shift) {
 /* Where the line o + t d is inside the extent, to some 1000 bits; returns 0 where it is nowhere, and then
  * both ends are the middle of the smallest gap that a ball would leave, or untouched. */
 static inline int exact_inside(const algsurf_extent *extent, const algsurf_ray *ray, mpf_t in, mpf_t out) {
-    mpq_t o[3], d[3], a, b, c, w, size;
-    int inside = 1, first = 1;
-    mpf_t root, f;
-    mpf_init2(root, PIXEL_BITS), mpf_init2(f, PIXEL_BITS);
-    mpq_inits(a, b, c, w, size, NULL);
-    for (int i = 0; i < 3; i++) {
-        mpq_inits(o[i], d[i], NULL);
-        exact_set(o[i], ray->origin[i]), exact_set(w, extent->centre[i]), exact_set(d[i], ray->direction[i]);
-        mpq_sub(o[i], o[i], w);
-    }
-    if (extent->kind == ALGSURF_EXTENT_SPHERE) { /* a t^2 + 2 b t + c <= 0 */
-        exact_set(size, extent->size[0]), mpq_mul(c, size, size), mpq_neg(c, c);
-        for (int i = 0; i < 3; i++) {
-            mpq_mul(w, d[i], d[i]), mpq_add(a, a, w);
-            mpq_mul(w, o[i], d[i]), mpq_add(b, b, w);
-            mpq_mul(w, o[i], o[i]), mpq_add(c, c, w);
+    exact_face face[EXACT_MOST_FACES];
+    int faces = exact_faces_of(face, extent, ray), inside = 1, begins = 0, ends = 0;
+    mpz_t square, other;
+    mpf_t t, root;
+    mpz_inits(square, other, NULL), mpf_init2(t, PIXEL_BITS), mpf_init2(root, PIXEL_BITS);
+    for (int i = 0; i < faces; i++) {
+        mpz_t *c = face[i].c;
+        if (face[i].degree == 2) { /* c_0 + c_1 t + c_2 t^2 >= 0, c_2 < 0 */
+            mpz_mul(square, c[1], c[1]), mpz_mul(other, c[0], c[2]), mpz_submul_ui(square, other, 4);
+            inside = mpz_sgn(square) >= 0;
+            mpz_abs(square, square), mpf_set_z(root, square), mpf_sqrt(root, root);
+            mpz_neg(other, c[1]), mpf_set_z(t, other), mpf_add(in, t, root), mpf_sub(out, t, root);
+            mpz_mul_2exp(other, c[2], 1), mpf_set_z(t, other), mpf_div(in, in, t), mpf_div(out, out, t);
+        } else if (face[i].degree == 1) { /* from -c_0 / c_1 on, or up to there */
+            mpz_neg(other, c[0]), mpf_set_z(t, other), mpf_set_z(root, c[1]), mpf_div(t, t, root);
+            if (mpz_sgn(c[1]) > 0 && (!begins++ || mpf_cmp(t, in) > 0)) mpf_set(in, t);
+            if (mpz_sgn(c[1]) < 0 && (!ends++ || mpf_cmp(t, out) < 0)) mpf_set(out, t);
+        } else {
+            inside &= mpz_sgn(c[0]) >= 0;
         }
-        mpq_mul(w, b, b), mpq_mul(c, a, c), mpq_sub(w, w, c);
-        inside = mpq_sgn(w) >= 0;
-        mpq_abs(w, w);
-        mpf_set_q(root, w), mpf_sqrt(root, root), mpq_neg(b, b);
-        mpf_set_q(f, b), mpf_sub(in, f, root), mpf_add(out, f, root);
-        mpf_set_q(f, a), mpf_div(in, in, f), mpf_div(out, out, f);
-    } else {
-        for (int i = 0; i < 3; i++) {
-            exact_set(size, extent->size[i]);
-            if (mpq_sgn(d[i]) == 0) {
-                mpq_abs(w, o[i]);
-                inside &= mpq_cmp(w, size) <= 0;
-                continue;
-            }
-            mpq_neg(a, size), mpq_sub(a, a, o[i]), mpq_div(a, a, d[i]);
-            mpq_sub(b, size, o[i]), mpq_div(b, b, d[i]);
-            if (mpq_cmp(a, b) > 0) mpq_swap(a, b);
-            mpf_set_q(f, a), mpf_set_q(root, b);
-            if (first || mpf_cmp(f, in) > 0) mpf_set(in, f);
-            if (first || mpf_cmp(root, out) < 0) mpf_set(out, root);
-            first = 0;
-        }
-        inside &= mpf_cmp(in, out) <= 0;
+        for (int k = 0; k < 3; k++) mpz_clear(c[k]);
     }
-    for (int i = 0; i < 3; i++) mpq_clears(o[i], d[i], NULL);
-    mpq_clears(a, b, c, w, size, NULL), mpf_clears(root, f, NULL);
-    return inside;
+    mpz_clears(square, other, NULL), mpf_clears(t, root, NULL);
+    return inside && mpf_cmp(in, out) <= 0;
 }
 
 /* The part of the ray from t = 0 on; room: in t. */
-static inline exact_part exact_part_of(const exact_form *form, const algsurf_extent *extent,
+static inline exact_part exact_part_of(const exact_line *line, const algsurf_extent *extent,
                                        const algsurf_ray *ray, double room) {
-    exact_part part = {.n = form->n, .p = exact_polynomials(1, form->n + 2)};
+    exact_part part = {.n = line->degree, .p = exact_polynomials(1, line->degree + 2)};
     mpf_t wide, f;
     mpf_init2(part.t0, PIXEL_BITS), mpf_init2(part.length, PIXEL_BITS), mpf_init2(part.scale, PIXEL_BITS);
     mpf_init2(part.first, PIXEL_BITS), mpf_init2(part.last, PIXEL_BITS);
@@ -172,30 +166,23 @@ static inline exact_part exact_part_of(const exact_form *form, const algsurf_ext
     mpf_sub(part.length, f, part.t0);
     if (mpf_sgn(part.length) <= 0) part.empty = 1;
     if (!part.empty) { /* integers: t0 and length as multiples of 2^-fine */
-        double six[6];
-        mpz_t parts[6], u[3], v[3], t0, length;
+        mpz_t t0, length, term;
         long e, fine;
         (void)mpf_get_d_2exp(&e, wide);
         fine = 80 - e;
         if (fine < 0) fine = 0;
-        mpz_inits(t0, length, NULL);
+        mpz_inits(t0, length, term, NULL);
         mpf_mul_2exp(f, part.t0, (mp_bitcnt_t)fine), mpz_set_f(t0, f);
         mpf_mul_2exp(f, part.length, (mp_bitcnt_t)fine), mpz_set_f(length, f), mpz_add_ui(length, length, 1);
         exact_float(part.t0, t0, fine), exact_float(part.length, length, fine);
-        for (int i = 0; i < 3; i++) six[i] = ray->origin[i], six[3 + i] = ray->direction[i];
-        for (int i = 0; i < 6; i++) mpz_init(parts[i]);
-        long unit = exact_integers(parts, six, 5);
-        for (int i = 0; i < 3; i++) {
-            mpz_inits(u[i], v[i], NULL);
-            mpz_mul_2exp(u[i], parts[i], (unsigned long)fine), mpz_addmul(u[i], parts[3 + i], t0);
-            mpz_mul(v[i], parts[3 + i], length);
+        for (int k = part.n; k >= 0; k--) {
+            exact_times_linear(part.p, part.n - k - 1, t0, length);
+            mpz_mul_2exp(term, line->c[k], (mp_bitcnt_t)(fine * (part.n - k)));
+            mpz_add(part.p[0], part.p[0], term);
         }
-        exact_along(form, (const mpz_t *)u, (const mpz_t *)v, unit + fine, part.p);
         mpf_set_ui(part.scale, 1);
-        mpf_mul_2exp(part.scale, part.scale, (mp_bitcnt_t)((unit + fine) * form->n + form->shift));
-        for (int i = 0; i < 3; i++) mpz_clears(u[i], v[i], NULL);
-        for (int i = 0; i < 6; i++) mpz_clear(parts[i]);
-        mpz_clears(t0, length, NULL);
+        mpf_mul_2exp(part.scale, part.scale, (mp_bitcnt_t)(fine * part.n + line->shift));
+        mpz_clears(t0, length, term, NULL);
     }
     mpf_clears(wide, f, NULL);
     return part;
@@ -330,42 +317,53 @@ static inline void exact_narrow(mpz_t *p, int n, exact_place *place, int bits) {
 typedef struct exact_collector {
     exact_part *part;
     exact_answer *answer;
+    int wanted;
 } exact_collector;
 
 static inline int exact_collect(exact_place *place, void *data) {
     exact_collector *c = data;
     exact_part *part = c->part;
     exact_answer *answer = c->answer;
-    mpf_t t;
-    mpf_init2(t, PIXEL_BITS);
+    mpf_t t, rest;
+    mpf_init2(t, PIXEL_BITS), mpf_init2(rest, PIXEL_BITS);
     exact_narrow(part->p, part->n, place, DEEPEST);
     exact_float(t, place->at, place->bits), mpf_mul(t, t, part->length), mpf_add(t, t, part->t0);
-    answer->sure = mpf_cmp(t, part->first) >= 0 && mpf_cmp(t, part->last) <= 0;
+    int i = answer->count++, sure = mpf_cmp(t, part->first) >= 0 && mpf_cmp(t, part->last) <= 0;
+    answer->is_sure[i] = (char)sure, answer->sure += sure;
     answer->clustered |= place->multiple;
-    answer->t[answer->count] = mpf_get_d(t);
-    answer->slope[answer->count] = exact_derivative(part, place->at, place->bits, 1);
-    answer->bend[answer->count++] = exact_derivative(part, place->at, place->bits, 2);
-    mpf_clear(t);
-    return answer->sure;
+    answer->t[i] = mpf_get_d(t);
+    answer->slope[i] = exact_derivative(part, place->at, place->bits, 1);
+    answer->bend[i] = exact_derivative(part, place->at, place->bits, 2);
+    mpf_set_d(rest, answer->t[i]), mpf_sub(t, t, rest), answer->rest[i] = mpf_get_d(t);
+    mpf_clears(t, rest, NULL);
+    return answer->sure == c->wanted;
+}
+
+static inline exact_answer exact_first_roots(const exact_line *line, const algsurf_extent *extent,
+                                             const algsurf_ray *ray, double room, int wanted) {
+    exact_answer answer = {0};
+    exact_part part = exact_part_of(line, extent, ray, room);
+    if (!part.empty) {
+        int n = line->degree, zeros = exact_degree(part.p, n) < 0;
+        mpz_t *copy = exact_polynomials(1, n + 1), zero;
+        mpz_init(zero);
+        for (int k = 0; k <= n; k++) mpz_set(copy[k], part.p[k]);
+        exact_collector c = {&part, &answer, wanted};
+        if (zeros)
+            answer.clustered = 1, answer.sure = 1; /* the ray lies in the surface */
+        else
+            (void)exact_walk(copy, n, zero, 0, exact_collect, &c);
+        exact_free(copy, n + 1), mpz_clear(zero);
+    }
+    exact_part_clear(&part);
+    return answer;
 }
 
 static inline exact_answer exact_first_root(const exact_form *form, const algsurf_extent *extent,
                                             const algsurf_ray *ray, double room) {
-    exact_answer answer = {0};
-    exact_part part = exact_part_of(form, extent, ray, room);
-    if (!part.empty) {
-        mpz_t *copy = exact_polynomials(1, form->n + 1), zero;
-        int zeros = 1;
-        mpz_init(zero);
-        for (int k = 0; k <= form->n; k++) mpz_set(copy[k], part.p[k]), zeros &= mpz_sgn(copy[k]) == 0;
-        exact_collector c = {&part, &answer};
-        if (zeros)
-            answer.clustered = 1, answer.sure = 1; /* the ray lies in the surface */
-        else
-            (void)exact_walk(copy, form->n, zero, 0, exact_collect, &c);
-        exact_free(copy, form->n + 1), mpz_clear(zero);
-    }
-    exact_part_clear(&part);
+    exact_line line = exact_form_line(form, ray);
+    exact_answer answer = exact_first_roots(&line, extent, ray, room, 1);
+    exact_line_clear(&line);
     return answer;
 }
 

@@ -23,17 +23,6 @@ static inline void exact_multiply(mpz_t *product, mpz_t *a, int n, mpz_t *b, int
         for (int j = 0; j <= m; j++) mpz_addmul(product[i + j], a[i], b[j]);
 }
 
-static inline mpz_t *exact_polynomials(int count, int width) {
-    mpz_t *p = malloc((size_t)(count * width) * sizeof *p);
-    for (int k = 0; k < count * width; k++) mpz_init(p[k]);
-    return p;
-}
-
-static inline void exact_free(mpz_t *p, int count) {
-    for (int k = 0; k < count; k++) mpz_clear(p[k]);
-    free(p);
-}
-
 /* The line of the terms along the ray; n at least the terms' total degrees.  To be cleared. */
 static inline exact_line exact_line_of(const algsurf_term *terms, int count, int n, const algsurf_ray *ray) {
     int width = n + 1, unit;
@@ -98,6 +87,83 @@ static inline exact_sturm exact_sturm_along(const algsurf_term *terms, int count
     exact_sturm s = exact_sturm_of(line.c, n);
     exact_line_clear(&line);
     return s;
+}
+
+/* ---- faces: what an extent or a plane leaves of the line is where a polynomial is not negative ---- */
+
+enum { EXACT_MOST_FACES = 6 + ALGSURF_MAX_CLIP_PLANES };
+
+typedef struct exact_face {
+    int degree; /* -1: zero on the whole ray */
+    mpz_t c[3];
+} exact_face;
+
+/* From rational coefficients. */
+static inline void exact_face_of(exact_face *face, mpq_t c[3]) {
+    mpz_t common;
+    mpz_init_set_ui(common, 1);
+    for (int k = 0; k < 3; k++) mpz_lcm(common, common, mpq_denref(c[k]));
+    for (int k = 0; k < 3; k++) {
+        mpz_init(face->c[k]);
+        mpz_divexact(face->c[k], common, mpq_denref(c[k]));
+        mpz_mul(face->c[k], face->c[k], mpq_numref(c[k]));
+    }
+    mpz_clear(common);
+    face->degree = exact_degree(face->c, 2);
+}
+
+/* offset + t step = X_i - c_i along the ray. */
+static inline void exact_offset(mpq_t offset, mpq_t step, const algsurf_extent *e, const algsurf_ray *ray,
+                                int i) {
+    mpq_t q;
+    mpq_init(q);
+    exact_set(offset, ray->origin[i]), exact_set(q, e->centre[i]);
+    mpq_sub(offset, offset, q);
+    exact_set(step, ray->direction[i]);
+    mpq_clear(q);
+}
+
+/* offset - normal.X along the ray. */
+static inline void exact_plane_of(exact_face *face, const algsurf_plane *plane, const algsurf_ray *ray) {
+    mpq_t c[3], n, x;
+    mpq_inits(c[0], c[1], c[2], n, x, NULL);
+    exact_set(c[0], plane->offset);
+    for (int i = 0; i < 3; i++) {
+        exact_set(n, plane->normal[i]);
+        exact_set(x, ray->origin[i]), mpq_mul(x, x, n), mpq_sub(c[0], c[0], x);
+        exact_set(x, ray->direction[i]), mpq_mul(x, x, n), mpq_sub(c[1], c[1], x);
+    }
+    exact_face_of(face, c);
+    mpq_clears(c[0], c[1], c[2], n, x, NULL);
+}
+
+/* Inside: all faces >= 0. */
+static inline int exact_faces_of(exact_face *face, const algsurf_extent *e, const algsurf_ray *ray) {
+    mpq_t c[3], a, b, q;
+    int count = 0;
+    if (!e || e->kind == ALGSURF_EXTENT_ALL) return 0;
+    mpq_inits(c[0], c[1], c[2], a, b, q, NULL);
+    if (e->kind == ALGSURF_EXTENT_SPHERE) {
+        exact_set(q, e->size[0]);
+        mpq_mul(c[0], q, q);
+        for (int i = 0; i < 3; i++) {
+            exact_offset(a, b, e, ray, i);
+            mpq_mul(q, a, a), mpq_sub(c[0], c[0], q);
+            mpq_mul(q, a, b), mpq_mul_2exp(q, q, 1), mpq_sub(c[1], c[1], q);
+            mpq_mul(q, b, b), mpq_sub(c[2], c[2], q);
+        }
+        exact_face_of(face + count++, c);
+    } else {
+        for (int i = 0; i < 6; i++) {
+            exact_offset(a, b, e, ray, i / 2);
+            if (i % 2) mpq_neg(a, a), mpq_neg(b, b);
+            exact_set(q, e->size[i / 2]);
+            mpq_add(c[0], q, a), mpq_set(c[1], b), mpq_set_ui(c[2], 0, 1);
+            exact_face_of(face + count++, c);
+        }
+    }
+    mpq_clears(c[0], c[1], c[2], a, b, q, NULL);
+    return count;
 }
 
 #endif

@@ -16,6 +16,17 @@ typedef struct exact_sturm {
     mpz_t *c;    /* coefficient k of polynomial i is c[i (top+1) + k] */
 } exact_sturm;
 
+static inline mpz_t *exact_polynomials(int count, int width) {
+    mpz_t *p = malloc((size_t)(count * width) * sizeof *p);
+    for (int k = 0; k < count * width; k++) mpz_init(p[k]);
+    return p;
+}
+
+static inline void exact_free(mpz_t *p, int count) {
+    for (int k = 0; k < count; k++) mpz_clear(p[k]);
+    free(p);
+}
+
 static inline int exact_degree(mpz_t *c, int n) {
     while (n >= 0 && mpz_sgn(c[n]) == 0) n--;
     return n;
@@ -45,6 +56,25 @@ static inline int exact_remainder(mpz_t *r, int n, mpz_t *g, int m) {
         n = exact_degree(r, n - 1);
     }
     mpz_clear(lead);
+    return n;
+}
+
+/* Euclid's algorithm: g, with room for degree n, becomes the gcd of a and b, neither zero. */
+static inline int exact_gcd(mpz_t *g, mpz_t *a, int n, mpz_t *b, int m) {
+    int top = n > m ? n : m;
+    mpz_t *r = exact_polynomials(1, top + 1), *swap, *x = exact_polynomials(1, top + 1), *y = r, *first = x;
+    for (int k = 0; k <= n; k++) mpz_set(x[k], a[k]);
+    for (int k = 0; k <= m; k++) mpz_set(y[k], b[k]);
+    while (m >= 0) {
+        exact_primitive(y, m);
+        n = n >= m ? exact_remainder(x, n, y, m) : n;
+        if (n >= 0) exact_primitive(x, n);
+        swap = x, x = y, y = swap;
+        int degree = n;
+        n = m, m = degree;
+    }
+    for (int k = 0; k <= n; k++) mpz_set(g[k], x[k]);
+    exact_free(first, top + 1), exact_free(r, top + 1);
     return n;
 }
 
@@ -111,12 +141,10 @@ static inline int exact_integers(mpz_t *integers, const double *p, int n) {
 }
 
 static inline exact_sturm exact_sturm_of_doubles(const double *p, int n) {
-    mpz_t *c = malloc((size_t)(n + 1) * sizeof *c);
-    for (int k = 0; k <= n; k++) mpz_init(c[k]);
+    mpz_t *c = exact_polynomials(1, n + 1);
     (void)exact_integers(c, p, n);
     exact_sturm s = exact_sturm_of(c, n);
-    for (int k = 0; k <= n; k++) mpz_clear(c[k]);
-    free(c);
+    exact_free(c, n + 1);
     return s;
 }
 

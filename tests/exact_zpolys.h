@@ -138,4 +138,11 @@ static inline algsurf_zpoly exact_to_zpoly(const exact_zpoly *p, int more_limbs,
     }
     return z;
 }
+
+/* Without leading zeros, a common power of two, limbs too many. */
+static inline int exact_is_compact(const algsurf_zpoly *p) {
+    if (p->degree < 0) return p->degree == -1;
+    return algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) != 0 && algsurf_zpoly_trailing(p) == 0 &&
+           p->width == algsurf_z_width(algsurf_zpoly_bits(p));
+}
 #endif

@@ -1,18 +1,11 @@
 /* intersect_case.h - judges what intersect says about one surface and one ray. */
 #ifndef INTERSECT_CASE_H
 #define INTERSECT_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_hits.h"
-
-#include <cmocka.h>
 
 #include "algsurf/camera.h"
 #include "algsurf/intersect.h"
+#include "unit.h"
 
 enum { INTERSECT_TERMS = 2200 };
 
@@ -37,11 +30,24 @@ static inline int intersect_terms(intersect_case *c, const algsurf_term *terms, 
     return algsurf_surface_terms(c->surface, c->terms) == ALGSURF_OK;
 }
 
+/* Of degree n at most, from some terms, the coefficients whole numbers or not. */
+static inline int intersect_random(intersect_case *c, uint64_t *seed, int n, int small) {
+    algsurf_term terms[24];
+    int count = 2 + exact_random_int(seed, 20);
+    for (int i = 0; i < count; i++) {
+        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
+        while (total-- > 0) e[exact_random_int(seed, 3)]++;
+        double a = small ? exact_random_int(seed, 9) - 4 : exact_random_wide(seed, -2, 2);
+        terms[i] = (algsurf_term){e[0], e[1], e[2], a};
+    }
+    return intersect_terms(c, terms, count);
+}
+
 static inline void intersect_equation(intersect_case *c, const char *text) {
     c->surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(text, NULL, 0, &c->surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(text, NULL, 0, &c->surface, NULL));
     c->count = (int)algsurf_surface_term_count(c->surface), c->degree = algsurf_surface_degree(c->surface);
-    assert_int_equal(algsurf_surface_terms(c->surface, c->terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(c->surface, c->terms));
 }
 
 static inline _Noreturn void intersect_fail(const char *what, const intersect_case *c,
@@ -64,11 +70,10 @@ static inline _Noreturn void intersect_fail(const char *what, const intersect_ca
 static inline void intersect_ask(const intersect_case *c, const algsurf_extent *extent,
                                  const algsurf_intersect_options *options, intersect_answer *a) {
     memset(a, 0, sizeof *a);
-    assert_int_equal(algsurf_intersect_first(c->surface, extent, &c->ray, options, &a->first), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all,
-                                           ALGSURF_MAX_DEGREE + 1, &a->count),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(c->surface, extent, &c->ray, options, &a->occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(c->surface, extent, &c->ray, options, &a->first));
+    assert_ok(algsurf_intersect_all(c->surface, extent, &c->ray, options, a->all, ALGSURF_MAX_DEGREE + 1,
+                                    &a->count));
+    assert_ok(algsurf_occluded(c->surface, extent, &c->ray, options, &a->occluded));
 }
 
 static inline int intersect_unit(const double n[3]) {

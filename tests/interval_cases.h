@@ -1,14 +1,12 @@
 /* interval_cases.h - operands and environments for the tests of intervals. */
 #ifndef INTERVAL_CASES_H
 #define INTERVAL_CASES_H
-#include <fenv.h>
 #include <float.h>
 #include <string.h>
 
-#include "exact.h"
-
 #include "algsurf/interval.h"
-#include "base/fpenv.h"
+#include "environments.h"
+#include "exact.h"
 
 /* A finite double: zeros, small integers, whole range, subnormals, both rims of the range, near 1, and the
  * limits of the error-free product. */
@@ -77,19 +75,11 @@ static inline double case_inside(uint64_t *seed, algsurf_interval a) {
 
 /* Runs work(data) in each environment a host may have set, then check(data, its name) in the standard one. */
 static inline void case_environments(void (*work)(void *), void (*check)(void *, const char *), void *data) {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     static const char *const names[] = {"nearest", "upward", "downward", "toward zero"};
-    for (int i = 0; i < 8; i++) {
-        fenv_t before;
-        fegetenv(&before);
-        fesetround(modes[i % 4]);
-#if defined(__SSE2__) || defined(__x86_64__)
-        if (i >= 4) _mm_setcsr(_mm_getcsr() | 0x8040u); /* flush to zero, denormals are zero */
-#endif
+    for (int i = 0; i < ENVIRONMENTS; i++) {
+        environment_set(i);
         work(data);
-        int mode = fegetround();
-        fesetenv(&before);
-        check(data, mode == modes[i % 4] ? names[i % 4] : "mode not restored");
+        check(data, environment_unset(i) ? names[i % 4] : "mode not restored");
     }
 }
 

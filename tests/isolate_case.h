@@ -6,17 +6,10 @@
  */
 #ifndef ISOLATE_CASE_H
 #define ISOLATE_CASE_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_roots.h"
 
-#include <cmocka.h>
-
 #include "algsurf/isolate.h"
+#include "unit.h"
 
 typedef struct isolate_answer {
     algsurf_status status;
@@ -122,50 +115,30 @@ typedef struct isolate_chains {
 
 /* p, of degree n > 0, becomes the greatest common divisor of p and p'; returns its degree. */
 static inline int isolate_divisor(mpz_t *p, int n) {
-    mpz_t *q = malloc((size_t)(n + 1) * sizeof *q), *a = p, *b = q;
-    for (int k = 0; k <= n; k++) mpz_init(q[k]);
+    mpz_t *q = exact_polynomials(1, n);
     for (int k = 1; k <= n; k++) mpz_mul_ui(q[k - 1], p[k], (unsigned long)k);
-    int da = n, db = n - 1;
-    while (db >= 0) { /* the pair a, b becomes b, a mod b */
-        exact_primitive(b, db);
-        int rest = exact_remainder(a, da, b, db);
-        mpz_t *t = a;
-        a = b, b = t, da = db, db = rest;
-    }
-    for (int k = 0; a != p && k <= n; k++) mpz_swap(p[k], q[k]);
-    for (int k = da + 1; k <= n; k++) mpz_set_ui(p[k], 0);
-    for (int k = 0; k <= n; k++) mpz_clear(q[k]);
-    free(q);
-    return da;
-}
-
-static inline mpz_t *isolate_integers(int count) {
-    mpz_t *p = malloc((size_t)count * sizeof *p);
-    for (int k = 0; k < count; k++) mpz_init(p[k]);
-    return p;
-}
-
-static inline void isolate_integers_clear(mpz_t *p, int count) {
-    for (int k = 0; k < count; k++) mpz_clear(p[k]);
-    free(p);
+    int m = exact_gcd(p, p, n, q, n - 1);
+    for (int k = m + 1; k <= n; k++) mpz_set_ui(p[k], 0);
+    exact_free(q, n);
+    return m;
 }
 
 /* Of p, not zero. */
 static inline void isolate_chains_of(mpz_t *p, int n, isolate_chains *chains) {
-    mpz_t *q = isolate_integers(n + 1);
+    mpz_t *q = exact_polynomials(1, n + 1);
     chains->degree = exact_degree(p, n);
-    chains->p = isolate_integers(chains->degree + 1);
+    chains->p = exact_polynomials(1, chains->degree + 1);
     for (int k = 0; k <= chains->degree; k++) mpz_set(chains->p[k], p[k]), mpz_set(q[k], p[k]);
     chains->s[0] = exact_sturm_of(q, chains->degree);
     chains->count = 1;
     for (int degree = chains->degree; degree > 0 && (degree = isolate_divisor(q, degree)) > 0;)
         chains->s[chains->count++] = exact_sturm_of(q, degree);
-    isolate_integers_clear(q, n + 1);
+    exact_free(q, n + 1);
 }
 
 static inline void isolate_chains_clear(isolate_chains *chains) {
     for (int i = 0; i < chains->count; i++) exact_sturm_clear(chains->s + i);
-    isolate_integers_clear(chains->p, chains->degree + 1);
+    exact_free(chains->p, chains->degree + 1);
 }
 
 /* Roots in the open interval (lo,hi). */
@@ -178,11 +151,11 @@ static inline int isolate_between(const exact_sturm *s, double lo, double hi) {
 static inline int isolate_sign_after(const isolate_chains *chains, double x) {
     int n = chains->degree, sign = 0;
     if (!isfinite(x)) return exact_integers_sign(chains->p, n, x);
-    mpz_t *p = isolate_integers(n + 1);
+    mpz_t *p = exact_polynomials(1, n + 1);
     for (int k = 0; k <= n; k++) mpz_set(p[k], chains->p[k]);
     for (int d = n; d >= 0 && (sign = exact_integers_sign(p, d, x)) == 0; d--)
         for (int k = 1; k <= d; k++) mpz_mul_ui(p[k - 1], p[k], (unsigned long)k);
-    isolate_integers_clear(p, n + 1);
+    exact_free(p, n + 1);
     return sign;
 }
 
@@ -310,14 +283,14 @@ static inline void isolate_judge(const double *c, int n, double lo, double hi, i
     a->status = algsurf_isolate_all(c, NULL, n, lo, hi, NULL, a->b, ALGSURF_MAX_POLY_DEGREE + 1, &a->count);
     if (a->status != ALGSURF_OK || a->count < 0) isolate_fail("refused", c, NULL, n, lo, hi, a);
     const char *wrong = isolate_form(c, NULL, n, lo, hi, a);
-    mpz_t *p = isolate_integers(n + 1);
+    mpz_t *p = exact_polynomials(1, n + 1);
     (void)exact_integers(p, c, n);
     isolate_chains_of(p, n, &chains);
     if (!wrong) wrong = isolate_decisions(&chains, lo, hi, a);
     static isolate_answer refined;
     if (!wrong) wrong = isolate_real_roots(&chains, c, lo, hi, &refined);
     isolate_chains_clear(&chains);
-    isolate_integers_clear(p, n + 1);
+    exact_free(p, n + 1);
     if (wrong) isolate_fail(wrong, c, NULL, n, lo, hi, a);
 }
 

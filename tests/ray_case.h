@@ -1,10 +1,9 @@
-/* ray_case.h - rays, clips and messages that the tests of the room ray share; after cmocka.h. */
+/* ray_case.h - rays, clips and messages that the tests of the room ray share. */
 #ifndef RAY_CASE_H
 #define RAY_CASE_H
-#include <string.h>
-
 #include "algsurf/ray.h"
 #include "exact.h"
+#include "unit.h"
 
 static inline algsurf_ray make_ray(const double o[3], const double d[3], double t_min, double t_max) {
     algsurf_ray ray = {.t_min = t_min, .t_max = t_max};
@@ -24,7 +23,7 @@ static inline void print_case(const algsurf_extent *e, const algsurf_ray *r, con
 
 static inline int clip(const algsurf_extent *e, const algsurf_ray *r, algsurf_ray *chord) {
     int meets = -1;
-    assert_int_equal(algsurf_extent_clip(e, r, chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(e, r, chord, &meets));
     return meets;
 }
 

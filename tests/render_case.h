@@ -1,10 +1,6 @@
-/* render_case.h - a small picture of a torus, for the tests of the room render; after cmocka.h. */
+/* render_case.h - a small picture of a torus, for the tests of the room render. */
 #ifndef RENDER_CASE_H
 #define RENDER_CASE_H
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "algsurf/algsurf.h"
 #include "scenes.h"
 
@@ -47,8 +43,8 @@ static inline algsurf_scene *torus_scene(const algsurf_surface *surface, algsurf
                                          int antialias) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_scene *scene = scene_of(surface, &ball, &camera, NULL);
-    assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_quality(scene, quality));
+    assert_ok(algsurf_scene_set_antialias(scene, antialias));
     return scene;
 }
 
@@ -64,7 +60,7 @@ static inline void blank(picture *p) {
 
 static inline void render(const algsurf_scene *scene, const algsurf_render_options *o, picture *p) {
     const algsurf_picture planes = planes_of(p, o->row_begin);
-    assert_int_equal(algsurf_render(scene, o, &planes, &p->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, o, &planes, &p->stats));
 }
 
 static inline picture *drawn(const algsurf_scene *scene, int threads) {
@@ -73,6 +69,34 @@ static inline picture *drawn(const algsurf_scene *scene, int threads) {
     assert_non_null(p);
     blank(p);
     render(scene, &o, p);
+    return p;
+}
+
+static inline void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
+    sum->rays += more->rays;
+    sum->hits += more->hits;
+    sum->undecided += more->undecided;
+    sum->shadow_rays += more->shadow_rays;
+    sum->single_rays += more->single_rays;
+    sum->iterations += more->iterations;
+}
+
+/* The picture in slices between the cuts, 0 to H, from the bottom up, with changing numbers of threads; the
+ * counts are added up. */
+static inline picture *sliced(const algsurf_scene *scene, const int *cuts) {
+    picture *p = malloc(sizeof *p);
+    algsurf_render_stats sum = {.size = sizeof sum};
+    int count = 0;
+    assert_non_null(p);
+    blank(p);
+    while (cuts[count] < H) count++;
+    for (int k = count - 1; k >= 0; k--) {
+        algsurf_render_options o = options_for(k % 2 + 1);
+        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
+        render(scene, &o, p);
+        add_stats(&sum, &p->stats);
+    }
+    p->stats = sum;
     return p;
 }
 

@@ -1,18 +1,19 @@
-/* scenes.h - surfaces and scenes as tests make them; after cmocka.h. */
+/* scenes.h - surfaces and scenes as tests make them. */
 #ifndef SCENES_H
 #define SCENES_H
 #include "algsurf/algsurf.h"
 #include "exact.h"
+#include "unit.h"
 
 static inline algsurf_surface *surface_of(const char *equation) {
     algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL));
     return surface;
 }
 
 static inline algsurf_surface *surface_of_terms(const algsurf_term *terms, size_t count) {
     algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, count, &surface));
     assert_non_null(surface);
     return surface;
 }
@@ -32,7 +33,7 @@ static inline algsurf_surface *surface_of_random_terms(uint64_t *state, int degr
 static inline algsurf_camera pinhole_of(const double eye[3], const double at[3], const double up[3],
                                         double fov) {
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, fov, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, fov, &camera));
     return camera;
 }
 
@@ -40,11 +41,21 @@ static inline algsurf_camera pinhole_of(const double eye[3], const double at[3],
 static inline algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
                                       const algsurf_camera *camera, const algsurf_intersect_options *how) {
     algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    if (extent) assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    if (camera) assert_int_equal(algsurf_scene_set_camera(scene, camera), ALGSURF_OK);
-    if (how) assert_int_equal(algsurf_scene_set_intersect(scene, how), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(surface, &scene));
+    if (extent) assert_ok(algsurf_scene_set_extent(scene, extent));
+    if (camera) assert_ok(algsurf_scene_set_camera(scene, camera));
+    if (how) assert_ok(algsurf_scene_set_intersect(scene, how));
     return scene;
+}
+
+/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
+static inline int is_zero(const algsurf_surface *surface, const algsurf_ray *ray, double t) {
+    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
+    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
+    assert_ok(algsurf_surface_gradient(surface, point, &value, gradient, &bound, gradient_bound));
+    for (int i = 0; i < 3; i++)
+        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
+    return fabs(value) <= 32 * bound + slack;
 }
 
 #endif

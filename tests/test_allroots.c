@@ -7,18 +7,10 @@
  * (Seen to fail with the check of the leading coefficient, the joining of boxes after unscaling, the recall
  * of points from far out, the outward rounding of unscaling, or the switch of the environment removed.)
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/algsurf.h"
 #include "allroots_case.h"
 #include "environments.h"
+#include "unit.h"
 
 enum { LARGE = ALGSURF_MAX_POLY_DEGREE };
 #define BIG DBL_MAX
@@ -28,21 +20,9 @@ static algsurf_complex_solver *solver;
 static algsurf_complex_root boxes[LARGE];
 static algsurf_complex large[LARGE + 1];
 
-static int setup(void **state) {
-    (void)state;
-    return algsurf_complex_solver_create(LARGE, &solver) != ALGSURF_OK;
-}
-
-static int teardown(void **state) {
-    (void)state;
-    algsurf_complex_solver_free(solver);
-    algsurf_complex_solver_free(NULL);
-    return 0;
-}
-
 static int solve(const double *c, const double *r, int degree) {
     int count = -1;
-    assert_int_equal(algsurf_complex_roots_of_real(c, r, degree, boxes, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_of_real(c, r, degree, boxes, &count));
     return count;
 }
 
@@ -66,8 +46,7 @@ static void refused(algsurf_status expected, const algsurf_complex *c, const dou
     assert_int_equal(stats.iterations, 77);
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(test_refusals) {
     const algsurf_complex good[3] = {{1, 0}, {3, 0}, {1, 0}}, zero[3] = {{0, 0}, {-0.0, 0}, {0, -0.0}};
     const double radii[3] = {0, 0, 0}, negative[3] = {0, -1e-300, 0};
     const double bad[] = {NAN, HUGE_VAL, -HUGE_VAL};
@@ -108,8 +87,7 @@ static void test_refusals(void **state) {
     assert_int_equal(count, 77);
 }
 
-static void test_solver_refusals(void **state) {
-    (void)state;
+TEST(test_solver_refusals) {
     algsurf_complex_solver *untouched = (algsurf_complex_solver *)(void *)&solver, *s = untouched;
     const algsurf_complex cubic[4] = {{1, 0}, {0, 0}, {0, 0}, {1, 0}};
     int count = 77;
@@ -118,7 +96,7 @@ static void test_solver_refusals(void **state) {
     assert_int_equal(algsurf_complex_solver_create(-1, &s), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_complex_solver_create(LARGE + 1, &s), ALGSURF_E_DEGREE);
     assert_ptr_equal(s, untouched);
-    assert_int_equal(algsurf_complex_solver_create(2, &s), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(2, &s));
     assert_int_equal(algsurf_complex_solver_run(s, cubic, NULL, 3, NULL, boxes, &count, NULL),
                      ALGSURF_E_DEGREE);
     assert_int_equal(count, 77);
@@ -127,8 +105,7 @@ static void test_solver_refusals(void **state) {
 
 /* ---- small polynomials ---- */
 
-static void test_low_degrees(void **state) {
-    (void)state;
+TEST(test_low_degrees) {
     assert_int_equal(solve((double[]){3}, NULL, 0), 0);
     assert_int_equal(solve((double[]){5, 0, -0.0, 0}, NULL, 3), 0);
     assert_int_equal(solve((double[]){1, 1, -0.0}, NULL, 2), 1);
@@ -151,8 +128,7 @@ static void test_low_degrees(void **state) {
 }
 
 /* Roots that leave the range of double are in boxes that say so, and still do not meet. */
-static void test_range(void **state) {
-    (void)state;
+TEST(test_range) {
     static const struct {
         double c[5];
         int degree;
@@ -185,12 +161,11 @@ static void test_range(void **state) {
 
 /* ---- radii ---- */
 
-static void test_radii(void **state) {
-    (void)state;
+TEST(test_radii) {
     const algsurf_complex two[3] = {{-1, 0}, {0, 0}, {1, 0}}, through[3] = {{0, 0}, {1, 0}, {1, 0}};
     int count = -1;
     /* -1 + 1e-3 i is one of the constants meant: its roots are not real */
-    assert_int_equal(algsurf_complex_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(two, (double[]){1e-3, 0, 0}, 2, boxes, &count));
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(boxes[i].real, 0);
@@ -198,16 +173,14 @@ static void test_radii(void **state) {
     }
     for (int again = 0; again < 3; again++) { /* a constant of 0 that need not be: the same each time */
         memset(boxes, again ? 0x7f : 0, sizeof boxes);
-        assert_int_equal(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(through, (double[]){1e-10, 0, 0}, 2, boxes, &count));
         assert_int_equal(count, 2);
         assert_true(fabs(boxes[1].root.re) < 1e-9 && boxes[1].box.re.hi >= 1e-10);
         assert_true(boxes[1].box.re.hi < 1e-9 && boxes[1].box.re.lo <= -1e-10);
     }
     /* z^3 - z with an undecided middle: the exact zero and the others stay apart, or are one box */
-    assert_int_equal(algsurf_complex_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
-                                           (double[]){0, 3, 0, 0}, 3, boxes, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_complex_roots((algsurf_complex[]){{0, 0}, {-1, 0}, {0, 0}, {1, 0}},
+                                    (double[]){0, 3, 0, 0}, 3, boxes, &count));
     assert_null(case_boxes_wrong(3, boxes, count));
     refused(ALGSURF_E_RANGE, two, (double[]){0, 0, 1}, 2);
     refused(ALGSURF_E_RANGE, (algsurf_complex[]){{1, 0}, {1, 0}, {0, 0}}, (double[]){0, 0, 1e-9}, 2);
@@ -218,15 +191,13 @@ static void test_radii(void **state) {
 
 static int run(int degree, const algsurf_complex *start, algsurf_complex_solver_stats *stats) {
     int count = -1;
-    assert_int_equal(algsurf_complex_solver_run(solver, large, NULL, degree, start, boxes, &count, stats),
-                     ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, large, NULL, degree, start, boxes, &count, stats));
     const char *what = case_boxes_wrong(degree, boxes, count);
     if (what) fail_msg("degree %d: %s", degree, what);
     return count;
 }
 
-static void test_unity(void **state) {
-    (void)state;
+TEST(test_unity) {
     for (int degree = 64; degree <= LARGE; degree *= 2) {
         memset(large, 0, sizeof large);
         large[0].re = -1, large[degree].re = 1;
@@ -249,15 +220,14 @@ static void test_unity(void **state) {
         assert_int_equal(exact, 4);
         static algsurf_complex_root simple[LARGE];
         int count = 0;
-        assert_int_equal(algsurf_complex_roots(large, NULL, degree, simple, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(large, NULL, degree, simple, &count));
         assert_int_equal(count, degree);
         assert_memory_equal(simple, boxes, (size_t)degree * sizeof *simple);
     }
 }
 
 /* Roots of random polynomials lie near the unit circle, apart: none may drag the others into one box. */
-static void test_random_high_degrees(void **state) {
-    (void)state;
+TEST(test_random_high_degrees) {
     uint64_t seed = 7;
     for (int round = 0; round < 24; round++) {
         int degree = round % 3 == 0 ? 128 : round % 3 == 1 ? 300 : LARGE;
@@ -272,8 +242,7 @@ static void test_random_high_degrees(void **state) {
     assert_int_equal(run(LARGE, NULL, NULL), LARGE);
 }
 
-static void test_start_values(void **state) {
-    (void)state;
+TEST(test_start_values) {
     enum { N = 10 };
     algsurf_complex_solver_stats cold = {.size = sizeof cold}, warm = {.size = sizeof warm};
     algsurf_complex start[N];
@@ -296,14 +265,13 @@ static void test_start_values(void **state) {
         }
 }
 
-static void test_reuse_and_environments(void **state) {
-    (void)state;
+TEST(test_reuse_and_environments) {
     enum { N = 9 };
     algsurf_complex c[N + 1] = {{0, 0}};
     algsurf_complex_root first[N], again[N];
     int count, count_again;
     for (int k = 0; k <= N; k++) c[k] = (algsurf_complex){1.0 / (k + 1), k == 4 ? 0x1p-1060 : 0.1 * k};
-    assert_int_equal(algsurf_complex_roots(c, NULL, N, first, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(c, NULL, N, first, &count));
     for (int i = 0; i < 2 * ENVIRONMENTS; i++) {
         if (i == ENVIRONMENTS) { /* after a large and different problem */
             memset(large, 0, sizeof large), large[0].re = 7, large[100].im = 1;
@@ -315,7 +283,7 @@ static void test_reuse_and_environments(void **state) {
             i % 2 ? algsurf_complex_roots(c, NULL, N, again, &count_again)
                   : algsurf_complex_solver_run(solver, c, NULL, N, NULL, again, &count_again, NULL);
         assert_true(environment_unset(i % ENVIRONMENTS));
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(count, count_again);
         for (int k = 0; k < count; k++) {
             assert_memory_equal(&first[k].box, &again[k].box, sizeof first[k].box);
@@ -325,14 +293,9 @@ static void test_reuse_and_environments(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_refusals),
-                                       cmocka_unit_test(test_solver_refusals),
-                                       cmocka_unit_test(test_low_degrees),
-                                       cmocka_unit_test(test_range),
-                                       cmocka_unit_test(test_radii),
-                                       cmocka_unit_test(test_unity),
-                                       cmocka_unit_test(test_random_high_degrees),
-                                       cmocka_unit_test(test_start_values),
-                                       cmocka_unit_test(test_reuse_and_environments)};
-    return cmocka_run_group_tests(tests, setup, teardown);
+    if (algsurf_complex_solver_create(LARGE, &solver) != ALGSURF_OK) return 1;
+    int failed = unit_run("allroots");
+    algsurf_complex_solver_free(solver);
+    algsurf_complex_solver_free(NULL);
+    return failed;
 }

@@ -5,16 +5,9 @@
  * two boxes on one root called complete, a failing start hidden; an end rounded inward; an environment that
  * shows in results; an argument that is not checked, an output written before the check.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <float.h>
-
 #include "environments.h"
 #include "seed_case.h"
+#include "unit.h"
 
 #define SEED 20240608u
 
@@ -28,8 +21,7 @@ static int each_once(const seed_case *c, const algsurf_cpoly_zero *zeros) {
     return 1;
 }
 
-static void test_finds_all(void **state) {
-    (void)state;
+TEST(test_finds_all) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 500; round++) {
@@ -38,7 +30,7 @@ static void test_finds_all(void **state) {
         algsurf_complex start[SEED_DEGREE];
         int complete = -1;
         for (int i = 0; i < c.n; i++) start[i] = (algsurf_complex){0.3 + 0.01 * i, 0.2 - 0.02 * i};
-        assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, NULL, c.n, start, NULL, zeros, &complete));
         for (int i = 0; i < c.n; i++) {
             assert_true(!zeros[i].verified || seed_count(&c, zeros[i].box) == 1);
             assert_true(!zeros[i].verified || (zeros[i].unique && zeros[i].inflations >= 1));
@@ -54,8 +46,7 @@ static void test_finds_all(void **state) {
 }
 
 /* Moved coefficients with radii: the boxes hold the old roots.  Without radii they are too small for that. */
-static void test_radii_are_handed_on(void **state) {
-    (void)state;
+TEST(test_radii_are_handed_on) {
     uint64_t seed = SEED;
     int complete_ones = 0;
     for (int round = 0; round < 200; round++) {
@@ -70,7 +61,7 @@ static void test_radii_are_handed_on(void **state) {
         }
         const algsurf_complex start[SEED_DEGREE] = {{0.3, 0.2}, {-0.1, 0.5}, {0.2, -0.3},
                                                     {0.4, 0.4}, {1, 2},      {2, -1}};
-        assert_int_equal(algsurf_cpoly_zeros(c.p, r, c.n, start, NULL, zeros, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, r, c.n, start, NULL, zeros, &complete));
         complete_ones += complete;
         assert_true(!complete || each_once(&c, zeros));
     }
@@ -78,22 +69,20 @@ static void test_radii_are_handed_on(void **state) {
 }
 
 /* t^2 - 1/4, a sphere seen along a re-centred ray: the cold start stays on the imaginary axis. */
-static void test_cold_start_fails_on_even(void **state) {
-    (void)state;
+TEST(test_cold_start_fails_on_even) {
     const algsurf_complex p[] = {{-0.25, 0}, {0, 0}, {1, 0}}, off[] = {{0.1, 1}, {0.1, 1}};
     algsurf_cpoly_zero zeros[2];
     int complete = 1;
-    assert_int_equal(algsurf_cpoly_zeros(p, NULL, 2, NULL, NULL, zeros, &complete), ALGSURF_OK);
+    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, NULL, NULL, zeros, &complete));
     assert_int_equal(complete, 0);
     for (int i = 0; i < 2; i++) assert_true(!zeros[i].converged && !zeros[i].verified && !zeros[i].unique);
-    assert_int_equal(algsurf_cpoly_zeros(p, NULL, 2, off, NULL, zeros, &complete), ALGSURF_OK);
+    assert_ok(algsurf_cpoly_zeros(p, NULL, 2, off, NULL, zeros, &complete));
     assert_int_equal(complete, 1);
     for (int i = 0; i < 2; i++) assert_true(zeros[i].converged && zeros[i].verified && zeros[i].unique);
 }
 
 /* With few steps the approximations are poor, the quotients worse, and polishing ends on some roots twice. */
-static void test_slides_are_noticed(void **state) {
-    (void)state;
+TEST(test_slides_are_noticed) {
     const algsurf_zero_options few = {sizeof few, 0, 7, 0};
     uint64_t seed = SEED;
     int slid = 0, saved = 0;
@@ -101,7 +90,7 @@ static void test_slides_are_noticed(void **state) {
         seed_case c = seed_random(&seed, 3, 1);
         algsurf_cpoly_zero z[3];
         int complete, verified = 0;
-        assert_int_equal(algsurf_cpoly_zeros(c.p, NULL, 3, NULL, &few, z, &complete), ALGSURF_OK);
+        assert_ok(algsurf_cpoly_zeros(c.p, NULL, 3, NULL, &few, z, &complete));
         for (int i = 0; i < 3; i++) verified += z[i].verified;
         assert_int_equal(complete, verified == 3 && each_once(&c, z));
         slid += verified == 3 && !complete;
@@ -169,8 +158,7 @@ static int multiplies_out(algsurf_complex p, const algsurf_cinterval *below, alg
     return has;
 }
 
-static void test_quotient_multiplies_out(void **state) {
-    (void)state;
+TEST(test_quotient_multiplies_out) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 300; round++) {
@@ -197,15 +185,13 @@ static void test_quotient_multiplies_out(void **state) {
 /* ---- the calls ---- */
 
 /* X^512 - 1 at 1. */
-static void test_highest_degree(void **state) {
-    (void)state;
+TEST(test_highest_degree) {
     static algsurf_complex p[ALGSURF_MAX_POLY_DEGREE + 1], q[ALGSURF_MAX_POLY_DEGREE], z;
     static algsurf_cinterval Z, Q[ALGSURF_MAX_POLY_DEGREE];
     int n = ALGSURF_MAX_POLY_DEGREE, unique = 0;
     p[0].re = -1, p[n].re = 1;
-    assert_int_equal(algsurf_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL), ALGSURF_OK);
+    assert_ok(algsurf_approximation(p, n, (algsurf_complex){1.0005, 0.0005}, NULL, &z, q, NULL));
+    assert_ok(algsurf_interval_iteration(p, NULL, n, z, q, NULL, &Z, Q, &unique, NULL));
     assert_true(unique && seed_in(Z, (algsurf_complex){1, 0}) && Z.re.hi - Z.re.lo < 1e-15);
     for (int k = 0; k < n; k++) assert_true(seed_in(Q[k], (algsurf_complex){1, 0}));
 }
@@ -243,8 +229,7 @@ static int same(const answers *a, const answers *b) {
 }
 
 /* The same bits in every environment, which comes back as it was; subnormal coefficients included. */
-static void test_environments(void **state) {
-    (void)state;
+TEST(test_environments) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 60; round++) {
@@ -308,8 +293,7 @@ static void refused(const call *c, int approximation, int iteration, int zeros) 
     assert_memory_equal(mark, before, sizeof mark);
 }
 
-static void test_bad_numbers(void **state) {
-    (void)state;
+TEST(test_bad_numbers) {
     const int argument = ALGSURF_E_ARGUMENT, finite = ALGSURF_E_NOT_FINITE;
     static const int degrees[] = {0, -1, ALGSURF_MAX_POLY_DEGREE + 1, 0x7fffffff};
     for (int i = 0; i < 4; i++) {
@@ -336,8 +320,7 @@ static void test_bad_numbers(void **state) {
     c = good, c.options.size = 2, refused(&c, argument, argument, argument);
 }
 
-static void test_null(void **state) {
-    (void)state;
+TEST(test_null) {
     const call c = good;
     algsurf_complex z = {5, 5}, q[2] = {{5, 5}, {5, 5}};
     algsurf_cinterval Z = {{5, 5}, {5, 5}};
@@ -361,20 +344,4 @@ static void test_null(void **state) {
                      ALGSURF_NOT_VERIFIED);
 }
 
-int main(void) {
-    const struct CMUnitTest zeros[] = {
-        cmocka_unit_test(test_finds_all),
-        cmocka_unit_test(test_radii_are_handed_on),
-        cmocka_unit_test(test_cold_start_fails_on_even),
-        cmocka_unit_test(test_slides_are_noticed),
-    };
-    const struct CMUnitTest calls[] = {
-        cmocka_unit_test(test_quotient_multiplies_out),
-        cmocka_unit_test(test_highest_degree),
-        cmocka_unit_test(test_environments),
-        cmocka_unit_test(test_bad_numbers),
-        cmocka_unit_test(test_null),
-    };
-    int failed = cmocka_run_group_tests_name("all zeros", zeros, NULL, NULL);
-    return failed + cmocka_run_group_tests_name("calls", calls, NULL, NULL);
-}
+int main(void) { return unit_run("allroots, deflate"); }

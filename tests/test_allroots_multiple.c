@@ -5,17 +5,11 @@
  * holds one is decided in rationals.  Factors of higher degree are judged by their own boxes. (Seen to fail
  * with a factor's multiplicity off by one, a factor left out, the unit of the variable forgotten, the root 0
  * left out, boxes that are not joined, radii of rounded factors left out.) */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_zpolys.h"
-
-#include <cmocka.h>
 
 #include "algsurf/allroots.h"
 #include "allroots_case.h"
+#include "unit.h"
 
 enum { MOST_FACTORS = 12, MOST_DEGREE = 256, MOST_BOXES = 100000 };
 
@@ -167,23 +161,10 @@ static double ulps(const algsurf_complex_root *e) {
     return w > 0 ? w / (nextafter(size, HUGE_VAL) - size) : 0;
 }
 
-static int mirrored(const algsurf_complex_root *e, int count) {
-    for (int i = 0; i < count; i++) {
-        int images = 0;
-        for (int j = 0; j < count; j++)
-            images += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
-                      e[i].box.im.lo == -e[j].box.im.hi && e[i].box.im.hi == -e[j].box.im.lo &&
-                      e[i].multiplicity == e[j].multiplicity && e[i].root.re == e[j].root.re &&
-                      e[i].root.im == -e[j].root.im;
-        if (images != 1) return 0;
-    }
-    return 1;
-}
-
 /* What is wrong; *alone grows by the boxes that hold one root, whatever its multiplicity. */
 static const char *wrong(const product *t, const algsurf_complex_root *e, int count, int *alone) {
     const char *what = case_boxes_wrong(t->n, e, count);
-    if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
+    if (!what && !case_mirrored(e, count)) what = "boxes that are not conjugate";
     for (int i = 0; i < count && !what; i++) {
         int different = 0, all = 0, real = 0, its;
         for (int j = 0; j < t->count; j++) {
@@ -217,7 +198,7 @@ static int judge(const product *t) {
         algsurf_complex_solver *solver;
         algsurf_complex z[MOST_DEGREE + 1];
         for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-        assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+        assert_ok(algsurf_complex_solver_create(t->n, &solver));
         status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         algsurf_complex_solver_free(solver);
     }
@@ -248,8 +229,7 @@ static void close_product(product *t) {
 
 /* ---- tests ---- */
 
-static void test_named(void **state) {
-    (void)state;
+TEST(test_named) {
     static const struct {
         int count;
         factor f[6];
@@ -293,8 +273,7 @@ static void test_named(void **state) {
 }
 
 /* Roots of different multiplicity that are neighbours: 1 and 1 + 2^-k. */
-static void test_neighbours(void **state) {
-    (void)state;
+TEST(test_neighbours) {
     product *t = open_product();
     int together = 0, apart = 0;
     for (int k = 45; k <= 51; k++)
@@ -338,8 +317,7 @@ static int random_factor(const product *t, int size, factor *f) {
     return 1;
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     product *t = open_product();
     int cases = 0, multiple = 0, roots = 0, lost = 0;
     for (int round = 0; round < 12000; round++) {
@@ -373,18 +351,16 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
     algsurf_complex z[MOST_DEGREE + 1];
     algsurf_complex_solver *solver;
     int count, in_q, in_r = 0;
-    assert_int_equal(algsurf_complex_solver_create(MOST_DEGREE, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(MOST_DEGREE, &solver));
     for (int k = 0; k <= dq; k++) z[k] = (algsurf_complex){(double)q[k], 0};
-    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, z, NULL, dq, NULL, of_q, &in_q, NULL));
     for (int k = 0; k <= dr; k++) z[k] = (algsurf_complex){(double)r[k], 0};
-    if (dr)
-        assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL),
-                         ALGSURF_OK);
+    if (dr) assert_ok(algsurf_complex_solver_run(solver, z, NULL, dr, NULL, of_r, &in_r, NULL));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL));
     algsurf_complex_solver_free(solver);
     const char *what = case_boxes_wrong(t->n, e, count);
-    if (!what && !mirrored(e, count)) what = "boxes that are not conjugate";
+    if (!what && !case_mirrored(e, count)) what = "boxes that are not conjugate";
     if (count != in_q + in_r || in_q != dq || in_r != dr) what = "a root without a box of its own";
     for (int i = 0; i < count && !what; i++) {
         int met_q = 0, met_r = 0;
@@ -396,8 +372,7 @@ static void judge_powers(product *t, const long *q, int dq, int m, const long *r
     if (what) give_up(t, e, count, what);
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     product *t = open_product();
     int cases = 0, degree = 0;
     for (int round = 0; round < 600; round++) {
@@ -426,8 +401,7 @@ static void test_powers(void **state) {
 }
 
 /* Degrees above 64. */
-static void test_high(void **state) {
-    (void)state;
+TEST(test_high) {
     static const int degree[][2] = {{10, 20}, {20, 10}, {50, 4}, {100, 2},
                                     {16, 5},  {4, 50},  {7, 25}, {1, 50}};
     product *t = open_product();
@@ -448,8 +422,7 @@ static void test_high(void **state) {
 }
 
 /* What is not exact, or not real, keeps its cluster. */
-static void test_clusters_stay(void **state) {
-    (void)state;
+TEST(test_clusters_stay) {
     product *t = open_product();
     algsurf_complex_root e[ALGSURF_MAX_DEGREE];
     algsurf_complex z[5];
@@ -459,20 +432,19 @@ static void test_clusters_stay(void **state) {
     join_factor(t, 0, 1, -1, 4);
     assert_true(finish(t, 0));
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK); /* radii of 0 are exact */
+    assert_ok(algsurf_complex_roots(z, r, 4, e, &count)); /* radii of 0 are exact */
     assert_true(count == 1 && e[0].multiplicity == 4 && e[0].real && ulps(e) <= 2);
     r[2] = 0x1p-40;
-    assert_int_equal(algsurf_complex_roots(z, r, 4, e, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(z, r, 4, e, &count));
     assert_true(count == 1 && e[0].multiplicity == 4 && !e[0].real && ulps(e) > 1e6);
     for (int k = 0; k < 5; k++) z[k] = (algsurf_complex){t->c[k], t->c[k]};
-    assert_int_equal(algsurf_complex_roots(z, NULL, 4, e, &count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(z, NULL, 4, e, &count));
     assert_true(count == 1 && e[0].multiplicity == 4 && ulps(e) > 1e6);
     close_product(t);
 }
 
 /* (x^10 + 1)^20: with memory 10 boxes, without it a true answer all the same. */
-static void test_without_memory(void **state) {
-    (void)state;
+TEST(test_without_memory) {
     product *t = open_product();
     const long q[11] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     algsurf_complex_root e[MOST_DEGREE];
@@ -482,13 +454,13 @@ static void test_without_memory(void **state) {
     times(t, q, 10, 20);
     assert_true(finish(t, 0));
     for (int k = 0; k <= t->n; k++) z[k] = (algsurf_complex){t->c[k], 0};
-    assert_int_equal(algsurf_complex_solver_create(t->n, &solver), ALGSURF_OK);
+    assert_ok(algsurf_complex_solver_create(t->n, &solver));
     for (int fails = 0; fails < 2; fails++) {
         int count, before = blocks;
         malloc_fails = fails;
         algsurf_status status = algsurf_complex_solver_run(solver, z, NULL, t->n, NULL, e, &count, NULL);
         malloc_fails = 0;
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(blocks, before);
         const char *what = case_boxes_wrong(t->n, e, count);
         if (what) give_up(t, e, count, what);
@@ -504,8 +476,7 @@ static int by_size(const void *a, const void *b) {
     return (*(const double *)a > *(const double *)b) - (*(const double *)a < *(const double *)b);
 }
 
-static void test_widths(void **state) {
-    (void)state;
+TEST(test_widths) {
     assert_true(widths > 10000);
     qsort(width, (size_t)widths, sizeof *width, by_size);
     print_message("%d boxes, in ulps: median %g, 99%% %g, widest %g\n", widths, width[widths / 2],
@@ -513,12 +484,4 @@ static void test_widths(void **state) {
     assert_true(width[widths / 2] <= 4 && width[widths - 1] < 1000);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_named),          cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_random),         cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_high),           cmocka_unit_test(test_clusters_stay),
-        cmocka_unit_test(test_without_memory), cmocka_unit_test(test_widths),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("allroots multiple"); }

@@ -9,17 +9,9 @@
  * (Seen to fail with the discs a tenth of their size, discs that touch kept apart, the radii dropped from the
  * residual of either refinement, boxes or their mirror images not joined.)
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/algsurf.h"
 #include "allroots_case.h"
+#include "unit.h"
 
 static uint64_t seed = 20240917;
 
@@ -57,19 +49,7 @@ static void verdict(const allroots_case *p, const char *what, algsurf_status sta
     fail_msg("%s: %s (seed %llu)", what, algsurf_status_text(status), (unsigned long long)seed);
 }
 
-static int conjugate_boxes(const algsurf_complex_root *e, int count) {
-    for (int i = 0; i < count; i++) {
-        int mirrored = 0;
-        for (int j = 0; j < count; j++)
-            mirrored += e[i].box.re.lo == e[j].box.re.lo && e[i].box.re.hi == e[j].box.re.hi &&
-                        e[i].box.im.lo == -e[j].box.im.hi && e[i].multiplicity == e[j].multiplicity;
-        if (mirrored != 1) return 0;
-    }
-    return 1;
-}
-
-static void test_exact_products(void **state) {
-    (void)state;
+TEST(test_exact_products) {
     int solved = 0, boxes = 0, roots = 0;
     for (int round = 0; round < 6000; round++) {
         allroots_case p = random_case(12, 1 + exact_random_int(&seed, 10), round % 2);
@@ -81,7 +61,7 @@ static void test_exact_products(void **state) {
         verdict(&p, "exact product", status, e, count);
         int real = 1;
         for (int k = 0; k <= p.n; k++) real = real && p.c[k].im == 0;
-        if (real && !conjugate_boxes(e, count)) {
+        if (real && !case_mirrored(e, count)) {
             case_print(&p, e, count);
             fail_msg("boxes that are not conjugate");
         }
@@ -98,8 +78,7 @@ static void test_exact_products(void **state) {
 }
 
 /* Coefficients rounded, with radii that say so: the exact product is one of the polynomials meant. */
-static void test_rounded_products(void **state) {
-    (void)state;
+TEST(test_rounded_products) {
     int boxes = 0, roots = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = random_case(20, 20, 0);
@@ -114,8 +93,7 @@ static void test_rounded_products(void **state) {
 }
 
 /* Centre and radii drawn about an exact product; the wider the radii, the wider the boxes. */
-static void test_members(void **state) {
-    (void)state;
+TEST(test_members) {
     int boxes = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = random_case(8, 6, 0);
@@ -138,8 +116,7 @@ static void test_members(void **state) {
 }
 
 /* Magnitudes spread over hundreds of binades: the wide way of evaluating. */
-static void test_far_apart(void **state) {
-    (void)state;
+TEST(test_far_apart) {
     int alone = 0, roots = 0;
     for (int round = 0; round < 1500; round++) {
         allroots_case p = {.n = 0};
@@ -160,71 +137,6 @@ static void test_far_apart(void **state) {
         alone += count, roots += p.n;
     }
     assert_true(roots > 5000 && alone > 0.98 * roots);
-}
-
-/* The product of (X - box), times the leading coefficient, encloses the coefficients. */
-static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
-    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
-    int n = 0;
-    q[0] = algsurf_cinterval_point(p->c[p->n]);
-    for (int i = 0; i < count; i++)
-        for (int m = 0; m < e[i].multiplicity; m++) {
-            n++;
-            for (int k = n; k >= 0; k--) {
-                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
-                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
-            }
-        }
-    for (int k = 0; k <= p->n; k++)
-        if (!case_in(p->c[k], q[k])) {
-            case_print(p, e, count);
-            fail_msg("coefficient %d is not enclosed", k);
-        }
-}
-
-static void test_reconstruction(void **state) {
-    (void)state;
-    for (int round = 0; round < 400; round++) {
-        allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
-        for (int k = 0; k <= p.n; k++)
-            p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
-                                       round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
-        algsurf_complex_root e[CASE_MAX];
-        int count = 0;
-        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
-        assert_null(case_boxes_wrong(p.n, e, count));
-        check_reconstruction(&p, e, count);
-    }
-}
-
-/* Multiplying the value or the variable by a power of two changes nothing but exponents. */
-static void test_scaling(void **state) {
-    (void)state;
-    for (int round = 0; round < 600; round++) {
-        allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
-        for (int k = 0; k <= p.n; k++)
-            p.c[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
-        q = p;
-        int value = exact_random_int(&seed, 601) - 300, variable = exact_random_int(&seed, 41) - 20;
-        for (int k = 0; k <= p.n; k++) {
-            q.c[k].re = ldexp(p.c[k].re, value - k * variable);
-            q.c[k].im = ldexp(p.c[k].im, value - k * variable);
-        }
-        algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
-        int count = 0, count_scaled = 0;
-        assert_int_equal(algsurf_complex_roots(p.c, NULL, p.n, e, &count), ALGSURF_OK);
-        assert_int_equal(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled), ALGSURF_OK);
-        assert_int_equal(count, count_scaled);
-        for (int i = 0; i < count; i++) {
-            const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
-            if (ldexp(a->lo, variable) != b->lo || ldexp(a->hi, variable) != b->hi ||
-                ldexp(e[i].box.im.lo, variable) != f[i].box.im.lo ||
-                ldexp(e[i].box.im.hi, variable) != f[i].box.im.hi) {
-                case_print(&p, e, count), case_print(&q, f, count);
-                fail_msg("scaling the variable by 2^%d, the value by 2^%d changes digits", variable, value);
-            }
-        }
-    }
 }
 
 /* Pellet: if |c_k| R^k is larger than all other terms together, k roots are below R in magnitude.  Boxes that
@@ -254,8 +166,7 @@ static void judge_circles(const double *c, int n, const algsurf_complex_root *e,
 
 /* Coefficients from 2^-1000 to 2^1000, or only these two: a root out of the range of double, or several too
  * small for the unit, are no reason to lose the others. */
-static void test_spread(void **state) {
-    (void)state;
+TEST(test_spread) {
     int most = 0, circles = 0, boxes = 0;
     for (int round = 0; round < 400; round++) {
         int n = round % 3 ? ALGSURF_MAX_DEGREE : 2 + exact_random_int(&seed, 30), count;
@@ -266,7 +177,7 @@ static void test_spread(void **state) {
             int end = exact_random_int(&seed, 2) ? range : -range;
             c[k] = exact_random_wide(&seed, extreme ? end : -range, extreme ? end : range);
         }
-        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, n, e, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(c, NULL, n, e, &count));
         const char *what = case_boxes_wrong(n, e, count);
         if (what) fail_msg("%s, degree %d", what, n);
         judge_circles(c, n, e, count, &circles);
@@ -280,8 +191,7 @@ static void test_spread(void **state) {
 static int negative_zero(double x) { return x == 0 && signbit(x); }
 
 /* Boxes that end at 0, where rounding outward is from below: +0. */
-static void test_zero_ends(void **state) {
-    (void)state;
+TEST(test_zero_ends) {
     int ends = 0;
     for (int round = 0; round < 4000; round++) {
         algsurf_complex c[8];
@@ -313,11 +223,67 @@ static void test_zero_ends(void **state) {
     assert_true(ends > 100);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exact_products), cmocka_unit_test(test_rounded_products),
-        cmocka_unit_test(test_members),        cmocka_unit_test(test_far_apart),
-        cmocka_unit_test(test_spread),         cmocka_unit_test(test_zero_ends),
-        cmocka_unit_test(test_reconstruction), cmocka_unit_test(test_scaling)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+/* The product of (X - box), times the leading coefficient, encloses the coefficients. */
+static void check_reconstruction(const allroots_case *p, const algsurf_complex_root *e, int count) {
+    algsurf_cinterval q[CASE_MAX + 2] = {{{0, 0}, {0, 0}}};
+    int n = 0;
+    q[0] = algsurf_cinterval_point(p->c[p->n]);
+    for (int i = 0; i < count; i++)
+        for (int m = 0; m < e[i].multiplicity; m++) {
+            n++;
+            for (int k = n; k >= 0; k--) {
+                algsurf_cinterval t = algsurf_cinterval_neg(algsurf_cinterval_mul(q[k], e[i].box));
+                q[k] = k > 0 ? algsurf_cinterval_add(t, q[k - 1]) : t;
+            }
+        }
+    for (int k = 0; k <= p->n; k++)
+        if (!case_in(p->c[k], q[k])) {
+            case_print(p, e, count);
+            fail_msg("coefficient %d is not enclosed", k);
+        }
 }
+
+TEST(test_reconstruction) {
+    for (int round = 0; round < 400; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 16)};
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_wide(&seed, -8, 8),
+                                       round % 2 ? exact_random_wide(&seed, -8, 8) : 0};
+        algsurf_complex_root e[CASE_MAX];
+        int count = 0;
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
+        assert_null(case_boxes_wrong(p.n, e, count));
+        check_reconstruction(&p, e, count);
+    }
+}
+
+/* Multiplying the value or the variable by a power of two changes nothing but exponents. */
+TEST(test_scaling) {
+    for (int round = 0; round < 600; round++) {
+        allroots_case p = {.n = 1 + exact_random_int(&seed, 12)}, q;
+        for (int k = 0; k <= p.n; k++)
+            p.c[k] = (algsurf_complex){exact_random_unit(&seed), round % 2 ? exact_random_unit(&seed) : 0};
+        q = p;
+        int value = exact_random_int(&seed, 601) - 300, variable = exact_random_int(&seed, 41) - 20;
+        for (int k = 0; k <= p.n; k++) {
+            q.c[k].re = ldexp(p.c[k].re, value - k * variable);
+            q.c[k].im = ldexp(p.c[k].im, value - k * variable);
+        }
+        algsurf_complex_root e[CASE_MAX], f[CASE_MAX];
+        int count = 0, count_scaled = 0;
+        assert_ok(algsurf_complex_roots(p.c, NULL, p.n, e, &count));
+        assert_ok(algsurf_complex_roots(q.c, NULL, p.n, f, &count_scaled));
+        assert_int_equal(count, count_scaled);
+        for (int i = 0; i < count; i++) {
+            const algsurf_interval *a = &e[i].box.re, *b = &f[i].box.re;
+            if (ldexp(a->lo, variable) != b->lo || ldexp(a->hi, variable) != b->hi ||
+                ldexp(e[i].box.im.lo, variable) != f[i].box.im.lo ||
+                ldexp(e[i].box.im.hi, variable) != f[i].box.im.hi) {
+                case_print(&p, e, count), case_print(&q, f, count);
+                fail_msg("scaling the variable by 2^%d, the value by 2^%d changes digits", variable, value);
+            }
+        }
+    }
+}
+
+int main(void) { return unit_run("allroots properties"); }

@@ -5,16 +5,8 @@
  * also that of the leading coefficient; an inclusion accepted from outside, or of infinite boxes; a multiple
  * root called unique; a cold start that fails and is not reported.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <float.h>
-#include <math.h>
-
 #include "seed_case.h"
+#include "unit.h"
 
 #define SEED 20240607u
 
@@ -29,8 +21,7 @@ static int finite_all(const algsurf_complex *q, int n) {
 /* ---- approximation ---- */
 
 /* Every root of random polynomials, from near by: to the last bits, and the quotient too. */
-static void test_approximates(void **state) {
-    (void)state;
+TEST(test_approximates) {
     uint64_t seed = SEED;
     for (int round = 0; round < 400; round++) {
         seed_case c = seed_random(&seed, 1 + exact_random_int(&seed, SEED_DEGREE), 1);
@@ -38,7 +29,7 @@ static void test_approximates(void **state) {
             algsurf_complex z, q[SEED_DEGREE], exact[SEED_DEGREE + 1], start = c.root[i];
             start.re += 0.05 * exact_random_unit(&seed), start.im += 0.05 * exact_random_unit(&seed);
             int steps = 0;
-            assert_int_equal(algsurf_approximation(c.p, c.n, start, NULL, &z, q, &steps), ALGSURF_OK);
+            assert_ok(algsurf_approximation(c.p, c.n, start, NULL, &z, q, &steps));
             assert_true(steps >= 1 && steps <= 12);
             (void)seed_product(c.root, c.n, i, 1, exact);
             double most = 1, off = 0;
@@ -57,8 +48,7 @@ static void test_approximates(void **state) {
 
 /* p(2^b X) 2^a has the roots 2^-b x: the same bits, the same steps.  (Not so for the root 0, which only
  * underflow reaches.) */
-static void test_scaling_changes_nothing(void **state) {
-    (void)state;
+TEST(test_scaling_changes_nothing) {
     uint64_t seed = SEED;
     static const int shifts[][2] = {{0, 1}, {900, 0}, {-900, 0}, {0, 60}, {0, -60}, {500, -70}, {-400, 70}};
     for (int round = 0; round < 200; round++) {
@@ -81,8 +71,7 @@ static void test_scaling_changes_nothing(void **state) {
 }
 
 /* The first step is Newton's, -p/p'. */
-static void test_first_step(void **state) {
-    (void)state;
+TEST(test_first_step) {
     const algsurf_complex p[] = {{-2, 1}, {3, 0}, {0, -1}, {1, 0}}, start = {0.75, -0.5};
     const algsurf_zero_options one = {sizeof one, 0, 1, 0};
     algsurf_complex z, q[3], v = p[3], d = {0, 0};
@@ -102,8 +91,7 @@ static void test_first_step(void **state) {
 }
 
 /* The even polynomial holds a start on the imaginary axis there; a vanishing derivative ends at once. */
-static void test_symmetric_failures(void **state) {
-    (void)state;
+TEST(test_symmetric_failures) {
     const algsurf_complex sphere[] = {{-0.25, 0}, {0, 0}, {1, 0}}, unit[] = {{1, 0}, {0, 0}, {1, 0}};
     algsurf_complex z, q[2];
     int steps = -1;
@@ -116,14 +104,12 @@ static void test_symmetric_failures(void **state) {
     assert_int_equal(algsurf_approximation(unit, 2, (algsurf_complex){3, 0}, NULL, &z, q, &steps),
                      ALGSURF_NOT_CONVERGED);
     assert_true(z.im == 0 && finite_all(q, 2)); /* a real start stays real */
-    assert_int_equal(algsurf_approximation(sphere, 2, (algsurf_complex){3, 0}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
+    assert_ok(algsurf_approximation(sphere, 2, (algsurf_complex){3, 0}, NULL, &z, q, NULL));
     assert_true(z.re == 0.5 && z.im == 0 && q[0].im == 0);
 }
 
 /* Degree 1: the quotient, from any start.  -1e600 is no double. */
-static void test_linear(void **state) {
-    (void)state;
+TEST(test_linear) {
     const algsurf_complex p[] = {{3, -1}, {0.7, 0.1}}, huge[] = {{1e300, 0}, {1e-300, 0}};
     const algsurf_complex starts[] = {{0, 0}, {1e200, -1e-200}, {DBL_MAX, 0}, {-4, 2}};
     algsurf_complex z, q;
@@ -131,21 +117,19 @@ static void test_linear(void **state) {
     int unique = 0;
     for (int i = 0; i < 4; i++) {
         int steps = 0;
-        assert_int_equal(algsurf_approximation(p, 1, starts[i], NULL, &z, &q, &steps), ALGSURF_OK);
+        assert_ok(algsurf_approximation(p, 1, starts[i], NULL, &z, &q, &steps));
         assert_true(steps <= 3);
         assert_true(distance(z, (algsurf_complex){-4, 2}) < 4e-15 && q.re == 0.7 && q.im == 0.1);
     }
     assert_int_equal(algsurf_approximation(huge, 1, starts[0], NULL, &z, &q, NULL), ALGSURF_NOT_CONVERGED);
     assert_true(finite_all(&z, 1));
-    assert_int_equal(
-        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){-4, 2}, &q, NULL, &Z, NULL, &unique, NULL),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){-4, 2}, &q, NULL, &Z, NULL, &unique, NULL));
     assert_true(unique && Z.re.hi - Z.re.lo < 2e-15 && Z.im.hi - Z.im.lo < 2e-15);
 }
 
 /* A step so long that q overflows is not made. */
-static void test_overflowing_step(void **state) {
-    (void)state;
+TEST(test_overflowing_step) {
     const algsurf_complex p[] = {{-1, -1}, {0x1p-1023, 0}, {1.9, -1.9}};
     algsurf_complex z, q[2];
     int steps;
@@ -156,26 +140,22 @@ static void test_overflowing_step(void **state) {
 }
 
 /* 1 - 1.1 x + x^64, x = z 2^-20, from a start where the last coefficient is below the range of double. */
-static void test_unit_follows(void **state) {
-    (void)state;
+TEST(test_unit_follows) {
     algsurf_complex p[65] = {{0x1p640, 0}, {-1.1 * 0x1p620, 0}}, z, q[64];
     p[64].re = 0x1p-640;
-    assert_int_equal(algsurf_approximation(p, 64, (algsurf_complex){1, 0}, NULL, &z, q, NULL), ALGSURF_OK);
+    assert_ok(algsurf_approximation(p, 64, (algsurf_complex){1, 0}, NULL, &z, q, NULL));
     double x = z.re * 0x1p-20;
     assert_true(x > 0.9 && x < 0.92 && fabs(1 - 1.1 * x + pow(x, 64)) < 1e-15);
 }
 
 /* Roots at the rims of the range; starts from which powers overflow. */
-static void test_range(void **state) {
-    (void)state;
+TEST(test_range) {
     const algsurf_complex big[] = {{1e300, 0}, {0, 0}, {1e-300, 0}},
                           small[] = {{1e-300, 0}, {0, 0}, {1e300, 0}};
     algsurf_complex z, q[64], p[65] = {{1, 0}};
-    assert_int_equal(algsurf_approximation(big, 2, (algsurf_complex){1e299, 9e299}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
+    assert_ok(algsurf_approximation(big, 2, (algsurf_complex){1e299, 9e299}, NULL, &z, q, NULL));
     assert_true(fabs(z.im / 1e300 - 1) < 1e-15);
-    assert_int_equal(algsurf_approximation(small, 2, (algsurf_complex){1e-301, 9e-301}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
+    assert_ok(algsurf_approximation(small, 2, (algsurf_complex){1e-301, 9e-301}, NULL, &z, q, NULL));
     assert_true(fabs(z.im / 1e-300 - 1) < 1e-15);
     p[64] = (algsurf_complex){1, 0};
     assert_int_equal(algsurf_approximation(p, 64, (algsurf_complex){DBL_MAX, DBL_MAX}, NULL, &z, q, NULL),
@@ -186,23 +166,21 @@ static void test_range(void **state) {
     assert_true(finite_all(&z, 1) && finite_all(q, 64));
     /* A small root beside large ones: the stopping test looks at z too. */
     const algsurf_complex mixed[] = {{1e-9, 0}, {-1000, 0}, {1, 0}};
-    assert_int_equal(algsurf_approximation(mixed, 2, (algsurf_complex){1e-7, 1e-7}, NULL, &z, q, NULL),
-                     ALGSURF_OK);
+    assert_ok(algsurf_approximation(mixed, 2, (algsurf_complex){1e-7, 1e-7}, NULL, &z, q, NULL));
     assert_true(fabs(z.re / 1.000000000001e-12 - 1) < 1e-12 && fabs(z.im) < 1e-26);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_complex p[] = {{-2, 0}, {1, 0}, {0, 0}, {1, 0}}, start = {3, 1};
     algsurf_complex z, q[3], y, s[3];
     int loose, usual, said;
     const algsurf_zero_options half = {sizeof half, 0.25, 0, 0}, spelt = {sizeof spelt, 1e-10, 50, 10};
-    assert_int_equal(algsurf_approximation(p, 3, start, &half, &z, q, &loose), ALGSURF_OK);
+    assert_ok(algsurf_approximation(p, 3, start, &half, &z, q, &loose));
     algsurf_zero_options small = half;
     for (small.size = 0; small.size < sizeof small; small.size++) /* no release had a smaller one */
         assert_int_equal(algsurf_approximation(p, 3, start, &small, &y, s, &said), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_approximation(p, 3, start, NULL, &z, q, &usual), ALGSURF_OK);
-    assert_int_equal(algsurf_approximation(p, 3, start, &spelt, &y, s, &said), ALGSURF_OK);
+    assert_ok(algsurf_approximation(p, 3, start, NULL, &z, q, &usual));
+    assert_ok(algsurf_approximation(p, 3, start, &spelt, &y, s, &said));
     assert_true(said == usual && loose < usual && y.re == z.re && y.im == z.im);
 }
 
@@ -217,8 +195,7 @@ static int verify(const seed_case *c, const double *r, algsurf_complex z, const 
  * schedule of inflations that does not grow, 3780).  `unique` without its test is not caught here nor
  * anywhere: in a million random cases, clusters and radii among them, no inclusion held that was not unique
  * too. */
-static void test_inclusions_are_true(void **state) {
-    (void)state;
+TEST(test_inclusions_are_true) {
     uint64_t seed = SEED;
     int good = 0, verified = 0, tried = 0;
     for (int round = 0; round < 4000; round++) {
@@ -252,8 +229,7 @@ static void test_inclusions_are_true(void **state) {
 }
 
 /* Every coefficient is off by all of its radius, the leading one too; the old root is in the new box. */
-static void test_radii(void **state) {
-    (void)state;
+TEST(test_radii) {
     uint64_t seed = SEED;
     int verified = 0;
     for (int round = 0; round < 1000; round++) {
@@ -269,7 +245,7 @@ static void test_radii(void **state) {
         algsurf_complex z, q[SEED_DEGREE], exact[SEED_DEGREE + 1];
         algsurf_cinterval Z, Q[SEED_DEGREE];
         int unique = 0;
-        assert_int_equal(algsurf_approximation(c.p, c.n, c.root[i], NULL, &z, q, NULL), ALGSURF_OK);
+        assert_ok(algsurf_approximation(c.p, c.n, c.root[i], NULL, &z, q, NULL));
         if (!verify(&c, r, z, q, &Z, Q, &unique)) continue;
         verified++;
         (void)seed_product(c.root, c.n, i, 1, exact);
@@ -282,8 +258,7 @@ static void test_radii(void **state) {
     assert_true(verified > 900);
 }
 
-static void test_boxes_are_tight(void **state) {
-    (void)state;
+TEST(test_boxes_are_tight) {
     uint64_t seed = SEED;
     for (int round = 0; round < 300; round++) { /* roots that are no doubles */
         seed_case c = seed_random(&seed, 2 + exact_random_int(&seed, 5), 1);
@@ -297,19 +272,16 @@ static void test_boxes_are_tight(void **state) {
 }
 
 /* 2^10 X + 2^-1074 seen from 1: the constant term is lost in that unit, but not forgotten. */
-static void test_underflow_is_enclosed(void **state) {
-    (void)state;
+TEST(test_underflow_is_enclosed) {
     const algsurf_complex p[] = {{0x1p-1074, 0}, {0x1p10, 0}};
     algsurf_cinterval Z;
-    assert_int_equal(
-        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){1, 0}, p + 1, NULL, &Z, NULL, NULL, NULL),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_interval_iteration(p, NULL, 1, (algsurf_complex){1, 0}, p + 1, NULL, &Z, NULL, NULL, NULL));
     assert_true(Z.re.lo < 0 && Z.re.hi >= 0);
 }
 
 /* Nothing is written but the count, when there is no proof. */
-static void test_no_proof(void **state) {
-    (void)state;
+TEST(test_no_proof) {
     const algsurf_complex square[] = {{0, 0}, {0, 0}, {1, 0}}, apart[] = {{-1, 0}, {0, 0}, {1, 0}};
     const algsurf_complex q[] = {{0, 0}, {1, 0}}, far[] = {{0.5, 0}, {1, 0}},
                           wild[] = {{1e308, -1e308}, {1, 0}};
@@ -339,21 +311,4 @@ static void test_no_proof(void **state) {
     assert_true(unique == 5 && !memcmp(&Z, &mark, sizeof mark) && !memcmp(Q + 1, &mark, sizeof mark));
 }
 
-int main(void) {
-    const struct CMUnitTest approximation[] = {
-        cmocka_unit_test(test_approximates), cmocka_unit_test(test_scaling_changes_nothing),
-        cmocka_unit_test(test_first_step),   cmocka_unit_test(test_symmetric_failures),
-        cmocka_unit_test(test_linear),       cmocka_unit_test(test_range),
-        cmocka_unit_test(test_options),      cmocka_unit_test(test_overflowing_step),
-        cmocka_unit_test(test_unit_follows),
-    };
-    const struct CMUnitTest inclusion[] = {
-        cmocka_unit_test(test_inclusions_are_true),
-        cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_boxes_are_tight),
-        cmocka_unit_test(test_underflow_is_enclosed),
-        cmocka_unit_test(test_no_proof),
-    };
-    int failed = cmocka_run_group_tests_name("approximation", approximation, NULL, NULL);
-    return failed + cmocka_run_group_tests_name("interval iteration", inclusion, NULL, NULL);
-}
+int main(void) { return unit_run("allroots, seed"); }

@@ -7,16 +7,7 @@
  * unit of its bracket, where values underflow.  Not caught: a cut's
  * error left out, Halley's step taken where it is no better than none.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_roots.h"
-
-#include <cmocka.h>
 
 #include "algsurf/intersect.h"
 #include "algsurf/isolate.h"
@@ -24,6 +15,7 @@
 #include "algsurf/poly.h"
 #include "environments.h"
 #include "roots/polys.h"
+#include "unit.h"
 
 #define SEED 71u
 enum { MOST = 131, TOP = 40 };
@@ -49,8 +41,7 @@ static algsurf_real_batch packet_of(int degree, size_t first, size_t count, int 
 static void solve(int degree, size_t first, size_t count, int radii, const char *kernel, answers *to) {
     algsurf_real_batch p = packet_of(degree, first, count, radii);
     algsurf_batch_options options = {.size = sizeof options, .kernel = kernel};
-    assert_int_equal(algsurf_first_roots_batch(&p, &options, to->state + first, to->root + first),
-                     ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&p, &options, to->state + first, to->root + first));
 }
 
 static _Noreturn void complain(const char *what, int degree, int i, const answers *a, int expected) {
@@ -201,8 +192,7 @@ static void put_random(int degree, uint64_t *random) {
 static const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 40};
 #define EACH_DEGREE(n) for (int d_ = 0, n; d_ < 14 && (n = degrees[d_], 1); d_++)
 
-static void test_random(void **unused) {
-    (void)unused;
+TEST(test_random) {
     uint64_t random = SEED;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -229,8 +219,7 @@ static void put_grazing(int i, int n, double at, double gap, uint64_t *random) {
     hi[i] = 1;
 }
 
-static void test_grazing(void **unused) {
-    (void)unused;
+TEST(test_grazing) {
     uint64_t random = SEED + 1;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -248,8 +237,7 @@ static void test_grazing(void **unused) {
 }
 
 /* No root, but one within the radii for half of them: what is said must be true at their end too. */
-static void test_touching(void **unused) {
-    (void)unused;
+TEST(test_touching) {
     uint64_t random = SEED + 12;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -270,8 +258,7 @@ static void test_touching(void **unused) {
 }
 
 /* Dyadic roots, so that products are exact: at ends, twice, at 0; leading zeros; zero polynomials. */
-static void test_special(void **unused) {
-    (void)unused;
+TEST(test_special) {
     uint64_t random = SEED + 2;
     for (int n = 1; n <= 6; n++)
         for (int round = 0; round < 8; round++) {
@@ -308,8 +295,7 @@ static void test_special(void **unused) {
 }
 
 /* The chord over the interval crosses zero where p has no slope. */
-static void test_flat(void **unused) {
-    (void)unused;
+TEST(test_flat) {
     static const double flat[] = {0x1.30cf06dd576e4p-6, 0x1.2b1293cc71dfdp-3, 0x1.d9c2916bb8cc5p-3,
                                   -0x1.e1fceae2a32dfp-3};
     uint64_t random = SEED + 11;
@@ -327,8 +313,7 @@ static void test_flat(void **unused) {
 
 /* The first root is one of two that are close together, or just no longer there, near the ends of intervals
  * that may be short and far from 0; coefficients are moved by ulps.  Errors are within what is promised. */
-static void test_aimed(void **unused) {
-    (void)unused;
+TEST(test_aimed) {
     uint64_t random = SEED + 13;
     int found = 0;
     for (int round = 0; round < 24; round++) {
@@ -366,8 +351,7 @@ static void test_aimed(void **unused) {
 }
 
 /* p(t / 2^e) 2^f has p's roots times 2^e, and nothing else changes. */
-static void test_scale(void **unused) {
-    (void)unused;
+TEST(test_scale) {
     static const int at[][2] = {{0, 664}, {0, -664}, {100, 0}, {-100, 0}, {60, 300}, {-60, -300}, {0, 330}};
     uint64_t random = SEED + 3;
     for (int n = 1; n <= 8; n++)
@@ -394,8 +378,7 @@ static void test_scale(void **unused) {
 }
 
 /* Intervals far from 0 in their own length, down to neighbouring doubles. */
-static void test_narrow(void **unused) {
-    (void)unused;
+TEST(test_narrow) {
     uint64_t random = SEED + 4;
     for (int n = 1; n <= 6; n++) {
         int seen[3] = {0, 0, 0};
@@ -411,8 +394,7 @@ static void test_narrow(void **unused) {
     }
 }
 
-static void test_radii(void **unused) {
-    (void)unused;
+TEST(test_radii) {
     uint64_t random = SEED + 5;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -437,8 +419,7 @@ static void test_radii(void **unused) {
 
 /* One end, the other, or both: the single calls' answers, and those in finite intervals beside them as they
  * were. */
-static void test_infinite_ends(void **unused) {
-    (void)unused;
+TEST(test_infinite_ends) {
     uint64_t random = SEED + 17;
     EACH_DEGREE(n) {
         int seen[3] = {0, 0, 0};
@@ -470,8 +451,7 @@ static void test_infinite_ends(void **unused) {
 }
 
 /* Neither the number of polynomials nor their neighbours matter, nor does what is behind get written. */
-static void test_counts(void **unused) {
-    (void)unused;
+TEST(test_counts) {
     uint64_t random = SEED + 6;
     EACH_DEGREE(n) {
         answers all, some;
@@ -489,7 +469,7 @@ static void test_counts(void **unused) {
             }
         }
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        assert_int_equal(algsurf_first_roots_batch(&p, NULL, some.state, NULL), ALGSURF_OK);
+        assert_ok(algsurf_first_roots_batch(&p, NULL, some.state, NULL));
         assert_memory_equal(some.state, all.state, MOST);
     }
 }
@@ -506,9 +486,9 @@ static void check_wide(int n, double sign, double from, double to) {
     unsigned char state;
     double root = 0;
     int found = 0;
-    assert_int_equal(algsurf_first_roots_batch(&p, NULL, &state, &root), ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&p, NULL, &state, &root));
     assert_int_equal(state, ALGSURF_FIRST_ROOT_FOUND);
-    assert_int_equal(algsurf_isolate_first(one, NULL, n, from, to, NULL, &b, &found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(one, NULL, n, from, to, NULL, &b, &found));
     /* what the kernels find is good to the interval, what is found alone to the root's own rounding */
     double room = 0x1p-52 * fabs(root) + (n <= 20 ? 1e-12 * (to - from) : 0);
     double left = fmax(root - room, b.lo), right = fmin(root + room, b.hi);
@@ -519,8 +499,7 @@ static void check_wide(int n, double sign, double from, double to) {
 }
 
 /* The unit of the interval is not that of the root: in it the values of p about the root would underflow. */
-static void test_wide_intervals(void **unused) {
-    (void)unused;
+TEST(test_wide_intervals) {
     static const int high[] = {4, 9, 19, 20, 21, 24, 29, 40, 63, 130, 255, 511};
     for (size_t i = 0; i < sizeof high / sizeof *high; i++)
         for (int e = 2; e <= 1000; e += high[i] > 100 ? 333 : e < 100 ? 14 : 100)
@@ -529,8 +508,7 @@ static void test_wide_intervals(void **unused) {
                     check_wide(high[i], sign, -ldexp(1, e), f < 0 ? 0 : -ldexp(1, -f));
 }
 
-static void test_tolerance(void **unused) {
-    (void)unused;
+TEST(test_tolerance) {
     uint64_t random = SEED + 7;
     for (int n = 1; n <= 10; n++) {
         answers fine, coarse;
@@ -538,7 +516,7 @@ static void test_tolerance(void **unused) {
         solve(n, 0, MOST, 0, NULL, &fine);
         algsurf_real_batch p = packet_of(n, 0, MOST, 0);
         algsurf_batch_options options = {.size = sizeof options, .relative_tolerance = 1e-4};
-        assert_int_equal(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root), ALGSURF_OK);
+        assert_ok(algsurf_first_roots_batch(&p, &options, coarse.state, coarse.root));
         for (int i = 0; i < MOST; i++)
             if (fine.state[i] == ALGSURF_FIRST_ROOT_FOUND &&
                 !(fabs(fine.root[i] - coarse.root[i]) <= 2e-4 * (hi[i] - lo[i])))
@@ -546,73 +524,50 @@ static void test_tolerance(void **unused) {
     }
 }
 
-/* The packet code decides what is well-conditioned by itself. */
-static void test_kernels_decide(void **unused) {
-    (void)unused;
-    uint64_t random = SEED + 8;
+/* What the packet code leaves open of the polynomials put, asked for the first root or for all. */
+static int left_open(int n, int all) {
     const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
-    for (int n = 1; n <= 10; n++) {
-        answers a;
-        int undecided = 0;
-        put_random(n, &random);
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .state = a.state,
-                                         .root = a.root};
+    answers a;
+    int open = 0;
+    algsurf_real_batch p = packet_of(n, 0, MOST, 0);
+    algsurf_i_polys_job job = {.c = p.coefficients, .lo = lo, .hi = hi, .interval = 1, .degree = n};
+    if (all) {
+        job.roots = all_roots, job.found = counts;
+        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
+    } else {
+        job.state = a.state, job.root = a.root;
         algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
-        assert_true(undecided <= MOST / 16);
+    }
+    for (int i = 0; i < MOST; i++) open += all ? counts[i] < 0 : a.state[i] == ALGSURF_LANE_UNDECIDED;
+    return open;
+}
+
+/* The packet code decides what is well-conditioned by itself. */
+TEST(test_kernels_decide) {
+    uint64_t random = SEED + 8;
+    for (int n = 1; n <= 10; n++) {
+        put_random(n, &random);
+        assert_true(left_open(n, 0) <= MOST / 16);
     }
 }
 
 /* Two near roots, ill-conditioned: the packet code encloses them. */
-static void test_kernels_enclose(void **unused) {
-    (void)unused;
+TEST(test_kernels_enclose) {
     uint64_t random = SEED + 14;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) {
-        answers a;
-        int undecided = 0;
         for (int i = 0; i < MOST; i++) {
             double e = pow(10, -4 + 0.5 * exact_random_unit(&random));
             put_grazing(i, n, 0.5 * exact_random_unit(&random), -e * e, &random);
         }
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .state = a.state,
-                                         .root = a.root};
-        algsurf_i_roots_kernel_for(kernel)->solve(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += a.state[i] == ALGSURF_LANE_UNDECIDED;
-        assert_true(undecided <= MOST / 16);
+        assert_true(left_open(n, 0) <= MOST / 16);
     }
 }
 
-static void test_kernels_find_all(void **unused) {
-    (void)unused;
+TEST(test_kernels_find_all) {
     uint64_t random = SEED + 13;
-    const algsurf_i_kernel *kernel = algsurf_i_kernel_find(NULL);
     for (int n = 3; n <= 10; n++) { /* below, many roots are doubles */
-        int undecided = 0;
         put_random(n, &random);
-        algsurf_real_batch p = packet_of(n, 0, MOST, 0);
-        const algsurf_i_polys_job job = {.c = p.coefficients,
-                                         .lo = lo,
-                                         .hi = hi,
-                                         .interval = 1,
-                                         .degree = n,
-                                         .roots = all_roots,
-                                         .found = counts};
-        algsurf_i_roots_kernel_for(kernel)->solve_all(&job, MOST);
-        for (int i = 0; i < MOST; i++) undecided += counts[i] < 0;
-        assert_true(undecided <= MOST / 16);
+        assert_true(left_open(n, 1) <= MOST / 16);
     }
 }
 
@@ -625,8 +580,7 @@ static void expect_error(const algsurf_real_batch *p, const algsurf_batch_option
     assert_memory_equal(&a, &untouched, sizeof a);
 }
 
-static void test_errors(void **unused) {
-    (void)unused;
+TEST(test_errors) {
     uint64_t random = SEED + 9;
     algsurf_batch_options options = {.size = sizeof options};
     double *const place[] = {&c[0][17], &c[3][0], &r[2][129], &lo[130], &hi[64]};
@@ -673,21 +627,20 @@ static void test_errors(void **unused) {
     options.relative_tolerance = (double)NAN;
     expect_error(&good, &options, ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_first_roots_batch(&good, NULL, NULL, a.root), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_first_roots_batch(&good, NULL, a.state, a.root), ALGSURF_OK);
+    assert_ok(algsurf_first_roots_batch(&good, NULL, a.state, a.root));
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, counts),
                      ALGSURF_E_ARGUMENT); /* radii */
     good = packet_of(3, 0, MOST, 0);
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, NULL, counts), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_batch(&good, NULL, all_roots, NULL), ALGSURF_E_ARGUMENT);
     p = (algsurf_real_batch){.size = sizeof p, .degree = 3};
-    assert_int_equal(algsurf_real_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_first_roots_batch(&p, NULL, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_batch(&p, NULL, NULL, NULL));
+    assert_ok(algsurf_first_roots_batch(&p, NULL, NULL, NULL));
 }
 
 /* The same polynomials by rows, backwards, spread, as parts of complex numbers, in one interval or with one
  * coefficient for all: the same bits. */
-static void test_layouts(void **unused) {
-    (void)unused;
+TEST(test_layouts) {
     uint64_t random = SEED + 15;
     for (int n = 1; n <= 24; n += n < 6 ? 1 : 6) {
         static double spread[2 * (TOP + 1) * MOST], spread_radii[2 * (TOP + 1) * MOST];
@@ -715,12 +668,12 @@ static void test_layouts(void **unused) {
                 p.coefficients = (algsurf_table){spread + start, power, polynomial};
                 if (radii) p.radii = (algsurf_table){spread_radii + start, power, polynomial};
                 p.interval_step = 0;
-                assert_int_equal(algsurf_first_roots_batch(&p, NULL, here.state, here.root), ALGSURF_OK);
+                assert_ok(algsurf_first_roots_batch(&p, NULL, here.state, here.root));
                 assert_true(same(&usual, &here, MOST));
                 if (radii) continue;
-                assert_int_equal(algsurf_real_roots_batch(&p, NULL, found, found_counts), ALGSURF_OK);
+                assert_ok(algsurf_real_roots_batch(&p, NULL, found, found_counts));
                 p = packet_of(n, 0, MOST, 0);
-                assert_int_equal(algsurf_real_roots_batch(&p, NULL, all_roots, counts), ALGSURF_OK);
+                assert_ok(algsurf_real_roots_batch(&p, NULL, all_roots, counts));
                 for (int i = 0; i < MOST; i++) {
                     assert_int_equal(found_counts[i], counts[i]);
                     assert_memory_equal(found + i * n, all_roots + i * n, (size_t)counts[i] * sizeof *found);
@@ -730,8 +683,7 @@ static void test_layouts(void **unused) {
     }
 }
 
-static void test_environment(void **unused) {
-    (void)unused;
+TEST(test_environment) {
     uint64_t random = SEED + 10;
     EACH_DEGREE(n) {
         answers usual, here;
@@ -744,25 +696,11 @@ static void test_environment(void **unused) {
             algsurf_real_batch p = packet_of(n, 0, MOST, 0);
             algsurf_status status = algsurf_first_roots_batch(&p, NULL, here.state, here.root);
             int kept = environment_unset(i);
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             assert_true(kept);
             assert_true(same(&usual, &here, MOST));
         }
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),          cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_special),         cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_narrow),          cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_counts),          cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_kernels_decide),  cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_environment),     cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_touching),        cmocka_unit_test(test_wide_intervals),
-        cmocka_unit_test(test_layouts),         cmocka_unit_test(test_kernels_find_all),
-        cmocka_unit_test(test_kernels_enclose), cmocka_unit_test(test_infinite_ends),
-        cmocka_unit_test(test_aimed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("batch"); }

@@ -22,16 +22,11 @@
  *
  *     test_beam [rays [seed]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact.h"
 #include "exact_hits.h"
 #include "picture/impl.h"
 #include "simd/kernel.h"
+#include "unit.h"
 
 enum { MOST = ALGSURF_MAX_BEAM_DEGREE, SIDE = MOST + 1, PIXELS = 64, PLACES = PIXELS / ALGSURF_I_LEAF };
 
@@ -51,7 +46,7 @@ typedef struct test_view {
 } test_view;
 
 static void make_frame(test_view *v, uint64_t *seed, int degree, const algsurf_term *terms, size_t count) {
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &v->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, count, &v->surface));
     algsurf_i_view *view = &v->frame.view;
     memset(view, 0, sizeof *view);
     v->frame.q = v->q, v->frame.basis = v->basis, v->frame.sizes = v->sizes, v->frame.along = v->along;
@@ -175,8 +170,7 @@ static double share_of_bound(const test_view *t, const algsurf_i_beam_row *row, 
     return share;
 }
 
-static void rows_of_tiles_keep_their_bound(void **state) {
-    (void)state;
+TEST(rows_of_tiles_keep_their_bound) {
     uint64_t seed = first_seed;
     double worst = 0, least = 1;
     for (long turn = 0; turn < ray_count / 10; turn++) {
@@ -362,8 +356,7 @@ static void check_ray(test_view *t, const test_band *b, int first, int tiles, ui
     free_exact(p, n), mpq_clears(place[0], place[1], NULL);
 }
 
-static void tiles_are_what_is_said(void **state) {
-    (void)state;
+TEST(tiles_are_what_is_said) {
     uint64_t seed = first_seed;
     static test_view t;
     static test_band b;
@@ -385,8 +378,7 @@ static void tiles_are_what_is_said(void **state) {
 
 /* c + w z - x^4 - y^4 - d x^5 where |x| = |y| = h at a tile's corners: what it is hangs on the fourth order,
  * or on the fifth. */
-static void the_rest_is_felt(void **state) {
-    (void)state;
+TEST(the_rest_is_felt) {
     uint64_t seed = first_seed;
     static test_view t;
     static test_band b;
@@ -420,8 +412,7 @@ static void the_rest_is_felt(void **state) {
 }
 
 /* With coefficients that may be anything nothing is known of a tile that has a chord. */
-static void errors_are_felt(void **state) {
-    (void)state;
+TEST(errors_are_felt) {
     uint64_t seed = first_seed;
     long tiles = 0;
     for (int turn = 0; turn < 60; turn++) {
@@ -448,8 +439,7 @@ static void errors_are_felt(void **state) {
 
 /* s z - x = 0 with a small s: what noise moves points by across, changes P by 1 / s times what it changes P
  * by in depth. */
-static void noise_is_felt(void **state) {
-    (void)state;
+TEST(noise_is_felt) {
     uint64_t seed = first_seed;
     long sheets[2] = {0, 0};
     for (int turn = 0; turn < 200; turn++) {
@@ -484,8 +474,7 @@ static void noise_is_felt(void **state) {
     assert_true(sheets[0] > 1000);
 }
 
-static void kernels_find_the_same_tiles(void **state) {
-    (void)state;
+TEST(kernels_find_the_same_tiles) {
     uint64_t seed = first_seed;
     for (int turn = 0; turn < 60; turn++) {
         static test_view t;
@@ -514,11 +503,5 @@ static void kernels_find_the_same_tiles(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) ray_count = atol(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rows_of_tiles_keep_their_bound),
-                                       cmocka_unit_test(tiles_are_what_is_said),
-                                       cmocka_unit_test(the_rest_is_felt),
-                                       cmocka_unit_test(errors_are_felt),
-                                       cmocka_unit_test(noise_is_felt),
-                                       cmocka_unit_test(kernels_find_the_same_tiles)};
-    return cmocka_run_group_tests_name("beam", tests, NULL, NULL);
+    return unit_run("beam");
 }

@@ -8,17 +8,11 @@
  *   up accepted when parallel but for rounding                        bad_cameras
  *   orthographic direction fanned out                                 orthographic
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
-#include <string.h>
 
 #include "algsurf/camera.h"
 #include "exact.h"
+#include "unit.h"
 
 static const double origin[3] = {0, 0, 0}, z_up[3] = {0, 0, 1};
 
@@ -35,13 +29,13 @@ static void assert_near(double got, double expected, double allowed) {
 
 static algsurf_camera pinhole(const double eye[3], const double look_at[3], const double up[3], double fov) {
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, look_at, up, fov, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, look_at, up, fov, &camera));
     return camera;
 }
 
 static algsurf_ray ray_at(const algsurf_camera *camera, int width, int height, double x, double y) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(camera, width, height, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, width, height, x, y, &ray));
     assert_true(ray.t_min == 0 && ray.t_max == INFINITY);
     assert_near(dot(ray.direction, ray.direction), 1, 1e-15);
     return ray;
@@ -49,9 +43,8 @@ static algsurf_ray ray_at(const algsurf_camera *camera, int width, int height, d
 
 /* Orthonormal to rounding, right-handed, forward towards look_at, up on up's side; also far away, at
  * the ends of the range, and with up nearly along the view. */
-static void frames(void **state) {
+TEST(frames) {
     uint64_t seed = 41;
-    (void)state;
     for (int k = 0; k < 2000; k++) {
         double eye[3], look_at[3], up[3], view[3], scale = ldexp(1, exact_random_int(&seed, 1900) - 950);
         for (int i = 0; i < 3; i++) {
@@ -65,7 +58,7 @@ static void frames(void **state) {
         algsurf_camera c;
         algsurf_status status = k % 2 ? algsurf_camera_pinhole(eye, look_at, up, 40, &c)
                                       : algsurf_camera_orthographic(eye, look_at, up, 2, &c);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         const double *axis[3] = {c.right, c.up, c.forward};
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) assert_near(dot(axis[i], axis[j]), i == j, 1e-15);
@@ -76,8 +69,7 @@ static void frames(void **state) {
     }
 }
 
-static void centre_looks_at(void **state) {
-    (void)state;
+TEST(centre_looks_at) {
     const double eye[3] = {4, 3, 2.5}, at[3] = {0.5, -0.25, 1};
     algsurf_camera c = pinhole(eye, at, z_up, 30);
     algsurf_ray r = ray_at(&c, 641, 481, 320.5, 240.5);
@@ -87,8 +79,7 @@ static void centre_looks_at(void **state) {
 }
 
 /* From (0,0,5) down to the origin with y up: right is x.  At fov 90 the picture reaches to +-5 high. */
-static void corners(void **state) {
-    (void)state;
+TEST(corners) {
     const double eye[3] = {0, 0, 5}, up[3] = {0.3, 7, 1000};
     const double flat_up[3] = {0, 1, 0};
     algsurf_camera c = pinhole(eye, origin, flat_up, 90);
@@ -105,8 +96,7 @@ static void corners(void **state) {
 }
 
 /* Pixels are square, whatever the size of the picture; its height fixes the scale. */
-static void aspect(void **state) {
-    (void)state;
+TEST(aspect) {
     const int sizes[5][2] = {{100, 100}, {400, 100}, {30, 300}, {1, 1}, {65535, 7}};
     algsurf_camera c = pinhole((double[]){0, -8, 0}, origin, z_up, 50);
     for (int k = 0; k < 5; k++) {
@@ -130,8 +120,7 @@ static void plane_point(const algsurf_camera *c, const double at[3], double x, d
 
 /* From 10^6 away and with the field of view narrowed the picture is the one from nearby; the direction is
  * a double, so a point at distance D is known to about 2^-53 D. */
-static void far_eye(void **state) {
-    (void)state;
+TEST(far_eye) {
     const double at[3] = {0.5, 0.25, -0.75}, towards[3] = {2.0 / 3, -1.0 / 3, 2.0 / 3};
     const double half_height = 1.25, pi = acos(-1);
     for (int power = 0; power <= 8; power++) {
@@ -151,11 +140,10 @@ static void far_eye(void **state) {
     assert_near(r.direction[2] / (pi / 180 * 0.5e-6), 1, 1e-14);
 }
 
-static void orthographic(void **state) {
-    (void)state;
+TEST(orthographic) {
     const double eye[3] = {0, 0, 5}, up[3] = {0, 1, 0}, down[3] = {0, 0, -1};
     algsurf_camera c;
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 3, &c), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, up, 3, &c));
     for (int corner = 0; corner < 4; corner++) {
         algsurf_ray r = ray_at(&c, 200, 100, corner & 1 ? 200 : 0, corner & 2 ? 100 : 0);
         const double expected[3] = {corner & 1 ? 3 : -3, corner & 2 ? -1.5 : 1.5, 5};
@@ -177,8 +165,7 @@ static void refuse(const double eye[3], const double at[3], const double up[3], 
     assert_memory_equal(&c, &before, sizeof c);
 }
 
-static void bad_cameras(void **state) {
-    (void)state;
+TEST(bad_cameras) {
     const double eye[3] = {1, 2, 3}, at[3] = {4, 6, 8}, zero[3] = {0, -0.0, 0};
     const double along[3] = {-3e-200, -4e-200, -5e-200}, third[3] = {1.0 / 3, 4.0 / 9, 5.0 / 9};
     const double bad[2] = {NAN, INFINITY};
@@ -206,8 +193,8 @@ static void bad_cameras(void **state) {
     algsurf_camera c = {.half_height = 7};
     assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, 180, &c), ALGSURF_E_ARGUMENT);
     assert_true(c.half_height == 7);
-    assert_int_equal(algsurf_camera_pinhole(eye, at, z_up, nextafter(180, 0), &c), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_orthographic(eye, at, z_up, 1000, &c), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, z_up, nextafter(180, 0), &c));
+    assert_ok(algsurf_camera_orthographic(eye, at, z_up, 1000, &c));
 }
 
 static void refuse_ray(const algsurf_camera *c, int width, int height, double x, double y,
@@ -219,8 +206,7 @@ static void refuse_ray(const algsurf_camera *c, int width, int height, double x,
     assert_memory_equal(&r, &before, sizeof r);
 }
 
-static void bad_rays(void **state) {
-    (void)state;
+TEST(bad_rays) {
     const algsurf_camera good = pinhole((double[]){1, 2, 3}, origin, z_up, 30);
     algsurf_camera c = good;
     refuse_ray(NULL, 10, 10, 0, 0, ALGSURF_E_ARGUMENT);
@@ -249,12 +235,11 @@ static void bad_rays(void **state) {
     refuse_ray(&c, 10000, 1, 0, 0, ALGSURF_E_NOT_FINITE); /* reaches beyond all doubles */
 }
 
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const double eye[3] = {1.1, 2.3, 3.7}, up[3] = {0.1, 0.2, 0.9};
     algsurf_camera c[4];
     algsurf_ray r[4];
-    (void)state;
     memset(c, 0, sizeof c);
     for (int m = 0; m < 4; m++) {
         fesetround(modes[m]);
@@ -262,19 +247,12 @@ static void rounding_modes(void **state) {
         algsurf_status shot = algsurf_camera_ray(&c[m], 640, 480, 12.3, 45.6, &r[m]);
         int mode = fegetround();
         fesetround(FE_TONEAREST);
-        assert_int_equal(made, ALGSURF_OK);
-        assert_int_equal(shot, ALGSURF_OK);
+        assert_ok(made);
+        assert_ok(shot);
         assert_int_equal(mode, modes[m]);
         assert_memory_equal(&c[m], &c[0], offsetof(algsurf_camera, orthographic)); /* no padding */
         assert_memory_equal(&r[m], &r[0], sizeof r[0]);
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(frames),      cmocka_unit_test(centre_looks_at), cmocka_unit_test(corners),
-        cmocka_unit_test(aspect),      cmocka_unit_test(far_eye),         cmocka_unit_test(orthographic),
-        cmocka_unit_test(bad_cameras), cmocka_unit_test(bad_rays),        cmocka_unit_test(rounding_modes),
-    };
-    return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
-}
+int main(void) { return unit_run("camera"); }

@@ -4,19 +4,11 @@
  * bracket is at most two units in the last place wide, has different exact signs at its ends (or is a root),
  * and the value's sign is the polynomial's own.  Breaks caught: a bound left out, an underflow or overflow
  * taken for a root or a sign, a wrong unit, an end that is given up for a point on the root's other side. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
-
-#include <cmocka.h>
-#include <float.h>
-#include <string.h>
 
 #include "algsurf/isolate.h"
 #include "algsurf/refine.h"
+#include "unit.h"
 
 #define SEED 29u
 enum { MOST = 128 };
@@ -56,7 +48,7 @@ static void check_bracket(const double *c, int n, const algsurf_bracket *b) {
 static int check_on(const double *c, int n, double lo, double hi) {
     static algsurf_bracket b[MOST];
     int count;
-    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, MOST, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, MOST, &count));
     for (int i = 0; i < count; i++)
         if (b[i].kind == ALGSURF_BRACKET_ISOLATED) check_bracket(c, n, b + i);
     return count;
@@ -75,8 +67,7 @@ static void times_root(double *c, int n, double root) {
     c[0] *= -root;
 }
 
-static void test_wilkinson(void **state) {
-    (void)state;
+TEST(test_wilkinson) {
     for (int n = 5; n <= 36; n++)
         for (int shift = -600; shift <= 600; shift += 600) {
             double c[MOST + 1] = {ldexp(1, shift)};
@@ -96,8 +87,7 @@ static void recur(double *c, int n, int legendre) {
     memcpy(c, p[n % 2], (size_t)(n + 1) * sizeof *c);
 }
 
-static void test_orthogonal(void **state) {
-    (void)state;
+TEST(test_orthogonal) {
     double c[MOST + 1];
     for (int legendre = 0; legendre < 2; legendre++)
         for (int n = 4; n <= 72; n += n < 40 ? 1 : 8) {
@@ -107,8 +97,7 @@ static void test_orthogonal(void **state) {
 }
 
 /* x^n - 2 (a x - 1)^2: two roots near 1/a, a^(-1-n/2) apart. */
-static void test_mignotte(void **state) {
-    (void)state;
+TEST(test_mignotte) {
     for (int n = 5; n <= 33; n += 4)
         for (double a = 10; a < 2000; a *= 7) {
             double c[MOST + 1] = {-2, 4 * a, -2 * a * a};
@@ -118,8 +107,7 @@ static void test_mignotte(void **state) {
 }
 
 /* x^k (x - a): at the lower end, 2^-1074, the value underflows to 0. */
-static void test_underflow(void **state) {
-    (void)state;
+TEST(test_underflow) {
     for (int k = 1; k <= 40; k += 3)
         for (int e = -300; e <= 300; e += 75) {
             double c[MOST + 1] = {0}, a = ldexp(k % 2 ? 1 : 1.7, e);
@@ -127,14 +115,13 @@ static void test_underflow(void **state) {
             algsurf_refined_root r;
             c[k] = -a, c[k + 1] = 1;
             check(c, k + 1, 1.1 * a);
-            assert_int_equal(algsurf_refine_poly(c, NULL, k + 1, b.lo, b.hi, NULL, &r), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(c, NULL, k + 1, b.lo, b.hi, NULL, &r));
             if (r.root != a || r.residual != 0 || r.lo != a || r.hi != a)
                 give_up("known root", c, k + 1, &b, &r);
         }
 }
 
-static void test_clusters(void **state) {
-    (void)state;
+TEST(test_clusters) {
     uint64_t seed = SEED;
     for (int round = 0; round < 200; round++) {
         int n = 2 + exact_random_int(&seed, 8), gap = 3 + exact_random_int(&seed, 45);
@@ -147,8 +134,7 @@ static void test_clusters(void **state) {
     }
 }
 
-static void test_wide_coefficients(void **state) {
-    (void)state;
+TEST(test_wide_coefficients) {
     uint64_t seed = SEED;
     int roots = 0;
     for (int round = 0; round < 300; round++) {
@@ -161,8 +147,7 @@ static void test_wide_coefficients(void **state) {
 }
 
 /* Simple roots far apart: c_i = 2^(-k i^2), all positive, has n of them. */
-static void test_spread_roots(void **state) {
-    (void)state;
+TEST(test_spread_roots) {
     for (int k = 2; k <= 7; k++)
         for (int n = 4; n <= 12; n++) {
             double c[MOST + 1];
@@ -172,49 +157,37 @@ static void test_spread_roots(void **state) {
 }
 
 /* A wide bracket of a multiple root closes in a few steps. */
-static void test_multiple_roots(void **state) {
-    (void)state;
+TEST(test_multiple_roots) {
     for (int m = 3; m <= 11; m += 2) {
         double c[MOST + 1] = {1};
         algsurf_refined_root r;
         for (int k = 0; k < m; k++) times_root(c, k, 1);
-        assert_int_equal(algsurf_refine_poly(c, NULL, m, -0.7, 2.3, NULL, &r), ALGSURF_OK);
+        assert_ok(algsurf_refine_poly(c, NULL, m, -0.7, 2.3, NULL, &r));
         assert_true(r.root == 1 && r.residual == 0 && r.evaluations < 16);
     }
 }
 
 /* Neighbouring doubles are kept as they are if there is a root: of even multiplicity, two of them, one beyond
  * the largest double, one at an end and another one inside. */
-static void test_neighbours(void **state) {
-    (void)state;
+TEST(test_neighbours) {
     static const double third_squared[] = {1, -6, 9}, none[] = {1, 0, 1}, beyond[] = {-0x1p1000, 0x1p-100};
     double third = 1.0 / 3, above = nextafter(third, 1);
     const algsurf_bracket good = {.lo = third, .hi = above}, far = {.lo = DBL_MAX, .hi = INFINITY};
     algsurf_refined_root r;
     check_bracket(third_squared, 2, &good);
     check_bracket(beyond, 1, &far);
-    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, NULL, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, NULL, &r));
     assert_true(r.lo == DBL_MAX && r.root == DBL_MAX && isinf(r.hi) && r.residual != 0);
     assert_int_equal(algsurf_refine_poly(none, NULL, 2, third, above, NULL, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, -INFINITY, -DBL_MAX, NULL, &r), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, INFINITY, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, INFINITY, INFINITY, NULL, &r),
+                     ALGSURF_E_NOT_FINITE);
     assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, 1, INFINITY, NULL, &r), ALGSURF_E_NOT_FINITE);
     const algsurf_refine_options brent = {.size = sizeof brent, .method = ALGSURF_METHOD_BRENT};
-    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, &brent, &r), ALGSURF_E_NOT_FINITE);
+    assert_int_equal(algsurf_refine_poly(beyond, NULL, 1, DBL_MAX, INFINITY, &brent, &r),
+                     ALGSURF_E_NOT_FINITE);
 }
 
-static void test_enough(void **state) {
-    (void)state;
-    assert_true(refined > 5000);
-}
+TEST(test_enough) { assert_true(refined > 5000); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wilkinson),    cmocka_unit_test(test_orthogonal),
-        cmocka_unit_test(test_mignotte),     cmocka_unit_test(test_underflow),
-        cmocka_unit_test(test_clusters),     cmocka_unit_test(test_wide_coefficients),
-        cmocka_unit_test(test_spread_roots), cmocka_unit_test(test_multiple_roots),
-        cmocka_unit_test(test_neighbours),   cmocka_unit_test(test_enough),
-    };
-    return cmocka_run_group_tests_name("certain", tests, NULL, NULL);
-}
+int main(void) { return unit_run("certain"); }

@@ -22,17 +22,12 @@
  *
  *     test_chords [lines [pictures [seed]]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact.h"
 #include "picture/impl.h"
 #include "base/vec.h"
 #include "simd/baseline.h"
 #include "beams/sight_template.h"
+#include "unit.h"
 
 static long line_count = 20000, picture_count = 1500;
 static uint64_t first_seed = 20261125;
@@ -347,10 +342,9 @@ static void chord_of_line(const test_line *l, exact_line *x) {
     mpq_clears(w, h, NULL);
 }
 
-static void lines_within_rounding(void **state) {
+TEST(lines_within_rounding) {
     uint64_t seed = first_seed;
     int shown = 0;
-    (void)state;
     memset(&seen, 0, sizeof seen);
     for (long i = 0; i < line_count; i++) {
         test_line l;
@@ -511,7 +505,7 @@ static void check_pixel(const test_view *v, const algsurf_i_picture *picture, co
     mask open;
     double error;
     init_line(&x);
-    assert_int_equal(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + 0.5, y + 0.5, &ray));
     chord_of_ray(v, job->view, picture->scene->surface->unit, &ray, &x);
     const sight s = sight_at(job, all_lanes(i));
     const chord c = clip(job, &s, all_lanes(job->near), &open);
@@ -528,9 +522,9 @@ static void check_clear(const test_view *v, uint64_t *seed, int i, int y) {
     double sx = exact_random_int(seed, 2) ? 0 : 1, sy = exact_random_int(seed, 2) ? 0 : 1;
     algsurf_ray ray, part;
     int meets;
-    assert_int_equal(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, COLUMNS, ROWS, i + sx, y + sy, &ray));
     /* all that lies within the rounding of a chord counts as inside: so a miss is one */
-    assert_int_equal(algsurf_region_clip(&v->extent, NULL, 0, &ray, &part, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&v->extent, NULL, 0, &ray, &part, &meets));
     if (meets)
         print_message("seed %llu, view %ld: pixel %d %d is not clear\n", (unsigned long long)first_seed,
                       v->number, i, y);
@@ -554,11 +548,11 @@ static int check_view(const test_view *v, uint64_t *seed) {
     algsurf_surface *surface = NULL;
     algsurf_scene *scene = NULL;
     double centre[3];
-    assert_int_equal(algsurf_surface_from_terms(terms, 2, &surface), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_clip(scene, v->planes, (size_t)v->plane_count), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 2, &surface));
+    assert_ok(algsurf_scene_create(surface, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, &v->extent));
+    assert_ok(algsurf_scene_set_camera(scene, &v->camera));
+    assert_ok(algsurf_scene_set_clip(scene, v->planes, (size_t)v->plane_count));
     memset(&geometry, 0, sizeof geometry);
     algsurf_i_picture picture = {.scene = scene, .width = COLUMNS, .height = ROWS, .geometry = &geometry};
     algsurf_i_scene_ball(scene, centre, &picture.lighting.radius);
@@ -569,10 +563,9 @@ static int check_view(const test_view *v, uint64_t *seed) {
     return suits;
 }
 
-static void pictures_within_blur(void **state) {
+TEST(pictures_within_blur) {
     uint64_t seed = first_seed;
     long suited = 0;
-    (void)state;
     memset(&seen, 0, sizeof seen);
     for (long i = 0; i < picture_count; i++) {
         test_view v = {.number = i};
@@ -590,9 +583,5 @@ int main(int argc, char **argv) {
     if (argc > 1) line_count = strtol(argv[1], NULL, 10);
     if (argc > 2) picture_count = strtol(argv[2], NULL, 10);
     if (argc > 3) first_seed = strtoull(argv[3], NULL, 10);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_within_rounding),
-        cmocka_unit_test(pictures_within_blur),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("chords");
 }

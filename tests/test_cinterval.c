@@ -4,14 +4,8 @@
  * Breaks caught (each tried): a component's sign in a product, an inverse whose extremes are sought at the
  * wrong corner, the scaling of division left out, a power inverted last, a slope without its lowest
  * coefficient, the environment not entered. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "interval_cases.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 12u
 
@@ -89,8 +83,7 @@ static void require(const char *name, int round, algsurf_cinterval a, algsurf_ci
 }
 
 /* Products are exactly what tight real operations give. */
-static void test_ring_operations(void **state) {
-    (void)state;
+TEST(test_ring_operations) {
     uint64_t seed = SEED;
     exact_complex x, y, z;
     init(&x), init(&y), init(&z);
@@ -121,8 +114,7 @@ static void test_ring_operations(void **state) {
 
 /* ---- division, powers, modulus ---- */
 
-static void test_division(void **state) {
-    (void)state;
+TEST(test_division) {
     uint64_t seed = SEED;
     exact_complex x, y, z;
     init(&x), init(&y), init(&z);
@@ -144,26 +136,24 @@ static void test_division(void **state) {
 }
 
 /* Points divide to a few units in the last place of the modulus, whatever their size. */
-static void test_division_of_points(void **state) {
-    (void)state;
+TEST(test_division_of_points) {
     uint64_t seed = SEED;
     for (int i = 0; i < 4000; i++) {
         int k = exact_random_int(&seed, 2060) - 1050;
         algsurf_complex z = {exact_random_wide(&seed, k - 20, k), exact_random_wide(&seed, k - 20, k)};
         algsurf_complex w = {exact_random_wide(&seed, k - 20, k), exact_random_wide(&seed, k - 20, k)};
         algsurf_cinterval a = algsurf_cinterval_point(z), b = algsurf_cinterval_point(w), r;
-        assert_int_equal(algsurf_cinterval_div(a, b, &r), ALGSURF_OK);
+        assert_ok(algsurf_cinterval_div(a, b, &r));
         double size = algsurf_cinterval_abs(r).hi;
         if (!(algsurf_cinterval_width(r) <= 0x1p-49 * size && size < INFINITY)) report("div", i, a, b, r);
     }
     algsurf_cinterval r, i = {{0, 0}, {1, 1}}, two = {{2, 2}, {0, 0}};
-    assert_int_equal(algsurf_cinterval_div(two, i, &r), ALGSURF_OK);
+    assert_ok(algsurf_cinterval_div(two, i, &r));
     assert_true(r.re.lo == 0 && r.re.hi == 0 && r.im.lo == -2 && r.im.hi == -2);
 }
 
 /* The inverse of a rectangle is its hull: what a walk along the border finds, and little more. */
-static void test_inverse_is_tight(void **state) {
-    (void)state;
+TEST(test_inverse_is_tight) {
     uint64_t seed = SEED;
     const algsurf_cinterval one = {{1, 1}, {0, 0}};
     for (int i = 0; i < 1500; i++) {
@@ -172,7 +162,7 @@ static void test_inverse_is_tight(void **state) {
                                case_sorted(y, y + 3 * exact_random_unit(&seed))},
                           r;
         if (fmin(algsurf_interval_abs(b.re).lo, 9) + algsurf_interval_abs(b.im).lo < 0.1) continue;
-        assert_int_equal(algsurf_cinterval_div(one, b, &r), ALGSURF_OK);
+        assert_ok(algsurf_cinterval_div(one, b, &r));
         algsurf_cinterval walk = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
         for (int k = 0; k < 4 * 200; k++) {
             double t = k / 4 / 199.0;
@@ -189,8 +179,7 @@ static void test_inverse_is_tight(void **state) {
     }
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     uint64_t seed = SEED;
     exact_complex x, z;
     init(&x), init(&z);
@@ -211,12 +200,11 @@ static void test_powers(void **state) {
     }
     clear(&x), clear(&z);
     algsurf_cinterval r, z1 = {{1, 1}, {1, 1}}; /* (1+i)^4 = -4 */
-    assert_int_equal(algsurf_cinterval_pow(z1, 4, &r), ALGSURF_OK);
+    assert_ok(algsurf_cinterval_pow(z1, 4, &r));
     assert_true(r.re.lo == -4 && r.re.hi == -4 && r.im.lo == 0 && r.im.hi == 0);
 }
 
-static void test_modulus(void **state) {
-    (void)state;
+TEST(test_modulus) {
     uint64_t seed = SEED;
     exact_complex x;
     mpq_t size, end;
@@ -241,12 +229,11 @@ static void test_modulus(void **state) {
 
 /* ---- sets, polynomials, misuse, environments ---- */
 
-static void test_sets(void **state) {
-    (void)state;
+TEST(test_sets) {
     const algsurf_cinterval a = {{-1, 2}, {0, 1}}, b = {{0, 3}, {0.5, 4}}, far = {{0, 1}, {5, 6}};
     algsurf_cinterval r = algsurf_cinterval_hull(a, b);
     assert_true(r.re.lo == -1 && r.re.hi == 3 && r.im.lo == 0 && r.im.hi == 4);
-    assert_int_equal(algsurf_cinterval_intersect(a, b, &r), ALGSURF_OK);
+    assert_ok(algsurf_cinterval_intersect(a, b, &r));
     assert_true(r.re.lo == 0 && r.re.hi == 2 && r.im.lo == 0.5 && r.im.hi == 1);
     assert_int_equal(algsurf_cinterval_intersect(a, far, &r), ALGSURF_E_RANGE);
     assert_true(r.re.hi == 2);
@@ -260,8 +247,7 @@ static void test_sets(void **state) {
     assert_false(algsurf_cinterval_interior(edge, a) || algsurf_cinterval_inside(b, a));
 }
 
-static void test_poly(void **state) {
-    (void)state;
+TEST(test_poly) {
     uint64_t seed = SEED;
     exact_complex x, y, c;
     init(&x), init(&y), init(&c);
@@ -274,8 +260,8 @@ static void test_poly(void **state) {
         if (i % 4 == 1)
             for (int k = 0; k <= n; k++)
                 p[k] = algsurf_cinterval_point((algsurf_complex){p[k].re.lo, p[k].im.lo});
-        assert_int_equal(algsurf_cinterval_poly(p, n, z, &h), ALGSURF_OK);
-        assert_int_equal(algsurf_cinterval_poly_centred(p, n, z, &r), ALGSURF_OK);
+        assert_ok(algsurf_cinterval_poly(p, n, z, &h));
+        assert_ok(algsurf_cinterval_poly_centred(p, n, z, &r));
         set(&x, inside(&seed, z)), mpq_set_ui(y.re, 0, 1), mpq_set_ui(y.im, 0, 1);
         for (int k = n; k >= 0; k--) {
             set(&c, inside(&seed, p[k])), times(&y, &y, &x);
@@ -290,8 +276,7 @@ static void test_poly(void **state) {
     assert_true(better > 100);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     const algsurf_cinterval one = {{1, 1}, {0, 0}}, bad[] = {{{1, 0}, {0, 0}}, {{1, 1}, {0, NAN}}};
     algsurf_cinterval r = {{7, 8}, {9, 10}};
     for (size_t i = 0; i < 2; i++) {
@@ -351,8 +336,7 @@ static void same(void *into, const char *name) {
     memset(pool.got, 0, sizeof pool.got);
 }
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < POOL; i++) {
         pool.a[i] = i % 2 ? case_rectangle(&seed) : case_ordinary(&seed);
@@ -362,18 +346,4 @@ static void test_any_environment(void **state) {
     case_environments(evaluate, same, pool.got);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ring_operations),
-        cmocka_unit_test(test_division),
-        cmocka_unit_test(test_division_of_points),
-        cmocka_unit_test(test_inverse_is_tight),
-        cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_modulus),
-        cmocka_unit_test(test_sets),
-        cmocka_unit_test(test_poly),
-        cmocka_unit_test(test_bad_arguments),
-        cmocka_unit_test(test_any_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("cinterval"); }

@@ -92,11 +92,10 @@ static int lies_on_plane(const algsurf_hit *hit, const algsurf_intersect_options
     return 0;
 }
 
-static void hits_are_those_kept(void **state) {
+TEST(hits_are_those_kept) {
     uint64_t seed = SEED;
     int cut = 0, kept = 0, on_plane = 0, in_surface = 0;
     static intersect_case cases[EQUATIONS];
-    (void)state;
     for (int i = 0; i < EQUATIONS; i++) intersect_equation(&cases[i], equations[i]);
     for (int round = 0; round < ROUNDS; round++) {
         intersect_case *c = &cases[exact_random_int(&seed, EQUATIONS)];
@@ -151,8 +150,8 @@ static void ask(const algsurf_surface *surface, const algsurf_extent *extent, do
     const algsurf_hit_packet hits = {
         .size = sizeof hits, .state = a->state, .t = a->t, .multiplicity = a->multiplicity};
     memset(a, 0, sizeof *a);
-    assert_int_equal(algsurf_intersect_packet(surface, extent, &rays, o, &hits), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(surface, extent, &rays, o, &hits));
+    assert_ok(algsurf_occluded_packet(surface, extent, &rays, o, a->occluded));
 }
 
 /* Rays from anywhere to about the middle. */
@@ -164,7 +163,7 @@ static void set_rays(double (*numbers)[RAYS], uint64_t *seed) {
         }
 }
 
-static void six_planes_are_a_box(void **state) {
+TEST(six_planes_are_a_box) {
     static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0.25, 0, -0.125}, {1.5, 2, 1.75}};
     static double numbers[6][RAYS];
     static answers planes_say, box_says, first;
@@ -172,7 +171,6 @@ static void six_planes_are_a_box(void **state) {
     algsurf_surface *surface = surface_of(tangle);
     uint64_t seed = SEED;
     int hits = 0;
-    (void)state;
     for (int k = 0; k < 6; k++) {
         int side = k % 2 ? 1 : -1;
         planes[k] = (algsurf_plane){{0}, side * box.centre[k / 2] + box.size[k / 2]};
@@ -213,25 +211,24 @@ static void draw(const algsurf_scene *scene, picture *p) {
     const algsurf_picture planes = {
         .size = sizeof planes, .pixels = p->bytes, .format = ALGSURF_RGB8, .state = p->states, .t = p->t};
     const algsurf_render_options o = {.size = sizeof o, .width = WIDTH, .height = HEIGHT, .threads = 1};
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
 /* By Brent's method every ray goes by itself, and no fan is asked: what is cut away casts no shadow. */
-static void shadows_as_by_rays(void **state) {
+TEST(shadows_as_by_rays) {
     static const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
     static const algsurf_extent extents[] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {3, 0, 0}},
                                              {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2.5, 2, 2.25}}};
     static const algsurf_plane planes[] = {{{0.3, -1, 0.2}, 0.1}, {{0, 0, 1}, 0.75}, {{-1, 0, 0}, 3.5}};
     static picture fans, rays, whole;
     algsurf_surface *surface = surface_of(tangle);
-    (void)state;
     for (int i = 0; i < 2; i++) {
         algsurf_scene *scene = scene_of(surface, &extents[i], NULL, NULL);
-        assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL));
         draw(scene, &whole);
-        assert_int_equal(algsurf_scene_set_clip(scene, planes, 3), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_clip(scene, planes, 3));
         draw(scene, &fans);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &by_rays), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_intersect(scene, &by_rays));
         draw(scene, &rays);
         assert_memory_equal(fans.states, rays.states, sizeof fans.states);
         int differ = 0, brighter = 0; /* t is rounded otherwise: a few bytes may differ by one */
@@ -250,9 +247,7 @@ static void shadows_as_by_rays(void **state) {
 /* The part of a pixel's ray before or behind a plane. */
 static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *plane, int pixel) {
     algsurf_ray ray;
-    assert_int_equal(
-        algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray),
-        ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, WIDTH, HEIGHT, pixel % WIDTH + 0.5, pixel / WIDTH + 0.5, &ray));
     double above = -plane->offset, rise = 0;
     for (int i = 0; i < 3; i++) {
         above += plane->normal[i] * ray.origin[i];
@@ -265,7 +260,7 @@ static algsurf_ray cut_ray(const algsurf_camera *camera, const algsurf_plane *pl
     return ray;
 }
 
-static void complex_space_is_cut(void **state) {
+TEST(complex_space_is_cut) {
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {4, 0, 0}};
     static const algsurf_plane plane = {{0.25, 1, -0.5}, 0.125};
     static const double eye[3] = {3, 6, 4}, centre[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -274,20 +269,18 @@ static void complex_space_is_cut(void **state) {
     algsurf_camera camera;
     algsurf_surface *surface = surface_of(tangle);
     int fewer = 0, hits = 0;
-    (void)state;
-    assert_int_equal(algsurf_camera_pinhole(eye, centre, up, 45, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, centre, up, 45, &camera));
     algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     draw(scene, &whole);
-    assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, &plane, 1));
     draw(scene, &cut);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         const algsurf_ray ray = cut_ray(&camera, &plane, i);
         algsurf_hit hit = {.state = ALGSURF_MISS};
         if (ray.t_min <= ray.t_max)
-            assert_int_equal(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL));
         if (hit.state != cut.states[i]) fail_msg("pixel %d: state %d, not %d", i, cut.states[i], hit.state);
         if (hit.state == ALGSURF_HIT && !(fabs(hit.t - cut.t[i]) < 1e-9))
             fail_msg("pixel %d: t = %a, not %a", i, cut.t[i], hit.t);
@@ -301,7 +294,7 @@ static void complex_space_is_cut(void **state) {
 
 /* ---- arguments ---- */
 
-static void bad_planes_are_refused(void **state) {
+TEST(bad_planes_are_refused) {
     static const algsurf_plane good[ALGSURF_MAX_CLIP_PLANES + 1] = {{{1, 0, 0}, 0}};
     static const struct {
         algsurf_plane plane;
@@ -317,7 +310,6 @@ static void bad_planes_are_refused(void **state) {
     algsurf_intersect_options o = {.size = sizeof o, .plane_count = 1};
     algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 = 1");
     algsurf_hit hit;
-    (void)state;
     algsurf_scene *scene = scene_of(surface, &ball, NULL, NULL);
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &o, &hit), ALGSURF_E_ARGUMENT);
     o.planes = good, o.plane_count = ALGSURF_MAX_CLIP_PLANES + 1;
@@ -332,25 +324,18 @@ static void bad_planes_are_refused(void **state) {
         assert_int_equal(algsurf_scene_set_clip(scene, &bad[i].plane, 1), bad[i].status);
     }
     /* a scene's planes are set by algsurf_scene_set_clip alone, and stay */
-    assert_int_equal(algsurf_scene_set_clip(scene, good, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, good, 1));
     draw(scene, &before);
     o.planes = good;
     assert_int_equal(algsurf_scene_set_intersect(scene, &o), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_scene_set_intersect(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(scene, NULL));
     draw(scene, &after);
     assert_memory_equal(before.bytes, after.bytes, sizeof before.bytes);
-    assert_int_equal(algsurf_scene_set_clip(scene, NULL, 0), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, NULL, 0));
     draw(scene, &after);
     assert_memory_not_equal(before.bytes, after.bytes, sizeof before.bytes);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits_are_those_kept),    cmocka_unit_test(six_planes_are_a_box),
-        cmocka_unit_test(shadows_as_by_rays),     cmocka_unit_test(complex_space_is_cut),
-        cmocka_unit_test(bad_planes_are_refused),
-    };
-    return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
-}
+int main(void) { return unit_run("clip"); }

@@ -1,15 +1,8 @@
 /* test_colour.c - colours as text.  Catches: a digit in the wrong place, a name cut short, a text that is no
  * colour and passes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "cli_guess.h"
 #include "colour.h"
+#include "unit.h"
 
 static void reads(const char *text, int red, int green, int blue) {
     css_colour c = {{1, 2, 3}, 0};
@@ -18,8 +11,7 @@ static void reads(const char *text, int red, int green, int blue) {
         fail_msg("'%s' is %d %d %d", text, c.srgb[0], c.srgb[1], c.srgb[2]);
 }
 
-static void test_read(void **unused) {
-    (void)unused;
+TEST(test_read) {
     reads("#000000", 0, 0, 0);
     reads("#0180fF", 1, 128, 255);
     reads("#08f", 0, 136, 255);
@@ -38,8 +30,7 @@ static void test_read(void **unused) {
         if (colour_read(bad[i], &c)) fail_msg("'%s' is accepted", bad[i]);
 }
 
-static void test_values(void **unused) {
-    (void)unused;
+TEST(test_values) {
     const css_colour white = {{255, 255, 255}, 1}, black = {{0, 0, 0}, 1};
     double rgb[3];
     colour_of(&white, rgb);
@@ -60,8 +51,7 @@ static void guesses(const char *wrong, const char *expected) {
     }
 }
 
-static void test_guess(void **unused) {
-    (void)unused;
+TEST(test_guess) {
     guesses("--color", "--colour");
     guesses("--center", "--centre");
     guesses("--SIZE", "--size");
@@ -79,8 +69,7 @@ static void test_guess(void **unused) {
 
 /* Words of other programs.  Catches: dashes that count, a part of a word that passes for it, a second use
  * lost. */
-static void test_meaning(void **unused) {
-    (void)unused;
+TEST(test_meaning) {
     cli_guess cut = cli_guess_begin("--cut=1,2,3,4", 5), width = cli_guess_begin("-width", 6);
     cli_guess wide = cli_guess_begin("--widths", 8), none = cli_guess_begin("--", 2);
     assert_string_equal(cli_guess_meaning(&cut, 0), "--clip A,B,C,D");
@@ -91,8 +80,4 @@ static void test_meaning(void **unused) {
     assert_null(cli_guess_meaning(&none, 0));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_read), cmocka_unit_test(test_values),
-                                       cmocka_unit_test(test_guess), cmocka_unit_test(test_meaning)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("colour"); }

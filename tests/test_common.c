@@ -3,17 +3,10 @@
  *
  * Breaks caught, each tried: an image of too high a degree not discarded, a prime that divides a leading
  * coefficient not skipped, a guess not proved, a gcd with content. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_zpolys.h"
 
-#include <cmocka.h>
-
 #include "poly/residue.h"
+#include "unit.h"
 
 #define SEED 20240702u
 
@@ -102,8 +95,7 @@ static int bits_for(uint64_t *seed, int round) {
 }
 
 /* a = f r, b = f s with random r, s: f times what r and s share (mostly nothing). */
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     bench *t = open_bench(SEED);
     int constant = 0, proper = 0, wide = 0;
     for (int i = 0; i < 1200; i++) {
@@ -123,8 +115,7 @@ static void test_products(void **state) {
 }
 
 /* With a': products of powers, and squarefree ones. */
-static void test_with_derivative(void **state) {
-    (void)state;
+TEST(test_with_derivative) {
     bench *t = open_bench(SEED + 1);
     int squarefree = 0, powers = 0, mixed = 0;
     for (int i = 0; i < 800; i++) {
@@ -146,8 +137,7 @@ static void test_with_derivative(void **state) {
 }
 
 /* Leading coefficients that are multiples of the first primes, and roots that agree modulo these. */
-static void test_unlucky_primes(void **state) {
-    (void)state;
+TEST(test_unlucky_primes) {
     bench *t = open_bench(SEED + 2);
     mpz_t p;
     mpz_init(p);
@@ -187,8 +177,7 @@ static void test_unlucky_primes(void **state) {
 }
 
 /* b divides a, a divides b, both the same. */
-static void test_divisors(void **state) {
-    (void)state;
+TEST(test_divisors) {
     bench *t = open_bench(SEED + 3);
     for (int i = 0; i < 300; i++) {
         exact_random_zpoly(&t->seed, t->a, 1 + exact_random_int(&t->seed, 8), bits_for(&t->seed, i));
@@ -204,8 +193,7 @@ static void test_divisors(void **state) {
     close_bench(t);
 }
 
-static void test_constants_and_zero(void **state) {
-    (void)state;
+TEST(test_constants_and_zero) {
     bench *t = open_bench(SEED + 4);
     for (int i = 0; i < 60; i++) {
         exact_random_zpoly(&t->seed, t->a, exact_random_int(&t->seed, 4) - 1, 70);
@@ -218,8 +206,7 @@ static void test_constants_and_zero(void **state) {
 }
 
 /* With every limit of memory either the right answer or none. */
-static void test_out_of_memory(void **state) {
-    (void)state;
+TEST(test_out_of_memory) {
     bench *t = open_bench(SEED + 5);
     int failures = 0, successes = 0;
     exact_random_zpoly(&t->seed, t->a, 12, 300);
@@ -246,8 +233,7 @@ static void test_out_of_memory(void **state) {
 }
 
 /* A large one: degree 512, in blocks that are allocated. */
-static void test_large(void **state) {
-    (void)state;
+TEST(test_large) {
     bench *t = open_bench(SEED + 6);
     exact_random_zpoly(&t->seed, t->a, 60, 4000);
     exact_random_zpoly(&t->seed, t->b, 40, 3000);
@@ -264,15 +250,4 @@ static void test_large(void **state) {
     close_bench(t);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),
-        cmocka_unit_test(test_with_derivative),
-        cmocka_unit_test(test_unlucky_primes),
-        cmocka_unit_test(test_divisors),
-        cmocka_unit_test(test_constants_and_zero),
-        cmocka_unit_test(test_out_of_memory),
-        cmocka_unit_test(test_large),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("common"); }

@@ -8,18 +8,10 @@
  *   sums over the other roots in another order in one layout                       boxes_hold_their_roots
  *   the guard of the discriminant left out                                         quadratics
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <float.h>
-#include <string.h>
-
 #include "algsurf/allroots.h"
 #include "complex/boxes.h"
 #include "exact_complex.h"
+#include "unit.h"
 
 enum { MANY = 11 }; /* packets that are full, and one that is not, whatever the kernel */
 
@@ -168,9 +160,8 @@ static int any_real(const problem p[MANY]) {
     return 0;
 }
 
-static void boxes_hold_their_roots(void **state) {
+TEST(boxes_hold_their_roots) {
     int solved[KINDS] = {0}, tried[KINDS] = {0};
-    (void)state;
     for (int round = 0; round < 280; round++) {
         problem p[MANY];
         int n = 1 + below(MOST), kind = round % KINDS, real = below(2);
@@ -186,9 +177,8 @@ static void boxes_hold_their_roots(void **state) {
 }
 
 /* Nearly double roots, b = 0, sizes far apart. */
-static void quadratics(void **state) {
+TEST(quadratics) {
     int solved = 0, tried = 0;
-    (void)state;
     for (int round = 0; round < 400; round++) {
         problem p[MANY];
         for (int i = 0; i < MANY; i++) {
@@ -206,13 +196,12 @@ static void quadratics(void **state) {
 }
 
 /* Roots at 0, multiple ones, degrees that drop, numbers out of range: never in lanes, and never wrong. */
-static void hard_ones(void **state) {
+TEST(hard_ones) {
     static const double cases[][4] = {{0, 0, 1, 0},       {0, 0, 1, 1},        {0, 1, 2, 1},
                                       {1, 2, 1, 0},       {0, -2, 1, 1},       {0, 0, 0, 0},
                                       {0, 0, 0, 1},       {1, 1, 1, 0x1p-400}, {0x1p-500, 1, 1, 1},
                                       {1, 1, 0x1p400, 1}, {5, 0, 0, 0}};
     problem p[MANY];
-    (void)state;
     for (int i = 0; i < MANY; i++) {
         p[i] = (problem){.n = 3, .real = 1};
         memcpy(p[i].re, cases[i], sizeof cases[i]);
@@ -225,11 +214,10 @@ static void hard_ones(void **state) {
 }
 
 /* Complex numbers by rows, as algsurf_complex keeps them: the bits of single calls. */
-static void rows_of_numbers(void **state) {
+TEST(rows_of_numbers) {
     static algsurf_complex z[MANY][MOST + 1];
     static algsurf_complex_root roots[MANY * MOST], single[MOST];
     int found[MANY], count;
-    (void)state;
     for (int n = 1; n <= 12; n++) {
         const ptrdiff_t row = 2 * (MOST + 1);
         const algsurf_complex_batch rows = {.size = sizeof rows,
@@ -241,9 +229,9 @@ static void rows_of_numbers(void **state) {
             problem p = random_problem(n, PLAIN, 0);
             for (int k = 0; k <= n; k++) z[i][k] = (algsurf_complex){p.re[k], p.im[k]};
         }
-        assert_int_equal(algsurf_complex_roots_batch(&rows, NULL, roots, found), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_batch(&rows, NULL, roots, found));
         for (int i = 0; i < MANY; i++) {
-            assert_int_equal(algsurf_complex_roots(z[i], NULL, n, single, &count), ALGSURF_OK);
+            assert_ok(algsurf_complex_roots(z[i], NULL, n, single, &count));
             assert_int_equal(found[i], count);
             assert_memory_equal(single, roots + i * n, (size_t)count * sizeof *single);
         }
@@ -251,14 +239,13 @@ static void rows_of_numbers(void **state) {
 }
 
 /* Real ones among complex ones, radii, and misuse. */
-static void the_interface(void **state) {
+TEST(the_interface) {
     problem p[MANY];
     batch b;
     algsurf_complex_root roots[MANY * MOST], single[MOST];
     int found[MANY], count;
     double radii[MOST + 1];
     static const double spread[MANY] = {0x1p-30, 0x1p-30, 0, 0x1p-20, 0, 0x1p-10, 0, 0, 0, 0, 0};
-    (void)state;
     for (int round = 0; round < 20; round++) {
         for (int i = 0; i < MANY; i++) {
             p[i] = random_problem(5, PLAIN, round % 2 ? 1 : below(2));
@@ -269,10 +256,10 @@ static void the_interface(void **state) {
     for (int i = 0; i < MANY; i++) p[i] = random_problem(5, PLAIN, 1);
     set_batch(&b, p, 1);
     b.packet.radii = (algsurf_table){spread, 0, 1};
-    assert_int_equal(algsurf_complex_roots_batch(&b.packet, NULL, roots, found), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_batch(&b.packet, NULL, roots, found));
     for (int i = 0; i < MANY; i++) {
         for (int k = 0; k <= 5; k++) radii[k] = spread[i];
-        assert_int_equal(algsurf_complex_roots_of_real(p[i].re, radii, 5, single, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(p[i].re, radii, 5, single, &count));
         assert_int_equal(count, found[i]);
         assert_memory_equal(single, roots + i * 5, (size_t)count * sizeof *single);
     }
@@ -293,16 +280,7 @@ static void the_interface(void **state) {
     assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, roots, found), ALGSURF_E_ARGUMENT);
     assert_int_equal(found[0], 77);
     bad.count = 0;
-    assert_int_equal(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots_batch(&bad, NULL, NULL, NULL));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(boxes_hold_their_roots),
-        cmocka_unit_test(quadratics),
-        cmocka_unit_test(hard_ones),
-        cmocka_unit_test(rows_of_numbers),
-        cmocka_unit_test(the_interface),
-    };
-    return cmocka_run_group_tests_name("complex: many polynomials", tests, NULL, NULL);
-}
+int main(void) { return unit_run("complex: many polynomials"); }

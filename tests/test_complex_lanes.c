@@ -15,18 +15,11 @@
  *   a lane that moves on when it is done                                               lanes_do_not_mix
  *   the last step without doubled precision                                            settled_alike
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "simd/baseline.h"
 
 #include "complex/lanes_template.h"
 #include "exact_complex.h"
+#include "unit.h"
 
 static polynomials in_lanes(const problem p[LANES]) {
     polynomials q = {.real = 1, .spread = all_lanes(0)};
@@ -76,9 +69,8 @@ static void add_spread(problem *p) {
 
 /* Random polynomials of all kinds: every claim is true, and most are claimed of kinds that are not hopeless.
  */
-static void discs_hold_their_roots(void **state) {
+TEST(discs_hold_their_roots) {
     int proved[KINDS] = {0}, tried[KINDS] = {0};
-    (void)state;
     for (int round = 0; round < 1500; round++) {
         problem p[LANES];
         int n = 1 + below(MOST), kind = round % KINDS, real = below(2), blurred = below(3) == 0;
@@ -104,7 +96,7 @@ static void discs_hold_their_roots(void **state) {
 }
 
 /* Exponents, zeros and multiple roots at which lanes without a guard have lied: nothing is claimed. */
-static void wild_ones_are_left(void **state) {
+TEST(wild_ones_are_left) {
     static const struct {
         int n;
         double c[5];
@@ -113,7 +105,6 @@ static void wild_ones_are_left(void **state) {
                  {2, {1, 1, 0}},           {2, {0x1p-1000, 0, 0x1p1000}},
                  {2, {NAN, 1, 1}},         {2, {1, INFINITY, 1}},
                  {1, {0x1p500, 0x1p-500}}, {3, {0x1p-700, 0x1p-1050, 0x1p-1050, 0x1p-300}}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         problem p[LANES] = {{.n = cases[i].n, .real = 1}, {.n = cases[i].n, .real = 1}};
         roots r;
@@ -134,9 +125,8 @@ static int inside(const algsurf_sector *sector, double x, double y, double lo, d
 }
 
 /* What is seen of random polynomials, by all their roots. */
-static void seen_root(void **state) {
+TEST(seen_root) {
     int ones = 0, nones = 0, twins = 0, tried = 0;
-    (void)state;
     for (int round = 0; round < 600; round++) {
         problem p[LANES];
         int n = 1 + below(8), real = below(4) > 0;
@@ -184,12 +174,11 @@ static void seen_root(void **state) {
 }
 
 /* Magnitudes that are equal but not those of conjugates stay open. */
-static void equal_magnitudes(void **state) {
+TEST(equal_magnitudes) {
     const algsurf_sector whole = {0, 3.141592653589793};
     algsurf_i_sector_edges edges;
     problem p[LANES] = {{.n = 4, .real = 1}, {.n = 4, .real = 1}};
     roots r;
-    (void)state;
     /* lane 0: 3 +- 4i, 4 +- 3i; lane 1: 3 +- 4i, 6 +- 1i */
     const double one[5] = {625, -350, 98, -14, 1}, two[5] = {925, -522, 134, -18, 1};
     memcpy(p[0].re, one, sizeof one), memcpy(p[1].re, two, sizeof two);
@@ -205,10 +194,9 @@ static void equal_magnitudes(void **state) {
 
 /* A disc whose mirror image meets two others: whose the conjugate is stays open.  With one of them moved
  * away, the other holds it. */
-static void two_mirrors(void **state) {
+TEST(two_mirrors) {
     const algsurf_sector whole = {0, 3.141592653589793};
     algsurf_i_sector_edges edges;
-    (void)state;
     assert_true(algsurf_i_sector_edges_of(&whole, &edges));
     const polynomials q = {.real = 1};
     const window w = {&edges, 0, all_lanes(0.1), all_lanes(100), all_lanes(0)};
@@ -223,8 +211,7 @@ static void two_mirrors(void **state) {
 }
 
 /* A lane's bits are the same whoever its neighbours are. */
-static void lanes_do_not_mix(void **state) {
-    (void)state;
+TEST(lanes_do_not_mix) {
     for (int round = 0; round < 200; round++) {
         int n = 1 + below(MOST), real = below(2);
         problem a = random_problem(n, PLAIN, real), p[2][LANES];
@@ -244,11 +231,10 @@ static void lanes_do_not_mix(void **state) {
 }
 
 /* A root's value does not tell where the iteration began. */
-static void settled_alike(void **state) {
+TEST(settled_alike) {
     const algsurf_sector whole = {0, 3.141592653589793};
     algsurf_i_sector_edges edges;
     int both = 0;
-    (void)state;
     assert_true(algsurf_i_sector_edges_of(&whole, &edges));
     for (int round = 0; round < 400; round++) {
         int n = 1 + below(10), real = below(2);
@@ -272,15 +258,4 @@ static void settled_alike(void **state) {
     assert_true(both > 400);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(discs_hold_their_roots),
-        cmocka_unit_test(wild_ones_are_left),
-        cmocka_unit_test(seen_root),
-        cmocka_unit_test(equal_magnitudes),
-        cmocka_unit_test(two_mirrors),
-        cmocka_unit_test(lanes_do_not_mix),
-        cmocka_unit_test(settled_alike),
-    };
-    return cmocka_run_group_tests_name("complex: lanes", tests, NULL, NULL);
-}
+int main(void) { return unit_run("complex: lanes"); }

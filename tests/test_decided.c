@@ -87,11 +87,10 @@ static void random_direction(uint64_t *seed, int d[3]) {
 /* ---- multiple roots ---- */
 
 /* Planes and spheres to powers, and what is beside them; t of the touch is a fraction. */
-static void test_powers(void **state) {
+TEST(test_powers) {
     static const char *const beside[] = {"", "(x + y - 7)", "(x^2 + y^2 + z^2 + 1)", "(z - x + 2)^2",
                                          "(x^2 - 2 z^2 + y - 1)"};
     uint64_t seed = begin("powers");
-    (void)state;
     for (int i = 0; i < 150 * rounds; i++) {
         char text[200];
         int point[3], d[3], n = whole(&seed, 3), across[3], steps = 1 + exact_random_int(&seed, 11);
@@ -115,7 +114,7 @@ static void test_powers(void **state) {
 }
 
 /* Multiple roots at irrational places: whole quadratic forms to powers along any whole ray. */
-static void test_conjugates(void **state) {
+TEST(test_conjugates) {
     static const char *const equations[] = {"(x^2 - 2 y^2)^2",
                                             "(x^2 - 2 y^2)^3 (x + y)",
                                             "(x^2 + y^2 + z^2 - 7)^2",
@@ -123,7 +122,6 @@ static void test_conjugates(void **state) {
                                             "(x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 12)^2",
                                             "(x^3 - 2 y^3 + z - 1)^3 (x^2 - 3)^2"};
     uint64_t seed = begin("conjugates");
-    (void)state;
     for (int i = 0; i < 120 * rounds; i++) {
         int point[3], d[3];
         for (int k = 0; k < 3; k++) point[k] = whole(&seed, 2);
@@ -138,7 +136,7 @@ static void test_conjugates(void **state) {
 
 /* ---- roots 2^-k apart, or not there by as much ---- */
 
-static void test_gaps(void **state) {
+TEST(test_gaps) {
     static const char *const equations[] = {"(3 x - 1)^2 - y^2",
                                             "(3 x - 1)^2 + y^2",
                                             "(x^2 - 2)^2 - y^2",
@@ -149,7 +147,6 @@ static void test_gaps(void **state) {
                                             "(11 x - 3)^4 - y^4",
                                             "((3 x - 1)^2 - y^2)^2"};
     uint64_t seed = begin("gaps");
-    (void)state;
     for (int k = 1; k <= 300; k += 1 + exact_random_int(&seed, 5)) {
         set_equation(equations[exact_random_int(&seed, 9)]);
         for (int i = 0; i < rounds; i++) {
@@ -187,11 +184,10 @@ static void box_case(uint64_t *seed, double off, char *text, size_t size) {
                    exact_random_int(seed, 2) ? "(x + 1/2)" : "(x^2 + y^2 + 1)");
 }
 
-static void test_extents(void **state) {
+TEST(test_extents) {
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {5, 0, 0}};
     static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {1, 2, 3}, {3, 2, 1}};
     uint64_t seed = begin("extents");
-    (void)state;
     for (int i = 0; i < 300 * rounds; i++) {
         char text[200];
         double off = i % 3 ? ldexp(1, -1 - exact_random_int(&seed, 200)) : 0;
@@ -207,14 +203,13 @@ static void test_extents(void **state) {
 }
 
 /* The surface is its extent's: every root counts. */
-static void test_own_extent(void **state) {
+TEST(test_own_extent) {
     static const char *const equations[] = {"x^2 + y^2 + z^2 - 1", "(x^2 + y^2 + z^2 - 1)(3 x - 1)",
                                             "(x^2 + y^2 + z^2 - 1)^2 (x - y)",
                                             "(x^2 + y^2 + z^2 - 1)(x^2 + y^2 + z^2 - 1 - 2^-40)"};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     static const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     uint64_t seed = begin("own extent");
-    (void)state;
     for (int i = 0; i < 200 * rounds; i++) {
         set_equation(equations[i % 4]);
         for (int k = 0; k < 3; k++) {
@@ -244,13 +239,12 @@ static void through(uint64_t *seed, const char *equation, const int point[3], co
     done();
 }
 
-static void test_singular(void **state) {
+TEST(test_singular) {
     static const char *const names[] = {"whitney", "steiner", "boy"};
     static const int whitney[][3] = {{0, 0, 0}, {0, 0, 1}, {0, 0, -1}, {0, 0, -2}};
     static const int steiner[][3] = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, 2}};
     static const int boy[][3] = {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}};
     uint64_t seed = begin("singular");
-    (void)state;
     for (int name = 0; name < 3; name++) {
         const catalogue_entry *entry = catalogue_find(names[name]);
         const int(*points)[3] = name == 0 ? whitney : name == 1 ? steiner : boy;
@@ -261,7 +255,7 @@ static void test_singular(void **state) {
 }
 
 /* Barth's sextic with the coefficients that doubles have: almost nodes. */
-static void test_nodes(void **state) {
+TEST(test_nodes) {
     const double g = (1 + sqrt(5)) / 2;
     const double nodes[][3] = {{1, 1, 1},
                                {0, 1 / g, g},
@@ -273,7 +267,6 @@ static void test_nodes(void **state) {
                                {0.5 * g * g, 0.5, 0.5 * g}};
     const catalogue_entry *entry = catalogue_find("barth-sextic");
     uint64_t seed = begin("nodes");
-    (void)state;
     set_equation(entry->equation);
     for (int i = 0; i < 160 * rounds; i++) {
         const double *node = nodes[i % 8];
@@ -290,7 +283,7 @@ static void test_nodes(void **state) {
 
 /* ---- rays in the surface ---- */
 
-static void test_rays_within(void **state) {
+TEST(test_rays_within) {
     static const struct {
         const char *equation;
         double origin[3], direction[3];
@@ -308,8 +301,7 @@ static void test_rays_within(void **state) {
                                              {ALGSURF_EXTENT_BOX, {1, 1, 1}, {4, 3, 5}},
                                              {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {5, 0, 0}}};
     static const double ends[][2] = {{0, INFINITY}, {-INFINITY, INFINITY}, {-INFINITY, 0}, {0.5, 40}, {3, 3}};
-    uint64_t seed = begin("rays within");
-    (void)seed, (void)state;
+    (void)begin("rays within");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         set_equation(rows[i].equation);
         for (int k = 0; k < 20; k++) {
@@ -328,9 +320,8 @@ static void test_rays_within(void **state) {
 /* ---- degrees, exponents ---- */
 
 /* Sums of powers of few terms, along whole rays. */
-static void test_degrees(void **state) {
+TEST(test_degrees) {
     uint64_t seed = begin("degrees");
-    (void)state;
     for (int n = 1; n <= ALGSURF_MAX_DEGREE; n++) {
         algsurf_term terms[] = {{n, 0, 0, 1},
                                 {0, n, 0, 3},
@@ -354,9 +345,8 @@ static double any_double(uint64_t *seed, int i) {
     return i % 7 == 0 ? 0 : exact_random_wide(seed, -1074, 1023);
 }
 
-static void test_exponents(void **state) {
+TEST(test_exponents) {
     uint64_t seed = begin("exponents");
-    (void)state;
     for (int i = 0; i < 150 * rounds; i++) {
         algsurf_term terms[6];
         int n = 1 + exact_random_int(&seed, 5), count = 2 + exact_random_int(&seed, 5);
@@ -381,7 +371,7 @@ static void test_exponents(void **state) {
 }
 
 /* Where a ray meets its extent beyond the largest double, in t: roots there, and none. */
-static void test_beyond_doubles(void **state) {
+TEST(test_beyond_doubles) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -397,7 +387,6 @@ static void test_beyond_doubles(void **state) {
         {"(z - 0x1p200)^2", {{0, 0, 0}, {0, 0, 0x1p-1000}, 0, INFINITY}, 0x1p200, 1},
     };
     (void)begin("beyond doubles");
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows * 2; i++) {
         double size = rows[i / 2].size;
         const algsurf_extent extent = {
@@ -434,7 +423,7 @@ static int meets_sphere(const double o[3], const double d[3]) {
 }
 
 /* A picture's rays: all hits survive. */
-static void test_picture_of_itself(void **state) {
+TEST(test_picture_of_itself) {
     enum { SIDE = 300 };
     static double o[3][SIDE], d[3][SIDE], t[SIDE];
     static unsigned char found[SIDE], occluded[SIDE];
@@ -442,8 +431,7 @@ static void test_picture_of_itself(void **state) {
     const double eye[3] = {1.7, -2.3, 1.1}, at[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     algsurf_camera camera;
     int hits = 0;
-    (void)state;
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 42, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 42, &camera));
     set_equation("x^2 + y^2 + z^2 - 1");
     algsurf_ray_packet rays = {.size = sizeof rays, .count = SIDE};
     const algsurf_hit_packet to = {.size = sizeof to, .state = found, .t = t};
@@ -451,11 +439,11 @@ static void test_picture_of_itself(void **state) {
     for (int row = 0; row < SIDE; row++) {
         for (int x = 0; x < SIDE; x++) {
             algsurf_ray ray;
-            assert_int_equal(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, x + 0.5, row + 0.5, &ray));
             for (int k = 0; k < 3; k++) o[k][x] = ray.origin[k], d[k][x] = ray.direction[k];
         }
-        assert_int_equal(algsurf_intersect_packet(c.surface, &ball, &rays, NULL, &to), ALGSURF_OK);
-        assert_int_equal(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(c.surface, &ball, &rays, NULL, &to));
+        assert_ok(algsurf_occluded_packet(c.surface, &ball, &rays, NULL, occluded));
         for (int x = 0; x < SIDE; x++) {
             const double origin[3] = {o[0][x], o[1][x], o[2][x]}, along[3] = {d[0][x], d[1][x], d[2][x]};
             int wanted = meets_sphere(origin, along) ? ALGSURF_HIT : ALGSURF_MISS;
@@ -474,18 +462,17 @@ static void test_picture_of_itself(void **state) {
 
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-static void test_far_exponents(void **state) {
+TEST(test_far_exponents) {
     const algsurf_term terms[] = {
         {52, 0, 2, 0x1p512}, {7, 48, 0, 0x1p53}, {50, 9, 0, 0x0.012688b70e62bp-1022}};
     algsurf_hit hit;
-    (void)state;
     assert_true(intersect_terms(&c, terms, 3));
     c.ray = (algsurf_ray){{0x1p-1000, 0x1p-1, 0x1.fffffffffffffp+0},
                           {-0x1.a888cefc9fcf2p+1, -0x1.11775b13a6689p-16, 0x1p-1000},
                           0,
                           8};
     double begun = seconds();
-    assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
     double taken = seconds() - begun;
     printf("far exponents: %.2f s, state %d, multiplicity %d at %a\n", taken, hit.state, hit.multiplicity,
            hit.t);
@@ -517,17 +504,16 @@ static int power_of_sphere(int power) {
                 terms[count++] = (algsurf_term){2 * i, 2 * j, 2 * k, left % 2 ? -a : a};
             }
     mpz_clears(ways, factor, NULL);
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &c.surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &c.surface));
     return exact;
 }
 
-static void test_powers_of_a_sphere(void **state) {
+TEST(test_powers_of_a_sphere) {
     static const struct {
         int power, rays;
         double most; /* seconds a ray, generously */
     } rows[] = {{8, 100, 5e-3}, {12, 50, 2e-2}, {16, 25, 5e-2}, {24, 12, 1e-1}};
     uint64_t seed = begin("powers of a sphere");
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         int exact = power_of_sphere(rows[i].power), hits = 0;
         double taken = 0;
@@ -540,7 +526,7 @@ static void test_powers_of_a_sphere(void **state) {
             }
             c.ray.t_min = -INFINITY, c.ray.t_max = INFINITY;
             double begun = seconds();
-            assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &hit));
             taken += seconds() - begun;
             int meets = meets_sphere(c.ray.origin, c.ray.direction);
             int right = meets ? hit.multiplicity == rows[i].power && hit.side == 1 : hit.multiplicity == 0;
@@ -563,12 +549,11 @@ static void test_powers_of_a_sphere(void **state) {
 
 /* ---- memory ---- */
 
-static void test_limit_of_memory(void **state) {
+TEST(test_limit_of_memory) {
     algsurf_intersect_options options = {.size = sizeof options, .max_memory = 1};
     algsurf_hit hits[24], before[24];
     int occluded = 77;
     int count = 77;
-    (void)state;
     set_equation("(x^10 + y^10 + z^10 - 1)^2");
     c.ray = (algsurf_ray){{-3, 0.3, 0.2}, {1, 0x1p-40, 0}, 0, 9};
     memset(before, 0xa5, sizeof before), memcpy(hits, before, sizeof hits);
@@ -593,7 +578,7 @@ static void test_limit_of_memory(void **state) {
         assert_int_equal(any[i], i == 1 ? ALGSURF_UNDECIDED : ALGSURF_MISS);
     }
     options.max_memory = (size_t)1 << 24;
-    assert_int_equal(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(c.surface, &box, &rays, &options, &to));
     assert_int_equal(states[1], ALGSURF_HIT);
     done();
     begin("limit of memory");
@@ -604,24 +589,7 @@ static void test_limit_of_memory(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_conjugates),
-        cmocka_unit_test(test_gaps),
-        cmocka_unit_test(test_extents),
-        cmocka_unit_test(test_own_extent),
-        cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_rays_within),
-        cmocka_unit_test(test_degrees),
-        cmocka_unit_test(test_exponents),
-        cmocka_unit_test(test_beyond_doubles),
-        cmocka_unit_test(test_picture_of_itself),
-        cmocka_unit_test(test_far_exponents),
-        cmocka_unit_test(test_powers_of_a_sphere),
-        cmocka_unit_test(test_limit_of_memory),
-    };
     if (argc > 1) rounds = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    return cmocka_run_group_tests_name("decided", tests, NULL, NULL);
+    return unit_run("decided");
 }

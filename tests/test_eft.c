@@ -3,19 +3,13 @@
  * Breaks caught: a term lost from a transform or from a double-double operation (the relative bound fails
  * at once), operands in the wrong order, a bound stated too small, an environment that is not set or not
  * given back (rounding mode, FTZ, DAZ, exception flags). */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
 #include <fenv.h>
-#include <float.h>
 
 #include "base/eft.h"
 #include "base/fpenv.h"
+#include "unit.h"
 
 #define ROUNDS 20000
 #define SEED 20240607u
@@ -46,8 +40,7 @@ static algsurf_dd random_dd(uint64_t *seed) {
     return algsurf_fast_two_sum(hi, hi * 0x1p-53 * exact_random_unit(seed));
 }
 
-static void test_transforms_are_exact(void **state) {
-    (void)state;
+TEST(test_transforms_are_exact) {
     uint64_t seed = SEED;
     mpq_t x, y, sum, product, got;
     mpq_inits(x, y, sum, product, got, NULL);
@@ -87,8 +80,7 @@ static int rounded_once(double a, double b, double c, double got) {
     return holds;
 }
 
-static void test_multiply_add(void **state) {
-    (void)state;
+TEST(test_multiply_add) {
     uint64_t seed = SEED + 7;
     for (int i = 0; i < ROUNDS; i++) {
         static const int range[4] = {3, 60, 450, 900};
@@ -125,8 +117,7 @@ static void test_multiply_add(void **state) {
 }
 
 /* The products the header promises: down to 2^-969, and factors up to 2^995 when nothing overflows. */
-static void test_two_prod_at_its_limits(void **state) {
-    (void)state;
+TEST(test_two_prod_at_its_limits) {
     uint64_t seed = SEED + 1;
     mpq_t x, y, got;
     mpq_inits(x, y, got, NULL);
@@ -143,8 +134,7 @@ static void test_two_prod_at_its_limits(void **state) {
 }
 
 /* What underflow may take from two_prod: at most 5 * 2^-1074, which poly.c relies on. */
-static void test_two_prod_in_underflow(void **state) {
-    (void)state;
+TEST(test_two_prod_in_underflow) {
     uint64_t seed = SEED + 2;
     mpq_t x, y, got;
     mpq_inits(x, y, got, NULL);
@@ -159,8 +149,7 @@ static void test_two_prod_in_underflow(void **state) {
     mpq_clears(x, y, got, NULL);
 }
 
-static void test_double_double_sums(void **state) {
-    (void)state;
+TEST(test_double_double_sums) {
     uint64_t seed = SEED + 3;
     mpq_t x, y, e;
     mpq_inits(x, y, e, NULL);
@@ -178,8 +167,7 @@ static void test_double_double_sums(void **state) {
     mpq_clears(x, y, e, NULL);
 }
 
-static void test_double_double_products(void **state) {
-    (void)state;
+TEST(test_double_double_products) {
     uint64_t seed = SEED + 4;
     mpq_t x, y, e;
     mpq_inits(x, y, e, NULL);
@@ -197,8 +185,7 @@ static void test_double_double_products(void **state) {
 }
 
 /* Root and exact root differ by about (r^2 - a)/(2a) of it: "a few u^2" is tested as 8 u^2. */
-static void test_double_double_root(void **state) {
-    (void)state;
+TEST(test_double_double_root) {
     uint64_t seed = SEED + 5;
     mpq_t x, r2;
     mpq_inits(x, r2, NULL);
@@ -215,8 +202,7 @@ static void test_double_double_root(void **state) {
     assert_true(algsurf_dd_sqrt(algsurf_dd_from(0.0)).hi == 0.0);
 }
 
-static void test_double_double_signs(void **state) {
-    (void)state;
+TEST(test_double_double_signs) {
     const algsurf_dd one = {1, 0}, more = {1, 0x1p-60}, less = {1, -0x1p-60}, zero = {0, 0},
                      tiny = {0, -0x1p-1074};
     assert_int_equal(algsurf_dd_sign(one), 1);
@@ -243,8 +229,7 @@ static int is_standard(probe p) { return p.third == 0x1.5555555555555p-2 && p.fi
 
 static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
-static void test_every_rounding_mode(void **state) {
-    (void)state;
+TEST(test_every_rounding_mode) {
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; i++) {
         assert_int_equal(fesetround(modes[i]), 0);
         feclearexcept(FE_ALL_EXCEPT);
@@ -269,8 +254,7 @@ static void test_every_rounding_mode(void **state) {
 #if defined(__SSE2__) || defined(__x86_64__)
 #define FTZ 0x8000u
 #define DAZ 0x0040u
-static void test_flush_to_zero(void **state) {
-    (void)state;
+TEST(test_flush_to_zero) {
     static const unsigned bits[] = {FTZ, DAZ, FTZ | DAZ};
     for (size_t i = 0; i < 3; i++) {
         unsigned before = _mm_getcsr(), mine = before | bits[i];
@@ -289,20 +273,4 @@ static void test_flush_to_zero(void **state) {
 }
 #endif
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_transforms_are_exact),
-        cmocka_unit_test(test_two_prod_at_its_limits),
-        cmocka_unit_test(test_two_prod_in_underflow),
-        cmocka_unit_test(test_multiply_add),
-        cmocka_unit_test(test_double_double_sums),
-        cmocka_unit_test(test_double_double_products),
-        cmocka_unit_test(test_double_double_root),
-        cmocka_unit_test(test_double_double_signs),
-        cmocka_unit_test(test_every_rounding_mode),
-#if defined(__SSE2__) || defined(__x86_64__)
-        cmocka_unit_test(test_flush_to_zero),
-#endif
-    };
-    return cmocka_run_group_tests_name("eft and fpenv", tests, NULL, NULL);
-}
+int main(void) { return unit_run("eft and fpenv"); }

@@ -4,18 +4,8 @@
  * Breaks caught: a term lost from a series, a constant without its low part, a wrong quarter, operations that
  * the compiler fuses or reorders. */
 #include "base/arithmetic.h" /* the arguments are to be the same everywhere, too */
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <float.h>
-#include <math.h>
-#include <string.h>
-
 #include "base/elementary.h"
+#include "unit.h"
 
 #define ROUNDS 100000
 #define MOST_ULPS 0.9L
@@ -53,8 +43,7 @@ static void assert_circle(double angle) {
     assert_close("sin", angle, 0, p[1], sinl(angle), 0x1p-100L * fabsl(angle));
 }
 
-static void logarithms(void **state) {
-    (void)state;
+TEST(logarithms) {
     seed = 1;
     for (int i = 0; i < ROUNDS; i++) {
         double x = ldexp(between(1, 2), i % 2 ? (int)between(-1074, 1024) : i % 3 - 1);
@@ -64,8 +53,7 @@ static void logarithms(void **state) {
     assert_near("log2", 1 - 0x1p-53, 0, algsurf_i_log2(1 - 0x1p-53), log2l(1 - 0x1p-53L));
 }
 
-static void powers_of_two(void **state) {
-    (void)state;
+TEST(powers_of_two) {
     seed = 2;
     for (int i = 0; i < ROUNDS; i++) {
         double x = i % 2 ? between(-1021, 1023.9) : between(-1, 1);
@@ -77,8 +65,7 @@ static void powers_of_two(void **state) {
     assert_true(isnan(algsurf_i_exp2(NAN)));
 }
 
-static void powers(void **state) {
-    (void)state;
+TEST(powers) {
     seed = 3;
     for (int i = 0; i < ROUNDS; i++) {
         double x = i % 2 ? between(0, 1) : ldexp(between(1, 2), (int)between(-1000, 1000));
@@ -96,8 +83,7 @@ static void powers(void **state) {
     assert_true(isnan(algsurf_i_pow(NAN, 2)));
 }
 
-static void circles(void **state) {
-    (void)state;
+TEST(circles) {
     seed = 4;
     for (int i = 0; i < ROUNDS; i++) {
         assert_circle(between(-0x1p20, 0x1p20));
@@ -117,8 +103,7 @@ static void mix(uint64_t *hash, double value) {
     for (int i = 0; i < 64; i += 8) *hash = (*hash ^ (bits >> i & 255)) * 1099511628211u;
 }
 
-static void same_bits_everywhere(void **state) {
-    (void)state;
+TEST(same_bits_everywhere) {
     uint64_t hash = 14695981039346656037u;
     seed = 5;
     for (int i = 0; i < ROUNDS; i++) {
@@ -133,10 +118,4 @@ static void same_bits_everywhere(void **state) {
     assert_int_equal(hash, 0xb799a805aa8bd44bu);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(logarithms), cmocka_unit_test(powers_of_two),        cmocka_unit_test(powers),
-        cmocka_unit_test(circles),    cmocka_unit_test(same_bits_everywhere),
-    };
-    return cmocka_run_group_tests_name("elementary", tests, NULL, NULL);
-}
+int main(void) { return unit_run("elementary"); }

@@ -11,18 +11,12 @@
  *   rounding to nearest of the extent's ends, of scaling     ends, diagonals
  *   cells as a middle and half a length                      ends
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
-#include <math.h>
-#include <string.h>
 
 #include "algsurf/algsurf.h"
 #include "exact.h"
+#include "scenes.h"
+#include "unit.h"
 
 static const uint64_t seed = 20250923;
 
@@ -33,17 +27,10 @@ typedef struct box {
 
 static box enclosed(const algsurf_surface *surface, const algsurf_extent *extent, int part) {
     box b = {.empty = -1};
-    assert_int_equal(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty),
-                     ALGSURF_OK);
+    assert_ok(algsurf_surface_enclose(surface, extent, part, 1.0 / 16, b.lo, b.hi, &b.empty));
     assert_true(b.empty == 0 || b.empty == 1);
     for (int i = 0; i < 3 && !b.empty; i++) assert_true(b.lo[i] <= b.hi[i]);
     return b;
-}
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
-    return surface;
 }
 
 static int holds(const box *b, const double p[3], double slack) {
@@ -97,10 +84,9 @@ static int check_ray(const algsurf_surface *surface, const algsurf_extent *exten
     return count;
 }
 
-static void hits(void **state) {
+TEST(hits) {
     uint64_t random = seed;
     int found = 0, empty = 0, smaller = 0;
-    (void)state;
     for (int turn = 0; turn < 200; turn++) {
         algsurf_surface *surface = random_surface(&random);
         if (!surface) continue;
@@ -145,29 +131,22 @@ static void check_points(uint64_t random, double sign_z, int part) {
         algsurf_surface *surface;
         for (int i = 0; i < 3; i++) p[i] = ldexp(coordinate(&random, 1 + turn % 14), -(turn % 7));
         point_terms(p, 3, sign_z, terms);
-        assert_int_equal(algsurf_surface_from_terms(terms, 7, &surface), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 7, &surface));
         check_point(surface, p, part, 0.5);
         algsurf_surface_free(surface);
     }
 }
 
-static void points(void **state) {
-    (void)state;
-    check_points(seed + 1, 1, ALGSURF_PART_ALL);
-}
+TEST(points) { check_points(seed + 1, 1, ALGSURF_PART_ALL); }
 
 /* The tips of cones. */
-static void tips(void **state) {
-    (void)state;
-    check_points(seed + 2, -1, ALGSURF_PART_SINGULAR);
-}
+TEST(tips) { check_points(seed + 2, -1, ALGSURF_PART_SINGULAR); }
 
 /* A surface that stands for others has their points in its box. */
-static void approximate(void **state) {
+TEST(approximate) {
     algsurf_surface *unit = surface_of("x^2 + y^2 + z^2 - 1"), *about;
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 2}};
-    (void)state;
-    assert_int_equal(algsurf_surface_with_error(unit, 0.125, &about), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(unit, 0.125, &about));
     const box b = enclosed(about, &extent, ALGSURF_PART_ALL);
     const double farthest[3] = {sqrt(1.125 / 0.875), 0, 0}, nearest[3] = {0, 0, -farthest[0]};
     assert_true(holds(&b, farthest, 0) && holds(&b, nearest, 0));
@@ -202,7 +181,7 @@ static int check_plane(double a, double b, const algsurf_extent *e) {
     exact_set(root, a), exact_set(off, b), mpq_div(root, off, root);
     exact_set(off, e->centre[0]), mpq_sub(off, root, off), mpq_abs(off, off), exact_set(size, e->size[0]);
     int inside = e->kind == ALGSURF_EXTENT_BOX ? mpq_cmp(off, size) <= 0 : mpq_sgn(off) == 0;
-    assert_int_equal(algsurf_surface_from_terms(terms, b == 0 ? 1 : 2, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, b == 0 ? 1 : 2, &surface));
     const box found = enclosed(surface, e, ALGSURF_PART_ALL);
     if (inside) {
         char what[200];
@@ -218,10 +197,9 @@ static int check_plane(double a, double b, const algsurf_extent *e) {
 }
 
 /* Planes of all sizes, extents down to an ulp of their centre, and to the least and largest doubles. */
-static void ends(void **state) {
+TEST(ends) {
     uint64_t random = seed + 3;
     int inside = 0;
-    (void)state;
     (void)check_plane(10, 9, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1, 1, 1}, {0.1, 0.1, 0.1}});
     (void)check_plane(10, 1e10 - 3, &(algsurf_extent){ALGSURF_EXTENT_BOX, {1e9, 1, 1e17}, {1, 0.1, 0.3}});
     for (int turn = 0; turn < 500; turn++) {
@@ -238,10 +216,9 @@ static void ends(void **state) {
 }
 
 /* x = y: each end of the box, where a cell is an ulp long. */
-static void diagonals(void **state) {
+TEST(diagonals) {
     static const double places[] = {1, 1e20, -1e300, 0x1p1023, 1e-300, 0x1p-1070};
     algsurf_surface *surface = surface_of("x = y");
-    (void)state;
     for (int k = 0; k < 6; k++)
         for (int fine = 0; fine < 60; fine += 3) {
             const double c = places[k], size = fmax(0x1p-1074, ldexp(0.75 * fabs(c), -fine));
@@ -269,8 +246,7 @@ static void check_known(const char *equation, int part, double size, const doubl
     algsurf_surface_free(surface);
 }
 
-static void known(void **state) {
-    (void)state;
+TEST(known) {
     check_known("(x^2 + 9/4 y^2 + z^2 - 1)^3 = x^2 z^3 + 9/80 y^2 z^3", ALGSURF_PART_ALL, 1.5,
                 (double[]){-1.1390, -0.6936, -1}, (double[]){1.1390, 0.6936, 1.2361}, 1.0 / 16);
     check_known("x^2 + y^2 + z^2 = 9", ALGSURF_PART_ALL, 100, (double[]){-3, -3, -3}, (double[]){3, 3, 3},
@@ -288,10 +264,9 @@ static void known(void **state) {
                 (double[]){1, 2, 3}, 0.01);
 }
 
-static void nothing(void **state) {
+TEST(nothing) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {10, 0, 0}};
     const char *const equations[] = {"x^2 + y^2 + z^2 + 1", "x^2 + y^2 + z^2 = 130", "z - 11 = 0", "7 = 0"};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         algsurf_surface *surface = surface_of(equations[k]);
         assert_int_equal(enclosed(surface, &extent, ALGSURF_PART_ALL).empty, 1);
@@ -303,12 +278,11 @@ static void nothing(void **state) {
 }
 
 /* Every rounding mode of the caller gives the same box. */
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {4, 0, 0}};
     algsurf_surface *surface = surface_of("(x^2+y^2+z^2+3)^2 = 16 (x^2+y^2)");
     box first = {.empty = -1};
-    (void)state;
     for (int m = 0; m < 4; m++) {
         box b;
         memset(&b, 0, sizeof b);
@@ -316,7 +290,7 @@ static void rounding_modes(void **state) {
         algsurf_status status =
             algsurf_surface_enclose(surface, &extent, ALGSURF_PART_ALL, 0.1, b.lo, b.hi, &b.empty);
         fesetround(FE_TONEAREST);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         if (m == 0) memcpy(&first, &b, sizeof b);
         assert_memory_equal(b.lo, first.lo, sizeof b.lo);
         assert_memory_equal(b.hi, first.hi, sizeof b.hi);
@@ -324,12 +298,11 @@ static void rounding_modes(void **state) {
     algsurf_surface_free(surface);
 }
 
-static void bad_arguments(void **state) {
+TEST(bad_arguments) {
     algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 - 1");
     algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     double lo[3] = {7, 7, 7}, hi[3] = {8, 8, 8};
     int empty = 5;
-    (void)state;
 #define REFUSED(status, ...) assert_int_equal(algsurf_surface_enclose(__VA_ARGS__), ALGSURF_E_##status)
     REFUSED(ARGUMENT, NULL, &extent, 0, 0.1, lo, hi, &empty);
     REFUSED(ARGUMENT, surface, NULL, 0, 0.1, lo, hi, &empty);
@@ -352,12 +325,4 @@ static void bad_arguments(void **state) {
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits),          cmocka_unit_test(points),  cmocka_unit_test(tips),
-        cmocka_unit_test(approximate),   cmocka_unit_test(ends),    cmocka_unit_test(diagonals),
-        cmocka_unit_test(known),         cmocka_unit_test(nothing), cmocka_unit_test(rounding_modes),
-        cmocka_unit_test(bad_arguments),
-    };
-    return cmocka_run_group_tests_name("enclose", tests, NULL, NULL);
-}
+int main(void) { return unit_run("enclose"); }

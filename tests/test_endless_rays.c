@@ -8,8 +8,6 @@
  */
 #include "intersect_case.h"
 
-#include <float.h>
-
 #define SEED 97u
 
 static intersect_case c;
@@ -74,9 +72,8 @@ static int judge(const algsurf_intersect_options *planes) {
     return 1;
 }
 
-static void random_rays(void **state) {
+TEST(random_rays) {
     uint64_t seed = SEED;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         int decided = 0, rounds = 150;
         intersect_equation(&c, equations[e]);
@@ -90,10 +87,9 @@ static void random_rays(void **state) {
     }
 }
 
-static void short_rays(void **state) {
+TEST(short_rays) {
     uint64_t seed = SEED;
     int decided = 0;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < 150; i++) {
@@ -106,10 +102,9 @@ static void short_rays(void **state) {
 }
 
 /* Surfaces, and rays with them, as large and as small as doubles allow. */
-static void scales(void **state) {
+TEST(scales) {
     uint64_t seed = SEED;
     int decided = 0, rounds = 0;
-    (void)state;
     for (int e = 0; e < 5; e++)
         for (int scale = -240; scale <= 240; scale += 60) {
             algsurf_term terms[INTERSECT_TERMS];
@@ -133,10 +128,9 @@ static void scales(void **state) {
 }
 
 /* Directions 2^-k from one along which the degree drops: a root at about 2^k. */
-static void nearly_asymptotic(void **state) {
+TEST(nearly_asymptotic) {
     uint64_t seed = SEED;
     int decided = 0, rounds = 0;
-    (void)state;
     for (int e = 1; e <= 2; e++) {
         intersect_equation(&c, equations[e]);
         for (int k = 0; k <= 70; k++)
@@ -153,10 +147,9 @@ static void nearly_asymptotic(void **state) {
 }
 
 /* Planes that cut rays without ends, and some that rays are along: on either side, or in the plane. */
-static void planes(void **state) {
+TEST(planes) {
     uint64_t seed = SEED;
     int decided = 0, rounds = 0;
-    (void)state;
     for (int e = 0; e < 5; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < 100; i++, rounds++) {
@@ -182,14 +175,13 @@ static void planes(void **state) {
 }
 
 /* Many rays together, by every kernel: each has the answer that it has alone. */
-static void packets(void **state) {
+TEST(packets) {
     enum { RAYS = 203 };
     static double numbers[8][RAYS], t[3][RAYS], x[6][RAYS];
     static unsigned char active[RAYS], states[RAYS], occluded[RAYS];
     static signed char sides[RAYS];
     uint64_t seed = SEED;
     const char *name;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < RAYS; i++) {
@@ -217,8 +209,8 @@ static void packets(void **state) {
                                              .normal = {x[3], x[4], x[5]},
                                              .side = sides};
             memset(states, 77, sizeof states), memset(occluded, 77, sizeof occluded);
-            assert_int_equal(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits), ALGSURF_OK);
-            assert_int_equal(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded), ALGSURF_OK);
+            assert_ok(algsurf_intersect_packet(c.surface, NULL, &rays, &o, &hits));
+            assert_ok(algsurf_occluded_packet(c.surface, NULL, &rays, &o, occluded));
             for (int i = 0; i < RAYS; i++) {
                 algsurf_hit h;
                 int any;
@@ -230,8 +222,8 @@ static void packets(void **state) {
                                       {numbers[3][i], numbers[4][i], numbers[5][i]},
                                       numbers[6][i],
                                       numbers[7][i]};
-                assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h), ALGSURF_OK);
-                assert_int_equal(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any), ALGSURF_OK);
+                assert_ok(algsurf_intersect_first(c.surface, NULL, &c.ray, NULL, &h));
+                assert_ok(algsurf_occluded(c.surface, NULL, &c.ray, NULL, &any));
                 int same = states[i] == h.state && sides[i] == h.side && occluded[i] == any &&
                            (any == ALGSURF_HIT) == (h.state == ALGSURF_HIT);
                 const double one[3] = {h.t, h.t_lo, h.t_hi};
@@ -250,9 +242,4 @@ static void packets(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(random_rays), cmocka_unit_test(short_rays),
-                                       cmocka_unit_test(scales),      cmocka_unit_test(nearly_asymptotic),
-                                       cmocka_unit_test(planes),      cmocka_unit_test(packets)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("endless rays"); }

@@ -1,17 +1,11 @@
-/* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through it
- * hits, wherever that is, and few rays have to be solved by themselves.
+/* test_endless_scenes.c - pictures of scenes without an extent: each pixel shows what the single ray through
+ * it hits, wherever that is, and few rays have to be solved by themselves.
  *
- * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind them;
- * empty tiles without it; pixels that begin where a tile's cells end of which nothing is proved; tiles cut by
- * planes; and, with a view of 0.02 to 0.7 times the surface's size, sheets without a proof of what is before.
+ * Breaks caught, each tried: the proof of what is before the view's depths left out, or of what is behind
+ * them; empty tiles without it; pixels that begin where a tile's cells end of which nothing is proved; tiles
+ * cut by planes; and, with a view of 0.02 to 0.7 times the surface's size, sheets without a proof of what is
+ * before.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 #define SEED 41u
@@ -50,14 +44,15 @@ static void judge(const algsurf_surface *surface, int e, const algsurf_camera *c
             algsurf_ray ray;
             algsurf_hit hit;
             const double t = p->hits[y * W + x];
-            assert_int_equal(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
-            assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, options, &hit), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(camera, W, H, x + 0.5, y + 0.5, &ray));
+            assert_ok(algsurf_intersect_first(surface, NULL, &ray, options, &hit));
             if (p->states[y * W + x] != hit.state) fail_pixel("another state", e, camera, x, y, t, &hit);
             if (hit.state != ALGSURF_HIT) continue;
             double slant = fabs(hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
                                 hit.normal[2] * ray.direction[2]);
             double room = fmin(1e-8 / slant, 1e-5);
-            if (!(fabs(t - hit.t) <= room * (1 + fabs(hit.t)))) fail_pixel("another t", e, camera, x, y, t, &hit);
+            if (!(fabs(t - hit.t) <= room * (1 + fabs(hit.t))))
+                fail_pixel("another t", e, camera, x, y, t, &hit);
         }
 }
 
@@ -74,15 +69,14 @@ static algsurf_camera random_camera(uint64_t *seed, int number) {
     }
     const double up[3] = {0.1, 1, 0.2};
     if (number % 5 > 2)
-        assert_int_equal(algsurf_camera_orthographic(eye, at, up, number % 2 ? 1.5 : 6, &camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, at, up, number % 2 ? 1.5 : 6, &camera));
     else
         camera = pinhole_of(eye, at, up, far > 1e3 ? 0.02 : number % 2 ? 60 : 25);
     return camera;
 }
 
-static void pixels_show_what_their_rays_hit(void **state) {
+TEST(pixels_show_what_their_rays_hit) {
     uint64_t seed = SEED;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         algsurf_surface *surface = surface_of(equations[e]);
         for (int number = 0; number < 48; number++) {
@@ -91,7 +85,7 @@ static void pixels_show_what_their_rays_hit(void **state) {
             algsurf_intersect_options options = {.size = sizeof options};
             algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
             if (number % 3 == 2) {
-                assert_int_equal(algsurf_scene_set_clip(scene, &plane, 1), ALGSURF_OK);
+                assert_ok(algsurf_scene_set_clip(scene, &plane, 1));
                 options.planes = &plane, options.plane_count = 1;
             }
             picture *p = drawn(scene, 1);
@@ -104,9 +98,8 @@ static void pixels_show_what_their_rays_hit(void **state) {
 }
 
 /* A sheet far in front of what is near the origin, or far behind it, hides it or shows beside it. */
-static void what_is_far_is_seen(void **state) {
+TEST(what_is_far_is_seen) {
     static const double places[] = {50, 300, -3000, 1e5}, away[] = {20, 1000, 9000};
-    (void)state;
     for (int i = 0; i < 24; i++) {
         const int n = i % 6 < 3 ? 8 : 10;
         char text[64];
@@ -125,15 +118,14 @@ static void what_is_far_is_seen(void **state) {
 }
 
 /* By slices, threads and kernels; antialiased, at edges only. */
-static void the_same_bytes_by_all_ways(void **state) {
-    (void)state;
+TEST(the_same_bytes_by_all_ways) {
     for (int e = 0; e < EQUATIONS; e += 3) {
         algsurf_surface *surface = surface_of(equations[e]);
         const algsurf_camera camera = camera_at(5, 4, 3, 40);
         algsurf_intersect_options how = {.size = sizeof how};
         algsurf_scene *scene = scene_of(surface, NULL, &camera, NULL);
-        assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.05), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_antialias(scene, 3));
+        assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.05));
         picture *all = drawn(scene, 1), *threads = drawn(scene, 3);
         assert_same_picture(all, threads);
         blank(threads);
@@ -145,7 +137,7 @@ static void the_same_bytes_by_all_ways(void **state) {
         for (int row = 0; row < H; row++) assert_same_row(all, threads, row);
         free(threads);
         for (int k = 0; (how.kernel = algsurf_kernel_name(k)); k++) {
-            assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_intersect(scene, &how));
             picture *other = drawn(scene, 1);
             assert_same_picture(all, other);
             free(other);
@@ -157,9 +149,8 @@ static void the_same_bytes_by_all_ways(void **state) {
 }
 
 /* Rays by themselves, of all: none where what there is is near. */
-static void few_rays_go_by_themselves(void **state) {
+TEST(few_rays_go_by_themselves) {
     static const int share[EQUATIONS] = {[0] = 30, [1] = 8, [3] = 30, [4] = 8, [5] = 30, [6] = 8};
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         if (share[e] == 0) continue;
         algsurf_surface *surface = surface_of(equations[e]);
@@ -174,12 +165,4 @@ static void few_rays_go_by_themselves(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pixels_show_what_their_rays_hit),
-        cmocka_unit_test(what_is_far_is_seen),
-        cmocka_unit_test(the_same_bytes_by_all_ways),
-        cmocka_unit_test(few_rays_go_by_themselves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("endless scenes"); }

@@ -2,15 +2,6 @@
  *
  * Each test says which breaks it catches.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "equation_case.h"
 #include "exact.h"
 
@@ -73,8 +64,7 @@ static const char *const pairs[][2] = {
 };
 
 /* Catches: precedence, associativity, implicit multiplication, signs, blanks, numbers cut short. */
-static void test_accepted(void **unused) {
-    (void)unused;
+TEST(test_accepted) {
     for (size_t c = 0; c < sizeof pairs / sizeof *pairs; c++) same(pairs[c][0], pairs[c][1]);
 }
 
@@ -182,8 +172,7 @@ static const struct {
 };
 
 /* Catches: an offset one off, a check left out, a wrong status. */
-static void test_refused(void **unused) {
-    (void)unused;
+TEST(test_refused) {
     static char place;
     for (size_t c = 0; c < sizeof refused / sizeof *refused; c++) {
         algsurf_surface *s = (void *)&place;
@@ -202,8 +191,7 @@ static void test_refused(void **unused) {
 }
 
 /* Catches: a name matched by its beginning, unsorted look-up, each check of the names. */
-static void test_constants(void **unused) {
-    (void)unused;
+TEST(test_constants) {
     const algsurf_constant good[] = {{"k2", 3},   {"k", 5},   {"p", 7}, {"xy", 11},
                                      {"a_1", 13}, {"yz", 17}, {"e", 19}};
     const struct {
@@ -217,12 +205,12 @@ static void test_constants(void **unused) {
     algsurf_surface *s;
     for (size_t c = 0; c < sizeof uses / sizeof *uses; c++) {
         algsurf_term a[4], b[4];
-        assert_int_equal(algsurf_surface_from_equation(uses[c].text, good, 7, &s, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(uses[c].text, good, 7, &s, NULL));
         algsurf_surface *t = parse(uses[c].same);
         size_t count = algsurf_surface_term_count(s);
         assert_int_equal(count, algsurf_surface_term_count(t));
-        assert_int_equal(algsurf_surface_terms(s, a), ALGSURF_OK);
-        assert_int_equal(algsurf_surface_terms(t, b), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s, a));
+        assert_ok(algsurf_surface_terms(t, b));
         for (size_t n = 0; n < count; n++)
             assert_true(a[n].a == b[n].a && a[n].i == b[n].i && a[n].k == b[n].k);
         algsurf_surface_free(s);
@@ -230,9 +218,9 @@ static void test_constants(void **unused) {
     }
     const algsurf_constant own[] = {{"X", 2}, {"pi", 3}}; /* come before what these names mean otherwise */
     algsurf_term terms[2];
-    assert_int_equal(algsurf_surface_from_equation("X pi y + z", own, 2, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("X pi y + z", own, 2, &s, NULL));
     assert_int_equal(algsurf_surface_term_count(s), 2);
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     assert_true(terms[0].k == 1 && terms[0].a == 1 && terms[1].j == 1 && terms[1].a == 6);
     algsurf_surface_free(s);
     const char *const bad[] = {NULL, "", "x", "y", "z", "sqrt", "1a", "_a", "a b", "a-", "\xc3\xa9"};
@@ -254,8 +242,7 @@ static void test_constants(void **unused) {
 
 /* Bounded time for long texts.  Catches: quadratic digits or sums, recursion on signs, products with
  * constants that cost as much as with polynomials (minutes), depth that never shrinks. */
-static void test_long_texts(void **unused) {
-    (void)unused;
+TEST(test_long_texts) {
     enum { LENGTH = 1000000 };
     char *text = malloc(LENGTH + 64);
     assert_non_null(text);
@@ -266,7 +253,7 @@ static void test_long_texts(void **unused) {
     memset(text, '7', LENGTH), strcpy(text + LENGTH, "e-999999x"); /* a million digits */
     s = parse(text);
     algsurf_term term;
-    assert_int_equal(algsurf_surface_terms(s, &term), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, &term));
     assert_true(term.a == 7.777777777777777777777);
     algsurf_surface_free(s);
 
@@ -301,14 +288,13 @@ static void test_long_texts(void **unused) {
 
 /* The binomial theorem at degree 64.  Catches: exponents that overflow their fields, a chain of
  * constant powers that leaves int. */
-static void test_large_powers(void **unused) {
-    (void)unused;
+TEST(test_large_powers) {
     algsurf_surface *s = parse("(x+y+z+1)^64");
     size_t count = algsurf_surface_term_count(s);
     assert_int_equal(count, 47905);
     algsurf_term *terms = malloc(count * sizeof *terms);
     assert_non_null(terms);
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     mpz_t exact, factor;
     mpq_t q;
     mpz_inits(exact, factor, NULL), mpq_init(q);
@@ -334,8 +320,7 @@ static void test_large_powers(void **unused) {
 
 /* The corpus's surfaces from their closed forms, bit for bit.  Catches: rounding in double on the
  * way (boy, sextic and decic then differ). */
-static void test_catalogue(void **unused) {
-    (void)unused;
+TEST(test_catalogue) {
 #define P "((1+sqrt(5))/2)"
     static const char *const surfaces[][2] = {
         {"sphere", "x^2+y^2+z^2-1"},
@@ -366,7 +351,7 @@ static void test_catalogue(void **unused) {
         algsurf_term terms[MOST_TERMS], t;
         size_t count = algsurf_surface_term_count(s), found = 0, lines = 0;
         assert_true(count <= MOST_TERMS);
-        assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s, terms));
         while (fgets(line, sizeof line, file)) {
             if (sscanf(line, "%d %d %d %la", &t.i, &t.j, &t.k, &t.a) != 4) continue;
             for (size_t n = 0; n < count; n++) {
@@ -382,11 +367,4 @@ static void test_catalogue(void **unused) {
 #undef P
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_accepted),     cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_constants),    cmocka_unit_test(test_long_texts),
-        cmocka_unit_test(test_large_powers), cmocka_unit_test(test_catalogue),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation"); }

@@ -3,28 +3,11 @@
  * Each test says which breaks it catches.
  */
 #include <fenv.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 
-#include <cmocka.h>
-
-#include "algsurf/surface.h"
+#include "equation_case.h"
 #include "exact.h"
 
 static const uint64_t seed = 20240607;
-
-static algsurf_surface *parse(const char *text) {
-    algsurf_surface *s = NULL;
-    algsurf_parse_error error = {0, 0, ""};
-    algsurf_status status = algsurf_surface_from_equation(text, NULL, 0, &s, &error);
-    if (status != ALGSURF_OK) fprintf(stderr, "%.200s\n%zu: %s\n", text, error.offset, error.message);
-    assert_int_equal(status, ALGSURF_OK);
-    return s;
-}
 
 /* The constant term of "NUMBER+x". */
 static double lone(const char *number) {
@@ -32,7 +15,7 @@ static double lone(const char *number) {
     assert_true(snprintf(text, sizeof text, "%s+x", number) < (int)sizeof text);
     algsurf_surface *s = parse(text);
     algsurf_term terms[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
-    assert_int_equal(algsurf_surface_terms(s, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, terms));
     algsurf_surface_free(s);
     return terms[1].a;
 }
@@ -45,8 +28,7 @@ static void check_number(const char *number) {
 }
 
 /* Catches: a tie broken wrongly, "more" forgotten, limbs misaligned, double rounding of subnormals. */
-static void test_numbers(void **unused) {
-    (void)unused;
+TEST(test_numbers) {
     static const char *const numbers[] = {"11.8",
                                           "0.1",
                                           "1e22",
@@ -105,8 +87,7 @@ static void test_numbers(void **unused) {
 }
 
 /* Catches: work outside the environment's bracket. */
-static void test_rounding_mode(void **unused) {
-    (void)unused;
+TEST(test_rounding_mode) {
     const double nearest = lone("0.1");
     algsurf_surface *s = NULL;
     algsurf_term t;
@@ -114,16 +95,10 @@ static void test_rounding_mode(void **unused) {
     algsurf_status status = algsurf_surface_from_equation("0.1", NULL, 0, &s, NULL);
     assert_int_equal(fegetround(), FE_UPWARD);
     assert_int_equal(fesetround(FE_TONEAREST), 0);
-    assert_int_equal(status, ALGSURF_OK);
-    assert_int_equal(algsurf_surface_terms(s, &t), ALGSURF_OK);
+    assert_ok(status);
+    assert_ok(algsurf_surface_terms(s, &t));
     assert_true(t.a == nearest);
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_rounding_mode),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation number"); }

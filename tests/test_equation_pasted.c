@@ -3,8 +3,6 @@
  *
  * Each test says which breaks it catches.
  */
-#include <stdlib.h>
-
 #include "equation_case.h"
 
 static const char *const pasted[][2] = {
@@ -48,8 +46,7 @@ static const char *const pasted[][2] = {
 };
 
 /* Catches: a sign or a blank of typesetters that is read as another, a table's row that is never found. */
-static void test_pasted(void **unused) {
-    (void)unused;
+TEST(test_pasted) {
     for (size_t c = 0; c < sizeof pasted / sizeof *pasted; c++) same(pasted[c][0], pasted[c][1]);
 }
 
@@ -77,14 +74,12 @@ static const char *const latex[][2] = {
 };
 
 /* Catches: each command; one whose name begins another's; a digit cut off or too many behind \frac. */
-static void test_latex(void **unused) {
-    (void)unused;
+TEST(test_latex) {
     for (size_t c = 0; c < sizeof latex / sizeof *latex; c++) same(latex[c][0], latex[c][1]);
 }
 
 /* NAME(x,y,z) = before an equation.  Catches: a head cut short, or taken where a product stands. */
-static void test_heads(void **unused) {
-    (void)unused;
+TEST(test_heads) {
     same("P(x,y,z)=x^2+y", "x^2+y");
     same(" f_1 ( X , y , z ) == x^2+y = 1 ;", "x^2+y-1");
     same("\\Phi(x,y,z) = x", "x");
@@ -96,8 +91,7 @@ static void test_heads(void **unused) {
 
 /* Greek letters in names.  Catches: a letter mistaken for another, for a variable (xi has an x), cut in two;
  * a name by its command that differs from the letter's. */
-static void test_greek(void **unused) {
-    (void)unused;
+TEST(test_greek) {
     static const algsurf_constant constants[] = {{"\u03c6", 2},   {"\u03d5", 3},   {"\\mu", 5},
                                                  {"\u03be_1", 7}, {"a\u03b1", 11}, {"\u03b1", 13},
                                                  {"\u03a0", 17}};
@@ -121,8 +115,7 @@ static void test_greek(void **unused) {
 
 /* Every Greek letter is the same as its command, and differs from all others: as names of constants they are
  * no duplicates, but the letter and its command are.  Catches: a row of the table left out or moved. */
-static void test_alphabet(void **unused) {
-    (void)unused;
+TEST(test_alphabet) {
     static const char *const letters[][2] = {
         {"\u03b1", "\\alpha"},     {"\u03b2", "\\beta"},     {"\u03b3", "\\gamma"},
         {"\u03b4", "\\delta"},     {"\u03b5", "\\epsilon"},  {"\u03b6", "\\zeta"},
@@ -153,8 +146,7 @@ static void test_alphabet(void **unused) {
 }
 
 /* Catches: a name of no letters taken for one; pi, \pi and what Unicode leaves free among the letters. */
-static void test_no_letters(void **unused) {
-    (void)unused;
+TEST(test_no_letters) {
     static const char *const bad[] = {"\u03c0", "\\pi", "\\varpi",      "\\Varsigma", "\\",
                                       "\\mux",  "mu\\", "\u0390",       "\\mu a",     "\u03ca",
                                       "\u1f00", "\xce", "\xce\xb1\xce", "\u20ac"};
@@ -284,8 +276,7 @@ static const refused_text explanations[] = {
 
 /* What is refused because it is no polynomial, or is a slip, is told what to do.  Catches: an explanation
  * that is not reached, or that is given for something else; a name cut short or too long. */
-static void test_explained(void **unused) {
-    (void)unused;
+TEST(test_explained) {
     for (size_t c = 0; c < sizeof explanations / sizeof *explanations; c++)
         explained(&explanations[c], NULL, 0);
     const algsurf_constant pow = {"pow", 2}, a = {"a", 2}, index = {"x_1", 3};
@@ -297,8 +288,7 @@ static void test_explained(void **unused) {
 
 /* Names of a million letters, and brackets of LaTeX a million deep.  Catches: time that grows with the square
  * of the length, depth without a limit. */
-static void test_long(void **unused) {
-    (void)unused;
+TEST(test_long) {
     enum { LENGTH = 1000000 };
     char *text = malloc(LENGTH + 64);
     assert_non_null(text);
@@ -319,11 +309,4 @@ static void test_long(void **unused) {
     free(text);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pasted),    cmocka_unit_test(test_latex),    cmocka_unit_test(test_heads),
-        cmocka_unit_test(test_greek),     cmocka_unit_test(test_alphabet), cmocka_unit_test(test_no_letters),
-        cmocka_unit_test(test_explained), cmocka_unit_test(test_long),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("equation pasted"); }

@@ -4,18 +4,11 @@
  * Bounds are processor time, many times what an ordinary machine takes, and many times less than what a power
  * of the length that is too high would take.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 #include "algsurf/surface.h"
+#include "scenes.h"
+#include "unit.h"
 
 /* `count` times the unit, then the end; to be freed. */
 static char *repeated(const char *start, const char *unit, size_t count, const char *end) {
@@ -47,41 +40,10 @@ static algsurf_status timed(char *text, const algsurf_constant *constants, size_
     return status;
 }
 
-/* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
-static void test_names(void **unused) {
-    (void)unused;
-    for (size_t length = 2000; length <= 2000000; length *= 1000) {
-        char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
-        const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
-        double bound = length == 2000 ? 0.1 : 5;
-        assert_int_equal(timed(repeated("", "a", length, "b"), constants, 2, bound), ALGSURF_E_NAME);
-        assert_int_equal(timed(repeated("", "a", length - 1, "x"), constants, 4, bound), ALGSURF_OK);
-        assert_int_equal(timed(repeated("x+sin ", "a", length - 1, ""), constants, 4, bound),
-                         ALGSURF_E_SYNTAX);
-        assert_int_equal(timed(repeated("", "\\mu", length / 4 - 1, " x"), constants, 4, bound), ALGSURF_OK);
-        assert_int_equal(timed(repeated("", "\xce\xbc", length / 4 - 1, "x"), constants, 4, bound),
-                         ALGSURF_OK);
-        assert_int_equal(timed(repeated("", "x", length, ""), constants, 4, bound), ALGSURF_E_DEGREE);
-        free(name), free(greek);
-    }
-    enum { CONSTANTS = 3000, WIDTH = 8 }; /* many, each the beginning of others */
-    static char names[CONSTANTS][WIDTH], text[CONSTANTS * WIDTH * 10];
-    static algsurf_constant constants[CONSTANTS];
-    for (int n = 0; n < CONSTANTS; n++) {
-        snprintf(names[n], WIDTH, "c%d", n);
-        constants[n] = (algsurf_constant){names[n], 1};
-    }
-    size_t length = 0;
-    for (int n = 0; n < 9 * CONSTANTS; n++)
-        length += (size_t)snprintf(text + length, WIDTH + 1, "c%d+", n % CONSTANTS);
-    assert_int_equal(timed(repeated("", text, 1, "x"), constants, CONSTANTS, 1), ALGSURF_OK);
-}
-
 /* Products, powers and sums of polynomials as large as they can be, in units of the time that it takes to
  * multiply such a polynomial by a constant.  Catches: factors multiplied term by term that are short as they
  * are written, on whatever side, behind whatever sum, sign, divisor or exponent. */
-static void test_expansions(void **unused) {
-    (void)unused;
+TEST(test_expansions) {
     static const char *const large[] = {
         "(x+y+z+1)^64",
         "(x+y+z+1)^32(x+y+z+1)^32",
@@ -100,25 +62,24 @@ static void test_expansions(void **unused) {
     algsurf_status status;
     char *ones = repeated("(x+y+z+1)^64", "*1", ONES, "");
     double unit = took(ones, NULL, 0, &status) / ONES / TERMS;
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     free(ones);
     for (size_t n = 0; n < sizeof large / sizeof *large; n++) {
         double most = UNITS * unit * TERMS * (double)strlen(large[n]);
-        assert_int_equal(timed(repeated("", large[n], 1, ""), NULL, 0, most), ALGSURF_OK);
+        assert_ok(timed(repeated("", large[n], 1, ""), NULL, 0, most));
     }
     char *many = repeated("", "(x+y+z+1)^32(x+y+z+1)^32+", 12, "x"); /* in proportion, not more */
     double most = UNITS * unit * TERMS * (double)strlen(many);
-    assert_int_equal(timed(many, NULL, 0, most), ALGSURF_OK);
+    assert_ok(timed(many, NULL, 0, most));
     /* few terms of a high degree */
     char *few = repeated("", "(x^32+y^32+z^32+1)(x^32+y^32+z^32+1)+", 2500, "x");
-    assert_int_equal(timed(few, NULL, 0, 0.6), ALGSURF_OK);
+    assert_ok(timed(few, NULL, 0, 0.6));
 }
 
 /* What is short as it is written has the coefficients of what it is: those of a product by its factors are
  * those of the product term by term, whole numbers exactly.  Catches: a factor, sign or divisor that is lost.
  */
-static void test_by_factors(void **unused) {
-    (void)unused;
+TEST(test_by_factors) {
     static const char *const pairs[][2] = {
         {"((x+y+z+1)^9-x)((x+y+z+1)^9-x)", "(x+y+z+1)^18-2x(x+y+z+1)^9+x^2"},
         {"-(-(x-y+z+2)^12/4)(2(y-x-z-2)^8*2)", "(x-y+z+2)^20"},
@@ -132,14 +93,12 @@ static void test_by_factors(void **unused) {
     enum { MOST = 8000 };
     static algsurf_term a[MOST], b[MOST];
     for (size_t n = 0; n < sizeof pairs / sizeof *pairs; n++) {
-        algsurf_surface *left = NULL, *right = NULL;
-        assert_int_equal(algsurf_surface_from_equation(pairs[n][0], NULL, 0, &left, NULL), ALGSURF_OK);
-        assert_int_equal(algsurf_surface_from_equation(pairs[n][1], NULL, 0, &right, NULL), ALGSURF_OK);
+        algsurf_surface *left = surface_of(pairs[n][0]), *right = surface_of(pairs[n][1]);
         size_t count = algsurf_surface_term_count(left);
         if (count != algsurf_surface_term_count(right)) fail_msg("%s: %zu terms", pairs[n][0], count);
         assert_true(count <= MOST);
-        assert_int_equal(algsurf_surface_terms(left, a), ALGSURF_OK);
-        assert_int_equal(algsurf_surface_terms(right, b), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(left, a));
+        assert_ok(algsurf_surface_terms(right, b));
         for (size_t t = 0; t < count; t++)
             if (a[t].i != b[t].i || a[t].j != b[t].j || a[t].k != b[t].k || a[t].a != b[t].a)
                 fail_msg("%s: x^%d y^%d z^%d: %a, not %a", pairs[n][0], a[t].i, a[t].j, a[t].k, a[t].a,
@@ -149,11 +108,32 @@ static void test_by_factors(void **unused) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expansions),
-        cmocka_unit_test(test_by_factors),
-        cmocka_unit_test(test_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+/* Catches: at each letter of a name, constants tried one by one, length by length, letter by letter. */
+TEST(test_names) {
+    for (size_t length = 2000; length <= 2000000; length *= 1000) {
+        char *name = repeated("", "a", length, ""), *greek = repeated("", "\\mu", length / 4, "");
+        const algsurf_constant constants[] = {{name, 1}, {"a", 1}, {greek, 1}, {"\xce\xbc", 1}};
+        double bound = length == 2000 ? 0.1 : 5;
+        assert_int_equal(timed(repeated("", "a", length, "b"), constants, 2, bound), ALGSURF_E_NAME);
+        assert_ok(timed(repeated("", "a", length - 1, "x"), constants, 4, bound));
+        assert_int_equal(timed(repeated("x+sin ", "a", length - 1, ""), constants, 4, bound),
+                         ALGSURF_E_SYNTAX);
+        assert_ok(timed(repeated("", "\\mu", length / 4 - 1, " x"), constants, 4, bound));
+        assert_ok(timed(repeated("", "\xce\xbc", length / 4 - 1, "x"), constants, 4, bound));
+        assert_int_equal(timed(repeated("", "x", length, ""), constants, 4, bound), ALGSURF_E_DEGREE);
+        free(name), free(greek);
+    }
+    enum { CONSTANTS = 3000, WIDTH = 8 }; /* many, each the beginning of others */
+    static char names[CONSTANTS][WIDTH], text[CONSTANTS * WIDTH * 10];
+    static algsurf_constant constants[CONSTANTS];
+    for (int n = 0; n < CONSTANTS; n++) {
+        snprintf(names[n], WIDTH, "c%d", n);
+        constants[n] = (algsurf_constant){names[n], 1};
+    }
+    size_t length = 0;
+    for (int n = 0; n < 9 * CONSTANTS; n++)
+        length += (size_t)snprintf(text + length, WIDTH + 1, "c%d+", n % CONSTANTS);
+    assert_ok(timed(repeated("", text, 1, "x"), constants, CONSTANTS, 1));
 }
+
+int main(void) { return unit_run("equation time"); }

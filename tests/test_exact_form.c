@@ -5,17 +5,11 @@
  * 65 bits taken for one limb, the high limb of a factor dropped, the parameter's power of two left out,
  * leading zeros kept, a work area kept on the stack, a parameter that makes numbers too long.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_ray.h"
-
-#include <cmocka.h>
+#include "exact_zpolys.h"
 
 #include "surface/exact_form.h"
+#include "unit.h"
 
 #define SEED 77u
 #define ROOM ((size_t)1 << 15)
@@ -29,15 +23,6 @@ static void print_case(const algsurf_term *terms, int count, const algsurf_ray *
     exact_print_doubles("origin", ray->origin, 3), exact_print_doubles("direction", ray->direction, 3);
     for (int i = 0; i < count && i < 100; i++)
         fprintf(stderr, "{%d, %d, %d, %a},\n", terms[i].i, terms[i].j, terms[i].k, terms[i].a);
-}
-
-static void to_mpz(mpz_t z, const algsurf_limb *a, int w) {
-    mpz_import(z, (size_t)w, -1, sizeof *a, 0, 0, a);
-    if (!algsurf_z_negative(a, w)) return;
-    mpz_t top;
-    mpz_init(top);
-    mpz_setbit(top, (mp_bitcnt_t)(64 * w));
-    mpz_sub(z, z, top), mpz_clear(top);
 }
 
 /* a = b 2^shift? */
@@ -59,18 +44,11 @@ static int is_line(const algsurf_zpoly *p, const exact_line *line, int e, int sc
     mpz_inits(a, none, NULL);
     int same = p->degree <= line->degree;
     for (int k = 0; same && k <= line->degree; k++) {
-        if (k <= p->degree) to_mpz(a, algsurf_zpoly_at(p, k), p->width);
+        if (k <= p->degree) exact_limbs(a, algsurf_zpoly_at(p, k), p->width);
         same = is_scaled(k <= p->degree ? a : none, line->c[k], (long)scale - line->shift + (long)e * k);
     }
     mpz_clears(a, none, NULL);
     return same;
-}
-
-/* Without leading zeros, a common power of two, limbs too many. */
-static int is_compact(const algsurf_zpoly *p) {
-    if (p->degree < 0) return p->degree == -1;
-    return algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) != 0 && algsurf_zpoly_trailing(p) == 0 &&
-           p->width == algsurf_z_width(algsurf_zpoly_bits(p));
 }
 
 static int is_same(const algsurf_zpoly *p, const algsurf_zpoly *q) {
@@ -103,7 +81,8 @@ static int check(const algsurf_term *given, int given_count, const algsurf_ray *
     int done = algsurf_i_exact_form(&m, s, ray->origin, ray->direction, e, &p, &scale) &&
                algsurf_i_exact_form(&tight, s, ray->origin, ray->direction, e, &again, &other);
     exact_line line = exact_line_of(terms, count, n, ray);
-    if (!done || !is_compact(&p) || !is_line(&p, &line, e, scale) || !is_same(&p, &again) || scale != other) {
+    if (!done || !exact_is_compact(&p) || !is_line(&p, &line, e, scale) || !is_same(&p, &again) ||
+        scale != other) {
         print_case(terms, count, ray, e);
         fail_msg("another polynomial");
     }
@@ -175,8 +154,7 @@ static void check_dense(const char *name, kind of, int highest, int rounds) {
     }
 }
 
-static void test_dense(void **state) {
-    (void)state;
+TEST(test_dense) {
     in_block = 0;
     check_dense("dense", ORDINARY, 10, 200);
     check_dense("near a limb", NEAR_A_LIMB, 8, 400);
@@ -187,8 +165,7 @@ static void test_dense(void **state) {
 }
 
 /* f0 + f1 just below and above 2^64: the other axes hold the parameter where it makes x that long. */
-static void test_longest_limb(void **state) {
-    (void)state;
+TEST(test_longest_limb) {
     const double ones = 0x1.fffffffffffffp0;
     algsurf_term t[] = {{9, 0, 0, ones}, {4, 5, 0, ones}, {0, 0, 9, -ones}, {0, 0, 0, 1}};
     family = "longest limb";
@@ -204,8 +181,7 @@ static void test_longest_limb(void **state) {
         }
 }
 
-static void test_sparse(void **state) {
-    (void)state;
+TEST(test_sparse) {
     algsurf_term t[12];
     uint64_t seed = SEED;
     family = "sparse";
@@ -234,8 +210,7 @@ static int times_plane(algsurf_term *t, int count, const double plane[4]) {
 }
 
 /* Asymptotic directions: a factor whose plane is parallel to the ray; in it if d is right. */
-static void test_asymptotic(void **state) {
-    (void)state;
+TEST(test_asymptotic) {
     algsurf_term t[4 * 56];
     uint64_t seed = SEED;
     int lower = 0, inside = 0;
@@ -285,7 +260,7 @@ static void form_at(mpq_t value, const algsurf_zpoly *p, int scale, int u) {
     mpz_t a, sum;
     mpz_inits(a, sum, NULL);
     for (int k = p->degree; k >= 0; k--) {
-        to_mpz(a, algsurf_zpoly_at(p, k), p->width);
+        exact_limbs(a, algsurf_zpoly_at(p, k), p->width);
         mpz_mul_si(sum, sum, u), mpz_add(sum, sum, a);
     }
     mpq_set_z(value, sum), mpz_clears(a, sum, NULL);
@@ -296,8 +271,7 @@ static void form_at(mpq_t value, const algsurf_zpoly *p, int scale, int u) {
 }
 
 /* All 47,905 terms of degree 64, by values: at most 64 points are roots of a wrong difference. */
-static void test_largest(void **state) {
-    (void)state;
+TEST(test_largest) {
     static uint64_t block[ROOM];
     uint64_t seed = SEED;
     const int n = ALGSURF_MAX_DEGREE;
@@ -309,12 +283,12 @@ static void test_largest(void **state) {
     algsurf_zpoly p;
     mpq_t wanted, got;
     mpq_inits(wanted, got, NULL);
-    assert_int_equal(algsurf_surface_from_terms(t, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
     algsurf_memory_begin(&m, block, ROOM, LIMIT);
     algsurf_memory_mark start = algsurf_memory_here(&m);
     assert_true(algsurf_i_exact_form(&m, s, ray.origin, ray.direction, -4, &p, &scale));
     assert_int_equal(p.degree, n);
-    assert_true(is_compact(&p));
+    assert_true(exact_is_compact(&p));
     for (int u = -3; u < 4; u += 3) {
         value_at(wanted, t, count, &ray, -4, u), form_at(got, &p, scale, u);
         assert_true(mpq_equal(wanted, got));
@@ -324,8 +298,7 @@ static void test_largest(void **state) {
 }
 
 /* With each smaller block and no more memory: refused, and nothing kept. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(test_memory) {
     uint64_t block[1024], seed = SEED;
     algsurf_term t[84];
     algsurf_surface *s;
@@ -333,7 +306,7 @@ static void test_memory(void **state) {
     algsurf_zpoly p;
     algsurf_ray ray = random_ray(&seed, ORDINARY);
     int count = dense(t, &seed, 6, ORDINARY), done = 0;
-    assert_int_equal(algsurf_surface_from_terms(t, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(t, (size_t)count, &s));
     size_t words = 0;
     for (; !done && words < 1024; words++) {
         algsurf_memory_begin(&m, block, words, 0);
@@ -345,9 +318,4 @@ static void test_memory(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dense),   cmocka_unit_test(test_longest_limb),
-                                       cmocka_unit_test(test_sparse),  cmocka_unit_test(test_asymptotic),
-                                       cmocka_unit_test(test_largest), cmocka_unit_test(test_memory)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("exact form"); }

@@ -8,20 +8,13 @@
  * Breaks caught, each tried: an envelope without the signs of odd powers, one for both sides, hidden points
  * between two roots left out, ranges not joined at 0 or when there is no room, an end that is a root taken
  * for a known sign, ends of one sign taken for a root, a double root not asked for, also at 0 or with one m
- * only, terms left out of the bound from the middle of a range, m chosen and not proved, outermost pieces left
- * out on one side, an annulus judged by its wrong end or by some of its terms. */
-#include <float.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
+ * only, terms left out of the bound from the middle of a range, m chosen and not proved, outermost pieces
+ * left out on one side, an annulus judged by its wrong end or by some of its terms. */
 #include "exact_roots.h"
 #include "exact_zpolys.h"
 
 #include "roots/exact_radii.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 20250313u
 enum { MOST = 80 };
@@ -215,8 +208,7 @@ static void make_set(uint64_t *seed, set *s) {
     exact_zpoly_trim(s->p);
 }
 
-static void test_sets(void **state) {
-    (void)state;
+TEST(test_sets) {
     uint64_t seed = SEED;
     set *s = set_new();
     for (int i = 0; i < 3000; i++) {
@@ -258,8 +250,7 @@ static void make_bent(uint64_t *seed, set *s) {
     s->lo = -HUGE_VAL, s->hi = HUGE_VAL;
 }
 
-static void test_bent(void **state) {
-    (void)state;
+TEST(test_bent) {
     uint64_t seed = SEED + 4;
     set *s = set_new();
     decided = undecided = 0;
@@ -273,8 +264,7 @@ static void test_bent(void **state) {
 }
 
 /* Without radii, and with tiny ones, all simple roots are decided, and tight. */
-static void test_tight(void **state) {
-    (void)state;
+TEST(test_tight) {
     uint64_t seed = SEED + 1;
     set *s = set_new();
     int roots = 0;
@@ -305,8 +295,7 @@ static void test_tight(void **state) {
 }
 
 /* A little memory is enough where roots may be of any size. */
-static void test_little_memory(void **state) {
-    (void)state;
+TEST(test_little_memory) {
     uint64_t seed = SEED + 3;
     set *s = set_new();
     exact_random_zpoly(&seed, s->p, 12, 60);
@@ -322,8 +311,7 @@ static void test_little_memory(void **state) {
     set_free(s);
 }
 
-static void test_memory(void **state) {
-    (void)state;
+TEST(test_memory) {
     uint64_t seed = SEED + 2;
     set *s = set_new();
     exact_random_zpoly(&seed, s->p, 9, 300);
@@ -341,9 +329,4 @@ static void test_memory(void **state) {
     set_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets), cmocka_unit_test(test_bent),
-                                       cmocka_unit_test(test_tight), cmocka_unit_test(test_memory),
-                                       cmocka_unit_test(test_little_memory)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("exact radii"); }

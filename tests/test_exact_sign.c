@@ -6,16 +6,10 @@
  * Breaks caught, each tried: shared roots not looked for (no end), or all common factors taken for shared
  * roots; a parabola negative at both ends taken for negative between; outer parts of a zoom not proved;
  * memory not given back. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_known.h"
 
 #include "roots/exact_walk.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 20250312u
 
@@ -108,8 +102,7 @@ static void make_condition(uint64_t *seed, known *q, const known *k, int kind, i
     for (int i = 0; i <= q->p->n && negate; i++) mpz_neg(q->p->c[i], q->p->c[i]);
 }
 
-static void test_conditions(void **state) {
-    (void)state;
+TEST(test_conditions) {
     uint64_t seed = SEED;
     known *k = known_new(), *q = known_new();
     int shared[3] = {0}, rounds[3] = {0};
@@ -133,8 +126,7 @@ static void test_conditions(void **state) {
 }
 
 /* p = q r, as where a surface contains its extent's boundary; and constants. */
-static void test_factor(void **state) {
-    (void)state;
+TEST(test_factor) {
     uint64_t seed = SEED + 1;
     known *k = known_new(), *q = known_new();
     int shared = 0;
@@ -154,7 +146,4 @@ static void test_factor(void **state) {
     known_free(k), known_free(q);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_conditions), cmocka_unit_test(test_factor)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("exact sign"); }

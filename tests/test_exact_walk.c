@@ -10,12 +10,6 @@
  * wrong place, or none made (slow); ends of places that are roots; enclosures that reach over an end of the
  * interval; widths without room for a halving; memory not given back, a failed allocation not seen; bisection
  * never taken.  Outer parts of a zoom that are not proved: test_exact_sign. */
-#include <float.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 #include <time.h>
 
 #include "exact_known.h"
@@ -23,8 +17,7 @@
 
 #include "algsurf/isolate.h"
 #include "roots/exact_walk.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 20250311u
 #define LIMIT ((size_t)1 << 30)
@@ -213,8 +206,7 @@ static void add_some(uint64_t *seed, known *k, int multiplicity) {
 
 /* ---- families ---- */
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     uint64_t seed = SEED;
     known *k = known_new();
     int inside = 0, multiple = 0, none = 0, ends = 0;
@@ -253,8 +245,7 @@ static void add_gap(uint64_t *seed, known *k, int bits) {
     }
 }
 
-static void test_gaps(void **state) {
-    (void)state;
+TEST(test_gaps) {
     uint64_t seed = SEED + 1;
     known *k = known_new();
     int found = 0;
@@ -280,8 +271,7 @@ static void test_gaps(void **state) {
 }
 
 /* Clusters: several roots within 2^-bits, simple ones or with multiplicities. */
-static void test_clusters(void **state) {
-    (void)state;
+TEST(test_clusters) {
     uint64_t seed = SEED + 2;
     known *k = known_new();
     for (int i = 0; i < 150; i++) {
@@ -304,8 +294,7 @@ static void test_clusters(void **state) {
 }
 
 /* A root with two complex ones as near to it as the next doubles: cells between neighbours. */
-static void test_near_doubles(void **state) {
-    (void)state;
+TEST(test_near_doubles) {
     uint64_t seed = SEED + 8;
     known *k = known_new();
     for (int i = 0; i < 1500; i++) {
@@ -326,8 +315,7 @@ static void test_near_doubles(void **state) {
 }
 
 /* The piece of an interval has it inside, whatever the sizes of its ends, and is on its side of 0. */
-static void test_piece(void **state) {
-    (void)state;
+TEST(test_piece) {
     uint64_t seed = SEED + 9;
     mpq_t x, y;
     mpq_inits(x, y, NULL);
@@ -352,8 +340,7 @@ static void test_piece(void **state) {
 }
 
 /* Roots at ends, at places where cells and pieces are cut, at powers of two and at 0. */
-static void test_cuts(void **state) {
-    (void)state;
+TEST(test_cuts) {
     uint64_t seed = SEED + 3;
     known *k = known_new();
     int found = 0;
@@ -384,8 +371,7 @@ static void test_cuts(void **state) {
 }
 
 /* Roots over and beyond the whole range of doubles, subnormal, and intervals of every size. */
-static void test_scales(void **state) {
-    (void)state;
+TEST(test_scales) {
     uint64_t seed = SEED + 4;
     known *k = known_new();
     int huge = 0, tiny = 0;
@@ -420,8 +406,7 @@ static void test_scales(void **state) {
 }
 
 /* Tiny intervals far from 0 that hold roots closer than that. */
-static void test_far(void **state) {
-    (void)state;
+TEST(test_far) {
     uint64_t seed = SEED + 5;
     known *k = known_new();
     int found = 0;
@@ -472,15 +457,14 @@ static double far_roots(const far_coefficient c[5], int k, algsurf_real_root roo
     clock_t start = clock();
     algsurf_status status = algsurf_real_roots_integers(z, n, -HUGE_VAL, HUGE_VAL, root, 4, count);
     double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     for (int i = 0; i <= 4; i++) mpz_clear(value[i]);
     return seconds;
 }
 
 /* One coefficient or several with very many bits: the same roots for all k that put them beyond the doubles,
  * and the time grows less than with the square of the bits. */
-static void test_sizes(void **state) {
-    (void)state;
+TEST(test_sizes) {
     static const far_coefficient cases[][5] = {
         {{0, -1, 1}, {-1, 8, 1}, {0, -1, 1}, {0, -1, 1}, {0, -1, 0}}, /* 1 - (2^k - 1) t + t^2 + t^3 */
         {{0, -1, 1}, {-1, 8, 0}, {0, -1, 1}, {0, -1, 0}, {0, -1, 0}}, /* 1 - 2^k t + t^2 */
@@ -515,8 +499,7 @@ static double seconds_of(const known *k, double lo, double hi) {
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     known *k = known_new();
     mpq_set_ui(k->x, 1, 1);
     known_add(k, k->x, 512); /* (t - 1)^512 */
@@ -544,8 +527,7 @@ static void test_powers(void **state) {
     known_free(k);
 }
 
-static void test_wilkinson(void **state) {
-    (void)state;
+TEST(test_wilkinson) {
     known *k = known_new();
     for (int n = 1; n <= 64; n += n < 20 ? 1 : 11) {
         known_clear(k);
@@ -591,8 +573,7 @@ static void judge_all_real(const exact_zpoly *p, int unit, const char *family) {
 }
 
 /* Chebyshev's and Legendre's polynomials by their recurrences. */
-static void test_orthogonal(void **state) {
-    (void)state;
+TEST(test_orthogonal) {
     for (int legendre = 0; legendre < 2; legendre++) {
         exact_zpoly *before = exact_zpoly_new(), *p = exact_zpoly_new(), *next = exact_zpoly_new();
         exact_zpoly_constant(before, 1);
@@ -615,8 +596,7 @@ static void test_orthogonal(void **state) {
 }
 
 /* c_i = 2^(-k i^2), alternating or not: for k >= 2 all roots are real and different (Kurtz 1992). */
-static void test_lacunary(void **state) {
-    (void)state;
+TEST(test_lacunary) {
     exact_zpoly *p = exact_zpoly_new();
     for (int n = 1; n <= 40; n += n < 8 ? 1 : 8)
         for (int k = 2; k <= 10; k += 4)
@@ -670,8 +650,7 @@ static void judge_doubles(const double *c, int n, int unit, double lo, double hi
     exact_sturm_clear(&s);
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     uint64_t seed = SEED + 6;
     double c[129];
     for (int i = 0; i < 350; i++) {
@@ -749,8 +728,7 @@ static void judge_limits(const known *k, size_t words, size_t step) {
     free(p.c);
 }
 
-static void test_memory(void **state) {
-    (void)state;
+TEST(test_memory) {
     uint64_t seed = SEED + 7;
     known *k = known_new();
     static const size_t words[] = {0, 1, 50, 300};
@@ -765,16 +743,4 @@ static void test_memory(void **state) {
     known_free(k);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),     cmocka_unit_test(test_gaps),
-        cmocka_unit_test(test_clusters),     cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_scales),       cmocka_unit_test(test_far),
-        cmocka_unit_test(test_powers),       cmocka_unit_test(test_wilkinson),
-        cmocka_unit_test(test_orthogonal),   cmocka_unit_test(test_lacunary),
-        cmocka_unit_test(test_random),       cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_near_doubles), cmocka_unit_test(test_piece),
-        cmocka_unit_test(test_sizes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("exact walk"); }

@@ -5,18 +5,11 @@
  * rounding error, an expansion about a far origin.  (Radii that count half of the roundings still hold: those
  * add up like a random walk.)
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_ray.h"
-
-#include <cmocka.h>
 
 #include "algsurf/expand.h"
 #include "environments.h"
+#include "unit.h"
 
 #define SEED 21u
 
@@ -71,30 +64,6 @@ static _Noreturn void expand_fail(const char *what, const random_case *r, int ro
     abort();
 }
 
-/* Bernstein coefficients over [lo,hi] of the exact polynomial along the ray; b is initialised. */
-static void exact_chord(mpq_t *b, const exact_line *line, double lo, double hi) {
-    int n = line->degree;
-    mpq_t *a = malloc((size_t)(n + 1) * sizeof *a), x, w;
-    mpz_t binomial;
-    mpq_inits(x, w, NULL), mpz_init(binomial);
-    for (int i = 0; i <= n; i++) mpq_init(a[i]), exact_line_coefficient(a[i], line, i);
-    exact_set(x, lo);
-    for (int k = 0; k < n; k++)
-        for (int i = n - 1; i >= k; i--) mpq_mul(w, x, a[i + 1]), mpq_add(a[i], a[i], w);
-    exact_set(w, hi), mpq_sub(x, w, x), mpq_set_ui(w, 1, 1);
-    for (int i = 1; i <= n; i++) mpq_mul(w, w, x), mpq_mul(a[i], a[i], w);
-    for (int j = 0; j <= n; j++) { /* b_j = sum_{i<=j} C(j,i) / C(n,i) a_i */
-        mpq_set_ui(b[j], 0, 1);
-        for (int i = 0; i <= j; i++) {
-            mpz_bin_uiui(binomial, (unsigned long)j, (unsigned long)i), mpq_set_z(w, binomial);
-            mpz_bin_uiui(binomial, (unsigned long)n, (unsigned long)i), mpq_set_z(x, binomial);
-            mpq_div(w, w, x), mpq_mul(w, w, a[i]), mpq_add(b[j], b[j], w);
-        }
-    }
-    for (int i = 0; i <= n; i++) mpq_clear(a[i]);
-    free(a), mpq_clears(x, w, NULL), mpz_clear(binomial);
-}
-
 static void judge_power(const random_case *r, int round, double *c, double *radius) {
     exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
     mpq_t q;
@@ -108,12 +77,12 @@ static void judge_power(const random_case *r, int round, double *c, double *radi
 
 static void judge_bernstein(const random_case *r, int round, double *b, double *radius) {
     exact_line line = exact_line_of(r->terms, r->count, r->degree, &r->ray);
-    mpq_t q[16];
-    for (int k = 0; k <= r->degree; k++) mpq_init(q[k]);
-    exact_chord(q, &line, r->ray.t_min, r->ray.t_max);
+    mpq_t q[16], a[16];
+    for (int k = 0; k <= r->degree; k++) mpq_inits(q[k], a[k], NULL), exact_line_coefficient(a[k], &line, k);
+    exact_bernstein_of(q, a, r->degree, r->ray.t_min, r->ray.t_max);
     for (int k = 0; k <= r->degree; k++)
         if (!exact_within(b[k], q[k], radius[k])) expand_fail("Bernstein", r, round, k);
-    for (int k = 0; k <= r->degree; k++) mpq_clear(q[k]);
+    for (int k = 0; k <= r->degree; k++) mpq_clears(q[k], a[k], NULL);
     exact_line_clear(&line);
 }
 
@@ -126,8 +95,7 @@ static const struct {
     {40, 4, 0, -900}, {40, 4, 90, 0},   {40, 4, -90, 0},  {30, 4, 90, -300}, {30, 1e8, -90, 300},
 };
 
-static void test_radii_hold(void **state) {
-    (void)state;
+TEST(test_radii_hold) {
     uint64_t seed = SEED;
     int done = 0, all = 0;
     for (size_t f = 0; f < sizeof families / sizeof families[0]; f++)
@@ -139,7 +107,7 @@ static void test_radii_hold(void **state) {
             algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
             if (status == ALGSURF_OK) {
                 judge_power(&r, i, c, radius);
-                assert_int_equal(algsurf_expand_power(r.surface, &r.ray, alone, NULL), ALGSURF_OK);
+                assert_ok(algsurf_expand_power(r.surface, &r.ray, alone, NULL));
                 assert_memory_equal(c, alone, (size_t)(r.degree + 1) * sizeof *c);
             } else
                 assert_int_equal(status, ALGSURF_E_RANGE);
@@ -155,14 +123,13 @@ static void test_radii_hold(void **state) {
 }
 
 /* Components of direction and origin among subnormal numbers; the surface's unit is 1. */
-static void test_tiny_components(void **state) {
-    (void)state;
+TEST(test_tiny_components) {
     uint64_t seed = SEED;
     for (int i = 0; i < 100; i++) {
         random_case r = {.count = 3, .degree = 2};
         r.terms[0] = (algsurf_term){2, 0, 0, 1}, r.terms[1] = (algsurf_term){0, 1, 0, 0.5 + i};
         r.terms[2] = (algsurf_term){i % 2, 0, i % 2, -0.25};
-        assert_int_equal(algsurf_surface_from_terms(r.terms, 3, &r.surface), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(r.terms, 3, &r.surface));
         r.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, -0.5, 1};
         for (int k = 0; k < 3; k++) {
             r.ray.origin[k] = exact_random_int(&seed, 2) ? exact_random_wide(&seed, -1074, -1000) : 0;
@@ -170,9 +137,9 @@ static void test_tiny_components(void **state) {
         }
         double c[3], radius[3];
         algsurf_status status = algsurf_expand_power(r.surface, &r.ray, c, radius);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         judge_power(&r, i, c, radius);
-        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        assert_ok(algsurf_expand_bernstein(r.surface, &r.ray, c, radius));
         judge_bernstein(&r, i, c, radius);
         algsurf_surface_free(r.surface);
     }
@@ -185,8 +152,7 @@ static int ascending(const void *a, const void *b) {
 
 /* Radius over u (n + 1) (exact sum of magnitudes), the median and the largest over all coefficients: 4 n + 8
  * roundings are counted, so 4 to 6 is what they should be. */
-static void test_radii_are_small(void **state) {
-    (void)state;
+TEST(test_radii_are_small) {
     static double ratio[4000];
     uint64_t seed = SEED;
     int count = 0;
@@ -195,7 +161,7 @@ static void test_radii_are_small(void **state) {
         double c[16], radius[16];
         if (!make_surface(&r, &seed, 0)) continue;
         make_ray(&r, &seed, 4, 0, 0);
-        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, c, radius), ALGSURF_OK);
+        assert_ok(algsurf_expand_power(r.surface, &r.ray, c, radius));
         exact_line size = exact_magnitudes_of(r.terms, r.count, r.degree, &r.ray);
         mpq_t q;
         mpq_init(q);
@@ -217,18 +183,17 @@ static void test_radii_are_small(void **state) {
 }
 
 /* The same chord of the same line, seen from far away: the Bernstein radii stay what they were. */
-static void test_far_camera(void **state) {
-    (void)state;
+TEST(test_far_camera) {
     const algsurf_term sextic[] = {{6, 0, 0, 1}, {2, 2, 2, -3}, {0, 4, 1, 0.5},
                                    {0, 0, 6, 1}, {1, 1, 1, 2},  {0, 0, 0, -1}};
     algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_terms(sextic, 6, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(sextic, 6, &s));
     double radii[2][7], b[2][7], p[7], pr[7];
     for (int far = 0; far < 2; far++) {
         double distance = far ? 0x1p20 : 4;
         algsurf_ray ray = {{0.25, -0.5, -distance}, {0, 0, 1}, distance - 1.25, distance + 1.25};
-        assert_int_equal(algsurf_expand_bernstein(s, &ray, b[far], radii[far]), ALGSURF_OK);
-        assert_int_equal(algsurf_expand_power(s, &ray, p, pr), ALGSURF_OK);
+        assert_ok(algsurf_expand_bernstein(s, &ray, b[far], radii[far]));
+        assert_ok(algsurf_expand_power(s, &ray, p, pr));
     }
     for (int k = 0; k < 7; k++) {
         assert_true(radii[1][k] <= 1.01 * radii[0][k] && radii[1][k] < 1e-12);
@@ -249,14 +214,13 @@ static void expect(algsurf_status wanted, algsurf_status bernstein, const algsur
     assert_true(c[0] == 7 && c[1] == 7 && c[2] == 7 && r[0] == 8 && r[1] == 8 && r[2] == 8);
 }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     const algsurf_term sphere[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -1}};
     const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 2, 6};
     algsurf_ray ray = good;
     algsurf_surface *s;
     double c[3];
-    assert_int_equal(algsurf_surface_from_terms(sphere, 4, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(sphere, 4, &s));
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, NULL, &ray);
     expect(ALGSURF_E_ARGUMENT, ALGSURF_E_ARGUMENT, s, NULL);
     assert_int_equal(algsurf_expand_power(s, &ray, NULL, c), ALGSURF_E_ARGUMENT);
@@ -272,14 +236,13 @@ static void test_bad_input(void **state) {
     algsurf_surface_free(s);
     /* A chord so short, against the size of the surface, that its ends cannot be told apart. */
     const algsurf_term plane[] = {{1, 0, 0, 0x1p-454}, {0, 0, 0, -0x1p486}};
-    assert_int_equal(algsurf_surface_from_terms(plane, 2, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(plane, 2, &s));
     ray = (algsurf_ray){{0, 0, 0x1p109}, {0, 0, 0x1p-720}, 2, 10};
     expect(ALGSURF_OK, ALGSURF_E_RANGE, s, &ray);
     algsurf_surface_free(s);
 }
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(test_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < 40; i++) {
         static random_case r;
@@ -287,8 +250,8 @@ static void test_environment(void **state) {
         if (!make_surface(&r, &seed, i % 3 ? 0 : -90)) continue;
         make_ray(&r, &seed, 4, i % 3 ? 0 : -90, 0);
         memset(usual, 0, sizeof usual), memset(other, 0, sizeof other);
-        assert_int_equal(algsurf_expand_power(r.surface, &r.ray, usual[0], usual[1]), ALGSURF_OK);
-        assert_int_equal(algsurf_expand_bernstein(r.surface, &r.ray, usual[2], usual[3]), ALGSURF_OK);
+        assert_ok(algsurf_expand_power(r.surface, &r.ray, usual[0], usual[1]));
+        assert_ok(algsurf_expand_bernstein(r.surface, &r.ray, usual[2], usual[3]));
         for (int e = 1; e < ENVIRONMENTS; e++) {
             environment_set(e);
             algsurf_status power = algsurf_expand_power(r.surface, &r.ray, other[0], other[1]);
@@ -301,11 +264,4 @@ static void test_environment(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_radii_hold),      cmocka_unit_test(test_tiny_components),
-        cmocka_unit_test(test_radii_are_small), cmocka_unit_test(test_far_camera),
-        cmocka_unit_test(test_bad_input),       cmocka_unit_test(test_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("expand"); }

@@ -14,14 +14,9 @@
  *
  *     test_extremes [rays [seed]]     rays of a scene; default: 3 and 1
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact_pixel.h"
 #include "extremes_truth.h"
+#include "unit.h"
 
 enum { ROOM = 16, BITS = 2400 };
 
@@ -37,67 +32,17 @@ typedef struct exact_truth {
     double next; /* the second root, or the double below; infinite: there is none */
 } exact_truth;
 
-/* The part [begin, end] of a ray as [0,1], with its first two roots. */
-typedef struct search {
-    mpz_t *p;
-    int n, count;
-    double begin, end, sure_begin, sure_end;
-    exact_truth *found;
-} search;
-
-static int take_root(exact_place *place, void *data) {
-    search *s = data;
-    mpf_t t, begin;
-    mpf_init2(t, BITS), mpf_init2(begin, BITS);
-    exact_narrow(s->p, s->n, place, DEEPEST);
-    mpf_set_d(t, s->end), mpf_set_d(begin, s->begin), mpf_sub(t, t, begin);
-    mpf_set_z(begin, place->at), mpf_mul(t, t, begin), mpf_div_2exp(t, t, (mp_bitcnt_t)place->bits);
-    mpf_set_d(begin, s->begin), mpf_add(t, t, begin);
-    double root = mpf_get_d(t);
-    if (root < s->sure_begin || root > s->sure_end || place->multiple) s->found->known = 0;
-    if (s->count++ == 0) {
-        s->found->first.state = ALGSURF_HIT, s->found->first.root = root;
-        mpf_set_d(begin, root), mpf_sub(t, t, begin);
-        s->found->first.rest = mpf_get_d(t);
-    } else {
-        s->found->next = root;
-    }
-    mpf_clears(t, begin, NULL);
-    return s->count == 2;
-}
-
-/* q(x) = c(begin + x (end - begin)), times a power of two. */
-static mpz_t *exact_substitute(const exact_line *line, double begin, double end) {
-    const double ends[2] = {begin, end};
-    mpz_t at[2], term, *q = exact_polynomials(1, line->degree + 2);
-    mpz_inits(at[0], at[1], term, NULL);
-    unsigned long shift = (unsigned long)exact_integers(at, ends, 1);
-    mpz_sub(at[1], at[1], at[0]);
-    for (int k = line->degree; k >= 0; k--) {
-        exact_times_linear(q, line->degree - k - 1, at[0], at[1]);
-        mpz_mul_2exp(term, line->c[k], shift * (unsigned long)(line->degree - k));
-        mpz_add(q[0], q[0], term);
-    }
-    mpz_clears(at[0], at[1], term, NULL);
-    return q;
-}
-
 static void roots_inside(const scene *s, const algsurf_ray *ray, const exact_line *line, exact_truth *found) {
     mpf_t in, out;
-    mpz_t zero;
-    mpf_init2(in, PIXEL_BITS), mpf_init2(out, PIXEL_BITS), mpz_init(zero);
+    mpf_init2(in, PIXEL_BITS), mpf_init2(out, PIXEL_BITS);
     if (exact_inside(&s->extent, ray, in, out)) {
-        double begin = mpf_get_d(in), end = mpf_get_d(out), room = ROOM * 0x1p-53 * fabs(end);
-        search at = {.n = line->degree, .found = found, .sure_begin = begin + room, .sure_end = end - room};
-        if (at.sure_begin < 0) at.sure_begin = 0;
-        at.begin = fmax(begin - room, 0), at.end = end + room;
-        at.p = exact_substitute(line, at.begin, at.end);
-        mpz_t *copy = exact_polynomials(1, at.n + 1);
-        for (int k = 0; k <= at.n; k++) mpz_set(copy[k], at.p[k]);
-        (void)exact_walk(copy, at.n, zero, 0, take_root, &at);
-        exact_free(copy, at.n + 1), exact_free(at.p, at.n + 2);
+        double room = ROOM * 0x1p-53 * fabs(mpf_get_d(out));
+        exact_answer a = exact_first_roots(line, &s->extent, ray, room, 2);
+        for (int i = 0; i < a.count && i < 2; i++) found->known &= a.is_sure[i] && !a.clustered;
+        if (a.count > 0) found->first = (truth){ALGSURF_HIT, a.t[0], a.rest[0], 0};
+        if (a.count > 1) found->next = a.t[1];
     }
-    mpf_clears(in, out, NULL), mpz_clear(zero);
+    mpf_clears(in, out, NULL);
 }
 
 /* The k-th root > 0 of all, k = 0, 1, ..: first its power of two. */
@@ -284,52 +229,24 @@ static void judge_sweep(int which, limits most) {
         fail_msg("%s, seed %d: too many, or too few", at.sweep->name, seed);
 }
 
-static void test_distance(void **state) {
-    (void)state;
-    judge_sweep(0, (limits){0, 40, 8});
-}
+TEST(test_distance) { judge_sweep(0, (limits){0, 40, 8}); }
 
-static void test_scale(void **state) {
-    (void)state;
-    judge_sweep(1, (limits){0, 40, 8});
-}
+TEST(test_scale) { judge_sweep(1, (limits){0, 40, 8}); }
 
-static void test_gap(void **state) {
-    (void)state;
-    judge_sweep(2, (limits){57, 40, 8});
-}
+TEST(test_gap) { judge_sweep(2, (limits){57, 40, 8}); }
 
-static void test_degree(void **state) {
-    (void)state;
-    judge_sweep(3, (limits){34, 50, 8});
-}
+TEST(test_degree) { judge_sweep(3, (limits){34, 50, 8}); }
 
-static void test_singular(void **state) {
-    (void)state;
-    judge_sweep(4, (limits){42, 40, 8});
-}
+TEST(test_singular) { judge_sweep(4, (limits){42, 40, 8}); }
 
-static void test_extent(void **state) {
-    (void)state;
-    judge_sweep(5, (limits){1, 40, 8});
-}
+TEST(test_extent) { judge_sweep(5, (limits){1, 40, 8}); }
 
-static void test_spread(void **state) {
-    (void)state;
-    judge_sweep(6, (limits){75, 20, 100});
-}
+TEST(test_spread) { judge_sweep(6, (limits){75, 20, 100}); }
 
-static void test_leading(void **state) {
-    (void)state;
-    judge_sweep(7, (limits){50, 40, 8});
-}
+TEST(test_leading) { judge_sweep(7, (limits){50, 40, 8}); }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_distance), cmocka_unit_test(test_scale),
-                                       cmocka_unit_test(test_gap),      cmocka_unit_test(test_degree),
-                                       cmocka_unit_test(test_singular), cmocka_unit_test(test_extent),
-                                       cmocka_unit_test(test_spread),   cmocka_unit_test(test_leading)};
     if (argc > 1) rays = atoi(argv[1]);
     if (argc > 2) seed = atoi(argv[2]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("extremes");
 }

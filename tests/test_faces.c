@@ -3,16 +3,10 @@
  * Breaks caught, each tried: the centre's sign, a mixed product added once, a bit less of width, the
  * direction without its power of two, the two sides of a box exchanged, a polynomial that is not compact.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include "exact.h"
-
-#include <cmocka.h>
+#include "exact_zpolys.h"
 
 #include "rays/faces.h"
+#include "unit.h"
 
 #define SEED 5u
 #define ROOM ((size_t)1 << 12)
@@ -105,12 +99,6 @@ static int is_multiple(const algsurf_zpoly *p, mpq_t q[3]) {
     return same;
 }
 
-static int is_compact(const algsurf_zpoly *p) {
-    if (p->degree < 0) return p->degree == -1;
-    return algsurf_z_sign(algsurf_zpoly_at(p, p->degree), p->width) != 0 && algsurf_zpoly_trailing(p) == 0 &&
-           p->width == algsurf_z_width(algsurf_zpoly_bits(p));
-}
-
 /* Counts the faces of each degree. */
 static void check(const algsurf_extent *x, const algsurf_plane *plane, const double *o, const double *d,
                   int e, int of_degree[4]) {
@@ -130,7 +118,7 @@ static void check(const algsurf_extent *x, const algsurf_plane *plane, const dou
             define_face(q, x, o, d, e, f);
         else
             define_plane(q, plane, o, d, e);
-        if (!is_multiple(&face[f], q) || !is_compact(&face[f])) {
+        if (!is_multiple(&face[f], q) || !exact_is_compact(&face[f])) {
             print_case(x, o, d, e);
             exact_print_doubles("normal", plane->normal, 3), exact_print_doubles("offset", &plane->offset, 1);
             fail_msg("another face %d", f);
@@ -149,8 +137,7 @@ static double number(uint64_t *seed, int of) {
     return of == 1 ? exact_random_wide(seed, -1070, 1020) : exact_random_int(seed, 7) - 3;
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     uint64_t seed = SEED;
     int of_degree[4] = {0};
     for (int c = 0; c < 3000; c++) {
@@ -175,8 +162,7 @@ static void test_random(void **state) {
 }
 
 /* The largest coefficients that numbers of some length can make, at the ends of limbs. */
-static void test_longest(void **state) {
-    (void)state;
+TEST(test_longest) {
     const double ones = 0x1.fffffffffffffp0;
     int of_degree[4] = {0};
     for (int kind = 1; kind <= 2; kind++)
@@ -192,8 +178,7 @@ static void test_longest(void **state) {
         }
 }
 
-static void test_none(void **state) {
-    (void)state;
+TEST(test_none) {
     algsurf_memory m;
     algsurf_zpoly face[ALGSURF_MOST_FACES];
     const double o[3] = {1, 2, 3};
@@ -208,8 +193,7 @@ static void test_none(void **state) {
 }
 
 /* With each smaller block and no more memory: refused, and nothing kept. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(test_memory) {
     uint64_t block[64];
     const double o[3] = {0.1, 0.2, 3}, d[3] = {0.3, 0.5, -0.1};
     for (int kind = 1; kind <= 2; kind++) {
@@ -230,8 +214,4 @@ static void test_memory(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_longest),
-                                       cmocka_unit_test(test_none), cmocka_unit_test(test_memory)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("faces"); }

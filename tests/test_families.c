@@ -7,67 +7,28 @@
  *
  * Catches: roots lost or doubled in crowds, close pairs, far out, beside 0; multiplicities of products;
  * limbs. */
-#include <gmp.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
-
 #include "algsurf/algsurf.h"
+#include "exact_roots.h"
+#include "exact_zpolys.h"
+#include "unit.h"
 
 enum { MOST = ALGSURF_MAX_POLY_DEGREE };
 
-typedef struct poly {
-    int degree;
-    mpz_t c[MOST + 1];
-} poly;
+typedef exact_zpoly poly;
 
 static poly *make(int degree) {
-    poly *p = malloc(sizeof *p);
-    assert_non_null(p);
-    p->degree = degree;
-    for (int k = 0; k <= MOST; k++) mpz_init(p->c[k]);
+    poly *p = exact_zpoly_new();
+    p->n = degree;
     return p;
-}
-
-static void drop(poly *p) {
-    for (int k = 0; k <= MOST; k++) mpz_clear(p->c[k]);
-    free(p);
 }
 
 static poly *product(const poly *a, const poly *b) {
-    poly *p = make(a->degree + b->degree);
-    for (int i = 0; i <= a->degree; i++)
-        for (int k = 0; k <= b->degree; k++) mpz_addmul(p->c[i + k], a->c[i], b->c[k]);
+    poly *p = exact_zpoly_new();
+    exact_zpoly_multiply(p, a, b);
     return p;
 }
 
-/* The sign of p at a double. */
-static int sign_at(const poly *p, double x) {
-    mpz_t m, v, term;
-    int e;
-    if (isinf(x)) return mpz_sgn(p->c[p->degree]) * (x < 0 && p->degree % 2 ? -1 : 1);
-    double part = frexp(x, &e);
-    mpz_init_set_d(m, ldexp(part, 53));
-    mpz_init_set(v, p->c[p->degree]);
-    mpz_init(term);
-    e -= 53;
-    for (int k = p->degree - 1; k >= 0; k--) {
-        mpz_mul(v, v, m);
-        if (e > 0) mpz_mul_2exp(v, v, (mp_bitcnt_t)e);
-        mpz_set(term, p->c[k]);
-        if (e < 0) mpz_mul_2exp(term, term, (mp_bitcnt_t)(-e) * (mp_bitcnt_t)(p->degree - k));
-        mpz_add(v, v, term);
-    }
-    int sign = mpz_sgn(v);
-    mpz_clears(m, v, term, NULL);
-    return sign;
-}
+static int sign_at(const poly *p, double x) { return exact_integers_sign((mpz_t *)p->c, p->n, x); }
 
 /* All real roots of p are those of the factors, to the powers; they have `real` of them, all different. */
 static void judge(const char *family, const poly *p, const poly *const *factor, const int *power, int factors,
@@ -75,13 +36,12 @@ static void judge(const char *family, const poly *p, const poly *const *factor, 
     static algsurf_real_root root[MOST];
     static algsurf_integer z[MOST + 1];
     int count = -1;
-    for (int k = 0; k <= p->degree; k++)
+    for (int k = 0; k <= p->n; k++)
         z[k] = (algsurf_integer){(const uint64_t *)mpz_limbs_read(p->c[k]),
                                  mpz_sgn(p->c[k]) * (int)mpz_size(p->c[k])};
-    algsurf_status status =
-        algsurf_real_roots_integers(z, p->degree, -HUGE_VAL, HUGE_VAL, root, MOST, &count);
+    algsurf_status status = algsurf_real_roots_integers(z, p->n, -HUGE_VAL, HUGE_VAL, root, MOST, &count);
     if (status != ALGSURF_OK || count != real)
-        fail_msg("%s, degree %d: status %d, %d roots, not %d", family, p->degree, status, count, real);
+        fail_msg("%s, degree %d: status %d, %d roots, not %d", family, p->n, status, count, real);
     for (int i = 0, next; i < count; i = next) {
         const algsurf_real_root *r = root + i;
         int known = 0, told = 0;
@@ -93,8 +53,8 @@ static void judge(const char *family, const poly *p, const poly *const *factor, 
         }
         int good = next == i + 1 ? told == known : told % 2 == known % 2; /* several between two doubles */
         if (!good || (i > 0 && root[i - 1].hi > r->lo))
-            fail_msg("%s, degree %d: root %d of multiplicity %d in [%a,%a]: it is %d", family, p->degree, i,
-                     told, r->lo, r->hi, known);
+            fail_msg("%s, degree %d: root %d of multiplicity %d in [%a,%a]: it is %d", family, p->n, i, told,
+                     r->lo, r->hi, known);
         assert_true(r->lo <= r->root && r->root <= r->hi && r->hi <= nextafter(r->lo, HUGE_VAL));
     }
 }
@@ -106,14 +66,14 @@ static void judge_complex(const char *family, const poly *p, int real) {
     static algsurf_complex_root e[MOST];
     algsurf_complex_solver *solver;
     int count, sum = 0, found = 0, clusters = 0;
-    for (int k = 0; k <= p->degree; k++) {
+    for (int k = 0; k <= p->n; k++) {
         c[k] = (algsurf_complex){mpz_get_d(p->c[k]), 0};
         if (mpz_cmp_d(p->c[k], c[k].re) != 0) return;
     }
-    assert_int_equal(algsurf_complex_solver_create(p->degree, &solver), ALGSURF_OK);
-    algsurf_status status = algsurf_complex_solver_run(solver, c, NULL, p->degree, NULL, e, &count, NULL);
+    assert_ok(algsurf_complex_solver_create(p->n, &solver));
+    algsurf_status status = algsurf_complex_solver_run(solver, c, NULL, p->n, NULL, e, &count, NULL);
     algsurf_complex_solver_free(solver);
-    if (status != ALGSURF_OK) fail_msg("%s, degree %d: status %d", family, p->degree, status);
+    if (status != ALGSURF_OK) fail_msg("%s, degree %d: status %d", family, p->n, status);
     for (int i = 0; i < count; i++) {
         sum += e[i].multiplicity;
         clusters += e[i].multiplicity > 1; /* roots closer than doubles can tell */
@@ -121,11 +81,11 @@ static void judge_complex(const char *family, const poly *p, int real) {
         found++;
         int before = sign_at(p, e[i].box.re.lo), after = sign_at(p, e[i].box.re.hi);
         if (!(before * after < 0 || (before == 0 && after == 0)))
-            fail_msg("%s, degree %d: no simple root in [%a,%a]", family, p->degree, e[i].box.re.lo,
+            fail_msg("%s, degree %d: no simple root in [%a,%a]", family, p->n, e[i].box.re.lo,
                      e[i].box.re.hi);
     }
-    if (sum != p->degree || found > real || (!clusters && found < real))
-        fail_msg("%s, degree %d: %d roots, %d real, not %d", family, p->degree, sum, found, real);
+    if (sum != p->n || found > real || (!clusters && found < real))
+        fail_msg("%s, degree %d: %d roots, %d real, not %d", family, p->n, sum, found, real);
 }
 
 enum { MOST_COMPLEX = 100 };
@@ -133,8 +93,8 @@ enum { MOST_COMPLEX = 100 };
 static void judge_simple(const char *family, poly *p, int real) {
     const poly *factor[1] = {p};
     judge(family, p, factor, (const int[]){1}, 1, real);
-    if (p->degree <= MOST_COMPLEX) judge_complex(family, p, real);
-    drop(p);
+    if (p->n <= MOST_COMPLEX) judge_complex(family, p, real);
+    exact_zpoly_free(p);
 }
 
 /* ---- the families ---- */
@@ -160,11 +120,11 @@ static poly *recur(int n, step *how) {
             if (divisor > 1) mpz_divexact_ui(next->c[k], next->c[k], (unsigned long)divisor);
         }
         mpz_clear(term);
-        drop(before);
+        exact_zpoly_free(before);
         before = p;
         p = next;
     }
-    drop(before);
+    exact_zpoly_free(before);
     return p;
 }
 
@@ -213,15 +173,14 @@ static poly *of_roots(const long *root, const unsigned *shift, int count) {
     mpz_set_ui(p->c[0], 1);
     for (int i = 0; i < count; i++) {
         poly *l = linear(root[i], shift[i]), *more = product(p, l);
-        drop(l);
-        drop(p);
+        exact_zpoly_free(l);
+        exact_zpoly_free(p);
         p = more;
     }
     return p;
 }
 
-static void test_orthogonal(void **state) {
-    (void)state;
+TEST(test_orthogonal) {
     static const int degree[] = {1, 2, 3, 9, 32, 63, 64, 65, 128};
     for (size_t i = 0; i < sizeof degree / sizeof *degree; i++) {
         int n = degree[i];
@@ -234,8 +193,7 @@ static void test_orthogonal(void **state) {
     judge_simple("Legendre", recur(256, legendre), 256);
 }
 
-static void test_wilkinson(void **state) {
-    (void)state;
+TEST(test_wilkinson) {
     for (int n = 10; n <= 160; n += 50) {
         long root[MOST];
         unsigned shift[MOST];
@@ -246,8 +204,7 @@ static void test_wilkinson(void **state) {
     }
 }
 
-static void test_sparse(void **state) {
-    (void)state;
+TEST(test_sparse) {
     for (int n = 3; n <= MOST; n += n < 16 ? 1 : 31) {
         judge_simple("x^n - 7", power(n, 7), n % 2 ? 1 : 2);
         judge_simple("x^n + 7", power(n, -7), n % 2);
@@ -258,22 +215,20 @@ static void test_sparse(void **state) {
 }
 
 /* (x^p - 1) / (x - 1) of a prime p has no real roots, but times others it is in their way. */
-static void test_cyclotomic(void **state) {
-    (void)state;
+TEST(test_cyclotomic) {
     static const int prime[] = {3, 5, 17, 61, 127, 251, 509};
     for (size_t i = 0; i < sizeof prime / sizeof *prime; i++) {
         int n = prime[i] - 1;
         poly *p = make(n), *q = power(3, 2);
         for (int k = 0; k <= n; k++) mpz_set_ui(p->c[k], 1);
         if (n + 3 <= MOST) judge_simple("cyclotomic and a cube root", product(p, q), 1);
-        drop(q);
+        exact_zpoly_free(q);
         judge_simple("cyclotomic", p, 0);
     }
 }
 
 /* Roots in clusters of clusters: 2^-20 apart in groups that are 2^-8 apart. */
-static void test_nested(void **state) {
-    (void)state;
+TEST(test_nested) {
     long root[12];
     unsigned shift[12];
     for (int gap = 12; gap <= 40; gap += 14) {
@@ -285,20 +240,16 @@ static void test_nested(void **state) {
     }
 }
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     poly *a = recur(12, legendre), *b = mignotte(9, 100), *c = linear(3, 0), *squares = product(a, a);
     poly *cubes = product(c, c), *p = product(squares, b), *all = product(cubes, c), *whole = product(p, all);
     const poly *factor[] = {a, b, c};
     judge("a square, Mignotte's and a cube", whole, factor, (const int[]){2, 1, 3}, 3, 12 + 3 + 1);
     poly *wider = product(whole, whole);
     judge("its square", wider, factor, (const int[]){4, 2, 6}, 3, 12 + 3 + 1);
-    drop(wider), drop(whole), drop(all), drop(p), drop(cubes), drop(squares), drop(c), drop(b), drop(a);
+    exact_zpoly_free(wider), exact_zpoly_free(whole), exact_zpoly_free(all), exact_zpoly_free(p),
+        exact_zpoly_free(cubes), exact_zpoly_free(squares), exact_zpoly_free(c), exact_zpoly_free(b),
+        exact_zpoly_free(a);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orthogonal), cmocka_unit_test(test_wilkinson),
-                                       cmocka_unit_test(test_sparse),     cmocka_unit_test(test_cyclotomic),
-                                       cmocka_unit_test(test_nested),     cmocka_unit_test(test_products)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("families"); }

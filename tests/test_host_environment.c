@@ -8,19 +8,11 @@
  *   algsurf_camera_pinhole, algsurf_surface_from_equation, algsurf_intersect_complex, algsurf_select
  */
 #define _POSIX_C_SOURCE 200809L /* pthreads */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "algsurf/algsurf.h"
 #include "environments.h"
+#include "unit.h"
 
 enum { W = 24, H = 18, SCENES = 3, RAYS = 9, HOSTS = 2 * ENVIRONMENTS + 1, DEGREE = 5 };
 
@@ -219,8 +211,7 @@ static void assert_same(const answers *a, const answers *b) {
     assert_memory_equal(a, b, sizeof *a);
 }
 
-static void one_after_the_other(void **state) {
-    (void)state;
+TEST(one_after_the_other) {
     answers *plain = usual(), *other = malloc(sizeof *other);
     assert_non_null(other);
     for (int h = 0; h < HOSTS; h++) {
@@ -248,8 +239,7 @@ static void *visit(void *data) {
     return NULL;
 }
 
-static void all_at_once(void **state) {
-    (void)state;
+TEST(all_at_once) {
     answers *plain = usual();
     guest *guests = calloc(HOSTS, sizeof *guests);
     assert_non_null(guests);
@@ -268,9 +258,5 @@ static void all_at_once(void **state) {
 
 int main(void) {
     make_rays();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_after_the_other),
-        cmocka_unit_test(all_at_once),
-    };
-    return cmocka_run_group_tests_name("host environment", tests, NULL, NULL);
+    return unit_run("host environment");
 }

@@ -5,18 +5,10 @@
  * Adler-32 for long data, a last byte not filled, a chunk whose check sum leaves its type out, a filter
  * that takes the wrong neighbour.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <zlib.h>
 
-#include <cmocka.h>
-
 #include "image.h"
+#include "unit.h"
 
 /* 3 x 2: red green blue, black white and an odd one. */
 static const uint8_t small[18] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 1, 2, 3};
@@ -45,8 +37,7 @@ static bytes written(image_format format, int width, int height, const uint8_t *
     return written_with(3, format, width, height, pixels);
 }
 
-static void test_format_of(void **state) {
-    (void)state;
+TEST(test_format_of) {
     image_format f = IMAGE_PPM;
     assert_true(image_format_of("a.png", &f) && f == IMAGE_PNG);
     assert_true(image_format_of("a/b.c/d.PnG", &f) && f == IMAGE_PNG);
@@ -57,8 +48,7 @@ static void test_format_of(void **state) {
     assert_int_equal(f, IMAGE_PPM);
 }
 
-static void test_ppm(void **state) {
-    (void)state;
+TEST(test_ppm) {
     bytes b = written(IMAGE_PPM, 3, 2, small);
     assert_int_equal(b.size, 11 + 18);
     assert_memory_equal(b.at, "P6\n3 2\n255\n", 11);
@@ -66,8 +56,7 @@ static void test_ppm(void **state) {
     free(b.at);
 }
 
-static void test_bmp(void **state) {
-    (void)state;
+TEST(test_bmp) {
     static const uint8_t expected[54 + 24] = {
         'B', 'M', 78,  0,   0,    0,    0,   0, 0,    0,    54, 0, 0, 0, /* file header */
         40,  0,   0,   0,   3,    0,    0,   0, 2,    0,    0,  0, 1, 0,
@@ -82,8 +71,7 @@ static void test_bmp(void **state) {
     free(b.at);
 }
 
-static void test_bmp_too_large(void **state) {
-    (void)state;
+TEST(test_bmp_too_large) {
     FILE *file = tmpfile();
     assert_non_null(file);
     assert_non_null(image_write(file, IMAGE_BMP, 65535, 65535, small)); /* refused before a pixel is read */
@@ -197,8 +185,7 @@ static uint8_t *content(int kind, int channels, int width, int height) {
     return pixels;
 }
 
-static void test_png(void **state) {
-    (void)state;
+TEST(test_png) {
     static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 2}, {3, 2}, {86, 3}, {200, 150}, {1, 700}, {25000, 3}};
     int used[5] = {0};
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++)
@@ -212,8 +199,7 @@ static void test_png(void **state) {
     for (int filter = 0; filter < 5; filter++) assert_true(used[filter] > 0);
 }
 
-static void test_png_random_sizes(void **state) {
-    (void)state;
+TEST(test_png_random_sizes) {
     int used[5] = {0};
     for (int i = 0; i < 300; i++) {
         int width = 1 + (int)random_below(40), height = 1 + (int)random_below(40);
@@ -224,23 +210,11 @@ static void test_png_random_sizes(void **state) {
 }
 
 /* A picture that is mostly background takes few bytes; so does a smooth one, if less so. */
-static void test_png_compresses(void **state) {
-    (void)state;
+TEST(test_png_compresses) {
     int used[5] = {0};
     uint8_t *flat = content(1, 3, 640, 480);
     assert_true(round_trip(3, 640, 480, flat, used) < 20000);
     free(flat);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_format_of),
-        cmocka_unit_test(test_ppm),
-        cmocka_unit_test(test_bmp),
-        cmocka_unit_test(test_bmp_too_large),
-        cmocka_unit_test(test_png),
-        cmocka_unit_test(test_png_random_sizes),
-        cmocka_unit_test(test_png_compresses),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("image"); }

@@ -4,17 +4,10 @@
  * the least integer of a width, width 1.  Breaks caught: a carry lost between limbs or at the end, a sign
  * extended wrongly, a shift by a whole number of limbs, a trial quotient corrected once too little, a double
  * rounded to the wrong side. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_limbs.h"
 
-#include <cmocka.h>
-#include <float.h>
-
 #include "base/integer.h"
+#include "unit.h"
 
 #define SEED 20240612u
 #define ROUNDS 40000
@@ -51,8 +44,7 @@ static void check(const char *what, int round, operands *o, long more) {
     if (!exact_limbs_equal(o->a, o->wa, o->z)) failed(what, round, o, more);
 }
 
-static void test_sums(void **state) {
-    (void)state;
+TEST(test_sums) {
     uint64_t seed = SEED;
     operands o;
     begin(&o);
@@ -75,8 +67,7 @@ static void test_sums(void **state) {
     end(&o);
 }
 
-static void test_questions(void **state) {
-    (void)state;
+TEST(test_questions) {
     uint64_t seed = SEED + 1;
     operands o;
     begin(&o);
@@ -105,8 +96,7 @@ static void test_questions(void **state) {
     end(&o);
 }
 
-static void test_shifts(void **state) {
-    (void)state;
+TEST(test_shifts) {
     uint64_t seed = SEED + 2;
     operands o;
     begin(&o);
@@ -123,8 +113,7 @@ static void test_shifts(void **state) {
     end(&o);
 }
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     uint64_t seed = SEED + 3;
     operands o;
     begin(&o);
@@ -162,8 +151,7 @@ static void test_products(void **state) {
     end(&o);
 }
 
-static void test_division(void **state) {
-    (void)state;
+TEST(test_division) {
     uint64_t seed = SEED + 4;
     mpz_t u, v, q, r, got;
     mpz_inits(u, v, q, r, got, NULL);
@@ -194,8 +182,7 @@ static void test_division(void **state) {
 }
 
 /* Division by a limb, also where the compiler has no wider integers: against the product. */
-static void test_limbs(void **state) {
-    (void)state;
+TEST(test_limbs) {
     uint64_t seed = SEED + 5;
     for (int i = 0; i < ROUNDS; i++) {
         algsurf_limb x[4], r, high, back;
@@ -230,8 +217,7 @@ static double random_double(uint64_t *seed) {
     }
 }
 
-static void test_doubles_into_integers(void **state) {
-    (void)state;
+TEST(test_doubles_into_integers) {
     uint64_t seed = SEED + 6;
     mpz_t z, got;
     mpq_t q, unit;
@@ -282,8 +268,7 @@ static void scaled(mpq_t q, const mpz_t z, int e) {
         mpq_div_2exp(q, q, (mp_bitcnt_t)-e);
 }
 
-static void test_integers_into_doubles(void **state) {
-    (void)state;
+TEST(test_integers_into_doubles) {
     uint64_t seed = SEED + 7;
     operands o;
     begin(&o);
@@ -321,16 +306,4 @@ static void test_integers_into_doubles(void **state) {
     end(&o);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_limbs),
-        cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_questions),
-        cmocka_unit_test(test_shifts),
-        cmocka_unit_test(test_products),
-        cmocka_unit_test(test_division),
-        cmocka_unit_test(test_doubles_into_integers),
-        cmocka_unit_test(test_integers_into_doubles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("integer"); }

@@ -3,16 +3,10 @@
  * Breaks caught: a width one limb too small (coefficients of one sign and full size, ends of an interval far
  * out), a power of two counted twice, a binomial factor wrong in one degree, a root taken for a value, a
  * quotient returned for polynomials that do not divide, a content left in. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_limbs.h"
 
-#include <cmocka.h>
-
 #include "poly/integral.h"
+#include "unit.h"
 
 #define SEED 20240613u
 #define LIMIT ((size_t)1 << 28)
@@ -115,8 +109,7 @@ static void check_value(uint64_t *seed, room *m, const algsurf_zpoly *p, const a
     mpz_clears(z, x, NULL), mpq_clears(q, error, NULL);
 }
 
-static void test_values(void **state) {
-    (void)state;
+TEST(test_values) {
     uint64_t seed = SEED;
     int count[3] = {0};
     room m;
@@ -139,8 +132,7 @@ static void test_values(void **state) {
 
 /* p = (2^s x - M) g: the root itself, and its neighbours.  Sometimes of high degree, with the root near 1 and
  * a constant more: what is left there is as small as the errors of three limbs, about 2^-180 of the terms. */
-static void test_values_at_roots(void **state) {
-    (void)state;
+TEST(test_values_at_roots) {
     uint64_t seed = SEED + 1;
     int count[3] = {0};
     room m;
@@ -237,8 +229,7 @@ static void check_bernstein(room *m, const algsurf_zpoly *p, int64_t at, int q) 
     free(b), mpz_clear(z);
 }
 
-static void test_bernstein(void **state) {
-    (void)state;
+TEST(test_bernstein) {
     uint64_t seed = SEED + 2;
     room m;
     for (int i = 0; i < 4000; i++) {
@@ -294,8 +285,7 @@ static void content(mpz_t g, const algsurf_zpoly *p) {
     mpz_clear(c);
 }
 
-static void test_primitive(void **state) {
-    (void)state;
+TEST(test_primitive) {
     uint64_t seed = SEED + 3;
     room m;
     mpz_t g, c, f;
@@ -331,8 +321,7 @@ static void test_primitive(void **state) {
 }
 
 /* Products are divided, products with one coefficient changed are not. */
-static void test_divide(void **state) {
-    (void)state;
+TEST(test_divide) {
     uint64_t seed = SEED + 4;
     room m;
     int zeros = 0;
@@ -381,8 +370,7 @@ static void test_divide(void **state) {
     assert_true(zeros > 100);
 }
 
-static void test_small_things(void **state) {
-    (void)state;
+TEST(test_small_things) {
     uint64_t seed = SEED + 5;
     room m;
     mpz_t x, y;
@@ -421,8 +409,7 @@ static void test_small_things(void **state) {
     mpz_clears(x, y, NULL);
 }
 
-static void test_zero_polynomial(void **state) {
-    (void)state;
+TEST(test_zero_polynomial) {
     room m;
     room_begin(&m);
     algsurf_zpoly zero, p, q, one;
@@ -454,8 +441,7 @@ static void test_zero_polynomial(void **state) {
 }
 
 /* With every limit up to the one that suffices: 0, and nothing is kept. */
-static void test_no_memory(void **state) {
-    (void)state;
+TEST(test_no_memory) {
     uint64_t seed = SEED + 6;
     room m;
     room_begin(&m);
@@ -488,12 +474,4 @@ static void test_no_memory(void **state) {
     room_empty(&m);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),          cmocka_unit_test(test_values_at_roots),
-        cmocka_unit_test(test_bernstein),       cmocka_unit_test(test_primitive),
-        cmocka_unit_test(test_divide),          cmocka_unit_test(test_small_things),
-        cmocka_unit_test(test_zero_polynomial), cmocka_unit_test(test_no_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("integral"); }

@@ -5,8 +5,6 @@
  * origin, a position in the surface's unit instead of the caller's, positions and gradients that overflowed,
  * a direction that underflowed, a normal made of rounding or of the wrong side of a singular point.
  */
-#include <float.h>
-
 #include "intersect_case.h"
 
 static intersect_case c;
@@ -34,8 +32,7 @@ static int with(const char *equation) {
 
 static void done(void) { algsurf_surface_free(c.surface); }
 
-static void test_closed_ends(void **state) {
-    (void)state;
+TEST(test_closed_ends) {
     const double both[] = {1, 3};
     with("x^2 + y^2 + z^2 - 1");
     set_ray(0, 0, -2, 0, 0, 1, 1, 3), expect(2, both);
@@ -55,8 +52,7 @@ static void test_closed_ends(void **state) {
     done();
 }
 
-static void test_eye_inside_and_on(void **state) {
-    (void)state;
+TEST(test_eye_inside_and_on) {
     with("x^2 + y^2 + z^2 - 1");
     set_ray(0, 0, 0, 0, 1, 0, 0, INFINITY), expect(1, (const double[]){1});
     set_ray(0.5, 0, 0, -1, 0, 0, 0, 9), expect(1, (const double[]){1.5});
@@ -72,8 +68,7 @@ static void test_eye_inside_and_on(void **state) {
     done();
 }
 
-static void test_directions_of_any_length(void **state) {
-    (void)state;
+TEST(test_directions_of_any_length) {
     with("x^2 + y^2 + z^2 - 1");
     for (int k = -1000; k <= 1000; k += 125) {
         double unit = ldexp(1, -k);
@@ -89,8 +84,7 @@ static void test_directions_of_any_length(void **state) {
     done();
 }
 
-static void test_far_eye(void **state) {
-    (void)state;
+TEST(test_far_eye) {
     with("x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8");
     set_ray(0.75, 0.5, -4, 0.125, 0, 1, 0, INFINITY);
     intersect_judge(&c, NULL, &answer);
@@ -111,8 +105,7 @@ static void test_far_eye(void **state) {
 }
 
 /* The same scene larger by 2^k: the same bits of t. */
-static void test_scales(void **state) {
-    (void)state;
+TEST(test_scales) {
     algsurf_term terms[INTERSECT_TERMS];
     double t = 0;
     for (int k = -160; k <= 160; k += 40) {
@@ -134,8 +127,7 @@ static void test_scales(void **state) {
     }
 }
 
-static void test_normals(void **state) {
-    (void)state;
+TEST(test_normals) {
     with("x^3 + 2 y^2 z - x z + 0.25");
     for (int i = 0; i < 20; i++) {
         set_ray(0.1 * i - 1, 0.3, -2, 0.01 * i, 0.02, 1, 0, 5);
@@ -143,8 +135,7 @@ static void test_normals(void **state) {
         for (int k = 0; k < answer.count; k++) {
             const algsurf_hit *h = answer.all + k;
             double g[3], value, size;
-            assert_int_equal(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_surface_gradient(c.surface, h->position, &value, g, NULL, NULL));
             size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
             for (int j = 0; j < 3; j++) assert_true(fabs(h->normal[j] - g[j] / size) < 1e-12);
         }
@@ -153,8 +144,7 @@ static void test_normals(void **state) {
 }
 
 /* Towards and past singular points: the normal is that of P shortly before. */
-static void test_singular_normals(void **state) {
-    (void)state;
+TEST(test_singular_normals) {
     const struct {
         const char *equation;
         algsurf_ray ray;
@@ -186,8 +176,7 @@ static void test_singular_normals(void **state) {
 }
 
 /* With an extent: the roots in it, and none outside. */
-static void test_extents(void **state) {
-    (void)state;
+TEST(test_extents) {
     const algsurf_extent extents[] = {
         {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0, 0, 0}},      {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}},
         {ALGSURF_EXTENT_SPHERE, {0.5, 0, 1}, {1, 0, 0}}, {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}},
@@ -208,8 +197,7 @@ static void test_extents(void **state) {
 }
 
 /* Every point of the ray is one of the surface: one hit, where the ray begins. */
-static void test_rays_within(void **state) {
-    (void)state;
+TEST(test_rays_within) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -244,8 +232,7 @@ static void touch(double x, double y, int count, int multiplicity, double t) {
 }
 
 /* Across a double line, and past a sphere: in, by a rounding error out, and in. */
-static void test_touching(void **state) {
-    (void)state;
+TEST(test_touching) {
     with("x^2y^2 + x^2z^2 + y^2z^2 + x y z");
     touch(0, 0.125, 1, 2, 2);
     done();
@@ -257,9 +244,8 @@ static void test_touching(void **state) {
 }
 
 /* A ray in a plane: one hit, where the ray begins. */
-static void test_in_a_plane(void **state) {
+TEST(test_in_a_plane) {
     static const double ends[3][2] = {{0, 2}, {0.5, INFINITY}, {-INFINITY, INFINITY}};
-    (void)state;
     with("y");
     for (int i = 0; i < 3; i++) {
         set_ray(0, 0, 0, 1, 0, 0, ends[i][0], ends[i][1]);
@@ -271,8 +257,7 @@ static void test_in_a_plane(void **state) {
 }
 
 /* Numbers at the ends of the range: positions and normals are finite, and calls agree. */
-static void test_ends_of_the_range(void **state) {
-    (void)state;
+TEST(test_ends_of_the_range) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -323,8 +308,7 @@ static void test_ends_of_the_range(void **state) {
     done();
 }
 
-static void test_degrees(void **state) {
-    (void)state;
+TEST(test_degrees) {
     with("5");
     set_ray(0, 0, -2, 0, 0, 1, 0, INFINITY), expect(0, NULL);
     done();
@@ -342,8 +326,7 @@ static void test_degrees(void **state) {
 }
 
 /* Chmutov's surface of degree 16, T_16(x) + T_16(y) + T_16(z) + 1, whose coefficients reach 2^17. */
-static void test_chmutov(void **state) {
-    (void)state;
+TEST(test_chmutov) {
     const double t16[] = {1, -128, 2688, -21504, 84480, -180224, 212992, -131072, 32768};
     algsurf_term terms[28];
     int count = 0, hits = 0, undecided = 0;
@@ -368,22 +351,4 @@ static void test_chmutov(void **state) {
     done();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_ends),
-        cmocka_unit_test(test_eye_inside_and_on),
-        cmocka_unit_test(test_directions_of_any_length),
-        cmocka_unit_test(test_far_eye),
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_singular_normals),
-        cmocka_unit_test(test_extents),
-        cmocka_unit_test(test_rays_within),
-        cmocka_unit_test(test_touching),
-        cmocka_unit_test(test_in_a_plane),
-        cmocka_unit_test(test_ends_of_the_range),
-        cmocka_unit_test(test_degrees),
-        cmocka_unit_test(test_chmutov),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect"); }

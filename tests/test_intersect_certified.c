@@ -32,7 +32,7 @@ static void ray_in_plane(uint64_t *seed, int bits) {
     c.ray.t_max = exact_random_int(seed, 3) ? eye + 4 : exact_random_int(seed, 2) ? 1e4 : INFINITY;
 }
 
-static void hairs_apart(void **state) {
+TEST(hairs_apart) {
     static const char *const equations[] = {"(x^2 + y^2 - 2)^2 - z^2",
                                             "(x^2 + y^2 - 2)^2 + z^2",
                                             "(x^3 - y + x y^2)^2 - z^2",
@@ -44,7 +44,6 @@ static void hairs_apart(void **state) {
     enum { EQUATIONS = sizeof equations / sizeof *equations, ROUNDS = 40 };
     uint64_t seed = SEED;
     int undecided = 0, rays = 0;
-    (void)state;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
         for (int i = 0; i < ROUNDS; i++, rays++) {
@@ -59,7 +58,7 @@ static void hairs_apart(void **state) {
 }
 
 /* What is exactly so: a touch at a number that is no double, at one that is, at an end, along the ray. */
-static void exactly(void **state) {
+TEST(exactly) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -82,7 +81,6 @@ static void exactly(void **state) {
         {"(x - 1)(x - 2)(1 - 1e-200 x)", {{0, 0, 0}, {1, 0, 0}, 0, INFINITY}, 3, 1},
         {"(x - 1)(x - 2) + 1e-60 x^4", {{0, 0, 0}, {1, 0, 0}, 0, INFINITY}, 2, 1},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         intersect_equation(&c, cases[i].equation);
         c.ray = cases[i].ray;
@@ -95,7 +93,7 @@ static void exactly(void **state) {
 
 /* Roots that bisection of the whole interval cannot reach, each found once and in full: with others before,
  * behind, at the ends of what is set apart, and on the negative side. */
-static void roots_of_all_sizes(void **state) {
+TEST(roots_of_all_sizes) {
     static const double inf = INFINITY;
     static const struct {
         const char *equation;
@@ -111,16 +109,14 @@ static void roots_of_all_sizes(void **state) {
         {"x (x - 0x1p-80) (x - 0x1p-79) (x - 5)", 0, inf, 4, {0, 0x1p-80, 0x1p-79, 5}},
         {"(3x - 1)(x - 0x1p90)", 0, 0x1p90, 2, {1.0 / 3, 0x1p90}},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, cases[i].lo, cases[i].hi};
         static const algsurf_i_region everywhere = {NULL, NULL, 0};
         algsurf_i_ray_root roots[6];
         int n = 0;
         intersect_equation(&c, cases[i].equation);
-        assert_int_equal(algsurf_i_exact_roots(c.surface, &everywhere, &ray, ALGSURF_WANT_ALL,
-                                               ALGSURF_DEFAULT_MEMORY, NULL, roots, 6, &n),
-                         ALGSURF_OK);
+        assert_ok(algsurf_i_exact_roots(c.surface, &everywhere, &ray, ALGSURF_WANT_ALL,
+                                        ALGSURF_DEFAULT_MEMORY, NULL, roots, 6, &n));
         int as_told = n == cases[i].count;
         for (int k = 0; as_told && k < n; k++)
             as_told = roots[k].multiplicity == 1 && roots[k].t == cases[i].root[k] &&
@@ -136,10 +132,9 @@ static void roots_of_all_sizes(void **state) {
 }
 
 /* Surfaces with integer coefficients and rays of few bits: they often touch. */
-static void random_rays(void **state) {
+TEST(random_rays) {
     uint64_t seed = SEED;
     int rays = 0, multiple = 0;
-    (void)state;
     for (int i = 0; i < 600; i++) {
         algsurf_term terms[8];
         int count = 3 + i % 6;
@@ -166,14 +161,13 @@ static void random_rays(void **state) {
 }
 
 /* In the bounded tier; in the certified one nothing is left open, whatever is to become of it. */
-static void what_becomes_of_undecided(void **state) {
+TEST(what_becomes_of_undecided) {
     static const struct {
         int as;
         int state;
     } cases[] = {{ALGSURF_AS_UNDECIDED, ALGSURF_UNDECIDED},
                  {ALGSURF_AS_HIT, ALGSURF_HIT},
                  {ALGSURF_AS_MISS, ALGSURF_MISS}};
-    (void)state;
     intersect_equation(&c, "(3x - 1)^2 - y^2");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -193,10 +187,9 @@ static void what_becomes_of_undecided(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-static void bad_options(void **state) {
+TEST(bad_options) {
     algsurf_intersect_options o = {.size = sizeof o, .tier = 2};
     algsurf_hit hit;
-    (void)state;
     intersect_equation(&c, "x - 1");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, 4};
     assert_int_equal(algsurf_intersect_first(c.surface, NULL, &c.ray, &o, &hit), ALGSURF_E_ARGUMENT);
@@ -206,7 +199,7 @@ static void bad_options(void **state) {
 }
 
 /* Rays made to touch, at numbers of few digits: multiple roots that are decided, each once. */
-static void touching_rays(void **state) {
+TEST(touching_rays) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -221,7 +214,6 @@ static void touching_rays(void **state) {
         {"(x - 1)^3 (x - 1.0009765625)^2 (x + 3)", {{0, 5, 0}, {1, 1, 0}, -7, 7}, 3, {-3, 1, 1.0009765625}},
         {"(x^2 + y^2 - 2)^2 - z^2", {{-3, 1, 0}, {1, 0, 0}, 0, INFINITY}, 2, {2, 4}},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         intersect_equation(&c, rows[i].equation);
         c.ray = rows[i].ray;
@@ -234,13 +226,4 @@ static void touching_rays(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(hairs_apart),
-                                       cmocka_unit_test(exactly),
-                                       cmocka_unit_test(roots_of_all_sizes),
-                                       cmocka_unit_test(random_rays),
-                                       cmocka_unit_test(what_becomes_of_undecided),
-                                       cmocka_unit_test(touching_rays),
-                                       cmocka_unit_test(bad_options)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect certified"); }

@@ -4,25 +4,12 @@
  * Catches: magnitude or argument taken from the re-centred parameter instead of from the eye, a wrong
  * power of the scale in the imaginary part, a normal that is not that of the surface shown, answers
  * that depend on start values, what underflow takes from an imaginary part or an end of the ray forgotten. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <string.h>
-
 #include "algsurf/intersect.h"
 #include "exact.h"
+#include "scenes.h"
+#include "unit.h"
 
 static const double pi = 3.141592653589793;
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
-    return surface;
-}
 
 static algsurf_complex_space space_of(double sigma, double delta) {
     return (algsurf_complex_space){.size = sizeof(algsurf_complex_space), .sector = {sigma, delta}};
@@ -39,13 +26,12 @@ static algsurf_ray ray_towards(const double eye[3], const double target[3]) {
 static algsurf_hit hit_of(const algsurf_surface *s, const algsurf_ray *ray,
                           const algsurf_complex_space *space) {
     algsurf_hit hit;
-    assert_int_equal(algsurf_intersect_complex(s, NULL, ray, space, NULL, NULL, &hit, NULL), ALGSURF_OK);
+    assert_ok(algsurf_intersect_complex(s, NULL, ray, space, NULL, NULL, &hit, NULL));
     return hit;
 }
 
 /* Real space is sigma = 0 and a small delta: the same hits as the real branch. */
-static void test_real_space(void **state) {
-    (void)state;
+TEST(test_real_space) {
     const char *equations[] = {"x^2+y^2+z^2=1", "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", "x^2 z+y^2",
                                "(x^2+y^2+z^2+5.44)^2 = 25 (x^2+y^2)"};
     const algsurf_complex_space space = space_of(0, 1e-10);
@@ -59,7 +45,7 @@ static void test_real_space(void **state) {
             for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
             algsurf_ray ray = ray_towards(eye, target);
             algsurf_hit real, complex = hit_of(s, &ray, &space);
-            assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
             if (complex.state == ALGSURF_UNDECIDED || real.state == ALGSURF_UNDECIDED) continue;
             assert_int_equal(complex.state, real.state);
             if (real.state != ALGSURF_HIT) continue;
@@ -89,8 +75,7 @@ static double sphere_magnitude(const algsurf_ray *ray, double m, double delta) {
     return best;
 }
 
-static void test_complex_sphere(void **state) {
-    (void)state;
+TEST(test_complex_sphere) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     uint64_t seed = 11;
     int seen = 0, lost = 0;
@@ -119,8 +104,7 @@ static void test_complex_sphere(void **state) {
 }
 
 /* The normal is orthogonal to how the shown point moves when the direction turns. */
-static void test_normal(void **state) {
-    (void)state;
+TEST(test_normal) {
     algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
     algsurf_complex_space space = space_of(0, pi / 6);
     uint64_t seed = 5;
@@ -158,8 +142,7 @@ static void test_normal(void **state) {
 }
 
 /* Start values change the time, not the answer. */
-static void test_start_values(void **state) {
-    (void)state;
+TEST(test_start_values) {
     algsurf_surface *s = surface_of("x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8");
     algsurf_complex_space space = space_of(0, pi / 10);
     algsurf_complex roots[4], again[4];
@@ -171,11 +154,9 @@ static void test_start_values(void **state) {
         double target[3];
         for (int k = 0; k < 3; k++) target[k] = 2 * exact_random_unit(&seed);
         algsurf_ray ray = ray_towards(eye, target);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, roots, &cold, NULL));
         for (int k = 0; k < 4; k++) roots[k].re *= 1.01, roots[k].im *= 0.97;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, roots, again, &warm, NULL));
         assert_int_equal(cold.state, warm.state);
         if (cold.state != ALGSURF_HIT) continue;
         assert_memory_equal(&cold.t, &warm.t, sizeof cold.t);
@@ -184,14 +165,13 @@ static void test_start_values(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_far_eye(void **state) {
-    (void)state;
+TEST(test_far_eye) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     const algsurf_complex_space space = space_of(0, 1e-10);
     const double eye[3] = {6e5, 5e5, 4e5}, target[3] = {0.1, 0.2, 0.3};
     algsurf_ray ray = ray_towards(eye, target);
     algsurf_hit real, hit = hit_of(s, &ray, &space);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &real), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &real));
     assert_int_equal(hit.state, ALGSURF_HIT);
     assert_true(fabs(hit.t - real.t) <= 4e-16 * real.t);
     for (int k = 0; k < 3; k++) assert_true(fabs(hit.position[k] - real.position[k]) < 1e-12);
@@ -200,7 +180,7 @@ static void test_far_eye(void **state) {
 
 /* A ray in the surface, one beyond the range of double, one that touches: undecided, and why; without a root
  * to show there is none in root, and the hit is where the ray begins. */
-static void test_undecided(void **state) {
+TEST(test_undecided) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -212,14 +192,12 @@ static void test_undecided(void **state) {
         {"x^2+y^2+z^2=1", {{1, 0, -5}, {0, 0, 1}, 0, 10}, ALGSURF_UNDECIDED_MULTIPLE, 5},
     };
     const algsurf_complex_space space = space_of(0, 1e-10);
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         algsurf_surface *s = surface_of(cases[i].equation);
         const algsurf_ray *ray = &cases[i].ray;
         algsurf_complex root = {0, 0};
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, ray, &space, NULL, NULL, &hit, &root));
         assert_int_equal(hit.state, ALGSURF_UNDECIDED);
         assert_int_equal(hit.reason, cases[i].reason);
         assert_true(hit.t_lo <= hit.t && hit.t <= hit.t_hi && fabs(hit.t - cases[i].t) < 1e-6);
@@ -236,7 +214,7 @@ static void test_undecided(void **state) {
 
 /* Positions beyond the range of double, of hits and of what is undecided, are clamped to it, and t is finite.
  * Catches: positions from t without the clamp, or of a frame that has overflowed; a t that has. */
-static void test_beyond_range(void **state) {
+TEST(test_beyond_range) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -248,12 +226,10 @@ static void test_beyond_range(void **state) {
         {"y^2 - 1e-300 x", {{0.5, 0, 0.25}, {1e200, 1, 0}, 0, HUGE_VAL}, ALGSURF_HIT},
     };
     const algsurf_complex_space space = space_of(0, 1);
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         algsurf_surface *s = surface_of(cases[i].equation);
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &cases[i].ray, &space, NULL, NULL, &hit, NULL));
         assert_int_equal(hit.state, cases[i].state);
         assert_true(isfinite(hit.t) == (hit.state != ALGSURF_MISS) && hit.t_lo <= hit.t && hit.t <= hit.t_hi);
         for (int k = 0; k < 3; k++) assert_true(isfinite(hit.position[k]));
@@ -273,7 +249,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
     algsurf_complex_space space = space_of(0, delta);
     algsurf_surface *s = NULL;
     space.imaginary[0] = p->m, space.imaginary[1] = p->k;
-    assert_int_equal(algsurf_surface_from_terms(terms, 1, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 1, &s));
     algsurf_hit hit = hit_of(s, &ray, &space);
     algsurf_surface_free(s);
     if (hit.state != ALGSURF_MISS && !exact_between(hit.t_lo, size, hit.t_hi)) {
@@ -286,8 +262,7 @@ static int state_of(const plane *p, double delta, const mpq_t size) {
 
 /* Imaginary parts down to the smallest double: their roots are not real, however near.  From x = 0, where
  * t = -i m/(a d), and from before the plane, also with the middle of the ray on it. */
-static void test_small_imaginary(void **state) {
-    (void)state;
+TEST(test_small_imaginary) {
     static const double from[][3] = {
         {0, 1, INFINITY}, {0, 0x1p50, INFINITY}, {-3, 1, INFINITY}, {-0x3p-10, 1, 0x6p-10}};
     static const double factors[] = {1, 1.25, 1.75}, parts[] = {1, -1, 3, -7};
@@ -317,8 +292,7 @@ static void test_small_imaginary(void **state) {
 }
 
 /* The root 0 is before t_min, even where t_min is 0 in the surface's unit. */
-static void test_small_t_min(void **state) {
-    (void)state;
+TEST(test_small_t_min) {
     algsurf_surface *s = surface_of("x^2 + 1024 x");
     const algsurf_complex_space space = space_of(0, 1);
     algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
@@ -331,8 +305,7 @@ static void test_small_t_min(void **state) {
 }
 
 /* Roots of nearly the same magnitude, x^2 + 2^-k x - 1 from 0, seen in all directions. */
-static void test_rivals(void **state) {
-    (void)state;
+TEST(test_rivals) {
     int decided = 0;
     for (int k = 1; k <= 200; k++) {
         const algsurf_term terms[] = {{2, 0, 0, 1}, {1, 0, 0, ldexp(1, -k)}, {0, 0, 0, -1}};
@@ -341,9 +314,8 @@ static void test_rivals(void **state) {
         algsurf_surface *s = NULL;
         algsurf_complex root;
         algsurf_hit hit;
-        assert_int_equal(algsurf_surface_from_terms(terms, 3, &s), ALGSURF_OK);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 3, &s));
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         algsurf_surface_free(s);
         if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
@@ -354,8 +326,7 @@ static void test_rivals(void **state) {
 
 /* Of the roots 3 + i and 3 - i, moved by an imaginary part m t, the first becomes the smaller; without one
  * they are conjugates, and the hit is decided. */
-static void test_conjugates(void **state) {
-    (void)state;
+TEST(test_conjugates) {
     const algsurf_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, HUGE_VAL};
     algsurf_surface *s = surface_of("x^2 - 6 x + 10");
     algsurf_complex_space space = space_of(0, 0.5);
@@ -365,8 +336,7 @@ static void test_conjugates(void **state) {
     int decided = 0;
     for (int k = 4; k <= 1074; k++) {
         space.imaginary[1] = ldexp(k % 2 ? 1 : -1, -k);
-        assert_int_equal(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root),
-                         ALGSURF_OK);
+        assert_ok(algsurf_intersect_complex(s, NULL, &ray, &space, NULL, NULL, &hit, &root));
         if (hit.state == ALGSURF_UNDECIDED) continue;
         decided++;
         if (hit.state != ALGSURF_HIT || (root.im > 0) != (k % 2))
@@ -377,22 +347,20 @@ static void test_conjugates(void **state) {
 }
 
 /* The root is 2^-107 outside of the ball; nearer to it than doubles place the chord's end. */
-static void test_edge_of_the_extent(void **state) {
+TEST(test_edge_of_the_extent) {
     static const algsurf_ray ray = {{-8192, 0x1.b399999d00ccdp-22, 0}, {1, 0, 0}, 0, HUGE_VAL};
     static const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 0, 0, -0x1.ffffffffffd1bp-1}};
     const algsurf_complex_space space = space_of(0, 0);
     algsurf_surface *s = NULL;
     algsurf_hit hit;
-    (void)state;
-    assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    assert_ok(algsurf_intersect_complex(s, &ball, &ray, &space, NULL, NULL, &hit, NULL));
     assert_int_equal(hit.state, ALGSURF_MISS);
     algsurf_surface_free(s);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     algsurf_surface *s = surface_of("x^2+y^2+z^2=1");
     const algsurf_ray ray = {{-4, 0, 0}, {1, 0, 0}, 0, HUGE_VAL}, bad_ray = {{NAN, 0, 0}, {1, 0, 0}, 0, 1};
     const algsurf_extent bad_extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {-1, 0, 0}};
@@ -434,15 +402,4 @@ static void test_bad_arguments(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_space),    cmocka_unit_test(test_complex_sphere),
-        cmocka_unit_test(test_normal),        cmocka_unit_test(test_start_values),
-        cmocka_unit_test(test_far_eye),       cmocka_unit_test(test_undecided),
-        cmocka_unit_test(test_beyond_range),  cmocka_unit_test(test_edge_of_the_extent),
-        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_small_imaginary),
-        cmocka_unit_test(test_small_t_min),   cmocka_unit_test(test_rivals),
-        cmocka_unit_test(test_conjugates),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect complex"); }

@@ -10,8 +10,6 @@
  */
 #include "intersect_case.h"
 
-#include <float.h>
-
 #include "rays/exact_ray.h"
 
 #define SEED 71u
@@ -136,9 +134,8 @@ static void judge_complex(const edge_case *e, int round) {
     intersect_answer a = {.count = 0};
     int first = 0;
     while (first < PLANES && e->sign[first] < 0) first++;
-    assert_int_equal(
-        algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_intersect_complex(e->c.surface, &e->extent, &e->c.ray, &space, NULL, NULL, &a.first, NULL));
     if (a.first.state != (first < PLANES ? ALGSURF_HIT : ALGSURF_MISS))
         refuse(e, &a, "in complex space", round);
     if (first < PLANES && !exact_between(a.first.t_lo, e->root[first], a.first.t_hi))
@@ -162,11 +159,10 @@ static void judge(const edge_case *e, int round, int *ties) {
     *ties += e->sign[0] == 0 || e->sign[1] == 0;
 }
 
-static void roots_at_the_edge(void **state) {
+TEST(roots_at_the_edge) {
     uint64_t seed = SEED;
     int rounds = 0, ties = 0, inside = 0;
     static edge_case e;
-    (void)state;
     mpq_inits(e.root[0], e.root[1], NULL);
     for (int i = 0; i < ROUNDS; i++) {
         if (!make_planes(&e, &seed)) continue;
@@ -183,10 +179,9 @@ static void roots_at_the_edge(void **state) {
 
 /* Extents as large as the largest double, or a little smaller, and planes that the ray meets at their very
  * end: no margin can be added to such a size. */
-static void largest_extents(void **state) {
+TEST(largest_extents) {
     uint64_t seed = SEED;
     int hits = 0, misses = 0;
-    (void)state;
     for (int i = 0; i < 2000; i++) {
         static intersect_case c;
         intersect_answer a;
@@ -218,7 +213,7 @@ static void largest_extents(void **state) {
 
 /* Lines that all but touch the extent, which the surface z = y crosses where they are nearest to its centre.
  */
-static void grazing_lines(void **state) {
+TEST(grazing_lines) {
     static const struct {
         double height, radius;
         int sphere, box;
@@ -229,7 +224,6 @@ static void grazing_lines(void **state) {
         {1, 0x1.0000000000001p0, ALGSURF_HIT, ALGSURF_HIT},
         {1, 0x1.fffffffffffffp-1, ALGSURF_MISS, ALGSURF_MISS},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int kind = ALGSURF_EXTENT_SPHERE; kind <= ALGSURF_EXTENT_BOX; kind++) {
             intersect_answer a;
@@ -249,7 +243,7 @@ static void grazing_lines(void **state) {
 /* Cases that were wrong: a first entry that dissolves while a later one is at an edge; extents near the
  * largest double; a ray in the surface of which one point is in the extent; a chord that is one point; a long
  * box. */
-static void found_before(void **state) {
+TEST(found_before) {
     const int ball = ALGSURF_EXTENT_SPHERE, box = ALGSURF_EXTENT_BOX;
     const double inf = INFINITY;
     const struct {
@@ -285,7 +279,6 @@ static void found_before(void **state) {
          1},
         {"x^2", {{5, 0, 0}, {0x1p-1074, 0, 0}, -inf, inf}, {ALGSURF_EXTENT_ALL, {0, 0, 0}, {0}}, 1, 2},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         static intersect_case c;
         intersect_answer a;
@@ -299,15 +292,14 @@ static void found_before(void **state) {
 }
 
 /* With coefficients that are not exact, edges far from a root do not make it undecided. */
-static void a_long_box(void **state) {
+TEST(a_long_box) {
     const algsurf_extent extent = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1e15, 1, 1}};
     static intersect_case c;
     intersect_answer a;
     algsurf_surface *exact;
-    (void)state;
     intersect_equation(&c, "x - 1");
     exact = c.surface;
-    assert_int_equal(algsurf_surface_with_error(exact, 1e-10, &c.surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(exact, 1e-10, &c.surface));
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     intersect_ask(&c, &extent, NULL, &a);
     if (a.first.state != ALGSURF_HIT || a.count != 1) intersect_fail("a long box", &c, &a);
@@ -344,9 +336,8 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
     algsurf_ray ray = beside;
     int next = 0, n = 0;
     ray.t_min = lo, ray.t_max = hi;
-    assert_int_equal(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL,
-                                           ALGSURF_DEFAULT_MEMORY, NULL, found, 8, &n),
-                     ALGSURF_OK);
+    assert_ok(algsurf_i_exact_roots(surface, &everywhere, &ray, ALGSURF_WANT_ALL, ALGSURF_DEFAULT_MEMORY,
+                                    NULL, found, 8, &n));
     qsort(roots, (size_t)count, sizeof *roots, in_order);
     for (int i = 0; i < count; i++) {
         if (!hair_between(roots[i], lo, hi)) continue;
@@ -362,10 +353,9 @@ static void find_hairs(const algsurf_surface *surface, hair *roots, int count, d
 /* A place that is set apart ends some doubles before and behind its two roots, and what is beside it begins
  * there.  A root at each double around them, by itself or with two more behind it, before it, or a place
  * further on, which are set apart in their turn; and intervals that begin or end at one of these doubles. */
-static void ends_of_parts(void **state) {
+TEST(ends_of_parts) {
     enum { AROUND = 6 };
     static const hair more[] = {{0, 0}, {0, 1}, {0, -1}, {AROUND, 1}}; /* from that root on; 0: none */
-    (void)state;
     for (int k = -AROUND; k <= AROUND; k++)
         for (int i = 0; i < 4; i++) {
             char text[200], pair[100] = "";
@@ -427,11 +417,10 @@ static void judge_bounded(const edge_case *e, int round, int *undecided) {
     *undecided += report.first.state == ALGSURF_UNDECIDED;
 }
 
-static void undecided_at_the_edge(void **state) {
+TEST(undecided_at_the_edge) {
     uint64_t seed = SEED + 1;
     int undecided = 0, rounds = 0;
     static edge_case e;
-    (void)state;
     mpq_inits(e.root[0], e.root[1], NULL);
     for (int i = 0; i < ROUNDS; i++) {
         if (!make_planes(&e, &seed)) continue;
@@ -446,11 +435,4 @@ static void undecided_at_the_edge(void **state) {
         fail_msg("seed %u: %d rounds, %d undecided", SEED, rounds, undecided);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots_at_the_edge),    cmocka_unit_test(largest_extents),
-        cmocka_unit_test(grazing_lines),        cmocka_unit_test(found_before),
-        cmocka_unit_test(a_long_box),           cmocka_unit_test(ends_of_parts),
-        cmocka_unit_test(undecided_at_the_edge)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect edges"); }

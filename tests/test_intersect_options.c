@@ -42,7 +42,7 @@ static void random_ray(uint64_t *seed, int length) {
 static double promised(double t, double tolerance) {
     double x[3], value, gradient[3], size = 0;
     for (int i = 0; i < 3; i++) x[i] = fma(t, c.ray.direction[i], c.ray.origin[i]);
-    assert_int_equal(algsurf_surface_gradient(c.surface, x, &value, gradient, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_gradient(c.surface, x, &value, gradient, NULL, NULL));
     for (int k = 0; k < c.count; k++)
         size +=
             fabs(c.terms[k].a * pow(x[0], c.terms[k].i) * pow(x[1], c.terms[k].j) * pow(x[2], c.terms[k].k));
@@ -78,8 +78,7 @@ static double try_tolerances(const catalogue_entry *entry, double root) {
 
 /* One pixel in 8 x 8 of a picture of 96 x 72, the one named among them: there rounding moves the root of the
  * polynomial along the chord by 2e-11, 2e-11 and 4e-10.  The largest tolerance is to be seen. */
-static void test_tolerance_and_rounding(void **state) {
-    (void)state;
+TEST(test_tolerance_and_rounding) {
     static const struct {
         const char *name;
         int x, y;
@@ -90,16 +89,14 @@ static void test_tolerance_and_rounding(void **state) {
         double seen = 0;
         int hits = 0;
         intersect_equation(&c, entry->equation);
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         for (int pixel = 0; pixel < 9 * 12; pixel++) {
             double x = hard[i].x % 8 + pixel % 12 * 8 + 0.5, y = hard[i].y % 8 + pixel / 12 * 8 + 0.5;
             algsurf_hit known;
             int meets;
-            assert_int_equal(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray), ALGSURF_OK);
-            assert_int_equal(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets), ALGSURF_OK);
-            assert_int_equal(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known),
-                             ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, 96, 72, x, y, &c.ray));
+            assert_ok(algsurf_extent_clip(&entry->extent, &c.ray, &c.ray, &meets));
+            assert_ok(algsurf_intersect_first(c.surface, &entry->extent, &c.ray, NULL, &known));
             if (!meets || known.state != ALGSURF_HIT) continue;
             exact_sturm s = exact_sturm_along(c.terms, c.count, c.degree, &c.ray);
             double root = exact_root(&s, known.t_lo, known.t_hi, 0);
@@ -112,8 +109,7 @@ static void test_tolerance_and_rounding(void **state) {
     }
 }
 
-static void test_methods_and_tolerances(void **state) {
-    (void)state;
+TEST(test_methods_and_tolerances) {
     static const double tolerances[] = {0, 1e-12, 1e-7, 1e-3};
     uint64_t seed = SEED;
     int hits = 0, short_of = 0;
@@ -155,8 +151,7 @@ static void test_methods_and_tolerances(void **state) {
 }
 
 /* A small limit of iterations: the state is as proved as ever, t is what there was. */
-static void test_iteration_limit(void **state) {
-    (void)state;
+TEST(test_iteration_limit) {
     algsurf_intersect_options options = defaults;
     options.method = ALGSURF_METHOD_BISECTION, options.max_iterations = 3, options.absolute_tolerance = 1e-9;
     intersect_equation(&c, equations[0]);
@@ -186,8 +181,7 @@ static void expect(algsurf_status wanted, const algsurf_surface *s, const algsur
     assert_true(count == 77 && (int)occluded == 77);
 }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     const algsurf_ray good = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     const algsurf_extent sphere = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     algsurf_extent extent = sphere;
@@ -216,8 +210,7 @@ static void test_bad_input(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-static void test_capacity(void **state) {
-    (void)state;
+TEST(test_capacity) {
     const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     algsurf_hit hits[2], untouched[2];
     int count = 77;
@@ -227,13 +220,12 @@ static void test_capacity(void **state) {
     assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 1, &count), ALGSURF_E_ARGUMENT);
     assert_memory_equal(hits, untouched, sizeof hits);
     assert_int_equal(count, 77);
-    assert_int_equal(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(c.surface, NULL, &ray, NULL, hits, 2, &count));
     assert_int_equal(count, 2);
     algsurf_surface_free(c.surface);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_ray ray = {{0.1, 0.2, -4}, {0, 0, 1}, 0, 9};
     const algsurf_extent *all = NULL;
     struct {
@@ -258,8 +250,7 @@ static void test_options(void **state) {
 
 /* ---- the environment ---- */
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(test_environment) {
     uint64_t seed = SEED;
     for (int e = 0; e < EQUATIONS; e++) {
         intersect_equation(&c, equations[e]);
@@ -290,15 +281,4 @@ static void test_environment(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_methods_and_tolerances),
-        cmocka_unit_test(test_tolerance_and_rounding),
-        cmocka_unit_test(test_iteration_limit),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_capacity),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect options"); }

@@ -7,14 +7,13 @@
  * neighbours, a mask or a count not looked at, rays not checked, a kernel that undecided everything, an
  * environment left as the caller's, a single call with other bits than a packet.
  */
-#include <float.h>
-
 #include "intersect_case.h"
 
 #include "catalogue.h"
 #include "environments.h"
 #include "rays/exact_ray.h"
 #include "rays/packets.h"
+#include "scenes.h"
 
 #define SEED 47u
 enum { MOST = 33 };
@@ -130,8 +129,8 @@ static void judge_single(const packet_case *c, int i, const algsurf_extent *exte
     algsurf_ray ray = ray_at(c, i);
     algsurf_hit single, hit = hit_at(c, i);
     int occluded;
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, options, &single), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(surface, extent, &ray, options, &occluded), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, options, &single));
+    assert_ok(algsurf_occluded(surface, extent, &ray, options, &occluded));
     if ((single.reason != ALGSURF_OK) != (single.state == ALGSURF_UNDECIDED))
         packet_fail("a reason to be undecided", c, i, &single);
     single.reason = ALGSURF_OK; /* packets do not tell */
@@ -145,9 +144,8 @@ static algsurf_hit exact_hit(const algsurf_ray *ray, const algsurf_extent *exten
     algsurf_i_ray_root root;
     int count = 0;
     algsurf_hit hit = {.state = ALGSURF_MISS, .t = INFINITY, .t_lo = INFINITY, .t_hi = INFINITY};
-    assert_int_equal(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST,
-                                           ALGSURF_DEFAULT_MEMORY, NULL, &root, 1, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_i_exact_roots(surface, &region, ray, ALGSURF_WANT_FIRST, ALGSURF_DEFAULT_MEMORY, NULL,
+                                    &root, 1, &count));
     if (count == 0) return hit;
     hit = (algsurf_hit){.state = ALGSURF_HIT,
                         .multiplicity = root.multiplicity,
@@ -194,7 +192,7 @@ static void judge_all(int count, const algsurf_extent *extent) {
         const algsurf_intersect_options options = {.size = sizeof options, .kernel = algsurf_kernel_name(k)};
         packet_case *c = k ? &q : &p;
         if (k) q = p, memset(q.state, 9, (size_t)count), memset(q.t, 9, (size_t)count * sizeof *q.t);
-        assert_int_equal(ask(c, 0, count, extent, &options), ALGSURF_OK);
+        assert_ok(ask(c, 0, count, extent, &options));
         for (int i = 0; k == 0 && i < count; i++) judge(c, i, extent, &options);
         if (k && memcmp(&p, &q, sizeof p) != 0) fail_msg("seed %u: %s differs", SEED, options.kernel);
     }
@@ -220,7 +218,7 @@ static algsurf_ray ray_from(uint64_t *seed, const algsurf_extent *e, double dist
 static int find_hit(uint64_t *seed, const algsurf_extent *e, double distance, algsurf_ray *ray,
                     algsurf_hit *hit) {
     *ray = ray_from(seed, e, distance);
-    assert_int_equal(algsurf_intersect_first(surface, e, ray, NULL, hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, e, ray, NULL, hit));
     return hit->state == ALGSURF_HIT;
 }
 
@@ -298,12 +296,10 @@ static void judge_kind(uint64_t *seed, const catalogue_entry *entry, enum kind k
     }
 }
 
-static void test_catalogue(void **state) {
-    (void)state;
+TEST(test_catalogue) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         tallied = (tally){0};
         for (int kind = 0; kind < KINDS; kind++)
@@ -317,8 +313,7 @@ static void test_catalogue(void **state) {
 }
 
 /* Surfaces whose terms cancel: their values are small against the rounding of the terms. */
-static void test_cancellation(void **state) {
-    (void)state;
+TEST(test_cancellation) {
     static const char *const equations[] = {
         "(x-9)^2 + (y-300)^2 + (z-2)^2 - 1",
         "(x-20)^4 - 5(x-20)^2 + (y-20)^4 - 5(y-20)^2 + (z+20)^4 - 5(z+20)^2 + 11.8",
@@ -328,8 +323,7 @@ static void test_cancellation(void **state) {
     uint64_t seed = SEED;
     tallied = (tally){0};
     for (int i = 0; i < 3; i++) {
-        algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(equations[i]);
         surface = s;
         const algsurf_extent ball = {
             ALGSURF_EXTENT_SPHERE, {centres[i][0], centres[i][1], centres[i][2]}, {3, 0, 0}};
@@ -364,12 +358,10 @@ static algsurf_extent ball_through(uint64_t *seed, const algsurf_ray *ray, const
 }
 
 /* The extent ends where the surface is hit, to the last digits. */
-static void test_hits_on_the_extent(void **state) {
-    (void)state;
+TEST(test_hits_on_the_extent) {
     const catalogue_entry *entry = catalogue_find("tangle");
-    algsurf_surface *s;
     uint64_t seed = SEED;
-    assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+    algsurf_surface *s = surface_of(entry->equation);
     surface = s;
     tallied = (tally){0};
     for (int round = 0; round < 1500; round++) {
@@ -395,8 +387,7 @@ static void test_hits_on_the_extent(void **state) {
 }
 
 /* Exactly tangent, exactly at the ends, along double lines. */
-static void test_undecided_rays(void **state) {
-    (void)state;
+TEST(test_undecided_rays) {
     static const struct {
         const char *equation;
         algsurf_ray ray;
@@ -421,8 +412,7 @@ static void test_undecided_rays(void **state) {
     const algsurf_extent wide = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {64, 0, 0}};
     tallied = (tally){0};
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
-        algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(odd[i].equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(odd[i].equation);
         surface = s;
         put_ray(&p, 0, &odd[i].ray);
         judge_all(1, NULL);
@@ -433,17 +423,6 @@ static void test_undecided_rays(void **state) {
 }
 
 static intersect_case c;
-
-static int random_surface(uint64_t *seed, int n) {
-    algsurf_term terms[24];
-    int count = 2 + exact_random_int(seed, 20);
-    for (int i = 0; i < count; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        terms[i] = (algsurf_term){e[0], e[1], e[2], exact_random_wide(seed, -2, 2)};
-    }
-    return intersect_terms(&c, terms, count);
-}
 
 /* Ray i of the packet, with the packet's answers in place of a single call's, judged by a Sturm chain. */
 static int judge_exactly(int i, double *error) {
@@ -469,12 +448,11 @@ static int judge_exactly(int i, double *error) {
     return s.count > 0;
 }
 
-static void test_exact(void **state) {
-    (void)state;
+TEST(test_exact) {
     uint64_t seed = SEED;
     int judged = 0, hits = 0, precise = 0;
     for (int round = 0; round < 60; round++) {
-        if (!random_surface(&seed, 1 + round % 12)) continue;
+        if (!intersect_random(&c, &seed, 1 + round % 12, 0)) continue;
         surface = c.surface;
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = {.t_min = 0};
@@ -488,7 +466,7 @@ static void test_exact(void **state) {
             ray.t_max = exact_random_int(&seed, 8) ? eye + 4 : 1e4;
             put_ray(&p, i, &ray);
         }
-        assert_int_equal(ask(&p, 0, MOST, NULL, NULL), ALGSURF_OK);
+        assert_ok(ask(&p, 0, MOST, NULL, NULL));
         for (int i = 0; i < MOST; i++) {
             double error = 0;
             if (!judge_exactly(i, &error)) continue;
@@ -513,7 +491,7 @@ static algsurf_surface *dense_surface(uint64_t *seed, int n) {
                 terms[count++] = (algsurf_term){i, j, k, exact_random_unit(seed) * exp(0.5 * ways)};
             }
     algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
     return s;
 }
 
@@ -530,8 +508,7 @@ static int undecided(const algsurf_extent *extent, int any) {
 }
 
 /* Every degree, those without packet code among them; how many rays the packet code decides is counted. */
-static void test_degrees(void **state) {
-    (void)state;
+TEST(test_degrees) {
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.2, 0, 0}};
     const int degrees[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 33, 64};
     uint64_t seed = SEED;
@@ -553,13 +530,11 @@ static void test_degrees(void **state) {
     }
 }
 
-static void test_catalogue_is_decided(void **state) {
-    (void)state;
+TEST(test_catalogue_is_decided) {
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
         int left = 0, rays = 0;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         for (int round = 0; round < 60; round++) {
             for (int i = 0; i < MOST; i++) {
@@ -574,9 +549,7 @@ static void test_catalogue_is_decided(void **state) {
 }
 
 static algsurf_surface *barth(void) {
-    algsurf_surface *s;
-    assert_int_equal(algsurf_surface_from_equation(catalogue_find("barth")->equation, NULL, 0, &s, NULL),
-                     ALGSURF_OK);
+    algsurf_surface *s = surface_of(catalogue_find("barth")->equation);
     surface = s;
     return s;
 }
@@ -592,15 +565,14 @@ static void fill(uint64_t *seed, const algsurf_extent *extent) {
 }
 
 /* Any count, any mask, any split: the same bits, and not a byte of the others touched. */
-static void test_counts_masks_splits(void **state) {
-    (void)state;
+TEST(test_counts_masks_splits) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case untouched = p, whole = p, single = p;
-    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
-    for (int i = 0; i < MOST; i++) assert_int_equal(ask(&single, i, 1, extent, NULL), ALGSURF_OK);
+    assert_ok(ask(&whole, 0, MOST, extent, NULL));
+    for (int i = 0; i < MOST; i++) assert_ok(ask(&single, i, 1, extent, NULL));
     assert_memory_equal(&whole, &single, sizeof whole);
     for (int count = 0; count <= MOST; count++)
         for (int masked = 0; masked < 2; masked++) {
@@ -621,7 +593,7 @@ static void test_counts_masks_splits(void **state) {
                     if (!got.active[i])
                         got.origin[0][i] = wanted.origin[0][i] = i % 2 ? INFINITY : NAN,
                         got.direction[1][i] = wanted.direction[1][i] = 0;
-            assert_int_equal(ask(&got, 0, count, extent, NULL), ALGSURF_OK);
+            assert_ok(ask(&got, 0, count, extent, NULL));
             if (memcmp(&got, &wanted, sizeof got) != 0)
                 fail_msg("seed %u: count %d, masked %d", SEED, count, masked);
         }
@@ -629,15 +601,14 @@ static void test_counts_masks_splits(void **state) {
 }
 
 /* Every array but state may be missing; t_min and t_max then are 0 and infinity. */
-static void test_missing_arrays(void **state) {
-    (void)state;
+TEST(test_missing_arrays) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
     fill(&seed, extent);
     packet_case untouched = p, whole = p;
     for (int i = 0; i < MOST; i++) whole.t_min[i] = 0, whole.t_max[i] = INFINITY;
-    assert_int_equal(ask(&whole, 0, MOST, extent, NULL), ALGSURF_OK);
+    assert_ok(ask(&whole, 0, MOST, extent, NULL));
     algsurf_ray_packet rays = {.size = sizeof rays, .count = MOST};
     for (int k = 0; k < 3; k++) rays.origin[k] = p.origin[k], rays.direction[k] = p.direction[k];
     for (int given = 0; given < 10; given++) { /* the one result asked for; 9: none */
@@ -653,7 +624,7 @@ static void test_missing_arrays(void **state) {
                                     &hits.position[0], &hits.position[1], &hits.position[2],
                                     &hits.normal[0],   &hits.normal[1],   &hits.normal[2]};
         if (given < 9) *members[given] = results[given];
-        assert_int_equal(algsurf_intersect_packet(s, extent, &rays, NULL, &hits), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, extent, &rays, NULL, &hits));
         assert_memory_equal(got.state, whole.state, sizeof got.state);
         for (int i = 0; i < 9; i++)
             assert_memory_equal(results[i], i == given ? wanted[i] : untouched.t, sizeof untouched.t);
@@ -669,8 +640,7 @@ static void refuse(algsurf_status expected, const algsurf_extent *extent,
     assert_memory_equal(&p, &before, sizeof p);
 }
 
-static void test_errors(void **state) {
-    (void)state;
+TEST(test_errors) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -713,13 +683,12 @@ static void test_errors(void **state) {
         assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &hits), ALGSURF_E_ARGUMENT);
     const algsurf_ray_packet none = {.size = sizeof none};
     const algsurf_hit_packet nowhere = {.size = sizeof nowhere};
-    assert_int_equal(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere), ALGSURF_OK);
-    assert_int_equal(algsurf_occluded_packet(s, extent, &none, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(s, extent, &none, NULL, &nowhere));
+    assert_ok(algsurf_occluded_packet(s, extent, &none, NULL, NULL));
     algsurf_surface_free(s);
 }
 
-static void test_kernel_names(void **state) {
-    (void)state;
+TEST(test_kernel_names) {
     const algsurf_ray ray = {{0, 0, -4}, {0, 0, 1}, 0, 9};
     algsurf_surface *s = barth();
     algsurf_intersect_options options = {.size = sizeof options};
@@ -730,7 +699,7 @@ static void test_kernel_names(void **state) {
         char name[16];
         snprintf(name, sizeof name, "%s", algsurf_kernel_name(count++));
         options.kernel = name;
-        assert_int_equal(algsurf_intersect_first(s, NULL, &ray, &options, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(s, NULL, &ray, &options, &hit));
     }
     assert_true(count >= 1 && count <= 3);
     assert_string_equal(algsurf_kernel_name(count - 1), "baseline");
@@ -743,8 +712,7 @@ static void test_kernel_names(void **state) {
 }
 
 /* Other methods, limits and tolerances: the bits of single calls, or as near as asked. */
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -753,21 +721,21 @@ static void test_options(void **state) {
         algsurf_intersect_options options = {.size = sizeof options, .method = method};
         options.max_iterations = method == ALGSURF_METHOD_DEFAULT ? 100 : 0;
         options.absolute_tolerance = 1e-4;
-        assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+        assert_ok(ask(&p, 0, MOST, extent, &options));
         for (int i = 0; i < MOST; i++) {
             algsurf_ray ray = ray_at(&p, i);
             algsurf_hit single, hit = hit_at(&p, i);
-            assert_int_equal(algsurf_intersect_first(s, extent, &ray, &options, &single), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, extent, &ray, &options, &single));
             single.reason = ALGSURF_OK;
             assert_memory_equal(&hit, &single, sizeof hit);
         }
     }
     algsurf_intersect_options options = {.size = sizeof options, .absolute_tolerance = 1e-4};
-    assert_int_equal(ask(&p, 0, MOST, extent, &options), ALGSURF_OK);
+    assert_ok(ask(&p, 0, MOST, extent, &options));
     for (int i = 0; i < MOST; i++) {
         algsurf_ray ray = ray_at(&p, i);
         algsurf_hit exact;
-        assert_int_equal(algsurf_intersect_first(s, extent, &ray, NULL, &exact), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(s, extent, &ray, NULL, &exact));
         assert_int_equal(p.state[i], exact.state);
         if (p.state[i] == ALGSURF_HIT) assert_true(fabs(p.t[i] - exact.t) <= 1e-4);
     }
@@ -775,8 +743,7 @@ static void test_options(void **state) {
 }
 
 /* The same scene larger or smaller, up to sizes that packets leave to single calls. */
-static void test_scales(void **state) {
-    (void)state;
+TEST(test_scales) {
     uint64_t seed = SEED;
     algsurf_term terms[INTERSECT_TERMS];
     tallied = (tally){0};
@@ -807,14 +774,12 @@ static void test_scales(void **state) {
 }
 
 /* Directions 2^k times as long, in the bounded tier: t is 2^-k times as large, all else has the same bits. */
-static void test_lengths(void **state) {
-    (void)state;
+TEST(test_lengths) {
     const int lengths[] = {-700, -300, -101, 101, 300, 700};
     const algsurf_intersect_options options = {.size = sizeof options, .tier = ALGSURF_TIER_BOUNDED};
     uint64_t seed = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(entry->equation);
         surface = s;
         for (int k = 0; k < 6; k++) {
             for (int i = 0; i < MOST; i++) {
@@ -826,8 +791,8 @@ static void test_lengths(void **state) {
                 for (int j = 0; j < 3; j++) q.direction[j][i] = ldexp(p.direction[j][i], lengths[k]);
                 q.t_min[i] = ldexp(p.t_min[i], -lengths[k]), q.t_max[i] = ldexp(p.t_max[i], -lengths[k]);
             }
-            assert_int_equal(ask(&p, 0, MOST, &entry->extent, &options), ALGSURF_OK);
-            assert_int_equal(ask(&q, 0, MOST, &entry->extent, &options), ALGSURF_OK);
+            assert_ok(ask(&p, 0, MOST, &entry->extent, &options));
+            assert_ok(ask(&q, 0, MOST, &entry->extent, &options));
             for (int i = 0; i < MOST; i++) {
                 algsurf_hit plain = hit_at(&p, i), scaled = hit_at(&q, i);
                 scaled.t = ldexp(scaled.t, lengths[k]);
@@ -841,8 +806,7 @@ static void test_lengths(void **state) {
 }
 
 /* Directions, and ends, that underflow or overflow where t is measured in the surface's unit. */
-static void test_out_of_range(void **state) {
-    (void)state;
+TEST(test_out_of_range) {
     const double ends[] = {0, 0x1p-1074, 0x1p-1022, 0x1p-900, 0x1p900, DBL_MAX, INFINITY};
     const double lengths[] = {0x1p-1070, 0x1p-1023, 0x1p-1020, 1, 0x1p1021, 0x1p1023};
     enum { ENDS_COUNT = sizeof ends / sizeof ends[0], LENGTHS_COUNT = sizeof lengths / sizeof lengths[0] };
@@ -854,7 +818,7 @@ static void test_out_of_range(void **state) {
                                           {ALGSURF_EXTENT_BOX, {0, 0, 0}, {size, size, size}}};
         const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 1, 1, 1}, {0, 0, 0, -ldexp(1, k)}};
         algsurf_surface *s;
-        assert_int_equal(algsurf_surface_from_terms(terms, 4, &s), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_terms(terms, 4, &s));
         surface = s;
         for (int i = 0; i < ENDS_COUNT * ENDS_COUNT; i++) {
             for (int j = 0; j < LENGTHS_COUNT; j++) {
@@ -874,22 +838,20 @@ static void test_out_of_range(void **state) {
 }
 
 /* t is subnormal, and not a double: it is between two. */
-static void test_subnormal(void **state) {
-    (void)state;
+TEST(test_subnormal) {
     const algsurf_term terms[] = {{1, 0, 0, 1}, {0, 1, 1, 1}};
     const algsurf_ray ray = {{0x1p-240, 0, 0}, {-3 * 0x1p788, 0, 0}, 0, 0x1p-1028};
     algsurf_surface *s;
     algsurf_hit hit;
-    assert_int_equal(algsurf_surface_from_terms(terms, 2, &s), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, 2, &s));
+    assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
     assert_int_equal(hit.state, ALGSURF_HIT);
     assert_true(0 < hit.t_lo && hit.t_lo < hit.t_hi);
     algsurf_surface_free(s);
 }
 
 /* Extents far larger or smaller than the surface, and far away. */
-static void test_odd_extents(void **state) {
-    (void)state;
+TEST(test_odd_extents) {
     algsurf_surface *s = barth();
     const double sizes[] = {0x1p-1000, 0x1p-500, 0x1p-120, 0x1p-40, 0x1p-20,
                             0x1p20,    0x1p40,   0x1p120,  0x1p500, 0x1p1000};
@@ -908,8 +870,7 @@ static void test_odd_extents(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_environments(void **state) {
-    (void)state;
+TEST(test_environments) {
     const algsurf_extent *extent = &catalogue_find("barth")->extent;
     algsurf_surface *s = barth();
     uint64_t seed = SEED;
@@ -923,7 +884,7 @@ static void test_environments(void **state) {
             algsurf_status status = ask(&q, 0, MOST, extent, &options);
             int same = environment_unset(i);
             assert_true(same);
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             if (k == 0 && i == 0) p = q;
             assert_memory_equal(&q, &p, sizeof p);
         }
@@ -931,26 +892,4 @@ static void test_environments(void **state) {
     algsurf_surface_free(s);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_catalogue),
-        cmocka_unit_test(test_cancellation),
-        cmocka_unit_test(test_hits_on_the_extent),
-        cmocka_unit_test(test_undecided_rays),
-        cmocka_unit_test(test_exact),
-        cmocka_unit_test(test_degrees),
-        cmocka_unit_test(test_catalogue_is_decided),
-        cmocka_unit_test(test_counts_masks_splits),
-        cmocka_unit_test(test_missing_arrays),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_kernel_names),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_lengths),
-        cmocka_unit_test(test_out_of_range),
-        cmocka_unit_test(test_subnormal),
-        cmocka_unit_test(test_odd_extents),
-        cmocka_unit_test(test_environments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect packet"); }

@@ -12,18 +12,6 @@
 static intersect_case c;
 static intersect_answer answer;
 
-static int random_surface(uint64_t *seed, int n, int small) {
-    algsurf_term terms[24];
-    int count = 2 + exact_random_int(seed, 20);
-    for (int i = 0; i < count; i++) {
-        int e[3] = {0, 0, 0}, total = i == 0 ? n : exact_random_int(seed, n + 1);
-        while (total-- > 0) e[exact_random_int(seed, 3)]++;
-        double a = small ? exact_random_int(seed, 9) - 4 : exact_random_wide(seed, -2, 2);
-        terms[i] = (algsurf_term){e[0], e[1], e[2], a};
-    }
-    return intersect_terms(&c, terms, count);
-}
-
 /* Numbers of at most `bits` bits. */
 static double short_number(uint64_t *seed, int bits) {
     return ldexp(floor(ldexp(exact_random_unit(seed), bits)), -bits);
@@ -55,7 +43,7 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
     for (int i = 0; i < rounds; i++) {
         if (i % 4 == 0) {
             algsurf_surface_free(c.surface);
-            if (!random_surface(&seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
+            if (!intersect_random(&c, &seed, 2 + exact_random_int(&seed, most_degree - 1), small)) {
                 c.surface = NULL;
                 i += 3;
                 continue;
@@ -82,33 +70,15 @@ static void judge_family(int rounds, int most_degree, int bits, int small, int l
                  done, certain, hits, measured, precise, narrow);
 }
 
-static void test_low_degrees(void **state) {
-    (void)state;
-    judge_family(4000, 5, 53, 0, 99);
-}
+TEST(test_low_degrees) { judge_family(4000, 5, 53, 0, 99); }
 
-static void test_high_degrees(void **state) {
-    (void)state;
+TEST(test_high_degrees) {
     judge_family(2500, 12, 16, 0, 97); /* some surfaces have coordinate planes as double factors */
 }
 
-static void test_high_degrees_all_bits(void **state) {
-    (void)state;
-    judge_family(300, 12, 53, 0, 97);
-}
+TEST(test_high_degrees_all_bits) { judge_family(300, 12, 53, 0, 97); }
 
 /* Tangencies, double factors, roots at ends, exact multiple roots. */
-static void test_small_integers(void **state) {
-    (void)state;
-    judge_family(3000, 6, 2, 1, 80);
-}
+TEST(test_small_integers) { judge_family(3000, 6, 2, 1, 80); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_low_degrees),
-        cmocka_unit_test(test_high_degrees),
-        cmocka_unit_test(test_high_degrees_all_bits),
-        cmocka_unit_test(test_small_integers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect random"); }

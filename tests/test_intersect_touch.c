@@ -63,8 +63,7 @@ static int plane_in_sphere(const touch *e, double height, int *clear) {
     return over < 0;
 }
 
-static void test_sphere(void **state) {
-    (void)state;
+TEST(test_sphere) {
     uint64_t seed = SEED;
     int judged = 0;
     for (int round = 0; round < ROUNDS; round++) {
@@ -91,8 +90,7 @@ static void test_sphere(void **state) {
 }
 
 /* P vanishes on the face x = +-size alone; the ray enters and leaves through any. */
-static void test_box(void **state) {
-    (void)state;
+TEST(test_box) {
     uint64_t seed = SEED;
     int on_face = 0;
     for (int round = 0; round < ROUNDS; round++) {
@@ -122,8 +120,7 @@ static void test_box(void **state) {
 
 /* P has a root at just one of the two points of the sphere, or one that is off by 2^-52 of it: neither is a
  * multiple of the sphere's equation. */
-static void test_other_surface(void **state) {
-    (void)state;
+TEST(test_other_surface) {
     touch e = {.extent = {.kind = ALGSURF_EXTENT_SPHERE, .size = {1}}};
     e.c.ray = (algsurf_ray){{-3, 0.125, 0.25}, {1, 0x1.5p-6, 0x1.3p-7}, 0, INFINITY};
     intersect_equation(&e.c, "x^2 + y^2 + z^2 - 1 - 2^-51");
@@ -143,8 +140,7 @@ static void test_other_surface(void **state) {
 }
 
 /* Ends of the ray at, and next to, the sphere's points. */
-static void test_backwards(void **state) {
-    (void)state;
+TEST(test_backwards) {
     touch e = {.extent = {.kind = ALGSURF_EXTENT_SPHERE, .size = {1}}};
     algsurf_i_ray_root root[ALGSURF_MAX_DEGREE];
     e.c.ray = (algsurf_ray){{-4, 0, 0}, {1, 0, 0}, 0, INFINITY};
@@ -154,10 +150,8 @@ static void test_backwards(void **state) {
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         int count = 0;
         e.c.ray.t_min = ends[i][0], e.c.ray.t_max = ends[i][1];
-        assert_int_equal(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, ALGSURF_WANT_ALL,
-                                               ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE,
-                                               &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_i_exact_roots(e.c.surface, &region, &e.c.ray, ALGSURF_WANT_ALL,
+                                        ALGSURF_DEFAULT_MEMORY, NULL, root, ALGSURF_MAX_DEGREE, &count));
         int first = ends[i][0] <= 3 ? 0 : 1, last = ends[i][1] >= 5;
         assert_int_equal(count, last - first + 1);
         for (int k = first; k <= last; k++) {
@@ -169,17 +163,11 @@ static void test_backwards(void **state) {
 }
 
 /* The ray passes the sphere, which divides P, by 2^-121; close to where it is nearest P has another root. */
-static void test_passing_by(void **state) {
-    (void)state;
+TEST(test_passing_by) {
     touch e = {.extent = {.kind = ALGSURF_EXTENT_SPHERE, .size = {1}}, .wanted = 0};
     e.c.ray = (algsurf_ray){{-4, 1, 0x1p-60}, {1, 0, 0}, 0, 4 + 0x1.5p-24}; /* 4 is not in the middle */
     intersect_equation(&e.c, "(x^2 + y^2 + z^2 - 1)(3 x - 2^-62)");
     judge(&e, 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sphere), cmocka_unit_test(test_box),
-                                       cmocka_unit_test(test_other_surface), cmocka_unit_test(test_backwards),
-                                       cmocka_unit_test(test_passing_by)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("intersect touch"); }

@@ -4,14 +4,8 @@
  * products, quotients and roots left out (subnormals, overflow, limits of the error-free product); a wrong
  * corner for one combination of signs; 0 * inf not 0; the environment not entered; a slope shifted by one in
  * the centred form. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "interval_cases.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 11u
 #define ROUNDS 40000
@@ -126,8 +120,7 @@ static algsurf_interval relative(uint64_t *seed, algsurf_interval a) {
     return isfinite(b.lo) && isfinite(b.hi) ? b : case_interval(seed);
 }
 
-static void test_four_operations(void **state) {
-    (void)state;
+TEST(test_four_operations) {
     uint64_t seed = SEED;
     number lo, hi;
     mpq_inits(lo.q, hi.q, NULL);
@@ -151,8 +144,7 @@ static void test_four_operations(void **state) {
 }
 
 /* Named cases, so that they do not hang on a seed. */
-static void test_extremes(void **state) {
-    (void)state;
+TEST(test_extremes) {
     algsurf_interval big = {DBL_MAX, DBL_MAX}, tiny = {0x1p-1074, 0x1p-1074}, half = {0.5, 0.5};
     algsurf_interval small = {-1e-200, -1e-200}, line = {-INFINITY, INFINITY}, zero = {0, 0},
                      up = {1, INFINITY}, r;
@@ -180,8 +172,7 @@ static void test_extremes(void **state) {
 
 /* ---- one operand ---- */
 
-static void test_squares_and_roots(void **state) {
-    (void)state;
+TEST(test_squares_and_roots) {
     uint64_t seed = SEED;
     number lo, hi, q;
     mpq_inits(lo.q, hi.q, q.q, NULL);
@@ -192,9 +183,9 @@ static void test_squares_and_roots(void **state) {
         number_set(&q, size.lo), mul(&lo, &q, &q);
         number_set(&q, size.hi), mul(&hi, &q, &q);
         require_best("sqr", i, a, a, algsurf_interval_sqr(a), &lo, &hi);
-        assert_int_equal(algsurf_interval_pow(a, 2, &r), ALGSURF_OK);
+        assert_ok(algsurf_interval_pow(a, 2, &r));
         require_best("pow 2", i, a, a, r, &lo, &hi);
-        assert_int_equal(algsurf_interval_sqrt(size, &r), ALGSURF_OK);
+        assert_ok(algsurf_interval_sqrt(size, &r));
         /* best: the ends squared enclose, the next ones inward squared do not */
         for (int k = 0; k < 2; k++) {
             double x = k ? size.hi : size.lo, s = k ? r.hi : r.lo, inward = nextafter(s, k ? -1 : INFINITY);
@@ -221,8 +212,7 @@ static void power(mpq_t y, double x, int n) {
     mpq_clear(q);
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     uint64_t seed = SEED;
     mpq_t y;
     mpq_init(y);
@@ -244,17 +234,16 @@ static void test_powers(void **state) {
     }
     mpq_clear(y);
     algsurf_interval r = {7, 7};
-    assert_int_equal(algsurf_interval_pow((algsurf_interval){-3, 2}, 3, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_pow((algsurf_interval){-3, 2}, 3, &r));
     assert_true(r.lo == -27 && r.hi == 8);
-    assert_int_equal(algsurf_interval_pow((algsurf_interval){-2, -2}, -3, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_pow((algsurf_interval){-2, -2}, -3, &r));
     assert_true(r.lo == -0.125 && r.hi == -0.125);
-    assert_int_equal(algsurf_interval_pow((algsurf_interval){1, 1}, INT32_MIN, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_pow((algsurf_interval){1, 1}, INT32_MIN, &r));
     assert_true(r.lo == 1 && r.hi == 1);
 }
 
 /* The middle is the nearest double to the exact one, and inside. */
-static void test_middle(void **state) {
-    (void)state;
+TEST(test_middle) {
     uint64_t seed = SEED;
     mpq_t middle, q, here, there;
     mpq_inits(middle, q, here, there, NULL);
@@ -279,12 +268,11 @@ static void test_middle(void **state) {
     mpq_clears(middle, q, here, there, NULL);
 }
 
-static void test_sets(void **state) {
-    (void)state;
+TEST(test_sets) {
     const algsurf_interval a = {-1, 2}, b = {0x1p-1074, 5}, line = {-INFINITY, INFINITY}, far = {6, INFINITY};
     algsurf_interval r = algsurf_interval_hull(a, far);
     assert_true(r.lo == -1 && r.hi == INFINITY);
-    assert_int_equal(algsurf_interval_intersect(a, b, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_intersect(a, b, &r));
     assert_true(r.lo == 0x1p-1074 && r.hi == 2);
     assert_int_equal(algsurf_interval_intersect(a, far, &r), ALGSURF_E_RANGE);
     assert_true(r.lo == 0x1p-1074 && r.hi == 2);
@@ -299,8 +287,7 @@ static void test_sets(void **state) {
 
 /* ---- misuse, and the host's environment ---- */
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     const algsurf_interval bad[] = {{1, 0}, {NAN, 1}, {0, NAN}, {INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     const algsurf_interval one = {1, 1};
     algsurf_interval r = {7, 8};
@@ -321,7 +308,7 @@ static void test_bad_arguments(void **state) {
     assert_int_equal(algsurf_interval_pow(one, 2, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_interval_sqrt(one, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_interval_intersect(one, one, NULL), ALGSURF_E_ARGUMENT);
-    assert_int_equal(algsurf_interval_make(-INFINITY, INFINITY, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_make(-INFINITY, INFINITY, &r));
     assert_true(r.lo == -INFINITY && r.hi == INFINITY);
 }
 
@@ -358,25 +345,11 @@ static void same(void *into, const char *name) {
     memset(pool.got, 0, sizeof pool.got);
 }
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < POOL; i++) pool.a[i] = case_interval(&seed), pool.b[i] = case_interval(&seed);
     evaluate(pool.expected);
     case_environments(evaluate, same, pool.got);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_four_operations),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_squares_and_roots),
-        cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_sets),
-
-        cmocka_unit_test(test_bad_arguments),
-        cmocka_unit_test(test_any_environment),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("interval"); }

@@ -3,15 +3,9 @@
  * Breaks caught (each tried): a digit of a table, a sign of an octant, the bound of the error too small, the
  * small arctangent taken for its tangent, a wrong corner for one position of the rectangle, the turn beyond
  * pi. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact_arg.h"
 #include "interval_cases.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 13u
 #define BITS 384
@@ -33,7 +27,7 @@ static int units(algsurf_interval r) {
 
 static algsurf_interval arg_of(double re0, double re1, double im0, double im1) {
     algsurf_interval r = {7, 7};
-    assert_int_equal(algsurf_cinterval_arg((algsurf_cinterval){{re0, re1}, {im0, im1}}, &r), ALGSURF_OK);
+    assert_ok(algsurf_cinterval_arg((algsurf_cinterval){{re0, re1}, {im0, im1}}, &r));
     return r;
 }
 
@@ -53,8 +47,7 @@ static void case_point(uint64_t *seed, int kind, double *re, double *im) {
     if (*re == 0 && *im == 0) *re = 1;
 }
 
-static void test_points(void **state) {
-    (void)state;
+TEST(test_points) {
     uint64_t seed = SEED;
     mpf_t y;
     mpf_init(y);
@@ -107,8 +100,7 @@ static void hard_point(double theta, double *n, double *d) {
     mpf_clears(x, sine, cosine, term, NULL), mpz_clears(digit, h0, h1, k0, k1, NULL);
 }
 
-static void test_hard_points(void **state) {
-    (void)state;
+TEST(test_hard_points) {
     uint64_t seed = SEED;
     mpf_t y;
     mpf_init(y);
@@ -130,8 +122,7 @@ static void require(algsurf_interval r, double lo, double hi) {
         fail_msg("[%a,%a], not [%a,%a]", r.lo, r.hi, lo, hi);
 }
 
-static void test_axes_and_diagonals(void **state) {
-    (void)state;
+TEST(test_axes_and_diagonals) {
     static const double sizes[] = {1, 3, 0x1p-1074, DBL_MAX, 0x1.123456789abcdp-300};
     for (int i = 0; i < 5; i++) {
         double s = sizes[i];
@@ -154,8 +145,7 @@ static void test_axes_and_diagonals(void **state) {
 
 /* ---- rectangles ---- */
 
-static void test_branch_cut(void **state) {
-    (void)state;
+TEST(test_branch_cut) {
     algsurf_interval above = arg_of(-2, -1, 0, 1), across = arg_of(-2, -1, -1, 1),
                      below = arg_of(-2, -1, -1, 0);
     algsurf_interval under = arg_of(-2, -1, -1, -0x1p-1074), thin = arg_of(-1, -1, -0x1p-1074, 0);
@@ -173,8 +163,7 @@ static void test_branch_cut(void **state) {
 }
 
 /* Points of the rectangle are enclosed; the ends are those of a corner. */
-static void test_rectangles(void **state) {
-    (void)state;
+TEST(test_rectangles) {
     uint64_t seed = SEED;
     mpf_t y;
     mpf_init(y);
@@ -213,8 +202,7 @@ static void test_rectangles(void **state) {
     assert_true(done > 3000);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     algsurf_interval r = {7, 8};
     assert_int_equal(algsurf_cinterval_arg((algsurf_cinterval){{2, 1}, {0, 0}}, &r), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_cinterval_arg((algsurf_cinterval){{1, 1}, {NAN, 0}}, &r), ALGSURF_E_ARGUMENT);
@@ -226,13 +214,5 @@ static void test_bad_arguments(void **state) {
 
 int main(void) {
     mpf_set_default_prec(BITS);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_hard_points),
-        cmocka_unit_test(test_axes_and_diagonals),
-        cmocka_unit_test(test_branch_cut),
-        cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_bad_arguments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("interval arg");
 }

@@ -3,21 +3,14 @@
  *
  * Breaks caught (each tried): a slope shifted by one in the centred form, its middle not taken as a point,
  * Horner's result not met. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "interval_cases.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 14u
 
 /* Members of the coefficient intervals at points of x lie in both results; the centred form lies in Horner's,
  * and is far better for thin arguments. */
-static void test_poly(void **state) {
-    (void)state;
+TEST(test_poly) {
     uint64_t seed = SEED;
     mpq_t y, x, c;
     mpq_inits(y, x, c, NULL);
@@ -28,8 +21,8 @@ static void test_poly(void **state) {
         for (int k = 0; k <= n; k++) p[k] = tame ? case_tame(&seed) : case_interval(&seed);
         if (tame && i % 2)
             for (int k = 0; k <= n; k++) p[k].hi = p[k].lo;
-        assert_int_equal(algsurf_interval_poly(p, n, t, &h), ALGSURF_OK);
-        assert_int_equal(algsurf_interval_poly_centred(p, n, t, &r), ALGSURF_OK);
+        assert_ok(algsurf_interval_poly(p, n, t, &h));
+        assert_ok(algsurf_interval_poly_centred(p, n, t, &r));
         exact_set(x, case_inside(&seed, t)), mpq_set_ui(y, 0, 1);
         for (int k = n; k >= 0; k--)
             exact_set(c, case_inside(&seed, p[k])), mpq_mul(y, y, x), mpq_add(y, y, c);
@@ -45,13 +38,12 @@ static void test_poly(void **state) {
      */
     const algsurf_interval cube[] = {{-1, -1}, {3, 3}, {-3, -3}, {1, 1}};
     algsurf_interval h, r, t = {1 - 0x1p-10, 1 + 0x1p-10};
-    assert_int_equal(algsurf_interval_poly(cube, 3, t, &h), ALGSURF_OK);
-    assert_int_equal(algsurf_interval_poly_centred(cube, 3, t, &r), ALGSURF_OK);
+    assert_ok(algsurf_interval_poly(cube, 3, t, &h));
+    assert_ok(algsurf_interval_poly_centred(cube, 3, t, &r));
     assert_true(algsurf_interval_width(h) > 0x1p-8 && algsurf_interval_width(r) < 0x1p-15);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     const algsurf_interval one = {1, 1}, bad[] = {{1, 0}, {NAN, 1}, {0, NAN}, {INFINITY, INFINITY}};
     algsurf_interval r = {7, 8};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -71,10 +63,4 @@ static void test_bad_arguments(void **state) {
     assert_int_equal(algsurf_interval_poly_centred(&one, 0, one, NULL), ALGSURF_E_ARGUMENT);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_poly),
-        cmocka_unit_test(test_bad_arguments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("interval poly"); }

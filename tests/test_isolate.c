@@ -70,8 +70,7 @@ static void judge_family(const family *f) {
     }
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     static const family families[] = {
         {"one size", 1500, 20, -1, 1},
         {"sizes of a ray's coefficients", 600, 20, -10, 10},
@@ -90,8 +89,7 @@ static const algsurf_bracket *entry_at(double x) {
     return NULL;
 }
 
-static void test_known_roots(void **state) {
-    (void)state;
+TEST(test_known_roots) {
     uint64_t seed = SEED;
     for (int i = 0; i < 1200; i++) {
         int multiplicity[17] = {0}, n = 0, most = 1 + exact_random_int(&seed, 12);
@@ -113,8 +111,7 @@ static void test_known_roots(void **state) {
 }
 
 /* Roots exactly at the ends, the middle, the quarters, in every combination, at all scales. */
-static void test_split_points(void **state) {
-    (void)state;
+TEST(test_split_points) {
     static const int intervals[][2] = {{0, 4}, {-4, 4}, {8, 16}, {-16, 0}, {4, 40}, {-12, -8}};
     static const int exponents[] = {0, -2, 1, 40, -40, 160, -160};
     for (size_t k = 0; k < 6 * 7; k++)
@@ -135,21 +132,19 @@ static void test_split_points(void **state) {
 }
 
 /* The split points that are tried instead of the middle are roots, too. */
-static void test_moved_split_points(void **state) {
-    (void)state;
+TEST(test_moved_split_points) {
     for (int shift = 0; shift < 3; shift++) {
         double c[8] = {1};
         int n = 0;
         for (int k = 22; k <= 26; k++) n = isolate_times_root(c, n, k, 64);
         for (int k = 0; k <= n; k++) c[k] = ldexp(c[k], -4 * k * shift);
         isolate_judge(c, n, ldexp(0.25, 4 * shift), ldexp(0.5, 4 * shift), &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         assert_int_equal(answer.count, 5);
     }
 }
 
-static void test_plus_minus_powers(void **state) {
-    (void)state;
+TEST(test_plus_minus_powers) {
     for (int k = -460; k <= 460; k += 20) {
         double x = ldexp(1, k), c[3] = {-x * x, 0, 1};
         const double ends[][2] = {{-x, x},       {0, x}, {-x, 0},    {-INFINITY, INFINITY},
@@ -166,8 +161,7 @@ static void test_plus_minus_powers(void **state) {
  * end at roots, between them, at 0, or nowhere.  Breaks caught, each tried: the wrong side of 0, a sign that
  * forgets t^m, a bracket that ends at the root 0, a root of even multiplicity between the images of its two
  * doubles, an end that is not looked at. */
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     uint64_t seed = SEED;
     for (int i = 0; i < 4000; i++) {
         int m = exact_random_int(&seed, 3), k = 1 + exact_random_int(&seed, 5), n = 0;
@@ -191,8 +185,7 @@ static void test_powers(void **state) {
 
 /* One high term and a few low ones are counted by a Sturm chain.  With a multiple root, close pairs, roots on
  * one side. Breaks caught, each tried: a remainder's sign, chains of t^n's other parity, the sign at 0. */
-static void test_low_terms(void **state) {
-    (void)state;
+TEST(test_low_terms) {
     uint64_t seed = SEED;
     for (int i = 0; i < 800; i++) {
         int low = 1 + exact_random_int(&seed, 3), n = low + 2 + exact_random_int(&seed, 12);
@@ -206,8 +199,7 @@ static void test_low_terms(void **state) {
 }
 
 /* Degrees 2 and 3 are counted by their discriminants: about 0, and of all sizes. */
-static void test_discriminants(void **state) {
-    (void)state;
+TEST(test_discriminants) {
     uint64_t seed = SEED;
     for (int i = 0; i < 3000; i++) {
         int n = 0, far = i % 3 == 0 ? 250 : 20;
@@ -224,8 +216,7 @@ static void test_discriminants(void **state) {
 }
 
 /* Degrees beyond those that doubles decide. */
-static void test_many_terms(void **state) {
-    (void)state;
+TEST(test_many_terms) {
     uint64_t seed = SEED;
     for (int i = 0; i < 24; i++) {
         int n = 61 + i;
@@ -237,8 +228,7 @@ static void test_many_terms(void **state) {
     }
 }
 
-static void test_one_point(void **state) {
-    (void)state;
+TEST(test_one_point) {
     const double c[] = {-3, 4}, third[] = {-1, 3};
     isolate_judge(c, 1, 0.75, 0.75, &answer);
     assert_int_equal(answer.count, 1);
@@ -250,8 +240,7 @@ static void test_one_point(void **state) {
 }
 
 /* Which holds no number. */
-static void test_interval_at_infinity(void **state) {
-    (void)state;
+TEST(test_interval_at_infinity) {
     const double c[] = {-1, 0.5, 3, 1}, r[] = {0x1p-60, 0, 0x1p-60, 0}, ends[] = {-INFINITY, INFINITY};
     for (int n = 1; n <= 3; n++)
         for (int i = 0; i < 2; i++) {
@@ -260,12 +249,12 @@ static void test_interval_at_infinity(void **state) {
             int count = 77;
             isolate_judge(c, n, ends[i], ends[i], &answer);
             assert_int_equal(answer.count, 0);
-            assert_int_equal(algsurf_isolate_first(c, r, n, ends[i], ends[i], NULL, &b, &count), ALGSURF_OK);
+            assert_ok(algsurf_isolate_first(c, r, n, ends[i], ends[i], NULL, &b, &count));
             assert_int_equal(count, 0);
-            assert_int_equal(algsurf_count_roots(c, r, n, ends[i], ends[i], &count), ALGSURF_OK);
+            assert_ok(algsurf_count_roots(c, r, n, ends[i], ends[i], &count));
             assert_int_equal(count, 0);
             count = 77;
-            assert_int_equal(algsurf_real_roots(c, n, ends[i], ends[i], roots, 3, &count), ALGSURF_OK);
+            assert_ok(algsurf_real_roots(c, n, ends[i], ends[i], roots, 3, &count));
             assert_int_equal(count, 0);
         }
 }
@@ -284,8 +273,7 @@ static void expect(algsurf_status wanted, const double *c, const double *r, int 
     assert_memory_equal(b + 1, &untouched, sizeof untouched);
 }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     const double c[] = {1, 0, -1}, zero[] = {0, 0, 0}, nan[] = {1, NAN, 1}, inf[] = {1, 0, INFINITY};
     const double negative[] = {0, -1, 0};
     expect(ALGSURF_E_ARGUMENT, NULL, NULL, 2, 0, 1);
@@ -312,8 +300,7 @@ static void test_bad_input(void **state) {
     assert_int_equal(k, 77);
 }
 
-static void test_capacity(void **state) {
-    (void)state;
+TEST(test_capacity) {
     const double c[] = {-6, 11, -6, 1};
     algsurf_bracket b[3], untouched[3];
     int k = 77;
@@ -322,18 +309,17 @@ static void test_capacity(void **state) {
         assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, room, &k), ALGSURF_E_ARGUMENT);
     assert_int_equal(k, 77);
     assert_memory_equal(b, untouched, sizeof b);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 0, 4, NULL, b, 3, &k));
     assert_int_equal(k, 3);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 5, 6, NULL, b, 0, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 5, 6, NULL, b, 0, &k));
     assert_int_equal(k, 0);
-    assert_int_equal(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, NULL, b, 1, &k), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 3, 1.5, 2.5, NULL, b, 1, &k));
     assert_int_equal(k, 1);
 }
 
 /* Quadratics have a way of their own.  Roots by a quadratic's exact discriminant and ends, over wide numbers
  * and where rounding nearly hides them. */
-static void test_quadratics(void **state) {
-    (void)state;
+TEST(test_quadratics) {
     uint64_t seed = 77;
     int two = 0, none = 0;
     for (int i = 0; i < 60000; i++) {
@@ -347,7 +333,7 @@ static void test_quadratics(void **state) {
         if (lo > hi) lo = -lo, hi = -hi;
         if (!(lo < hi)) continue;
         algsurf_bracket b[2];
-        assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, 2, &k), ALGSURF_OK);
+        assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, 2, &k));
         exact_sturm s = exact_sturm_of_doubles(c, n);
         int all = exact_count_roots(&s, lo, hi), held = 0;
         for (int j = 0; j < k; j++) held += exact_count_roots(&s, b[j].lo, b[j].hi);
@@ -364,14 +350,13 @@ static void test_quadratics(void **state) {
 static size_t intervals(const double *c, int n, double lo, double hi, algsurf_bracket *b, int *found) {
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
-    assert_int_equal(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, n, lo, hi, &watched, b, found));
     return observer.cells;
 }
 
 /* Intervals that Descartes' rule looks at.  Catches: a walk that is not counted, or counted twice; a
  * multiple root that is halved to the last bit before the greatest common divisor is asked. */
-static void test_counted(void **state) {
-    (void)state;
+TEST(test_counted) {
     /* (t^2 + 0.1)(t + 3)(t - 4), ... */
     const double none[] = {-1.2, -0.1, -11.9, -1, 1}, two[] = {1.995, -4.285, 1.35, 1};
     const double one[] = {-0.9, 1}, dyadic[] = {-0.25, 0, 1};
@@ -394,23 +379,4 @@ static void test_counted(void **state) {
     assert_true(found == 1 && b.kind == ALGSURF_BRACKET_ISOLATED && b.multiplicity == 2);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_known_roots),
-        cmocka_unit_test(test_split_points),
-        cmocka_unit_test(test_moved_split_points),
-        cmocka_unit_test(test_plus_minus_powers),
-        cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_low_terms),
-        cmocka_unit_test(test_discriminants),
-        cmocka_unit_test(test_many_terms),
-        cmocka_unit_test(test_one_point),
-        cmocka_unit_test(test_interval_at_infinity),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_capacity),
-        cmocka_unit_test(test_quadratics),
-        cmocka_unit_test(test_counted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("isolate"); }

@@ -5,7 +5,6 @@
  * border of a group of roots at 0 or infinity, a gap left beside an exact root, a root reported once more as
  * its neighbour, a loose bracket that is believed.
  */
-#include <float.h>
 #include <time.h>
 
 #include "isolate_case.h"
@@ -20,8 +19,7 @@ static void decided(const double *c, int n, double lo, double hi, int roots) {
 
 /* ---- cases of other people's accidents ---- */
 
-static void test_ghosts_and_losses(void **state) {
-    (void)state;
+TEST(test_ghosts_and_losses) {
     const double ghost[] = {9627.17676, -660.766052, 0.00329589844, 0, 1};
     const double pair[] = {26471900.25, -1325880, 25449, -240, 1};
     const double tiny_lead[] = {14482, -83592, 84888, 1.3022974889306702e-11, 8.0779356694631609e-28};
@@ -36,8 +34,7 @@ static void test_ghosts_and_losses(void **state) {
     decided(tiny_ghost, 4, -INFINITY, INFINITY, 0);
 }
 
-static void test_multiple_root(void **state) {
-    (void)state;
+TEST(test_multiple_root) {
     const double fourth[] = {1, -4, 6, -4, 1};
     const double ends[][2] = {{-INFINITY, INFINITY}, {0, 2}, {1, 2}, {1, 1}};
     for (int i = 0; i < 4; i++) {
@@ -48,21 +45,19 @@ static void test_multiple_root(void **state) {
 }
 
 /* The leading coefficient passes through zero: a root comes from infinity. */
-static void test_degree_drop(void **state) {
-    (void)state;
+TEST(test_degree_drop) {
     for (int k = -60; k <= 60; k++) {
         double lead = k ? copysign(ldexp(1, -abs(k)), k) : 0, c[] = {-2, 1, 0, lead, 0, 0};
         isolate_judge(c, 5, -INFINITY, INFINITY, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         isolate_judge(c, 5, -2.5, 3, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
     }
 }
 
 /* ---- classical families ---- */
 
-static void test_wilkinson(void **state) {
-    (void)state;
+TEST(test_wilkinson) {
     double c[21] = {1};
     int n = 0;
     while (n < 14) n = isolate_times_root(c, n, n + 1, 1); /* exact up to here */
@@ -71,14 +66,13 @@ static void test_wilkinson(void **state) {
     for (int k = 15; k <= 20; k++) { /* rounded: another polynomial, whose roots Sturm knows */
         for (int i = k; i >= 0; i--) c[i] = (i > 0 ? c[i - 1] : 0) - (i < k ? k * c[i] : 0);
         isolate_judge(c, k, 0, 25, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         isolate_judge(c, k, -INFINITY, INFINITY, &answer);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
     }
 }
 
-static void test_chebyshev(void **state) {
-    (void)state;
+TEST(test_chebyshev) {
     double c[3][32] = {{1}, {0, 1}};
     for (int n = 2; n <= 30; n++) {
         double *t = c[n % 3];
@@ -92,8 +86,7 @@ static void test_chebyshev(void **state) {
 }
 
 /* n! L_n, exact integers: roots from 0.2 to 4 n. */
-static void test_laguerre(void **state) {
-    (void)state;
+TEST(test_laguerre) {
     for (int n = 2; n <= 14; n += 3) {
         double c[16], a = 1;
         for (int k = n; k >= 0; k--) { /* n! C(n,k) (-1)^k / k!: from the top down */
@@ -107,8 +100,7 @@ static void test_laguerre(void **state) {
 
 /* Mignotte: x^n - 2 (3x - 1)^2 has two roots around 1/3, about 3^-(n+2)/2 apart; from n = 72 on between the
  * same doubles. */
-static void test_mignotte(void **state) {
-    (void)state;
+TEST(test_mignotte) {
     for (int n = 6; n <= 90; n += 6) {
         double c[91] = {-2, 12, -18};
         c[n] = 1;
@@ -117,8 +109,7 @@ static void test_mignotte(void **state) {
     }
 }
 
-static void test_close_pairs(void **state) {
-    (void)state;
+TEST(test_close_pairs) {
     for (int k = 1; k <= 26; k++) { /* (2^k x - a)(2^k x - (a+1)), a about 2^k / 3, and a third root */
         double c[4] = {1}, a = floor(ldexp(1, k) / 3);
         int n = isolate_times_root(c, 0, a, ldexp(1, k));
@@ -137,8 +128,7 @@ static void test_close_pairs(void **state) {
     }
 }
 
-static void test_clusters(void **state) {
-    (void)state;
+TEST(test_clusters) {
     for (int k = 2; k <= 14; k++) { /* roots a-1, a, a+1 over 2^k */
         double c[5] = {1}, a = floor(ldexp(1, k) / 3) + 1;
         int n = 0;
@@ -153,8 +143,7 @@ static void test_clusters(void **state) {
 
 /* ---- bounded work ---- */
 
-static void test_bounded_work(void **state) {
-    (void)state;
+TEST(test_bounded_work) {
     static double c[ALGSURF_MAX_POLY_DEGREE + 1];
     uint64_t seed = 5;
     int count;
@@ -168,9 +157,7 @@ static void test_bounded_work(void **state) {
     isolate_judge(c, 64, 0.25, INFINITY, &answer);
     memset(&answer, 0, sizeof answer);
     for (int k = 0; k <= ALGSURF_MAX_POLY_DEGREE; k++) c[k] = exact_random_unit(&seed);
-    assert_int_equal(
-        algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count),
-        ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, 512, -INFINITY, INFINITY, NULL, answer.b, 513, &answer.count));
     for (int i = 0; i < answer.count; i++)
         if (isfinite(answer.b[i].lo))
             assert_int_equal(exact_poly_sign(c, 512, answer.b[i].lo), answer.b[i].sign);
@@ -183,8 +170,7 @@ static void test_bounded_work(void **state) {
 
 /* ---- degenerate polynomials ---- */
 
-static void test_degenerate(void **state) {
-    (void)state;
+TEST(test_degenerate) {
     const double constant[] = {-3, 0, 0, 0}, monomial[] = {0, 0, 0, 0x1p-1000}, leading[] = {-1, 2, 0, 0, 0};
     const double trailing[] = {0, 0, -1, 2, 0}, largest[] = {-DBL_MAX, DBL_MAX, DBL_MAX},
                  least[] = {-0x1p-1074, 0x1p-1074};
@@ -215,8 +201,7 @@ typedef struct narrow_case {
     } entry[3];
 } narrow_case;
 
-static void test_roots_between_doubles(void **state) {
-    (void)state;
+TEST(test_roots_between_doubles) {
     enum { BRACKET = ALGSURF_BRACKET_ISOLATED, EXACT = ALGSURF_BRACKET_EXACT };
     const double least = 0x1p-1074, inf = INFINITY;
     const narrow_case cases[] = {
@@ -260,14 +245,4 @@ static void test_roots_between_doubles(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ghosts_and_losses), cmocka_unit_test(test_multiple_root),
-        cmocka_unit_test(test_degree_drop),       cmocka_unit_test(test_wilkinson),
-        cmocka_unit_test(test_chebyshev),         cmocka_unit_test(test_laguerre),
-        cmocka_unit_test(test_mignotte),          cmocka_unit_test(test_close_pairs),
-        cmocka_unit_test(test_clusters),          cmocka_unit_test(test_bounded_work),
-        cmocka_unit_test(test_degenerate),        cmocka_unit_test(test_roots_between_doubles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("isolate corpus"); }

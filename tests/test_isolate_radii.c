@@ -8,7 +8,6 @@
  */
 #include "isolate_case.h"
 
-#include <float.h>
 #include <time.h>
 
 #include "algsurf/refine.h"
@@ -91,8 +90,7 @@ static void judge_box(uint64_t *seed, const double *c, const double *r, int n, d
     if (wrong) isolate_fail(wrong, c, r, n, lo, hi, &answer);
 }
 
-static void test_boxes(void **state) {
-    (void)state;
+TEST(test_boxes) {
     uint64_t seed = SEED;
     int decided = 0, rounds = 1200, undecided = 0;
     for (int i = 0; i < rounds; i++) {
@@ -113,13 +111,12 @@ static void test_boxes(void **state) {
 }
 
 /* Known gaps: x^2 - 2 e x + e^2 - d has the roots e +- sqrt d; they part when the radius is below d. */
-static void test_box_decides_where_it_can(void **state) {
-    (void)state;
+TEST(test_box_decides_where_it_can) {
     uint64_t seed = SEED;
     for (int k = 4; k <= 40; k += 2) {
         double d = ldexp(1, -k), c[3] = {1 - d, -2, 1}, r[3] = {d / 4, 0, 0};
         judge_box(&seed, c, r, 2, 0, 4);
-        assert_int_equal(answer.status, ALGSURF_OK);
+        assert_ok(answer.status);
         assert_int_equal(answer.count, 2);
         r[0] = 2 * d;
         judge_box(&seed, c, r, 2, 0, 4);
@@ -133,12 +130,11 @@ static void test_box_decides_where_it_can(void **state) {
     assert_true(algsurf_isolate_all(lead, unsure, 2, -INFINITY, INFINITY, NULL, answer.b, 3, &answer.count) >
                 0);
     judge_box(&seed, lead, unsure, 2, -100, 100);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
 
 /* Far from 0 the radius of the leading coefficient counts, not that of the constant. */
-static void test_far_radii(void **state) {
-    (void)state;
+TEST(test_far_radii) {
     uint64_t seed = SEED;
     const double c[2] = {1, 0x1p-10}, lead[2] = {0, 0x1p-9}, constant[2] = {0x1p-9, 0};
     algsurf_bracket first;
@@ -153,8 +149,7 @@ static void test_far_radii(void **state) {
 
 /* Roots of sizes far apart, and no annulus between them that is certainly free of roots: the coefficient that
  * would tell is known to a factor only.  And a root beyond the range of double. */
-static void test_sizes_that_overlap(void **state) {
-    (void)state;
+TEST(test_sizes_that_overlap) {
     uint64_t seed = SEED;
     const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0.9, 0}, line[2] = {-0x1p600, 0x1p-600}, none[2] = {0, 0},
                  some[2] = {0, 0x1p-599};
@@ -169,8 +164,7 @@ static void test_sizes_that_overlap(void **state) {
     assert_int_equal(answer.count, 0);
 }
 
-static void test_one_point_of_a_box(void **state) {
-    (void)state;
+TEST(test_one_point_of_a_box) {
     uint64_t seed = SEED;
     const double c[2] = {-1, 1}, r[2] = {0x1p-20, 0};
     judge_box(&seed, c, r, 1, 1, 1);
@@ -185,8 +179,7 @@ static void test_one_point_of_a_box(void **state) {
 
 /* Sets with members whose roots are below the least double, or all of an interval that is hardly longer, or 0
  * with a neighbour: nothing may get lost, and nothing be certain. */
-static void test_least_numbers(void **state) {
-    (void)state;
+TEST(test_least_numbers) {
     uint64_t seed = SEED;
     static const struct {
         double c[3], r[3], lo, hi;
@@ -205,27 +198,26 @@ static void test_least_numbers(void **state) {
     }
     const double c[] = {0, 1}, r[] = {0, 0.5}; /* the root at 0 is certain, for all members */
     judge_box(&seed, c, r, 1, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     judge_box(&seed, c, r, 1, 0, 0);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     const double touching[] = {0, 1, 1e5}, touch[] = {0, 1, 0}; /* the other root is not right of 0 */
     judge_box(&seed, touching, touch, 2, 0, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.b[0].kind, ALGSURF_BRACKET_EXACT);
     const double least[] = {0, 1e5, 1}, below[] = {0x1p-1060, 0, 0}; /* a root below the least double */
     judge_box(&seed, least, below, 2, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_true(answer.b[0].lo == -0x1p-1074 && answer.b[0].hi == 0x1p-1074 && answer.b[0].sign == -1);
 }
 
 /* A simple root that is on either side of 0, or of a power of two, as coefficients are. */
-static void test_root_on_either_side(void **state) {
-    (void)state;
+TEST(test_root_on_either_side) {
     uint64_t seed = SEED;
     const double line[] = {0, 1}, narrow[4] = {1e-9};
     judge_box(&seed, line, narrow, 1, -1, 1);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.count, 1);
     assert_true(answer.b[0].kind == ALGSURF_BRACKET_ISOLATED && answer.b[0].sign == -1);
     assert_true(answer.b[0].lo < -1e-9 && answer.b[0].lo > -1.1e-9);
@@ -254,13 +246,12 @@ static void test_root_on_either_side(void **state) {
 }
 
 /* The leading coefficient may vanish, and signs exclude what would be far out. */
-static void test_nothing_far_out(void **state) {
-    (void)state;
+TEST(test_nothing_far_out) {
     uint64_t seed = SEED;
     const double c[] = {-1, 1, 0.5},
                  r[] = {0, 0, 0.5}; /* a root on the right, perhaps another one far left */
     judge_box(&seed, c, r, 2, -0.5, INFINITY);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
     assert_int_equal(answer.count, 1);
     judge_box(&seed, c, r, 2, -INFINITY, INFINITY);
     assert_int_equal(answer.status, ALGSURF_UNDECIDED_RANGE);
@@ -280,21 +271,19 @@ static void test_nothing_far_out(void **state) {
 }
 
 /* Cells of integers are counted, too. */
-static void test_counted(void **state) {
-    (void)state;
+TEST(test_counted) {
     const double c[] = {-1, 1, 0.5}, r[] = {0, 0, 0.5};
     algsurf_bracket first;
     int found = 0;
     algsurf_observer observer = {.size = sizeof observer};
     const algsurf_isolate_options watched = {.size = sizeof watched, .observer = &observer};
-    assert_int_equal(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, r, 2, -0.5, INFINITY, &watched, &first, &found));
     assert_true(found == 1 && observer.cells > 0 && observer.engine == ALGSURF_ENGINE_INTEGERS);
 }
 
 /* A set with the zero polynomial among its members: the whole interval, undecided; with a constant that only
  * almost vanishes: no root. */
-static void test_zero_polynomial_in_a_box(void **state) {
-    (void)state;
+TEST(test_zero_polynomial_in_a_box) {
     uint64_t seed = SEED;
     const double c[] = {0, 1, 0, -3}, r[] = {0, 10, 0x1p-9, 3};
     for (int n = 0; n <= 3; n++)
@@ -354,8 +343,7 @@ static void judge_high(uint64_t *seed, const double *c, const double *r, int n, 
     }
 }
 
-static void test_high_degrees(void **state) {
-    (void)state;
+TEST(test_high_degrees) {
     uint64_t seed = SEED;
     static double c[513], r[513], before[513];
     for (int i = 0; i < 4; i++) {
@@ -393,8 +381,7 @@ static void run(const double *c, const double *r, int n, double lo, double hi, o
     o->status[2] = algsurf_count_roots(c, r, n, lo, hi, &o->roots);
 }
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(test_environment) {
     uint64_t seed = SEED;
     for (int i = 0; i < 150; i++) {
         double c[21], r[21];
@@ -420,20 +407,4 @@ static void test_environment(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_box_decides_where_it_can),
-        cmocka_unit_test(test_far_radii),
-        cmocka_unit_test(test_one_point_of_a_box),
-        cmocka_unit_test(test_least_numbers),
-        cmocka_unit_test(test_zero_polynomial_in_a_box),
-        cmocka_unit_test(test_environment),
-        cmocka_unit_test(test_sizes_that_overlap),
-        cmocka_unit_test(test_root_on_either_side),
-        cmocka_unit_test(test_nothing_far_out),
-        cmocka_unit_test(test_counted),
-        cmocka_unit_test(test_high_degrees),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("isolate radii"); }

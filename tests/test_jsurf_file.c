@@ -2,17 +2,8 @@
  *
  * Catches: an escape or a joined line that is not undone, a value of another key, a rotation by rows instead
  * of columns, a file that is none and passes. */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "jsurf_file.h"
+#include "unit.h"
 
 static int read_text(const char *text, jsurf_file *read, jsurf_error *error) {
     FILE *file = tmpfile();
@@ -41,8 +32,7 @@ static void near(double got, double expected) {
     if (!(fabs(got - expected) <= 1e-6)) fail_msg("%.17g, not %.17g", got, expected);
 }
 
-static void test_lines(void **unused) {
-    (void)unused;
+TEST(test_lines) {
     equation_of("surface_equation=x^2+y^2-1\n", "x^2+y^2-1");
     equation_of("surface_equation = x^2+y^2-1  ", "x^2+y^2-1");
     equation_of("  surface_equation:x", "x");
@@ -60,8 +50,7 @@ static void test_lines(void **unused) {
     equation_of("key=\nother\nsurface_equation=x", "x");
 }
 
-static void test_values(void **unused) {
-    (void)unused;
+TEST(test_values) {
     jsurf_file read =
         reads("#a comment\n"
               "surface_equation=x^2+a*y^2+b\n"
@@ -98,8 +87,7 @@ static void test_values(void **unused) {
     jsurf_release(&read);
 }
 
-static void test_refused(void **unused) {
-    (void)unused;
+TEST(test_refused) {
     static const struct {
         const char *text;
         size_t line;
@@ -135,15 +123,10 @@ static void test_refused(void **unused) {
     }
 }
 
-static void test_names(void **unused) {
-    (void)unused;
+TEST(test_names) {
     assert_true(jsurf_is_name("a.jsurf") && jsurf_is_name("b/c.JSurf") && jsurf_is_name("a.b.jsurf"));
     assert_false(jsurf_is_name(".jsurf") || jsurf_is_name("jsurf") || jsurf_is_name("a.jsurf2") ||
                  jsurf_is_name("") || jsurf_is_name("a.surf"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lines), cmocka_unit_test(test_values),
-                                       cmocka_unit_test(test_refused), cmocka_unit_test(test_names)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("jsurf file"); }

@@ -5,20 +5,13 @@
  *   entries behind the last one written; shares of another entry       same_bits, public_functions
  *   bytes cut off instead of rounded; points beyond all bounds          public_functions
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "base/vec.h"
 #include "exact.h"
 #include "beams/kernels.h"
 #include "picture/shade_impl.h"
 #include "picture/srgb.h"
 #include "shade_reference.h"
+#include "unit.h"
 
 enum { MOST = 200, SPARE = 8, LIGHTS = 4 };
 static const uint64_t seed = 20240612;
@@ -125,18 +118,16 @@ static void random_turn(int number, uint64_t *state, turn *t) {
 static void public_colour(const turn *t, int e, double colour[3]) {
     const batch *b = &t->b;
     const double *visible = t->with_visible ? b->visible + e * (t->lighting.light_count + 1) : NULL;
-    assert_int_equal(
-        t->preview ? algsurf_shade_preview(&t->lighting, b->point[e], b->normal[e], b->direction[e], colour)
-                   : algsurf_shade(&t->lighting, visible, b->point[e], b->normal[e], b->direction[e], colour),
-        ALGSURF_OK);
+    assert_ok(t->preview
+                  ? algsurf_shade_preview(&t->lighting, b->point[e], b->normal[e], b->direction[e], colour)
+                  : algsurf_shade(&t->lighting, visible, b->point[e], b->normal[e], b->direction[e], colour));
 }
 
 /* Every kernel gives the bits of algsurf_shade, and its bytes. */
-static void public_functions(void **state) {
+TEST(public_functions) {
     static turn t;
     static colours got;
     uint64_t random = seed;
-    (void)state;
     for (int number = 0; number < 160; number++) {
         random_turn(number, &random, &t);
         if (t.preview) t.with_visible = 0;
@@ -148,7 +139,7 @@ static void public_functions(void **state) {
                 double colour[3];
                 unsigned char bytes[3];
                 public_colour(&t, e, colour);
-                assert_int_equal(algsurf_srgb_encode(colour, bytes), ALGSURF_OK);
+                assert_ok(algsurf_srgb_encode(colour, bytes));
                 for (int i = 0; i < 3; i++)
                     if (got.rgb[3 * e + i] != (float)colour[i] || (got.bytes[e] >> 8 * i & 255) != bytes[i])
                         fail_msg("turn %d, %s, entry %d: %.9g, not %.9g", number, kernel_names[k], e,
@@ -160,11 +151,10 @@ static void public_functions(void **state) {
 }
 
 /* Of what is near the surface shown: as the formula has it. */
-static void formula(void **state) {
+TEST(formula) {
     static turn t;
     static colours got;
     uint64_t random = seed + 1;
-    (void)state;
     for (int number = 0; number < 24; number++) {
         random_turn(number, &random, &t);
         if (t.preview) continue;
@@ -184,11 +174,10 @@ static void formula(void **state) {
 
 /* A light straight behind a point seen edge-on: the half-way vector is all rounding, the highlight no more
  * than a highlight; and so it is for lights and points beyond all bounds. */
-static void extremes(void **state) {
+TEST(extremes) {
     static turn t;
     static colours got;
     uint64_t random = seed + 2;
-    (void)state;
     for (int number = 0; number < 100; number++) {
         const algsurf_i_looks looks = looks_of(&t.b, 0);
         random_turn(number, &random, &t);
@@ -209,11 +198,10 @@ static void extremes(void **state) {
 }
 
 /* Any number of entries, by any kernel: the bits of each entry alone; nothing behind them touched. */
-static void same_bits(void **state) {
+TEST(same_bits) {
     static turn t;
     static colours alone, got;
     uint64_t random = seed + 3;
-    (void)state;
     for (int number = 0; number < 16; number++) {
         random_turn(number, &random, &t);
         memset(&alone, 0xa5, sizeof alone);
@@ -234,8 +222,4 @@ static void same_bits(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(public_functions), cmocka_unit_test(formula),
-                                       cmocka_unit_test(extremes), cmocka_unit_test(same_bits)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("kernel colours"); }

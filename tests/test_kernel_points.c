@@ -9,14 +9,6 @@
  *   squares that underflow or overflow; NaN instead of a zero normal          scales, singular_points
  *   entries behind the last one written; lanes that depend on neighbours      same_bits
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
 #include "scenes.h"
@@ -89,7 +81,7 @@ static void random_view(stage *s, const double centre[3], double radius, int ort
     algsurf_status status =
         orthographic ? algsurf_camera_orthographic(eye, aim, up, 2.2 * radius, &s->camera)
                      : algsurf_camera_pinhole(eye, aim, up, 40 + 30 * exact_random_unit(state), &s->camera);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     set_view(s, centre, radius);
 }
 
@@ -131,7 +123,7 @@ static int check_entry(const stage *s, int pixel, double depth, const batch *out
     }
     double gradient[3], value = algsurf_i_surface_value(s->surface, x, gradient), value_bound, bound[3], p,
                         g[3];
-    assert_int_equal(algsurf_surface_gradient(s->surface, here, &p, g, &value_bound, bound), ALGSURF_OK);
+    assert_ok(algsurf_surface_gradient(s->surface, here, &p, g, &value_bound, bound));
     double length = algsurf_length(along), rise = fabs(algsurf_dot(g, along)) / length, doubt = 0, z = depth;
     double step = -value / (view->size * algsurf_dot(gradient, along));
     if (fabs(fabs(step) / 0x1p-16 - 1) < 0.01) return 0;
@@ -189,7 +181,7 @@ static int hits_of_row(const stage *s, const algsurf_extent *extent, int y, int 
         algsurf_ray ray;
         algsurf_hit *hit = &hits[count];
         double from_centre[3];
-        assert_int_equal(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&s->camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
         assert_true(algsurf_intersect_first(s->surface, extent, &ray, NULL, hit) >= 0);
         if (hit->state != ALGSURF_HIT || fabs(algsurf_dot(hit->normal, ray.direction)) < 0.05) continue;
         for (int i = 0; i < 3; i++)
@@ -201,13 +193,12 @@ static int hits_of_row(const stage *s, const algsurf_extent *extent, int y, int 
 }
 
 /* Hits of catalogue surfaces, their depths off by 2^-30: what single rays find. */
-static void catalogue_hits(void **state) {
+TEST(catalogue_hits) {
     static algsurf_hit hits[WIDTH];
     static batch out;
     uint64_t random = seed;
     int pixel[WIDTH], checked = 0;
     double depth[WIDTH], got[3];
-    (void)state;
     for (const catalogue_entry *e = catalogue; e->name; e++)
         for (int turn = 0; turn < 8; turn++) {
             stage s = {.surface = surface_of(e->equation)};
@@ -244,15 +235,14 @@ static algsurf_surface *random_surface(int degree, int even, uint64_t *state) {
                 if (exact_random_int(state, 3) == 0 || count == 0)
                     terms[count++] = (algsurf_term){i, j, k, exact_random_unit(state)};
             }
-    assert_int_equal(algsurf_surface_from_terms(terms, count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, count, &s));
     return s;
 }
 
 /* P and its gradient at random points, whatever the shape of the polynomial. */
-static void random_surfaces(void **state) {
+TEST(random_surfaces) {
     uint64_t random = seed + 1;
     const double centre[3] = {0.125, -0.25, 0.0625};
-    (void)state;
     for (int turn = 0; turn < 600; turn++) {
         stage s = {.surface = random_surface(1 + turn % 9, turn % 8, &random)};
         int pixel[WIDTH], count = exact_random_int(&random, 20);
@@ -292,11 +282,10 @@ static void one(stage *s, double u, double depth, batch *out) {
 }
 
 /* On a plane the step is the distance: taken up to 2^-16, refused beyond, and where it is not a number. */
-static void steps(void **state) {
+TEST(steps) {
     static batch out;
     stage s;
     double normal[3];
-    (void)state;
     look_down_z(&s, "z - 1/4", 0.5);
     for (int sign = -1; sign <= 1; sign += 2) {
         one(&s, 0.5, -0.25 + sign * 0x1p-16, &out);
@@ -315,7 +304,7 @@ static void steps(void **state) {
 }
 
 /* Points without a gradient: where it is 0, and where it leaves the range of double. */
-static void singular_points(void **state) {
+TEST(singular_points) {
     static const struct {
         const char *equation;
         double u, v, depth;
@@ -324,7 +313,6 @@ static void singular_points(void **state) {
                  {"x^4 + y^4 - z^4", 0, 0, -0x1p400}, {"(x-y)^3 + x^2 y^2 z^5", 0x1p300, 0x1p300, 0x1p10},
                  {"x^9 - y^9", 0x1p128, 0x1p128, 0}};
     static batch out;
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         stage s;
         look_down_z(&s, cases[k].equation, cases[k].v);
@@ -337,12 +325,11 @@ static void singular_points(void **state) {
 }
 
 /* Gradients whose squares underflow or overflow have a direction all the same: (0, 6, 3) / sqrt 45. */
-static void scales(void **state) {
+TEST(scales) {
     static const double sizes[] = {1e-150, 1e-100, 1e-60, 1, 1e60, 1e100};
     const double expected[3] = {0, 2 / sqrt(5), 1 / sqrt(5)};
     static batch out;
     double normal[3];
-    (void)state;
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
         stage s;
         look_down_z(&s, "z^3 + 2y^3", sizes[k]);
@@ -361,13 +348,12 @@ static void scales(void **state) {
 
 /* Any number of entries, by any kernel: the bits of each entry alone; the rest of the arrays untouched.
  * Pixels and depths end where their memory does, for the sanitizers. */
-static void same_bits(void **state) {
+TEST(same_bits) {
     static batch alone, out, entry;
     enum { ENTRIES = 17 };
     uint64_t random = seed + 2;
     int *pixel = malloc(ENTRIES * sizeof *pixel);
     double *depth = malloc(ENTRIES * sizeof *depth);
-    (void)state;
     assert_true(pixel && depth);
     for (int turn = 0; turn < 12; turn++) {
         const catalogue_entry *e = &catalogue[turn];
@@ -396,9 +382,4 @@ static void same_bits(void **state) {
     free(pixel), free(depth);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(catalogue_hits), cmocka_unit_test(random_surfaces),
-                                       cmocka_unit_test(steps),          cmocka_unit_test(singular_points),
-                                       cmocka_unit_test(scales),         cmocka_unit_test(same_bits)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("kernel points"); }

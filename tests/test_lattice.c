@@ -8,21 +8,11 @@
  *   pixels of a tile in the order of their rows                                         neighbours
  *   points rounded to the nearest unit, not brought back to the square, a quarter of a unit aside   tiles
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "lattice_reference.h"
 #include "simd/baseline.h"
 
 #include "beams/lattice_template.h"
+#include "unit.h"
 
 enum { MOST_POINTS = 16 * 512 };
 
@@ -99,9 +89,8 @@ static void check_distances(const tile_points *t) {
     if (!(least * t->count > 1.0 / 9)) fail_msg("%d points: %g", t->count, sqrt(least * t->count));
 }
 
-static void tiles(void **state) {
+TEST(tiles) {
     static tile_points t;
-    (void)state;
     for (int s = 0; s < SETTINGS; s++)
         for (int k = 0; k < 12; k++) {
             find_tile(4 * (k * k * k), 4 * (11 - k), s, k % 3, &t);
@@ -112,9 +101,8 @@ static void tiles(void **state) {
 }
 
 /* Also those of one pixel are spread out: in each half of the square, and each quarter's width. */
-static void pixels(void **state) {
+TEST(pixels) {
     static tile_points t;
-    (void)state;
     for (int s = 0; s < 2; s++)
         for (int k = 0; k < 64; k++) {
             t.count = 0;
@@ -135,10 +123,9 @@ static int same_points(const tile_points *a, const tile_points *b) {
 
 /* Tiles beside each other, and purposes, have other shifts, across and up; all of the square gets its turn.
  */
-static void shifts(void **state) {
+TEST(shifts) {
     static tile_points t[4];
     int columns[8] = {0}, rows[8] = {0};
-    (void)state;
     for (int y = 0; y < 80; y += 4)
         for (int x = 0; x < 80; x += 4) {
             find_tile(x, y, 0, 1, &t[0]), find_tile(x + 4, y, 0, 1, &t[1]);
@@ -154,9 +141,8 @@ static void shifts(void **state) {
 
 /* Neighbours in a row or column are far apart in the lattice's order: no pixel has the points next to
  * another's. */
-static void neighbours(void **state) {
+TEST(neighbours) {
     static tile_points a, b;
-    (void)state;
     for (int k = 0; k < 32; k++) {
         int x = 40 + k % 4, y = 80 + k / 4 % 4, beside = k / 16;
         if ((beside ? x : y) % 4 == 3) continue; /* the next tile */
@@ -168,8 +154,4 @@ static void neighbours(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tiles), cmocka_unit_test(pixels),
-                                       cmocka_unit_test(shifts), cmocka_unit_test(neighbours)};
-    return cmocka_run_group_tests_name("lattice", tests, NULL, NULL);
-}
+int main(void) { return unit_run("lattice"); }

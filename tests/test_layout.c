@@ -3,15 +3,8 @@
  * changed. A struct that starts with its size may grow at its end (GROWS); lib/algsurf.map says how. Breaks
  * caught: a member added, moved or given another type, an enumerator renumbered, a limit that is the length
  * of a public array changed.  check_symbols demands that every struct of the headers is here. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-
-#include <cmocka.h>
-
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 typedef struct fact {
     const char *what;
@@ -204,18 +197,11 @@ static void check(const fact *facts, size_t count) {
     assert_int_equal(wrong, 0);
 }
 
-static void test_structs(void **state) {
-    (void)state;
+TEST(test_structs) {
     if (sizeof(int) != 4 || sizeof(size_t) != 8 || sizeof(double) != 8 || sizeof(void *) != 8) skip();
     check(structs, sizeof structs / sizeof structs[0]);
 }
 
-static void test_numbers(void **state) {
-    (void)state;
-    check(numbers, sizeof numbers / sizeof numbers[0]);
-}
+TEST(test_numbers) { check(numbers, sizeof numbers / sizeof numbers[0]); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_structs), cmocka_unit_test(test_numbers)};
-    return cmocka_run_group_tests_name("layout", tests, NULL, NULL);
-}
+int main(void) { return unit_run("layout"); }

@@ -3,17 +3,10 @@
  * Breaks caught, each tried: a digit of the mixed radix not reduced, a sign lost, a step of Lehmer's in
  * Euclid's algorithm beyond its goal, a denominator not carried along, a prime of the modulus in the
  * denominator. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_zpolys.h"
 
-#include <cmocka.h>
-
 #include "poly/lift.h"
+#include "unit.h"
 
 #define SEED 20240704u
 #define MOST 8 /* numbers */
@@ -86,8 +79,7 @@ static size_t largest(const bench *t) {
     return bits;
 }
 
-static void test_fractions(void **state) {
-    (void)state;
+TEST(test_fractions) {
     static bench t = {.seed = SEED};
     int wrong = 0, early = 0, guesses = 0, images = 0;
     for (int k = 0; k <= MOST; k++) mpz_init(t.number[k]);
@@ -123,8 +115,7 @@ static void test_fractions(void **state) {
 
 /* One image is of other numbers: with two images more than necessary its prime would join all numerators and
  * the denominator. */
-static void test_wrong_image(void **state) {
-    (void)state;
+TEST(test_wrong_image) {
     static bench t = {.seed = SEED + 1};
     int tried = 0;
     for (int k = 0; k <= MOST; k++) mpz_init(t.number[k]);
@@ -152,7 +143,4 @@ static void test_wrong_image(void **state) {
     mpz_clears(t.p, t.x, NULL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fractions), cmocka_unit_test(test_wrong_image)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("lift"); }

@@ -5,17 +5,10 @@
  * Breaks caught, each tried: shadows that take all light, no light from the eye, a highlight that adds
  * instead of mixing, bytes without the curve of sRGB.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdlib.h>
-
 #include "algsurf/algsurf.h"
 #include "catalogue.h"
+#include "scenes.h"
+#include "unit.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -30,28 +23,23 @@ static int by_size(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static algsurf_scene *scene_of(const catalogue_entry *entry, algsurf_quality quality,
-                               algsurf_surface **surface) {
-    algsurf_scene *scene;
-    algsurf_camera camera;
+static algsurf_scene *shown(const catalogue_entry *entry, algsurf_quality quality,
+                            algsurf_surface **surface) {
+    algsurf_camera camera = pinhole_of(entry->eye, entry->look_at, entry->up, entry->fov);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
-    assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, surface, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(*surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &entry->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(scene, quality), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
+    *surface = surface_of(entry->equation);
+    algsurf_scene *scene = scene_of(*surface, &entry->extent, &camera, NULL);
+    assert_ok(algsurf_scene_set_quality(scene, quality));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
+    assert_ok(algsurf_scene_set_antialias(scene, 3));
+    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
     algsurf_material material = *lighting.material;
     for (int i = 0; i < 3; i++) {
         material.outside[i] = entry->outside[i];
         material.inside[i] = entry->inside[i];
     }
-    assert_int_equal(algsurf_scene_set_material(scene, &material), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_material(scene, &material));
     return scene;
 }
 
@@ -61,9 +49,9 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
     const algsurf_render_options size = {.size = sizeof size, .width = WIDTH, .height = HEIGHT};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = pixels, .format = ALGSURF_RGBA8};
     algsurf_surface *surface;
-    algsurf_scene *scene = scene_of(entry, quality, &surface);
+    algsurf_scene *scene = shown(entry, quality, &surface);
     int count = 0, darkest = 255, dark = 0, burnt = 0;
-    assert_int_equal(algsurf_render(scene, &size, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &size, &planes, NULL));
     for (const unsigned char *p = pixels; p < pixels + sizeof pixels; p += 4) {
         double colour[3];
         int largest = p[0] > p[1] ? p[0] : p[1];
@@ -72,7 +60,7 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
         darkest = largest < darkest ? largest : darkest;
         dark += largest < 60;
         burnt += largest == 255;
-        assert_int_equal(algsurf_srgb_decode(p, colour), ALGSURF_OK);
+        assert_ok(algsurf_srgb_decode(p, colour));
         light[count++] = lightness(colour);
     }
     qsort(light, (size_t)count, sizeof *light, by_size);
@@ -87,25 +75,18 @@ static void check(const catalogue_entry *entry, algsurf_quality quality) {
     algsurf_surface_free(surface);
 }
 
-static void standard(void **state) {
-    (void)state;
+TEST(standard) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         check(entry, ALGSURF_QUALITY_STANDARD);
 }
 
-static void full(void **state) {
-    (void)state;
+TEST(full) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) check(entry, ALGSURF_QUALITY_FULL);
 }
 
-static void sides(void **state) {
-    (void)state;
+TEST(sides) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++)
         assert_true(fabs(lightness(entry->outside) - lightness(entry->inside)) <= 2.5);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(standard), cmocka_unit_test(full),
-                                       cmocka_unit_test(sides)};
-    return cmocka_run_group_tests_name("look", tests, NULL, NULL);
-}
+int main(void) { return unit_run("look"); }

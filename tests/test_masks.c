@@ -13,12 +13,6 @@
  *     test_masks [pixels [views [seed]]]     pixels a picture, views a surface; default: 300 and 3, and
  *                                            of each picture ROWS rows only
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact_pixel.h"
 #include "scenes.h"
@@ -50,10 +44,10 @@ static double uniform(uint64_t *seed, double lo, double hi) {
 }
 
 static void set_surface(view *v, const char *equation) {
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &v->surface, NULL), ALGSURF_OK);
+    v->surface = surface_of(equation);
     size_t count = algsurf_surface_term_count(v->surface);
     algsurf_term *terms = calloc(count, sizeof *terms);
-    assert_int_equal(algsurf_surface_terms(v->surface, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(v->surface, terms));
     v->form = exact_form_of(terms, (int)count, algsurf_surface_degree(v->surface));
     free(terms);
 }
@@ -69,8 +63,7 @@ static void set_camera(view *v, uint64_t *seed) {
     }
     for (int i = 0; i < 3; i++) eye[i] = v->extent.centre[i] + far * eye[i] / sqrt(length);
     double tangent = radius / far * pow(10, v->number % 2 ? uniform(seed, -2, 0) : 0);
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 2 * atan(tangent) * 57.29577951308232, &v->camera));
     v->distance = far;
 }
 
@@ -81,8 +74,8 @@ static void draw(const view *v, int tier) {
     const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes, .t = hits[tier]};
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_render(scene, &o, &planes, &stats));
     algsurf_scene_free(scene);
     seen.undecided += (long)stats.undecided, seen.rays += (long)stats.rays;
     if (stats.undecided > (tiers[tier] == ALGSURF_TIER_CERTIFIED ? 0 : stats.rays / 10000)) {
@@ -118,7 +111,7 @@ static const char *judge(const view *v, const exact_answer *answer, double t) {
 
 static void check_pixel(const view *v, int x, int row) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, x + 0.5, row + 0.5, &ray));
     double reach = v->distance + v->extent.size[0];
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * 0x1p-53 * reach);
     seen.checked++, seen.hits += answer.sure, seen.misses += answer.count == 0;
@@ -128,7 +121,7 @@ static void check_pixel(const view *v, int x, int row) {
         if (!wrong) continue;
         const algsurf_intersect_options how = {.size = sizeof how, .tier = tiers[tier]};
         algsurf_hit hit;
-        assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
         uint8_t *before = &is_excused[(row - v->row_begin) * WIDTH + x];
         if (hit.state == ALGSURF_UNDECIDED && tiers[tier] == ALGSURF_TIER_BOUNDED)
             seen.excused += !*before, *before = 1;
@@ -196,21 +189,14 @@ static void check_named(const char *name) {
     check_surface(entry->name, entry->equation, &entry->extent);
 }
 
-static void test_barth_decic(void **state) {
-    (void)state;
-    check_named("barth-decic");
-}
+TEST(test_barth_decic) { check_named("barth-decic"); }
 
-static void test_labs_septic(void **state) {
-    (void)state;
-    check_named("labs");
-}
+TEST(test_labs_septic) { check_named("labs"); }
 
 /* T16(x) + T16(y) + T16(z) + 1 = 0: 1344 nodes in the cube of half size 1 (Chmutov 1992). */
-static void test_chmutov_16(void **state) {
+TEST(test_chmutov_16) {
 #define T16(v) "(2(2(2(2" v "^2-1)^2-1)^2-1)^2-1)"
     const algsurf_extent ball = {.kind = ALGSURF_EXTENT_SPHERE, .size = {1.75}};
-    (void)state;
     check_surface("chmutov-16", T16("x") "+" T16("y") "+" T16("z") "+ 1", &ball);
 #undef T16
 }
@@ -220,7 +206,5 @@ int main(int count, char **arguments) {
     if (count > 1) pixels = atoi(arguments[1]);
     if (count > 2) views = atoi(arguments[2]);
     if (count > 3) first_seed = strtoull(arguments[3], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_barth_decic), cmocka_unit_test(test_labs_septic),
-                                       cmocka_unit_test(test_chmutov_16)};
-    return cmocka_run_group_tests_name("masks", tests, NULL, NULL);
+    return unit_run("masks");
 }

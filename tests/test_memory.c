@@ -12,19 +12,10 @@
 #define _POSIX_C_SOURCE 200809L /* pthreads */
 #include <pthread.h>
 #include <errno.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdatomic.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 static atomic_long until_failure; /* allocations that still succeed; negative: all do */
 static atomic_int failed;         /* was one refused? */
@@ -94,66 +85,38 @@ static const algsurf_constant constants[] = {{"k", 3.0}};
 
 static algsurf_surface *make_surface(void) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_equation(equation, constants, 1, &s, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation(equation, constants, 1, &s, NULL));
     return s;
 }
 
 static void *const untouched = &alive; /* any address the library cannot return */
 
-static algsurf_status from_terms(void) {
-    const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {1, 1, 1, 0.5}, {0, 0, 0, -1}};
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_terms(terms, sizeof terms / sizeof *terms, &s);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+/* An attempt to make something: it is made, or its pointer is as it was. */
+#define MAKES(name, type, release, call)                                                                     \
+    static algsurf_status name(void) {                                                                       \
+        type *s = untouched;                                                                                 \
+        algsurf_status status = call;                                                                        \
+        if (status == ALGSURF_OK)                                                                            \
+            release(s);                                                                                      \
+        else                                                                                                 \
+            assert_ptr_equal(s, untouched);                                                                  \
+        return status;                                                                                       \
+    }
 
-static algsurf_status from_equation(void) {
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_equation(equation, constants, 1, &s, NULL);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+static const algsurf_term terms[] = {{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, 1}, {1, 1, 1, 0.5}, {0, 0, 0, -1}};
+MAKES(from_terms, algsurf_surface, algsurf_surface_free, algsurf_surface_from_terms(terms, 5, &s))
+MAKES(from_equation, algsurf_surface, algsurf_surface_free,
+      algsurf_surface_from_equation(equation, constants, 1, &s, NULL))
 
 /* Polynomials that keep their factors and summands. */
-static algsurf_status from_factors(void) {
-    algsurf_surface *s = untouched;
-    algsurf_status status = algsurf_surface_from_equation(
-        "((x+y+z+1)^5 + (x-y+z)^5/3 - x k)(2 (-(x+y-z+1)^5)^2 (y+z)) = k", constants, 1, &s, NULL);
-    if (status == ALGSURF_OK)
-        algsurf_surface_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+static const char factors[] = "((x+y+z+1)^5 + (x-y+z)^5/3 - x k)(2 (-(x+y-z+1)^5)^2 (y+z)) = k";
+MAKES(from_factors, algsurf_surface, algsurf_surface_free,
+      algsurf_surface_from_equation(factors, constants, 1, &s, NULL))
 
 static const algsurf_surface *torus; /* made before counting starts */
-
-static algsurf_status scene(void) {
-    algsurf_scene *s = untouched;
-    algsurf_status status = algsurf_scene_create(torus, &s);
-    if (status == ALGSURF_OK)
-        algsurf_scene_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
-
-static algsurf_status root_solver(void) {
-    algsurf_complex_solver *s = untouched;
-    algsurf_status status = algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &s);
-    if (status == ALGSURF_OK)
-        algsurf_complex_solver_free(s);
-    else
-        assert_ptr_equal(s, untouched);
-    return status;
-}
+MAKES(scene, algsurf_scene, algsurf_scene_free, algsurf_scene_create(torus, &s))
+MAKES(root_solver, algsurf_complex_solver, algsurf_complex_solver_free,
+      algsurf_complex_solver_create(ALGSURF_MAX_POLY_DEGREE, &s))
 
 enum { WIDTH = 48, HEIGHT = 32 };
 static algsurf_scene *stage;
@@ -220,7 +183,7 @@ static int refuse_each(algsurf_status (*attempt)(void)) {
         atomic_store(&until_failure, -1);
         assert_int_equal(atomic_load(&alive), 0);
         if (!atomic_load(&failed)) {
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             return n;
         }
         if (status != ALGSURF_OK) assert_int_equal(status, ALGSURF_E_NO_MEMORY);
@@ -337,12 +300,10 @@ static algsurf_status undecided_intersect(void) {
     return ALGSURF_OK;
 }
 
-static void test_undecided_rays(void **state) {
-    (void)state;
+TEST(test_undecided_rays) {
     for (size_t i = 0; i < sizeof undecided_rays / sizeof *undecided_rays; i++) {
         asked = undecided_rays + i;
-        assert_int_equal(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(asked->equation, NULL, 0, &asked_surface, NULL));
         int refused = refuse_each(undecided_intersect);
         if ((refused > 0) != asked->allocates) fail_msg("%s: %d allocations", asked->equation, refused);
         algsurf_surface_free(asked_surface);
@@ -391,22 +352,20 @@ static algsurf_status render_small(void) {
     return status;
 }
 
-static void test_certified_picture(void **state) {
+TEST(test_certified_picture) {
     algsurf_surface *s = NULL;
     const algsurf_extent extent = {BALL, {0, 0, 0}, {1.5}};
-    (void)state;
-    assert_int_equal(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(stage, &extent), ALGSURF_OK);
-    assert_int_equal(draw_small(&small_reference), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_equation("(x^10 + y^10 + z^10 - 1)^2", NULL, 0, &s, NULL));
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_extent(stage, &extent));
+    assert_ok(draw_small(&small_reference));
     assert_true(small_reference.stats.hits > WIDTH * HEIGHT / 90);
     int refused = refuse_each(render_small);
     assert_true(refused > 0);
     /* rays that are not decided for want of memory do not keep the others from being drawn */
     const algsurf_intersect_options poor = {.size = sizeof poor, .max_memory = 1};
     static small_picture p;
-    assert_int_equal(algsurf_scene_set_intersect(stage, &poor), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(stage, &poor));
     assert_int_equal(draw_small(&p), ALGSURF_E_NO_MEMORY);
     assert_true(p.stats.rays == small_reference.stats.rays && p.stats.undecided > 0 &&
                 p.pixels[0][0] != 0xa5);
@@ -422,17 +381,13 @@ static void test_certified_picture(void **state) {
     algsurf_surface_free(s);
 }
 
-static void test_surface(void **state) {
-    (void)state;
+TEST(test_surface) {
     assert_true(refuse_each(from_terms) > 0);
     assert_true(refuse_each(from_equation) > 0);
     assert_true(refuse_each(from_factors) > 0);
 }
 
-static void test_root_solver(void **state) {
-    (void)state;
-    assert_true(refuse_each(root_solver) > 0);
-}
+TEST(test_root_solver) { assert_true(refuse_each(root_solver) > 0); }
 
 /* x^40 - x^39 + 2^-1000 x^38 underflows at the lower end. */
 static algsurf_status refine(void) {
@@ -458,8 +413,7 @@ static algsurf_status refine_with_radii(void) {
     return status;
 }
 
-static void test_refine(void **state) {
-    (void)state;
+TEST(test_refine) {
     assert_true(refuse_each(refine) > 0);
     assert_true(refuse_each(refine_with_radii) > 0);
 }
@@ -485,35 +439,32 @@ static algsurf_status isolate_watched(void) {
     return isolate(&watched);
 }
 
-static void test_isolate(void **state) {
-    (void)state;
+TEST(test_isolate) {
     int alone = refuse_each(isolate_alone);
     assert_true(alone > 0 && refuse_each(isolate_watched) > alone);
 }
 
-static void test_scene_and_render(void **state) {
-    (void)state;
+TEST(test_scene_and_render) {
     algsurf_surface *s = make_surface();
     torus = s;
     assert_true(refuse_each(scene) > 0);
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(stage, ALGSURF_QUALITY_FULL), ALGSURF_OK);
-    assert_int_equal(draw(reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_quality(stage, ALGSURF_QUALITY_FULL));
+    assert_ok(draw(reference));
     assert_true(refuse_each(render) > 0);
     algsurf_scene_free(stage);
     algsurf_surface_free(s);
 }
 
-static void test_complex_space(void **state) {
+TEST(test_complex_space) {
     algsurf_complex_space space = {.size = sizeof space, .sector = {0.01, 0.2}, .imaginary = {[0] = 0.5}};
     algsurf_surface *s = make_surface();
-    (void)state;
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(stage, &space), ALGSURF_OK);
-    assert_int_equal(draw_complex(&complex_reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(algsurf_scene_set_complex_space(stage, &space));
+    assert_ok(draw_complex(&complex_reference));
     assert_in_range(complex_reference.stats.hits, WIDTH * HEIGHT / 10, WIDTH * HEIGHT * 9 / 10);
     for (int c = ALGSURF_COHERENCE_NONE; c <= ALGSURF_COHERENCE_NEIGHBOURS; c++) {
-        assert_int_equal(algsurf_scene_set_coherence(stage, (algsurf_coherence)c), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_coherence(stage, (algsurf_coherence)c));
         assert_true(refuse_each(render_complex) > 0);
     }
     algsurf_scene_free(stage);
@@ -521,22 +472,21 @@ static void test_complex_space(void **state) {
 }
 
 /* 0 to 3 of the helpers that are asked for; without the locks, nothing at all. */
-static void test_threads(void **state) {
+TEST(test_threads) {
     algsurf_surface *s = make_surface();
     uint8_t pixels[HEIGHT][WIDTH * 3], before[HEIGHT][WIDTH * 3];
     algsurf_render_stats stats = {.size = sizeof stats};
     const algsurf_picture planes = {.size = sizeof planes, .pixels = &pixels[0][0]};
     const algsurf_render_options options = {
         .size = sizeof options, .width = WIDTH, .height = HEIGHT, .threads = 4};
-    (void)state;
-    assert_int_equal(algsurf_scene_create(s, &stage), ALGSURF_OK);
-    assert_int_equal(draw(reference), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(s, &stage));
+    assert_ok(draw(reference));
     for (int allowed = 0; allowed <= 3; allowed++) {
         memset(pixels, 0xa5, sizeof pixels);
         threads_allowed = allowed;
         algsurf_status status = algsurf_render(stage, &options, &planes, &stats);
         threads_allowed = -1;
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_int_equal(stats.threads, allowed + 1);
         assert_memory_equal(pixels, reference, sizeof pixels);
     }
@@ -557,11 +507,5 @@ static void test_threads(void **state) {
 
 int main(void) {
     atomic_store(&until_failure, -1);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface),          cmocka_unit_test(test_root_solver),
-        cmocka_unit_test(test_refine),           cmocka_unit_test(test_isolate),
-        cmocka_unit_test(test_scene_and_render), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_complex_space),    cmocka_unit_test(test_undecided_rays),
-        cmocka_unit_test(test_certified_picture)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("memory");
 }

@@ -2,16 +2,10 @@
  *
  * Breaks caught: words handed out twice, a block that is not freed (the sanitizer's run) or freed too early
  * (its words change), a limit that is passed, a size that overflows. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
-
 #include "base/memory.h"
+#include "unit.h"
 
 #define SEED 20240611u
 #define LIMIT ((size_t)1 << 24)
@@ -29,8 +23,7 @@ static void check_piece(const piece *p, int round) {
 }
 
 /* Pieces are taken and given back at random; each keeps what was written to it. */
-static void test_pieces_keep_their_words(void **state) {
-    (void)state;
+TEST(test_pieces_keep_their_words) {
     uint64_t seed = SEED, first[300];
     algsurf_memory m;
     algsurf_memory_begin(&m, first, 300, LIMIT);
@@ -69,8 +62,7 @@ static void test_pieces_keep_their_words(void **state) {
 }
 
 /* The first block is used up before anything is allocated; blocks double. */
-static void test_blocks(void **state) {
-    (void)state;
+TEST(test_blocks) {
     uint64_t first[10];
     algsurf_memory m;
     algsurf_memory_begin(&m, first, 10, LIMIT);
@@ -94,8 +86,7 @@ static void test_blocks(void **state) {
 }
 
 /* All that the limit allows can be taken, and no more; then it is as before. */
-static void test_limit(void **state) {
-    (void)state;
+TEST(test_limit) {
     static const size_t limits[] = {0, 8, 4096, 100000, 1 << 20};
     for (size_t l = 0; l < sizeof limits / sizeof *limits; l++)
         for (size_t words = 1; words < 20000; words = 3 * words + 1) {
@@ -115,8 +106,7 @@ static void test_limit(void **state) {
         }
 }
 
-static void test_no_first_block_and_sizes_beyond(void **state) {
-    (void)state;
+TEST(test_no_first_block_and_sizes_beyond) {
     algsurf_memory m;
     algsurf_memory_begin(&m, NULL, 0, LIMIT);
     algsurf_memory_mark start = algsurf_memory_here(&m);
@@ -130,12 +120,4 @@ static void test_no_first_block_and_sizes_beyond(void **state) {
     assert_int_equal(m.allocated, 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pieces_keep_their_words),
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_limit),
-        cmocka_unit_test(test_no_first_block_and_sizes_beyond),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("memory stack"); }

@@ -2,15 +2,8 @@
  *
  * Breaks caught, each tried: a chain without the members that repeat, a step that forgets k u', a share of
  * the degree not reduced, memory not given back, the first member with too few roots. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_zpolys.h"
-
-#include <cmocka.h>
+#include "unit.h"
 
 #define SEED 20240703u
 #define MOST 64 /* the highest multiplicity, but for the large ones */
@@ -93,8 +86,7 @@ static void judge(bench *t, int round) {
     free(s), free(p.c);
 }
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     static const int most_bits[] = {2, 5, 40, 62, 64, 200, 1000};
     bench *t = open_bench(SEED);
     int squarefree = 0, uniform = 0, mixed = 0;
@@ -115,8 +107,7 @@ static void test_products(void **state) {
     close_bench(t);
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     bench *t = open_bench(SEED + 1);
     for (int i = 0; i < 30; i++) {
         begin(t, i % 2 ? 1 : 6);
@@ -128,8 +119,7 @@ static void test_powers(void **state) {
 }
 
 /* (1 - x)^512, and prod (x - i)^i for i to 30. */
-static void test_large(void **state) {
-    (void)state;
+TEST(test_large) {
     bench *t = open_bench(SEED + 2);
     algsurf_zpoly s[513];
     int count;
@@ -159,8 +149,7 @@ static void test_large(void **state) {
     close_bench(t);
 }
 
-static void test_constants(void **state) {
-    (void)state;
+TEST(test_constants) {
     bench *t = open_bench(SEED + 3);
     algsurf_zpoly s[2];
     int count;
@@ -176,8 +165,7 @@ static void test_constants(void **state) {
 }
 
 /* With every limit of memory either the right answer or none, and nothing is left behind. */
-static void test_out_of_memory(void **state) {
-    (void)state;
+TEST(test_out_of_memory) {
     bench *t = open_bench(SEED + 4);
     int failures = 0, successes = 0, count;
     algsurf_zpoly s[40];
@@ -202,10 +190,4 @@ static void test_out_of_memory(void **state) {
     close_bench(t);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),  cmocka_unit_test(test_powers),        cmocka_unit_test(test_large),
-        cmocka_unit_test(test_constants), cmocka_unit_test(test_out_of_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("multiplicity"); }

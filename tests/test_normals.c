@@ -11,16 +11,9 @@
  *   steps before the point at once       far_out, near_tips
  *   the form's exponents left out        far_out, scaled
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "algsurf/algsurf.h"
 #include "exact_ray.h"
+#include "unit.h"
 
 static const uint64_t seed = 20251125;
 
@@ -78,7 +71,7 @@ static void finish(body *b) {
     for (int t = 0; t < b->count; t++)
         if (b->term[t].a != 0) b->term[kept++] = b->term[t];
     b->count = kept;
-    assert_int_equal(algsurf_surface_from_terms(b->term, (size_t)kept, &b->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(b->term, (size_t)kept, &b->surface));
 }
 
 static void drop(body *b) {
@@ -187,9 +180,8 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
                       tally *judged) {
     algsurf_hit hits[ALGSURF_MAX_DEGREE], first;
     int count;
-    assert_int_equal(algsurf_intersect_all(b->surface, extent, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(b->surface, extent, ray, NULL, &first), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(b->surface, extent, ray, NULL, hits, ALGSURF_MAX_DEGREE, &count));
+    assert_ok(algsurf_intersect_first(b->surface, extent, ray, NULL, &first));
     for (int k = 0; k < count; k++) check_normal(b, ray, hits + k, family, judged);
     check_normal(b, ray, &first, family, judged);
     const double *o = ray->origin, *d = ray->direction;
@@ -203,7 +195,7 @@ static void check_ray(const body *b, const algsurf_ray *ray, const algsurf_exten
                                      .t_max = &ray->t_max};
     const algsurf_hit_packet to = {
         .size = sizeof to, .state = &state, .normal = {normal, normal + 1, normal + 2}};
-    assert_int_equal(algsurf_intersect_packet(b->surface, extent, &rays, NULL, &to), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(b->surface, extent, &rays, NULL, &to));
     assert_int_equal(state, first.state);
     assert_memory_equal(normal, first.normal, sizeof normal);
 }
@@ -224,10 +216,9 @@ static algsurf_ray ray_about(const double place[3], double radius, double near, 
 static const double round_weights[3] = {1, 1, 1}, cone_weights[3] = {1, 1, -1};
 
 /* Quadrics and products of two with exact coefficients, 10^3 to 10^6 radii from the origin. */
-static void far_out(void **state) {
+TEST(far_out) {
     uint64_t random = seed;
     tally judged = {0};
-    (void)state;
     for (int turn = 0; turn < 240; turn++) {
         const int s = 7 + turn % 11, quartic = turn % 2; /* centres m 2^s, |m| < 128, with few bits */
         double c[3], e[3];
@@ -280,12 +271,11 @@ static body power_of_plane(int k) {
     return b;
 }
 
-static void powers(void **state) {
+TEST(powers) {
     uint64_t random = seed + 1;
     tally judged = {0};
     static const int exponents[] = {5, 9, 13, 16, 21};
     const double place[3] = {-0.3, -0.4, 0.1};
-    (void)state;
     for (int turn = 0; turn < 5; turn++) {
         body b = power_of_plane(exponents[turn]);
         for (int k = 0; k < 8; k++) {
@@ -298,11 +288,10 @@ static void powers(void **state) {
 }
 
 /* Cones passed at distances from 1 to 10^-9, and through their tips, where the normal is one seen beside. */
-static void near_tips(void **state) {
+TEST(near_tips) {
     uint64_t random = seed + 2;
     tally judged = {0};
     int seen = 0;
-    (void)state;
     for (int turn = 0; turn < 300; turn++) {
         double c[3];
         for (int i = 0; i < 3; i++) c[i] = (exact_random_int(&random, 129) - 64) * 0.125;
@@ -318,7 +307,7 @@ static void near_tips(void **state) {
         for (int i = 0; i < 3; i++) before[i] = -cone_weights[i] * d[i], square += before[i] * before[i];
         if (square > 0 && d[0] * d[0] + d[1] * d[1] != d[2] * d[2]) {
             algsurf_hit hit;
-            assert_int_equal(algsurf_intersect_first(b.surface, NULL, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(b.surface, NULL, &ray, NULL, &hit));
             assert_int_equal(hit.multiplicity, 2);
             for (int i = 0; i < 3; i++) normal[i] = hit.normal[i];
             double off = degrees_between(normal, before);
@@ -331,10 +320,9 @@ static void near_tips(void **state) {
 }
 
 /* Surfaces of all sizes. */
-static void scaled(void **state) {
+TEST(scaled) {
     uint64_t random = seed + 3;
     tally judged = {0};
-    (void)state;
     for (int turn = 0; turn < 120; turn++) {
         const int scale = exact_random_int(&random, 665) - 332;
         const int far = turn % 3 == 0 ? 20 : 2;
@@ -357,11 +345,10 @@ static void scaled(void **state) {
 }
 
 /* Pictures of balls, 1 to 10^7 radii from the origin, whose pixels are rays where rounding counts. */
-static void pictures(void **state) {
+TEST(pictures) {
     enum { SIDE = 24 };
     static float normals[3 * SIDE * SIDE];
     static double t[SIDE * SIDE];
-    (void)state;
     for (int s = 0; s < 24; s++) {
         const double c[3] = {ldexp(1, s), ldexp(3, s - 1), -ldexp(1, s - 1)}, up[3] = {0, 1, 0};
         const double eye[3] = {c[0] + 4, c[1] + 2, c[2] + 5};
@@ -375,18 +362,17 @@ static void pictures(void **state) {
         const algsurf_render_options options = {
             .size = sizeof options, .width = SIDE, .height = SIDE, .row_end = SIDE};
         const algsurf_picture picture = {.size = sizeof picture, .t = t, .normals = normals};
-        assert_int_equal(algsurf_camera_pinhole(eye, c, up, 0.5, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_create(b.surface, &scene), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_extent(scene, &extent), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_render(scene, &options, &picture, NULL), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, c, up, 0.5, &camera));
+        assert_ok(algsurf_scene_create(b.surface, &scene));
+        assert_ok(algsurf_scene_set_extent(scene, &extent));
+        assert_ok(algsurf_scene_set_camera(scene, &camera));
+        assert_ok(algsurf_render(scene, &options, &picture, NULL));
         int seen = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
             algsurf_ray ray;
             long double radial[3], normal[3], dot = 0;
             if (!isfinite(t[i])) continue;
-            assert_int_equal(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray),
-                             ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
             for (int k = 0; k < 3; k++) {
                 normal[k] = normals[3 * i + k];
                 radial[k] = ((long double)ray.origin[k] - c[k]) + (long double)t[i] * ray.direction[k];
@@ -403,10 +389,4 @@ static void pictures(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(far_out), cmocka_unit_test(powers),   cmocka_unit_test(near_tips),
-        cmocka_unit_test(scaled),  cmocka_unit_test(pictures),
-    };
-    return cmocka_run_group_tests_name("normals", tests, NULL, NULL);
-}
+int main(void) { return unit_run("normals"); }

@@ -8,20 +8,12 @@
  *   an observer that changes the way, a count left out               same_with_and_without
  *   integers that say nothing, or call themselves doubles            both engines must be seen */
 #include <fenv.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
 #include "exact.h"
 #include "exact_ray.h"
+#include "scenes.h"
+#include "unit.h"
 
 enum { MOST = 4000, TOP = 12 };
 
@@ -140,15 +132,11 @@ static int same_with_and_without(const poly *p, int all, algsurf_bracket *b) {
     memset(b, 0, TOP * sizeof *b), memset(plain, 0, sizeof plain);
     fesetround(all ? FE_UPWARD : FE_TONEAREST);
     if (all) {
-        assert_int_equal(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, TOP, &plain_count),
-                         ALGSURF_OK);
-        assert_int_equal(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, &watched, b, TOP, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, TOP, &plain_count));
+        assert_ok(algsurf_isolate_all(p->c, NULL, p->n, p->lo, p->hi, &watched, b, TOP, &count));
     } else {
-        assert_int_equal(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, &plain_count),
-                         ALGSURF_OK);
-        assert_int_equal(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, &watched, b, &count),
-                         ALGSURF_OK);
+        assert_ok(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, NULL, plain, &plain_count));
+        assert_ok(algsurf_isolate_first(p->c, NULL, p->n, p->lo, p->hi, &watched, b, &count));
     }
     fesetround(FE_TONEAREST);
     assert_int_equal(count, plain_count);
@@ -165,8 +153,7 @@ static poly random_poly(uint64_t *seed) {
 }
 
 /* Catches: see above. */
-static void cells_tile(void **state) {
-    (void)state;
+TEST(cells_tile) {
     uint64_t seed = 17;
     int checked = 0, halved = 0, found = 0;
     algsurf_bracket b[TOP];
@@ -188,8 +175,7 @@ static void times(double *c, int *n, double a) { /* (t - a) */
 }
 
 /* Integers, too: double roots, roots too close for doubles. */
-static void integers_are_told(void **state) {
-    (void)state;
+TEST(integers_are_told) {
     uint64_t seed = 4;
     int checked = 0, lower = 0;
     algsurf_bracket b[TOP];
@@ -216,8 +202,7 @@ static void integers_are_told(void **state) {
 }
 
 /* In t although t^3 is looked at: half as many cells of the cubic root's line, and its root is in one. */
-static void powers_are_told_in_t(void **state) {
-    (void)state;
+TEST(powers_are_told_in_t) {
     const poly p = {.n = 9, .c = {[0] = 6, [3] = -11, [6] = 6, [9] = -1}, .lo = 0, .hi = 4}; /* 1, 2, 3 */
     algsurf_bracket b[TOP];
     assert_int_equal(same_with_and_without(&p, 1, b), 3);
@@ -234,8 +219,7 @@ static void powers_are_told_in_t(void **state) {
     check_tiles(0.5, 1.5);
 }
 
-static void bad_observers(void **state) {
-    (void)state;
+TEST(bad_observers) {
     const double c[] = {-0.5, 0.25, 1, 3};
     algsurf_observer observer = {.size = 3};
     algsurf_isolate_options o = {.size = sizeof o, .observer = &observer};
@@ -249,9 +233,9 @@ static void bad_observers(void **state) {
     assert_int_equal(algsurf_isolate_all(c, NULL, 3, 0, 1, &o, b, 3, &count), ALGSURF_E_ARGUMENT);
     assert_true(count == 77 && observer.cells == 0);
     o.size = sizeof o; /* no callbacks: it counts, and adds */
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count));
     size_t once = observer.cells;
-    assert_int_equal(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count), ALGSURF_OK);
+    assert_ok(algsurf_isolate_first(c, NULL, 3, 0, 1, &o, b, &count));
     assert_true(once > 0 && observer.cells == 2 * once && observer.engine == ALGSURF_ENGINE_DOUBLES);
 }
 
@@ -293,7 +277,7 @@ static void check_points(const scene *s, int method, const algsurf_hit *hit) {
         double x[3], value, gradient[3], size = 0;
         if (p->engine == ALGSURF_ENGINE_INTEGERS && hit->multiplicity != 1) continue;
         for (int k = 0; k < 3; k++) x[k] = s->ray.origin[k] + p->t * s->ray.direction[k];
-        assert_int_equal(algsurf_surface_value(s->surface, x, &value, gradient), ALGSURF_OK);
+        assert_ok(algsurf_surface_value(s->surface, x, &value, gradient));
         for (int m = 0; m < s->count; m++)
             size += fabs(s->terms[m].a * pow(x[0], s->terms[m].i) * pow(x[1], s->terms[m].j) *
                          pow(x[2], s->terms[m].k));
@@ -325,26 +309,24 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     int count = 0, plain_count = 0;
     memset(&hit, 0, sizeof hit), memset(&plain, 0, sizeof plain);
     memset(all, 0, sizeof all), memset(plain_all, 0, sizeof all);
-    assert_int_equal(algsurf_intersect_first(surface, &ball, &s->ray, &how, &plain), ALGSURF_OK);
-    assert_int_equal(
-        algsurf_intersect_all(surface, &ball, &s->ray, &how, plain_all, ALGSURF_MAX_DEGREE, &plain_count),
-        ALGSURF_OK);
-    assert_int_equal(algsurf_occluded(surface, &ball, &s->ray, &how, &plain_hidden), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(surface, &ball, &s->ray, &how, &plain));
+    assert_ok(
+        algsurf_intersect_all(surface, &ball, &s->ray, &how, plain_all, ALGSURF_MAX_DEGREE, &plain_count));
+    assert_ok(algsurf_occluded(surface, &ball, &s->ray, &how, &plain_hidden));
     how.observer = begin();
-    assert_int_equal(algsurf_intersect_all(surface, &ball, &s->ray, &how, all, ALGSURF_MAX_DEGREE, &count),
-                     ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(surface, &ball, &s->ray, &how, all, ALGSURF_MAX_DEGREE, &count));
     assert_true(count == plain_count && memcmp(all, plain_all, sizeof all) == 0);
     check_counts();
     check_ray_cells(s);
     how.observer = begin();
-    assert_int_equal(algsurf_occluded(surface, &ball, &s->ray, &how, &hidden), ALGSURF_OK);
+    assert_ok(algsurf_occluded(surface, &ball, &s->ray, &how, &hidden));
     assert_int_equal(hidden, plain_hidden);
     check_counts();
     how.observer = begin();
     fesetround(FE_DOWNWARD);
     algsurf_status status = algsurf_intersect_first(surface, &ball, &s->ray, &how, &hit);
     fesetround(FE_TONEAREST);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     assert_memory_equal(&hit, &plain, sizeof hit);
     check_counts();
     check_ray_cells(s);
@@ -353,17 +335,16 @@ static int watch_ray(const scene *s, algsurf_intersect_options how) {
     return told.engine;
 }
 
-static void rays_are_watched(void **state) {
-    (void)state;
+TEST(rays_are_watched) {
     static scene s;
     uint64_t seed = 99;
     int decided[3] = {0};
     for (int e = 0; e < EQUATIONS; e++) {
-        assert_int_equal(algsurf_surface_from_equation(equations[e], NULL, 0, &s.surface, NULL), ALGSURF_OK);
+        s.surface = surface_of(equations[e]);
         s.count = (int)algsurf_surface_term_count(s.surface);
         s.degree = algsurf_surface_degree(s.surface);
         assert_true(s.count <= TERMS);
-        assert_int_equal(algsurf_surface_terms(s.surface, s.terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(s.surface, s.terms));
         for (int round = 0; round < 60; round++) {
             algsurf_intersect_options how = {.size = sizeof how};
             how.method = (int)(round % 8 < 4 ? 0 : round % 4);
@@ -382,8 +363,7 @@ static void rays_are_watched(void **state) {
 }
 
 /* Where rays go side by side nobody can watch. */
-static void packets_and_pictures_refuse(void **state) {
-    (void)state;
+TEST(packets_and_pictures_refuse) {
     algsurf_surface *surface;
     algsurf_scene *picture;
     const double o[3] = {-3, 0.1, 0.2}, d[3] = {1, 0, 0};
@@ -395,8 +375,8 @@ static void packets_and_pictures_refuse(void **state) {
     const algsurf_hit_packet hits = {.size = sizeof hits, .state = &hit};
     const algsurf_ray ray = {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, 9};
     algsurf_hit one;
-    assert_int_equal(algsurf_surface_from_equation(equations[0], NULL, 0, &surface, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(surface, &picture), ALGSURF_OK);
+    surface = surface_of(equations[0]);
+    assert_ok(algsurf_scene_create(surface, &picture));
     assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_occluded_packet(surface, NULL, &rays, &how, &hit), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_E_ARGUMENT);
@@ -404,17 +384,10 @@ static void packets_and_pictures_refuse(void **state) {
     observer.size = 0;
     assert_int_equal(algsurf_intersect_first(surface, NULL, &ray, &how, &one), ALGSURF_E_ARGUMENT);
     how.observer = NULL;
-    assert_int_equal(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(picture, &how), ALGSURF_OK);
+    assert_ok(algsurf_intersect_packet(surface, NULL, &rays, &how, &hits));
+    assert_ok(algsurf_scene_set_intersect(picture, &how));
     algsurf_scene_free(picture);
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_tile),           cmocka_unit_test(integers_are_told),
-        cmocka_unit_test(powers_are_told_in_t), cmocka_unit_test(bad_observers),
-        cmocka_unit_test(rays_are_watched),     cmocka_unit_test(packets_and_pictures_refuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("observe"); }

@@ -4,18 +4,12 @@
  * Catches (each tried): a surface taken for its own ball though one coefficient is a unit in the last place
  * off, or the centre; one that is not recognised; a ball that is replaced by a larger one though the surface
  * is not its own; an eye made at another point than the rays'. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact.h"
-
-#include <cmocka.h>
 
 #include "algsurf/algsurf.h"
 #include "rays/own_ball.h"
+#include "scenes.h"
+#include "unit.h"
 
 static const uint64_t SEED = 20261122;
 
@@ -44,14 +38,13 @@ static ball random_ball(uint64_t *seed) {
 
 static int is_own(const ball *b, const algsurf_extent *extent) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_from_terms(b->term, 7, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(b->term, 7, &s));
     int own = algsurf_i_is_own_ball(s, extent);
     algsurf_surface_free(s);
     return own;
 }
 
-static void test_recognised(void **state) {
-    (void)state;
+TEST(test_recognised) {
     uint64_t seed = SEED;
     for (int round = 0; round < 2000; round++) {
         ball b = random_ball(&seed), other = b;
@@ -73,8 +66,7 @@ static void test_recognised(void **state) {
 }
 
 /* What stands beside a ball of the same size keeps its extent. */
-static void test_others(void **state) {
-    (void)state;
+TEST(test_others) {
     static const char *const equation[] = {"x^2 + y^2 + z^2 + x y = 1", "x^2 + y^2 = 1",
                                            "x^2 + y^2 - z^2 = 1",       "(x^2 + y^2 + z^2 - 1)^2",
                                            "x^4 + y^4 + z^4 = 1",       "x = 1"};
@@ -82,14 +74,14 @@ static void test_others(void **state) {
                          box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     algsurf_surface *s, *known;
     for (size_t i = 0; i < sizeof equation / sizeof *equation; i++) {
-        assert_int_equal(algsurf_surface_from_equation(equation[i], NULL, 0, &s, NULL), ALGSURF_OK);
+        s = surface_of(equation[i]);
         assert_false(algsurf_i_is_own_ball(s, &ball_of_1));
         algsurf_surface_free(s);
     }
-    assert_int_equal(algsurf_surface_from_equation("x^2 + y^2 + z^2 = 1", NULL, 0, &s, NULL), ALGSURF_OK);
+    s = surface_of("x^2 + y^2 + z^2 = 1");
     assert_true(algsurf_i_is_own_ball(s, &ball_of_1));
     assert_false(algsurf_i_is_own_ball(s, &box) || algsurf_i_is_own_ball(s, NULL));
-    assert_int_equal(algsurf_surface_with_error(s, 1e-10, &known), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(s, 1e-10, &known));
     assert_false(algsurf_i_is_own_ball(known, &ball_of_1));
     algsurf_surface_free(known);
     algsurf_surface_free(s);
@@ -98,20 +90,18 @@ static void test_others(void **state) {
 /* Many rays of one origin that doubles leave undecided, as a packet and each alone: the same bits. */
 enum { RAYS = 40 };
 
-static void test_shared_origin(void **state) {
-    (void)state;
+TEST(test_shared_origin) {
     static const char *const equation[] = {"(x^2 + 2y^2 + 3z^2 + x y - y z + x - 1)^2",
                                            "(x^3 + y^3 + z^3 + x y z - x + 1/2)^2 (x + y + z + 1)",
                                            "((x + y + z + 1)^4 + (x - y)^3 z - 2)^2"};
     uint64_t seed = SEED + 1;
     int hits = 0, misses = 0;
     for (size_t e = 0; e < sizeof equation / sizeof *equation; e++) {
-        algsurf_surface *s;
         double origin[3][RAYS], direction[3][RAYS], t[RAYS], t_lo[RAYS], t_hi[RAYS];
         unsigned char states[RAYS];
         int multiplicity[RAYS];
         signed char side[RAYS];
-        assert_int_equal(algsurf_surface_from_equation(equation[e], NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(equation[e]);
         for (int i = 0; i < RAYS; i++)
             for (int k = 0; k < 3; k++) {
                 origin[k][i] = k == 0 ? -3.1 : 0.3 * k;
@@ -128,14 +118,14 @@ static void test_shared_origin(void **state) {
                                        .t_hi = t_hi,
                                        .multiplicity = multiplicity,
                                        .side = side};
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &rays, NULL, &to), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, NULL, &rays, NULL, &to));
         for (int i = 0; i < RAYS; i++) {
             const algsurf_ray ray = {{origin[0][i], origin[1][i], origin[2][i]},
                                      {direction[0][i], direction[1][i], direction[2][i]},
                                      0,
                                      INFINITY};
             algsurf_hit hit;
-            assert_int_equal(algsurf_intersect_first(s, NULL, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(s, NULL, &ray, NULL, &hit));
             if (states[i] != hit.state || t[i] != hit.t || t_lo[i] != hit.t_lo || t_hi[i] != hit.t_hi ||
                 multiplicity[i] != hit.multiplicity || side[i] != hit.side)
                 fail_msg("%s: ray %d along (%a, %a, %a): %d at %a alone, %d at %a in the packet", equation[e],
@@ -150,27 +140,20 @@ static void test_shared_origin(void **state) {
 
 /* Along this direction the form of highest degree vanishes, but not that of all coefficients within the
  * error: a root may be anywhere far out. */
-static void test_vanishing_direction(void **state) {
-    (void)state;
+TEST(test_vanishing_direction) {
     algsurf_surface *exact, *known;
     const algsurf_ray ray = {{0, 0.5, 0}, {1, 1, 0}, 0, 0x1p60};
     algsurf_hit hits[4];
     int count = 0, beyond = 0;
-    assert_int_equal(algsurf_surface_from_equation("x^2 - y^2 + z^2 + x = 1", NULL, 0, &exact, NULL),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_surface_with_error(exact, 1e-9, &known), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
+    exact = surface_of("x^2 - y^2 + z^2 + x = 1");
+    assert_ok(algsurf_surface_with_error(exact, 1e-9, &known));
+    assert_ok(algsurf_intersect_all(exact, NULL, &ray, NULL, hits, 4, &count));
     assert_int_equal(count, 0); /* p is -5/4 */
-    assert_int_equal(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_intersect_all(known, NULL, &ray, NULL, hits, 4, &count));
     for (int i = 0; i < count; i++) beyond |= hits[i].state == ALGSURF_UNDECIDED && hits[i].t_hi > 1e4;
     assert_true(beyond);
     algsurf_surface_free(known);
     algsurf_surface_free(exact);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_recognised), cmocka_unit_test(test_others),
-                                       cmocka_unit_test(test_shared_origin),
-                                       cmocka_unit_test(test_vanishing_direction)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("own ball"); }

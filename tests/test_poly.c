@@ -3,18 +3,12 @@
  * Breaks caught: a rounding not counted (a bound without its u |sum| part fails within a few rounds), a
  * radius not propagated, an absolute pad forgotten (the subnormal rounds), compensation lost (bounds as wide
  * as plain Horner's fail the tightness tests), a weight of the wrong index in the Bernstein scheme. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
 #include <fenv.h>
-#include <float.h>
 
 #include "algsurf/poly.h"
+#include "unit.h"
 
 #define SEED 5u
 #define TOP ALGSURF_MAX_POLY_DEGREE
@@ -57,11 +51,11 @@ static void check_eval(evaluator eval, uint64_t *seed, const double *c, const do
     mpq_init(y);
     for (int i = 0; i <= n; i++) mpq_init(q[i]);
     double value = 0, bound = 0;
-    assert_int_equal(eval(c, NULL, n, t, &value, &bound), ALGSURF_OK);
+    assert_ok(eval(c, NULL, n, t, &value, &bound));
     exact_poly_at(y, c, n, t);
     int holds = exact_within(value, y, bound);
     for (int extreme = 0; holds && extreme < 2; extreme++) {
-        assert_int_equal(eval(c, r, n, t, &value, &bound), ALGSURF_OK);
+        assert_ok(eval(c, r, n, t, &value, &bound));
         corner(seed, q, c, r, n, t, extreme);
         horner_of(y, q, n, t);
         holds = exact_within(value, y, bound);
@@ -97,18 +91,11 @@ static void evaluate_families(evaluator eval) {
         }
 }
 
-static void test_eval_encloses(void **state) {
-    (void)state;
-    evaluate_families(algsurf_poly_eval);
-}
+TEST(test_eval_encloses) { evaluate_families(algsurf_poly_eval); }
 
-static void test_compensated_encloses(void **state) {
-    (void)state;
-    evaluate_families(algsurf_poly_eval_compensated);
-}
+TEST(test_compensated_encloses) { evaluate_families(algsurf_poly_eval_compensated); }
 
-static void test_largest_degree(void **state) {
-    (void)state;
+TEST(test_largest_degree) {
     uint64_t seed = SEED;
     double c[TOP + 1], r[TOP + 1];
     for (int i = 0; i < 4; i++) {
@@ -126,20 +113,19 @@ static double magnitude(const double *c, int n, double t) {
 }
 
 /* The bounds are not only right but as small as promised, and the radii dominate when they should. */
-static void test_bounds_are_tight(void **state) {
-    (void)state;
+TEST(test_bounds_are_tight) {
     uint64_t seed = SEED;
     double c[33], r[33], value, bound;
     for (int i = 0; i < 2000; i++) {
         int n = 1 + exact_random_int(&seed, 32);
         fill(&seed, c, r, n, -4, 4);
         double t = exact_random_unit(&seed), size = magnitude(c, n, t);
-        assert_int_equal(algsurf_poly_eval(c, NULL, n, t, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval(c, NULL, n, t, &value, &bound));
         assert_true(bound <= 2 * n * 0x1p-52 * size + 0x1p-1000);
-        assert_int_equal(algsurf_poly_eval_compensated(c, NULL, n, t, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval_compensated(c, NULL, n, t, &value, &bound));
         assert_true(bound <= 0x1p-52 * fabs(value) + 4.0 * n * n * 0x1p-105 * size + 0x1p-1000);
         double radii = magnitude(r, n, t);
-        assert_int_equal(algsurf_poly_eval_compensated(c, r, n, t, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval_compensated(c, r, n, t, &value, &bound));
         assert_true(bound <=
                     1.001 * radii + 0x1p-52 * fabs(value) + 4.0 * n * n * 0x1p-105 * size + 0x1p-1000);
     }
@@ -147,45 +133,42 @@ static void test_bounds_are_tight(void **state) {
 
 /* (t-1)^8 close to 1, at ordinary, huge and tiny scale: plain Horner knows nothing, the compensated one all.
  */
-static void test_compensation_pays(void **state) {
-    (void)state;
+TEST(test_compensation_pays) {
     static const double p[9] = {1, -8, 28, -56, 70, -56, 28, -8, 1};
     static const int scales[] = {0, 990, 1017, -990, -1070};
     for (size_t k = 0; k < sizeof scales / sizeof scales[0]; k++) {
         double c[9], value, bound;
         for (int i = 0; i <= 8; i++) c[i] = ldexp(p[i], scales[k]);
-        assert_int_equal(algsurf_poly_eval(c, NULL, 8, 1 + 0x1p-8, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
         assert_true(fabs(value) <= bound);
         if (scales[k] < -900) continue; /* the value itself underflows */
-        assert_int_equal(algsurf_poly_eval_compensated(c, NULL, 8, 1 + 0x1p-8, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval_compensated(c, NULL, 8, 1 + 0x1p-8, &value, &bound));
         assert_true(fabs(value - ldexp(1.0, scales[k] - 64)) <= bound);
         assert_true(bound < 0x1p-20 * value);
     }
 }
 
 /* Overflow: an infinite value has an infinite bound; a radius may overflow alone. */
-static void test_overflow(void **state) {
-    (void)state;
+TEST(test_overflow) {
     const double c[3] = {1, 0, 1e300}, r[3] = {0, 0, 1.7e308};
     double value, bound;
-    assert_int_equal(algsurf_poly_eval(c, NULL, 2, -1e10, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval(c, NULL, 2, -1e10, &value, &bound));
     assert_true(value == INFINITY && bound == INFINITY);
-    assert_int_equal(algsurf_poly_eval_compensated(c, NULL, 2, -1e10, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval_compensated(c, NULL, 2, -1e10, &value, &bound));
     assert_true(value == INFINITY && bound == INFINITY);
-    assert_int_equal(algsurf_poly_eval(c, r, 2, 2.0, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval(c, r, 2, 2.0, &value, &bound));
     assert_true(value == 4e300 && bound == INFINITY);
     const double huge[2] = {1.7e308, 1.7e308};
-    assert_int_equal(algsurf_poly_eval(huge, huge, 1, 0.0, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval(huge, huge, 1, 0.0, &value, &bound));
     assert_true(value == 1.7e308 && bound >= 1.7e308);
     const double top[3] = {0, DBL_MAX, 1}, top_r[3] = {0, DBL_MAX, 0}; /* 0 * inf on the way to the bound */
-    assert_int_equal(algsurf_poly_eval(top, top_r, 2, 0.0, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval(top, top_r, 2, 0.0, &value, &bound));
     assert_true(value == 0 && bound == INFINITY);
 }
 
 /* c_n t^n + c_0, which cancel, where the first products lose bits to underflow that 50 powers of t then
  * lift up to 2^-75: far above the errors that are relative to anything. */
-static void test_amplified_underflow(void **state) {
-    (void)state;
+TEST(test_amplified_underflow) {
     uint64_t seed = SEED;
     mpq_t y;
     mpq_init(y);
@@ -195,7 +178,7 @@ static void test_amplified_underflow(void **state) {
         double t = fabs(exact_random_wide(&seed, 19, 19)) * 1.01;
         exact_poly_at(y, c, 51, t);
         c[0] = -mpq_get_d(y);
-        assert_int_equal(algsurf_poly_eval_compensated(c, NULL, 51, t, &value, &bound), ALGSURF_OK);
+        assert_ok(algsurf_poly_eval_compensated(c, NULL, 51, t, &value, &bound));
         exact_poly_at(y, c, 51, t);
         assert_true(exact_within(value, y, bound));
     }
@@ -221,11 +204,11 @@ static void check_bernstein(uint64_t *seed, int n, const double *c, double lo, d
         r[i] = exact_random_int(seed, 2) ? fabs(c[i]) : 0.0;
         member[i] = c[i] + (exact_random_int(seed, 2) ? r[i] : -r[i]);
     }
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, n, lo, hi, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, n, lo, hi, b, br));
     exact_bernstein(exact, c, n, lo, hi);
     for (int j = 0; j <= n; j++)
         if (!exact_within(b[j], exact[j], br[j])) fail_bernstein("exact", round, c, zero, n, lo, hi, j);
-    assert_int_equal(algsurf_poly_to_bernstein(c, r, n, lo, hi, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, r, n, lo, hi, b, br));
     exact_bernstein(exact, member, n, lo, hi);
     for (int j = 0; j <= n; j++)
         if (!exact_within(b[j], exact[j], br[j])) fail_bernstein("radii", round, c, r, n, lo, hi, j);
@@ -233,8 +216,7 @@ static void check_bernstein(uint64_t *seed, int n, const double *c, double lo, d
     free(exact);
 }
 
-static void test_bernstein_encloses(void **state) {
-    (void)state;
+TEST(test_bernstein_encloses) {
     static const struct {
         int rounds, degree, low, high, x_low, x_high;
     } family[] = {{500, 12, -4, 4, -3, 1},
@@ -256,33 +238,31 @@ static void test_bernstein_encloses(void **state) {
 }
 
 /* 1 is 1 in every degree, t runs evenly from lo to hi; degree 512 stays within its promised error. */
-static void test_bernstein_of_simple_polynomials(void **state) {
-    (void)state;
+TEST(test_bernstein_of_simple_polynomials) {
     double c[TOP + 1] = {1.0}, b[TOP + 1], br[TOP + 1], value, bound;
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP, -3.0, 7.0, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, TOP, -3.0, 7.0, b, br));
     for (int j = 0; j <= TOP; j++) assert_true(b[j] == 1.0 && br[j] == 0.0);
     c[0] = 0.0, c[1] = 1.0; /* leading zeros: no pad for underflow may grow with the powers of t */
-    assert_int_equal(algsurf_poly_eval(c, NULL, TOP, 1e10, &value, &bound), ALGSURF_OK);
+    assert_ok(algsurf_poly_eval(c, NULL, TOP, 1e10, &value, &bound));
     assert_true(value == 1e10 && bound <= 1e10 * 0x1p-51);
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP, -1.0, 1.0, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, TOP, -1.0, 1.0, b, br));
     for (int j = 0; j <= TOP; j++) {
         assert_true(fabs(b[j] - (-1.0 + 2.0 * j / TOP)) <= br[j] + 0x1p-52);
         assert_true(br[j] <= 8 * 0x1p-53);
     }
     for (int i = 0; i <= TOP; i++) c[i] = i % 2 ? -1.0 : 1.0;
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, TOP, -1.0, 1.0, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, TOP, -1.0, 1.0, b, br));
     for (int j = 0; j <= TOP; j++) assert_true(br[j] <= 8.0 * TOP * 0x1p-53 * (TOP + 1));
     assert_true(fabs(b[0] - (TOP + 1)) <= br[0] && fabs(b[TOP] - 1.0) <= br[TOP]);
     c[0] = 0.1;
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 0, 0.0, 1.0, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, 0, 0.0, 1.0, b, br));
     assert_true(b[0] == 0.1 && br[0] == 0.0);
 }
 
-static void test_bernstein_range(void **state) {
-    (void)state;
+TEST(test_bernstein_range) {
     const double c[3] = {1, 1, 1e-300}, r[3] = {0, 0, 1e200};
     double b[3] = {7, 7, 7}, br[3] = {7, 7, 7};
-    assert_int_equal(algsurf_poly_to_bernstein(c, NULL, 2, -1e300, 1e300, b, br), ALGSURF_OK);
+    assert_ok(algsurf_poly_to_bernstein(c, NULL, 2, -1e300, 1e300, b, br));
     assert_true(b[0] < 0 || br[0] > 0);
     b[0] = br[0] = 7;
     assert_int_equal(algsurf_poly_to_bernstein(c, r, 2, -1e300, 1e300, b, br), ALGSURF_E_RANGE);
@@ -294,8 +274,7 @@ static void test_bernstein_range(void **state) {
 
 /* ---- any environment, bad input ---- */
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     uint64_t seed = SEED;
     double c[9], r[9], want[6], got[6], b[9], br[9], b2[9], br2[9];
@@ -336,18 +315,16 @@ static void refuse_eval(evaluator eval) {
     assert_int_equal(eval(c, NULL, 1, NAN, &value, &bound), ALGSURF_E_NOT_FINITE);
     assert_int_equal(eval(c, NULL, 1, -INFINITY, &value, &bound), ALGSURF_E_NOT_FINITE);
     assert_true(value == 7 && bound == 8);
-    assert_int_equal(eval(c, good, 1, 3, &value, &bound), ALGSURF_OK);
+    assert_ok(eval(c, good, 1, 3, &value, &bound));
     assert_true(value == 7 && bound >= 3 && bound < 3.001);
 }
 
-static void test_bad_input_eval(void **state) {
-    (void)state;
+TEST(test_bad_input_eval) {
     refuse_eval(algsurf_poly_eval);
     refuse_eval(algsurf_poly_eval_compensated);
 }
 
-static void test_bad_input_bernstein(void **state) {
-    (void)state;
+TEST(test_bad_input_bernstein) {
     const double c[2] = {1, 2}, bad[2] = {NAN, 0}, negative[2] = {0, -1};
     double b[2] = {7, 7}, br[2] = {7, 7};
     assert_int_equal(algsurf_poly_to_bernstein(NULL, NULL, 1, 0, 1, b, br), ALGSURF_E_ARGUMENT);
@@ -365,21 +342,4 @@ static void test_bad_input_bernstein(void **state) {
     assert_true(b[0] == 7 && b[1] == 7 && br[0] == 7 && br[1] == 7);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_eval_encloses),
-        cmocka_unit_test(test_compensated_encloses),
-        cmocka_unit_test(test_largest_degree),
-        cmocka_unit_test(test_bounds_are_tight),
-        cmocka_unit_test(test_compensation_pays),
-        cmocka_unit_test(test_overflow),
-        cmocka_unit_test(test_amplified_underflow),
-        cmocka_unit_test(test_bernstein_encloses),
-        cmocka_unit_test(test_bernstein_of_simple_polynomials),
-        cmocka_unit_test(test_bernstein_range),
-        cmocka_unit_test(test_any_environment),
-        cmocka_unit_test(test_bad_input_eval),
-        cmocka_unit_test(test_bad_input_bernstein),
-    };
-    return cmocka_run_group_tests_name("poly", tests, NULL, NULL);
-}
+int main(void) { return unit_run("poly"); }

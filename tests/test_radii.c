@@ -8,18 +8,13 @@
  * Breaks tried, each caught: a 32nd of the radius from powers (a 16th is not: it is that generous), a cut
  * that adds no radius, or n u / 4 of the coefficients instead of 8 n u, signs counted the wrong way round.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "exact_ray.h"
 
 #define LANES 2
 #define KERNEL(name) name##_of_test
 #include "rays/packets.h"
 #include "rays/packet_template.h"
+#include "unit.h"
 
 #define SEED 20261122u
 enum { DEEP = 6, MOST = ALGSURF_MAX_DEGREE };
@@ -170,7 +165,7 @@ static int make_terms(algsurf_term *t, int n, int kind, uint64_t *random) {
 
 /* The surface's terms in natural units and scale, as the lanes know them. */
 static void to_natural(const algsurf_surface *s, algsurf_term *t) {
-    assert_int_equal(algsurf_surface_terms(s, t), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, t));
     for (size_t i = 0; i < s->term_count; i++)
         t[i].a = ldexp(t[i].a, s->unit * (t[i].i + t[i].j + t[i].k) + s->scale);
 }
@@ -179,7 +174,7 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     static algsurf_term terms[400];
     algsurf_surface *s = NULL;
     int count = make_terms(terms, n, kind, random);
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &s));
     to_natural(s, terms);
     exact_form f[LANES];
     lanes b[MOST + 1], e[MOST + 1];
@@ -207,8 +202,7 @@ static void judge_rays(int n, int kind, uint64_t *random) {
     algsurf_surface_free(s);
 }
 
-static void test_rays(void **state) {
-    (void)state;
+TEST(test_rays) {
     uint64_t random = SEED;
     for (size_t d = 0; d < sizeof degrees / sizeof *degrees; d++)
         for (int repeat = 0; repeat < (degrees[d] > 20 ? 1 : 4); repeat++)
@@ -216,8 +210,7 @@ static void test_rays(void **state) {
     assert_true(worst[0] > 0.01);
 }
 
-static void test_cuts(void **state) {
-    (void)state;
+TEST(test_cuts) {
     uint64_t random = SEED + 1;
     for (int depth = 0; depth <= DEEP; depth++) worst[depth] = 0;
     for (size_t d = 0; d < sizeof degrees / sizeof *degrees; d++)
@@ -239,8 +232,7 @@ static void test_cuts(void **state) {
 }
 
 /* Counts of signs that are not all known, against those of every choice of the others. */
-static void test_count(void **state) {
-    (void)state;
+TEST(test_count) {
     enum { N = 5, ALL = 243 }; /* 3^N: each coefficient after the first is sure, or not */
     for (int code = 0; code < ALL; code++) {
         int known_sign[N + 1] = {1}, none = 1, one = 1;
@@ -270,11 +262,4 @@ static void test_count(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_count),
-    };
-    return cmocka_run_group_tests_name("radii", tests, NULL, NULL);
-}
+int main(void) { return unit_run("radii"); }

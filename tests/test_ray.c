@@ -6,14 +6,6 @@
  *   `<` for `<=` at a face, at touching ends                                box_faces, ends_kept
  *   t_max of the ray forgotten                                              ends_kept, all_of_space
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "ray_case.h"
 
 /* The exact slabs. */
@@ -45,11 +37,10 @@ static int box_exact(const algsurf_extent *e, const algsurf_ray *r, mpq_t ends[2
     return meets;
 }
 
-static void box_random(void **state) {
+TEST(box_random) {
     uint64_t seed = 21;
     int met = 0, missed = 0;
     mpq_t ends[2], error, allowed;
-    (void)state;
     mpq_inits(ends[0], ends[1], error, allowed, NULL);
     for (int k = 0; k < 6000; k++) {
         double scale = pow(10, exact_random_int(&seed, 9));
@@ -64,7 +55,7 @@ static void box_random(void **state) {
             r.origin[i] = target - scale * r.direction[i];
         }
         if (zero == 6) r.direction[k % 3] = 1e-5;
-        assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+        assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
         int exact = box_exact(&e, &r, ends);
         if (meets != exact) {
             print_case(&e, &r, NULL);
@@ -87,8 +78,7 @@ static void box_random(void **state) {
 }
 
 /* Origins and directions in the faces: they belong to the box. */
-static void box_faces(void **state) {
-    (void)state;
+TEST(box_faces) {
     algsurf_extent e = {ALGSURF_EXTENT_BOX, {1, 2, 3}, {0.5, 0.25, 0.125}};
     algsurf_ray chord, r = make_ray((double[]){1.5, 2, 3}, (double[]){1, 0, 0}, 0, INFINITY);
     assert_int_equal(clip(&e, &r, &chord), 1); /* on a face, leaving: one point */
@@ -119,8 +109,7 @@ static void box_faces(void **state) {
 }
 
 /* t_min and t_max stay, bit for bit, when they are the tighter ends; what lies behind is not met. */
-static void ends_kept(void **state) {
-    (void)state;
+TEST(ends_kept) {
     double third = 1.0 / 3;
     algsurf_extent extents[2] = {{ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}},
                                  {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}}};
@@ -147,8 +136,7 @@ static void ends_kept(void **state) {
     }
 }
 
-static void all_of_space(void **state) {
-    (void)state;
+TEST(all_of_space) {
     algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL, .centre = {NAN, 0, 0}};
     algsurf_ray chord, r = make_ray((double[]){1, 2, 3}, (double[]){0, 0, 1}, -INFINITY, INFINITY);
     assert_int_equal(clip(&all, &r, &chord), 1);
@@ -173,8 +161,7 @@ static void refuse(const algsurf_extent *e, const algsurf_ray *r, algsurf_status
     assert_memory_equal(&chord, &before, sizeof chord);
 }
 
-static void bad_input(void **state) {
-    (void)state;
+TEST(bad_input) {
     const algsurf_extent good = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 1, 1}};
     const algsurf_ray ray = make_ray((double[]){-4, 0, 0}, (double[]){1, 0, 0}, 0, 10);
     const double bad[3] = {NAN, INFINITY, -INFINITY};
@@ -207,10 +194,4 @@ static void bad_input(void **state) {
     refuse(&e, &ray, ALGSURF_E_ARGUMENT);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(box_random),   cmocka_unit_test(box_faces), cmocka_unit_test(ends_kept),
-        cmocka_unit_test(all_of_space), cmocka_unit_test(bad_input),
-    };
-    return cmocka_run_group_tests_name("ray", tests, NULL, NULL);
-}
+int main(void) { return unit_run("ray"); }

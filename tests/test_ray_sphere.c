@@ -6,12 +6,6 @@
  *   no double-double discriminant near a tangency                           sphere_grazing
  *   lengths or directions not scaled                                        sphere_scales
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
 
 #include "ray_case.h"
@@ -70,7 +64,7 @@ static int check_sphere(const algsurf_extent *e, const algsurf_ray *r, double al
     int meets = -1;
     mpf_t t[2], unit, error;
     init(t, 2), mpf_init2(unit, PRECISION), mpf_init2(error, PRECISION);
-    assert_int_equal(algsurf_extent_clip(e, r, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(e, r, &chord, &meets));
     int sign = sphere_exact(e, r, t, unit);
     if (sign != 0 && meets != (sign > 0)) {
         print_case(e, r, NULL);
@@ -105,10 +99,9 @@ static algsurf_ray random_ray(uint64_t *seed, const algsurf_extent *e, double di
     return ray;
 }
 
-static void sphere_far(void **state) {
+TEST(sphere_far) {
     uint64_t seed = 11;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 900; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
         for (int i = 0; i < 3; i++) e.centre[i] = k % 2 ? 10 * exact_random_unit(&seed) : 0;
@@ -120,10 +113,9 @@ static void sphere_far(void **state) {
 
 /* Origins so far away that the sphere is smaller than the spacing of doubles there: hit or miss is still
  * decided for the exact line. */
-static void sphere_very_far(void **state) {
+TEST(sphere_very_far) {
     uint64_t seed = 15;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 300; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
         algsurf_ray r = {.t_min = -INFINITY, .t_max = INFINITY};
@@ -138,10 +130,9 @@ static void sphere_very_far(void **state) {
 }
 
 /* Rays that pass at 1 - 2^-k radii: the chord is short, its ends are as good. */
-static void sphere_grazing(void **state) {
+TEST(sphere_grazing) {
     uint64_t seed = 12;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 900; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.3, -0.2, 0.1}, {1, 0, 0}};
         double gap = ldexp(1, -(k % 50) - 1);
@@ -151,9 +142,8 @@ static void sphere_grazing(void **state) {
     assert_in_range(met, 650, 850);
 }
 
-static void sphere_inside(void **state) {
+TEST(sphere_inside) {
     uint64_t seed = 13;
-    (void)state;
     for (int k = 0; k < 300; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {1, 2, 3}, {2, 0, 0}};
         algsurf_ray r = random_ray(&seed, &e, 0.9 * exact_random_unit(&seed), 0.4);
@@ -162,10 +152,9 @@ static void sphere_inside(void **state) {
 }
 
 /* The same picture at any scale of lengths and of directions. */
-static void sphere_scales(void **state) {
+TEST(sphere_scales) {
     uint64_t seed = 14;
     int met = 0;
-    (void)state;
     for (int k = 0; k < 120; k++) {
         int length = exact_random_int(&seed, 1990) - 995, direction = exact_random_int(&seed, 1990) - 995;
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.5, -0.25, 0.125}, {1, 0, 0}};
@@ -181,39 +170,37 @@ static void sphere_scales(void **state) {
     assert_in_range(met, 40, 120);
 }
 
-static void sphere_ends_of_range(void **state) {
-    (void)state;
+TEST(sphere_ends_of_range) {
     algsurf_ray chord;
     int meets;
     /* From 1e300 straight at a unit sphere: both ends are 1e300. */
     algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     algsurf_ray r = make_ray((double[]){1e300, 0, 0}, (double[]){-1, 0, 0}, 0, INFINITY);
-    assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(chord.t_min == 1e300 && chord.t_max == 1e300);
     /* The largest sphere, opposite largest centre; and the smallest of all. */
     e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {-1.7e308, 0, 0}, {1e308, 0, 0}};
     r = make_ray((double[]){1.7e308, 0, 0}, (double[]){-1e300, 0, 0}, 0, INFINITY);
-    assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(fabs(chord.t_min / 2.4e8 - 1) < 1e-15 && fabs(chord.t_max / 4.4e8 - 1) < 1e-15);
     e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {0x1p-1074, 0, 0}};
     r = make_ray((double[]){0x1p-1072, 0, 0}, (double[]){-0x1p-1074, 0, 0}, 0, INFINITY);
-    assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(chord.t_min == 3 && chord.t_max == 5);
     /* t would be about 1e600: no double lies on the chord. */
     e = (algsurf_extent){ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}};
     r = make_ray((double[]){1e300, 0, 0}, (double[]){-1e-300, 0, 0}, -INFINITY, INFINITY);
-    assert_int_equal(algsurf_extent_clip(&e, &r, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_extent_clip(&e, &r, &chord, &meets));
     assert_int_equal(meets, 0);
 }
 
 /* The answer does not depend on the caller's rounding mode, which survives. */
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[3] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     uint64_t seed = 31;
-    (void)state;
     for (int k = 0; k < 200; k++) {
         algsurf_extent e = {ALGSURF_EXTENT_SPHERE, {0.1, 0.2, 0.3}, {1, 1, 1}};
         if (k % 2) e.kind = ALGSURF_EXTENT_BOX;
@@ -225,19 +212,11 @@ static void rounding_modes(void **state) {
             algsurf_status status = algsurf_extent_clip(&e, &r, &other, &meets);
             int mode = fegetround();
             fesetround(FE_TONEAREST);
-            assert_int_equal(status, ALGSURF_OK);
+            assert_ok(status);
             assert_int_equal(mode, modes[m]);
             assert_memory_equal(&chord, &other, sizeof chord);
         }
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sphere_far),      cmocka_unit_test(sphere_grazing),
-        cmocka_unit_test(sphere_very_far), cmocka_unit_test(sphere_inside),
-        cmocka_unit_test(sphere_scales),   cmocka_unit_test(sphere_ends_of_range),
-        cmocka_unit_test(rounding_modes),
-    };
-    return cmocka_run_group_tests_name("ray: sphere", tests, NULL, NULL);
-}
+int main(void) { return unit_run("ray: sphere"); }

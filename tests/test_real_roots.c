@@ -33,11 +33,10 @@ static int times_root(mpz_t *p, int n, mpz_t a, mpz_t b) {
     return n + 1;
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {-1, 1}, {0, INFINITY}, {-3, 0x1p-30}};
     uint64_t seed = 5;
-    mpz_t *p = isolate_integers(TOP + 1);
+    mpz_t *p = exact_polynomials(1, TOP + 1);
     for (int i = 0; i < 600; i++) {
         int n = 1 + exact_random_int(&seed, 9);
         for (int k = 0; k <= n; k++)
@@ -45,15 +44,14 @@ static void test_random(void **state) {
         if (exact_degree(p, n) < 0) continue;
         isolate_judge_integers(p, n, ends[i % 4][0], ends[i % 4][1], &answer);
     }
-    isolate_integers_clear(p, TOP + 1);
+    exact_free(p, TOP + 1);
 }
 
 /* Rational roots of many digits, some multiple, some 2^-500 apart. */
-static void test_known(void **state) {
-    (void)state;
+TEST(test_known) {
     uint64_t seed = 6;
     int multiple = 0, shared = 0;
-    mpz_t a, b, *p = isolate_integers(TOP + 1);
+    mpz_t a, b, *p = exact_polynomials(1, TOP + 1);
     mpz_inits(a, b, NULL);
     for (int i = 0; i < 150; i++) {
         int n = 0;
@@ -74,13 +72,12 @@ static void test_known(void **state) {
     }
     assert_true(multiple > 100 && shared > 50);
     mpz_clears(a, b, NULL);
-    isolate_integers_clear(p, TOP + 1);
+    exact_free(p, TOP + 1);
 }
 
 /* Roots far below the least double, far above the largest, and both. */
-static void test_far(void **state) {
-    (void)state;
-    mpz_t *p = isolate_integers(3);
+TEST(test_far) {
+    mpz_t *p = exact_polynomials(1, 3);
     for (int e = 1000; e < 60000; e *= 3) {
         mpz_set_ui(p[0], 1), mpz_set_si(p[1], -7), mpz_set_ui(p[2], 1);
         mpz_mul_2exp(p[1], p[1], (unsigned long)e);
@@ -89,28 +86,26 @@ static void test_far(void **state) {
         isolate_judge_integers(p, 2, 0x1p-1074, 1e308, &answer);
         isolate_judge_integers(p, 2, -1, 0, &answer);
     }
-    isolate_integers_clear(p, 3);
+    exact_free(p, 3);
 }
 
 /* The form of the coefficients: leading zero limbs, null for 0, a common power of two, negative lengths. */
-static void test_form(void **state) {
-    (void)state;
+TEST(test_form) {
     static const uint64_t six[] = {0, 6, 0, 0}, five[] = {0, 5}, one[] = {0, 1, 0}, zero[] = {0, 0};
     const algsurf_integer c[] = {{six, 4}, {five, -2}, {one, 3}, {NULL, 0}, {zero, -2}};
     algsurf_real_root t[4];
     int count = -1;
-    assert_int_equal(algsurf_real_roots_integers(c, 4, -INFINITY, INFINITY, t, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(c, 4, -INFINITY, INFINITY, t, 4, &count));
     assert_int_equal(count, 2);
     for (int i = 0; i < 2; i++) {
         assert_true(t[i].root == 2 + i && t[i].lo == 2 + i && t[i].hi == 2 + i);
         assert_true(t[i].multiplicity == 1 && t[i].sign == 1 - 2 * i);
     }
-    assert_int_equal(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(c, 0, -INFINITY, INFINITY, t, 0, &count));
     assert_int_equal(count, 0);
 }
 
-static void test_refused(void **state) {
-    (void)state;
+TEST(test_refused) {
     static const uint64_t limb[ALGSURF_MAX_LIMBS + 1] = {[0] = 1, [ALGSURF_MAX_LIMBS] = 1};
     const algsurf_integer good[] = {{limb, -1}, {limb, 1}, {limb, 1}}, zero[] = {{limb + 1, 2}, {NULL, 0}};
     const algsurf_integer bad[][2] = {{{limb, ALGSURF_MAX_LIMBS + 1}, {limb, 1}},
@@ -134,7 +129,7 @@ static void test_refused(void **state) {
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, -1, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_real_roots_integers(good, 2, -9, 9, t, 1, &count), ALGSURF_E_ARGUMENT);
     assert_int_equal(count, 77);
-    assert_int_equal(algsurf_real_roots_integers(longest, 1, 0, 1, t, 1, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots_integers(longest, 1, 0, 1, t, 1, &count));
     assert_true(count == 1 && t[0].lo == 0 && t[0].hi == 0x1p-1074);
 }
 
@@ -152,15 +147,14 @@ static void check_final(const double *c, int n, const algsurf_real_root *r) {
 static void check_power(const double *c, int n, double lo, double hi, int expected) {
     algsurf_real_root t[4];
     int count = -1;
-    assert_int_equal(algsurf_real_roots(c, n, lo, hi, t, 4, &count), ALGSURF_OK);
+    assert_ok(algsurf_real_roots(c, n, lo, hi, t, 4, &count));
     assert_int_equal(count, expected);
     for (int i = 0; i < count; i++) check_final(c, n, t + i);
 }
 
 /* q's root, b / a, is among the subnormal numbers, whose neighbours are far apart in proportion: 0 to 53
  * binary digits of it, and a root below all of them. */
-static void test_powers_of_subnormals(void **state) {
-    (void)state;
+TEST(test_powers_of_subnormals) {
     static const double known[][2] = {{3, 1e-310}, {3, 1e-320}, {0x1p100, 0x1.8p-974}};
     static const int steps[] = {2, 3, 4, 7, 20, 25, 64, 99, 256};
     uint64_t seed = 7;
@@ -201,8 +195,7 @@ static void check_cut(const double *c, int n, double lo, double hi) {
 }
 
 /* Roots just inside and at a bound: t^k = a and (t - a)^k, of all sizes; terms of both signs at random. */
-static void test_cuts(void **state) {
-    (void)state;
+TEST(test_cuts) {
     static const double ends[][2] = {{-INFINITY, INFINITY}, {0, INFINITY}, {0, 2}, {-3, 0}, {-1, 0x1p-1074}};
     uint64_t seed = 8;
     for (int i = 0; i < 1500; i++) {
@@ -226,8 +219,7 @@ static void test_cuts(void **state) {
 /* Roots that are doubles, beside doubles, at an end of the interval and one ulp beside it: degree 1 and 2 by
  * formula, 3 to 24 by boxes, with 0 as a root, and on all kinds of intervals.  Catches: a box's end taken for
  * no root, roots on the wrong side of an end, signs that do not alternate, a root at 0 forgotten. */
-static void test_ends_at_roots(void **state) {
-    (void)state;
+TEST(test_ends_at_roots) {
     uint64_t seed = 9;
     for (int i = 0; i < 500; i++) {
         int n = 0, zeros = i % 5 == 4 ? 1 + i % 3 : 0,
@@ -253,8 +245,7 @@ static void test_ends_at_roots(void **state) {
 /* An end at 0, or far beyond the roots, costs no more than one beside them: counted in what the walk looks
  * at.
  */
-static void test_zero_is_no_place_to_search(void **state) {
-    (void)state;
+TEST(test_zero_is_no_place_to_search) {
     static double c[513];
     static algsurf_bracket b[512];
     uint64_t seed = 10;
@@ -267,28 +258,14 @@ static void test_zero_is_no_place_to_search(void **state) {
             for (int i = 0; i < 3; i++) {
                 algsurf_observer o = {.size = sizeof o};
                 const algsurf_isolate_options options = {.size = sizeof options, .observer = &o};
-                assert_int_equal(algsurf_isolate_all(c, NULL, n, lo[i], 2, &options, b, 512, count + i),
-                                 ALGSURF_OK);
+                assert_ok(algsurf_isolate_all(c, NULL, n, lo[i], 2, &options, b, 512, count + i));
                 cells[i] = o.cells;
             }
             assert_true(count[1] == count[0] && count[2] == count[0]);
             assert_true(cells[1] <= cells[0] + 2 && cells[2] <= cells[0] + 4);
-            assert_int_equal(algsurf_isolate_all(c, NULL, n, 0, 0, NULL, b, 512, count), ALGSURF_OK);
+            assert_ok(algsurf_isolate_all(c, NULL, n, 0, 0, NULL, b, 512, count));
             assert_int_equal(count[0], 0);
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_far),
-        cmocka_unit_test(test_form),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_powers_of_subnormals),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_ends_at_roots),
-        cmocka_unit_test(test_zero_is_no_place_to_search),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("real roots"); }

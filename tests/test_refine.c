@@ -4,22 +4,15 @@
  * that are not the callback's, a Brent that is not Brent's (its points are compared with the book's
  * procedure, one by one), a Newton whose far end stays where it was, a halving that overflows, a limit that
  * is not told, a final bracket that radii do not widen. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "exact.h"
 
-#include <cmocka.h>
 #include <fenv.h>
-#include <float.h>
-#include <string.h>
 #if defined(__SSE2__) || defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
 
 #include "algsurf/refine.h"
+#include "unit.h"
 
 #define SEED 11u
 #define NEWTON_POINTS 248 /* 246 (search.c) and the two ends */
@@ -109,8 +102,7 @@ static const struct {
 };
 #define TABLE ((int)(sizeof table / sizeof table[0]))
 
-static void test_methods_agree_on_known_roots(void **state) {
-    (void)state;
+TEST(test_methods_agree_on_known_roots) {
     static const double tolerances[] = {1e-3, 1e-9, 0};
     static probe p;
     for (int i = 0; i < TABLE; i++)
@@ -134,18 +126,17 @@ static void test_methods_agree_on_known_roots(void **state) {
 
 /* Bisection needs log2 of width over tolerance, Brent stays under four times as many here (its own bound is
  * about the square), and a third of bisection's where the function is smooth. */
-static void test_evaluations_are_bounded(void **state) {
-    (void)state;
+TEST(test_evaluations_are_bounded) {
     static probe p;
     for (int i = 0; i < TABLE; i++) {
         algsurf_refined_root brent, bisection;
         algsurf_refine_options o = options_of(ALGSURF_METHOD_BISECTION, 2e-12, 0);
         double lo = table[i].lo, hi = table[i].hi, halvings = ceil(log2((hi - lo) / 2e-12));
         p.f = table[i].f;
-        assert_int_equal(algsurf_refine_function(call, &p, lo, hi, &o, &bisection), ALGSURF_OK);
+        assert_ok(algsurf_refine_function(call, &p, lo, hi, &o, &bisection));
         assert_true(bisection.evaluations <= 2 + halvings);
         o.method = ALGSURF_METHOD_BRENT;
-        assert_int_equal(algsurf_refine_function(call, &p, lo, hi, &o, &brent), ALGSURF_OK);
+        assert_ok(algsurf_refine_function(call, &p, lo, hi, &o, &brent));
         assert_true(brent.evaluations <= 2 + 4 * halvings);
         if (p.f == f_step || p.f == f_half_step || p.f == f_half_wall)
             assert_true(brent.evaluations <= bisection.evaluations + 2); /* an infinite end: halving */
@@ -201,14 +192,13 @@ static void compare_with_book(double (*f)(double), double lo, double hi, double 
     algsurf_refine_options o = options_of(ALGSURF_METHOD_BRENT, tolerance, RECORDED);
     algsurf_refined_root r;
     p.f = f, p.calls = 0;
-    assert_int_equal(algsurf_refine_function(call, &p, lo, hi, &o, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_function(call, &p, lo, hi, &o, &r));
     int count = book(f, lo, hi, 0.5 * tolerance, at); /* of half the width */
     assert_int_equal(p.calls, count);
     assert_memory_equal(p.at, at, (size_t)count * sizeof *at);
 }
 
-static void test_brent_is_brents(void **state) {
-    (void)state;
+TEST(test_brent_is_brents) {
     for (int i = 0; i < TABLE; i++) {
         if (isinf(table[i].f(table[i].lo)) || isinf(table[i].f(table[i].hi)))
             continue; /* the book has no rule for infinite values */
@@ -226,8 +216,7 @@ static void test_brent_is_brents(void **state) {
 static double f_power(double x) { return pow(x, 9) - 0.5; }
 
 /* The chord of a convex function moves one end by 1e-4 a step; the root is at 0.93. */
-static void test_regula_falsi_says_when_it_fails(void **state) {
-    (void)state;
+TEST(test_regula_falsi_says_when_it_fails) {
     static probe p = {.f = f_power};
     algsurf_refine_options o = options_of(ALGSURF_METHOD_REGULA_FALSI, 1e-14, 60);
     algsurf_refined_root r;
@@ -236,48 +225,46 @@ static void test_regula_falsi_says_when_it_fails(void **state) {
     assert_true(!r.converged && r.iterations == 60 && r.root < 0.1 && r.hi == 3);
     assert_true(fabs(p.at[61] - p.at[60]) > 1e-14); /* it still moved */
     o.absolute_tolerance = 2e-3, p.calls = 0;       /* two points closer than this: the early stop */
-    assert_int_equal(algsurf_refine_function(call, &p, 0, 3, &o, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_function(call, &p, 0, 3, &o, &r));
     assert_true(r.converged && r.hi - r.lo > 1 && p.calls == 4);
 }
 
 /* t^2 - 2 within a radius of its constant: the final bracket is the range of the roots, to a unit or two. */
-static void test_radii(void **state) {
-    (void)state;
+TEST(test_radii) {
     algsurf_refined_root root = {.root = 7}, middle;
     static const double c[3] = {-2, 0, 1};
     for (int e = 2; e < 60; e += 3) {
         const double r[3] = {ldexp(1, -e), 0, 0};
         double lo = sqrt(2 - r[0]), hi = sqrt(2 + r[0]);
-        assert_int_equal(algsurf_refine_poly(c, r, 2, 1, 3, NULL, &root), ALGSURF_OK);
-        assert_int_equal(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle), ALGSURF_OK);
+        assert_ok(algsurf_refine_poly(c, r, 2, 1, 3, NULL, &root));
+        assert_ok(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle));
         assert_true(root.root == middle.root && root.residual == middle.residual);
         assert_true(root.evaluations == middle.evaluations && root.iterations == middle.iterations);
         assert_true(root.converged);
         assert_true(lo - 0x1p-51 <= root.lo && root.lo <= lo + 0x1p-52);
         assert_true(hi - 0x1p-52 <= root.hi && root.hi <= hi + 0x1p-51);
         algsurf_refine_options coarse = options_of(ALGSURF_METHOD_DEFAULT, 0.25, 0);
-        assert_int_equal(algsurf_refine_poly(c, r, 2, 1, 3, &coarse, &root), ALGSURF_OK);
+        assert_ok(algsurf_refine_poly(c, r, 2, 1, 3, &coarse, &root));
         assert_true(root.lo <= lo + 0x1p-52 && hi - 0x1p-52 <= root.hi &&
                     root.evaluations < middle.evaluations);
     }
     const double none[3] = {0, 0, 0};
-    assert_int_equal(algsurf_refine_poly(c, none, 2, 1, 3, NULL, &root), ALGSURF_OK);
-    assert_int_equal(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(c, none, 2, 1, 3, NULL, &root));
+    assert_ok(algsurf_refine_poly(c, NULL, 2, 1, 3, NULL, &middle));
     assert_true(root.lo == middle.lo && root.hi == middle.hi && root.evaluations == middle.evaluations);
     const double line[2] = {0, 1}, slope[2] = {0, 0.5}; /* all have the root 0 */
-    assert_int_equal(algsurf_refine_poly(line, slope, 1, -1, 2, NULL, &root), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(line, slope, 1, -1, 2, NULL, &root));
     assert_true(root.root == 0 && root.lo == 0 && root.hi == 0);
-    assert_int_equal(algsurf_refine_poly(line, slope, 1, 0, 0, NULL, &root), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(line, slope, 1, 0, 0, NULL, &root));
     assert_true(root.root == 0 && root.lo == 0 && root.hi == 0);
     const double thrice[4] = {-0.125, 0.75, -1.5, 1}, little[4] = {0x1p-40, 0, 0, 0}; /* about (t - 1/2)^3 */
-    assert_int_equal(algsurf_refine_poly(thrice, little, 3, -1, 2, NULL, &root), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(thrice, little, 3, -1, 2, NULL, &root));
     assert_true(root.root == 0.5 && root.lo <= 0.5 - 9.6e-5 && root.hi >= 0.5 + 9.6e-5 &&
                 root.hi - root.lo < 1e-3);
 }
 
 /* A bracket is refused where a polynomial of the set may have no root in it, and so are bad radii. */
-static void test_radii_refused(void **state) {
-    (void)state;
+TEST(test_radii_refused) {
     algsurf_refined_root root = {.root = 7};
     static const double c[3] = {-2, 0, 1}, r[3] = {0.5, 0, 0};
     static const struct {
@@ -308,8 +295,7 @@ static void test_radii_refused(void **state) {
     assert_true(root.root == 7);
 }
 
-static void test_iteration_limit(void **state) {
-    (void)state;
+TEST(test_iteration_limit) {
     static probe p;
     for (int m = 0; m < 4; m++)
         for (int limit = 1; limit < 6; limit++) {
@@ -327,32 +313,31 @@ static double f_identity(double x) { return x; }
 static double f_shifted(double x) { return x - 0x1.8p-1070; }
 static double f_big_root(double x) { return x > 1e-200 ? 1 : -1; }
 
-static void test_ends_and_extremes(void **state) {
-    (void)state;
+TEST(test_ends_and_extremes) {
     static probe p;
     algsurf_refined_root r;
     for (int m = 0; m < 4; m++) {
         algsurf_refine_options o = options_of(methods[m], 0, 3000);
         p = (probe){.f = f_identity};
-        assert_int_equal(algsurf_refine_function(call, &p, 0, 5, &o, &r), ALGSURF_OK); /* root at lo */
+        assert_ok(algsurf_refine_function(call, &p, 0, 5, &o, &r)); /* root at lo */
         assert_true(r.root == 0 && r.residual == 0 && r.converged == 1 && p.calls == 2);
-        assert_int_equal(algsurf_refine_function(call, &p, -5, 0, &o, &r), ALGSURF_OK); /* at hi */
+        assert_ok(algsurf_refine_function(call, &p, -5, 0, &o, &r)); /* at hi */
         assert_true(r.root == 0 && r.lo == -5 && r.hi == 0);
-        assert_int_equal(algsurf_refine_function(call, &p, 0, 0, &o, &r), ALGSURF_OK); /* lo = hi */
+        assert_ok(algsurf_refine_function(call, &p, 0, 0, &o, &r)); /* lo = hi */
         assert_true(r.root == 0 && r.lo == 0 && r.hi == 0);
         p = (probe){.f = f_shifted}; /* subnormal bracket */
-        assert_int_equal(algsurf_refine_function(call, &p, 0, 0x1p-1060, &o, &r), ALGSURF_OK);
+        assert_ok(algsurf_refine_function(call, &p, 0, 0x1p-1060, &o, &r));
         check_result(&r, &p, 0, 0x1p-1060, 0, methods[m]);
         assert_true(fabs(r.root - 0x1.8p-1070) <= 2 * 0x1p-1073);
         p = (probe){.f = f_big_root}; /* 1665 binary orders away from either end */
-        assert_int_equal(algsurf_refine_function(call, &p, -1e300, 1e300, &o, &r), ALGSURF_OK);
+        assert_ok(algsurf_refine_function(call, &p, -1e300, 1e300, &o, &r));
         if (methods[m] != ALGSURF_METHOD_REGULA_FALSI) assert_true(fabs(r.root - 1e-200) < 1e-214);
         o.max_iterations = 0; /* the default limit is too small for plain halving, and it says so */
         if (methods[m] == ALGSURF_METHOD_BISECTION)
             assert_int_equal(algsurf_refine_function(call, &p, -1e300, 1e300, &o, &r), ALGSURF_NOT_CONVERGED);
         o.absolute_tolerance = 1e290; /* the width overflows */
         p = (probe){.f = f_identity};
-        assert_int_equal(algsurf_refine_function(call, &p, -1.5e308, DBL_MAX, &o, &r), ALGSURF_OK);
+        assert_ok(algsurf_refine_function(call, &p, -1.5e308, DBL_MAX, &o, &r));
         check_result(&r, &p, -1.5e308, DBL_MAX, 1e290, methods[m]);
     }
 }
@@ -376,8 +361,7 @@ static void fail_poly(const char *what, const double *c, int n, int method, cons
 }
 
 /* Roots k/16, distinct, degree up to 7: coefficients are exact, so is the sign between roots. */
-static void test_polynomials_with_known_roots(void **state) {
-    (void)state;
+TEST(test_polynomials_with_known_roots) {
     uint64_t seed = SEED;
     int points[4] = {0};
     for (int round = 0; round < 1500; round++) {
@@ -394,7 +378,7 @@ static void test_polynomials_with_known_roots(void **state) {
                 double tolerance = t ? 1e-9 : 0;
                 algsurf_refine_options o = options_of(methods[m], tolerance, 100000);
                 algsurf_refined_root r;
-                assert_int_equal(algsurf_refine_poly(c, NULL, n, lo, hi, &o, &r), ALGSURF_OK);
+                assert_ok(algsurf_refine_poly(c, NULL, n, lo, hi, &o, &r));
                 int narrow = r.residual == 0 || r.hi - r.lo <= width(tolerance, r.root);
                 if (methods[m] == ALGSURF_METHOD_REGULA_FALSI) narrow = 1;
                 double error = fabs(r.root - roots[at]), most = width(tolerance, r.root) + 1e-11;
@@ -412,8 +396,7 @@ static void test_polynomials_with_known_roots(void **state) {
 }
 
 /* Odd multiplicities: rounding noise hides the root, but never the sign change, and nothing hangs. */
-static void test_multiple_roots(void **state) {
-    (void)state;
+TEST(test_multiple_roots) {
     static const int multiplicity[] = {3, 5, 9};
     static const double noise[] = {1e-4, 5e-3, 0.1};
     for (int i = 0; i < 3; i++) {
@@ -424,8 +407,7 @@ static void test_multiple_roots(void **state) {
             for (double shift = 0; shift < 0.9; shift += 0.13) {
                 algsurf_refine_options o = options_of(methods[m], 0, 0);
                 algsurf_refined_root r;
-                assert_int_equal(algsurf_refine_poly(c, NULL, multiplicity[i], shift, 2.7, &o, &r),
-                                 ALGSURF_OK);
+                assert_ok(algsurf_refine_poly(c, NULL, multiplicity[i], shift, 2.7, &o, &r));
                 assert_true(r.residual == 0 || r.hi - r.lo <= width(0, r.root));
                 if (fabs(r.root - 1) > noise[i] || r.evaluations > 150)
                     fail_poly("multiple root", c, multiplicity[i], methods[m], &r);
@@ -435,8 +417,7 @@ static void test_multiple_roots(void **state) {
 
 /* Newton's limit holds on whatever has a sign change, in brackets from subnormal to near overflow, and its
  * bracket always closes. */
-static void test_newton_is_bounded(void **state) {
-    (void)state;
+TEST(test_newton_is_bounded) {
     uint64_t seed = SEED;
     static double c[ALGSURF_MAX_POLY_DEGREE + 1];
     static const int degrees[] = {1, 2, 3, 5, 9, 21, 64, 512};
@@ -449,7 +430,7 @@ static void test_newton_is_bounded(void **state) {
         algsurf_refined_root r;
         algsurf_status status = algsurf_refine_poly(c, NULL, n, fmin(lo, hi), fmax(lo, hi), NULL, &r);
         if (status == ALGSURF_E_ARGUMENT) continue; /* no sign change */
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         int narrow = nextafter(nextafter(r.lo, INFINITY), INFINITY) >= r.hi;
         if (!narrow || r.evaluations > NEWTON_POINTS)
             fail_poly("not closed", c, n, ALGSURF_METHOD_DEFAULT, &r);
@@ -458,8 +439,7 @@ static void test_newton_is_bounded(void **state) {
     assert_true(done > 1000 && points < 22 * done); /* 51 when steps are not lengthened */
 }
 
-static void test_extreme_polynomials(void **state) {
-    (void)state;
+TEST(test_extreme_polynomials) {
     algsurf_refined_root r;
     static const double sqrt2 = 1.4142135623730951;
     static const double scales[] = {1, 1e300, 1e-300, 0x1p-1070, 0x1p1020};
@@ -467,29 +447,29 @@ static void test_extreme_polynomials(void **state) {
         for (int m = 0; m < 3; m++) {
             const double c[3] = {-2 * scales[i], 0, scales[i]};
             algsurf_refine_options o = options_of(methods[m], 0, 0);
-            assert_int_equal(algsurf_refine_poly(c, NULL, 2, 0, 1e10, &o, &r), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(c, NULL, 2, 0, 1e10, &o, &r));
             assert_true(fabs(r.root - sqrt2) < 1e-15);
             o.absolute_tolerance = 0.1; /* the value is p's own, not a scaled one */
-            assert_int_equal(algsurf_refine_poly(c, NULL, 2, 0, 3, &o, &r), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(c, NULL, 2, 0, 3, &o, &r));
             assert_true(fabs(r.residual / scales[i] - (r.root * r.root - 2)) <=
                         (scales[i] < 0x1p-1000 ? 0.1 : 1e-14));
             const double far[3] = {-scales[i], scales[i] * 0.25, 0}; /* root 4, leading zero */
             o.absolute_tolerance = 0, o.max_iterations = 3000;
-            assert_int_equal(algsurf_refine_poly(far, NULL, 2, -1e10, 1e300, &o, &r), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(far, NULL, 2, -1e10, 1e300, &o, &r));
             assert_true(fabs(r.root - 4) < 1e-14);
         }
     /* values overflow at the root itself: x^41 - 1e10 x^40; the signs are right all the same */
     double c[42] = {0};
     c[41] = 1, c[40] = -1e10;
-    assert_int_equal(algsurf_refine_poly(c, NULL, 41, 1e3, 1e15, NULL, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(c, NULL, 41, 1e3, 1e15, NULL, &r));
     assert_true(fabs(r.root - 1e10) <= 1e-4);
     /* x^3 - 1e-300 between the ends of the range */
     const double tiny[4] = {-1e-300, 0, 0, 1};
-    assert_int_equal(algsurf_refine_poly(tiny, NULL, 3, -1e300, 1e300, NULL, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(tiny, NULL, 3, -1e300, 1e300, NULL, &r));
     assert_true(fabs(r.root / 1e-100 - 1) < 1e-14 && r.evaluations <= NEWTON_POINTS);
     /* degree 0: zero is a root everywhere, a constant nowhere */
     const double zero = 0, one = 1;
-    assert_int_equal(algsurf_refine_poly(&zero, NULL, 0, -1, 1, NULL, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(&zero, NULL, 0, -1, 1, NULL, &r));
     assert_true(r.residual == 0 && r.converged);
     assert_int_equal(algsurf_refine_poly(&one, NULL, 0, -1, 1, NULL, &r), ALGSURF_E_ARGUMENT);
 }
@@ -501,8 +481,7 @@ static double f_in_mode(double x, void *data) {
     return x - 0.3;
 }
 
-static void test_any_environment(void **state) {
-    (void)state;
+TEST(test_any_environment) {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     const double c[6] = {0.3, -1.1, 0.7, 2.3, -0.9, 0.01};
     const double small[3] = {-0x1p-1060, 0x1p-1061, 0x1p-1062};
@@ -510,8 +489,8 @@ static void test_any_environment(void **state) {
         for (int i = 0; i < 3; i++) {
             algsurf_refine_options o = options_of(methods[m], 0, 0);
             algsurf_refined_root want[2] = {{0}}, got[2] = {{0}};
-            assert_int_equal(algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &want[0]), ALGSURF_OK);
-            assert_int_equal(algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &want[1]), ALGSURF_OK);
+            assert_ok(algsurf_refine_poly(c, NULL, 5, -1, 0, &o, &want[0]));
+            assert_ok(algsurf_refine_poly(small, NULL, 2, 0, 9, &o, &want[1]));
             fesetround(modes[i]);
 #if defined(__SSE2__) || defined(__x86_64__)
             unsigned csr = _mm_getcsr();
@@ -532,12 +511,11 @@ static void test_any_environment(void **state) {
     fesetround(FE_UPWARD);
     algsurf_status status = algsurf_refine_function(f_in_mode, &seen, 0, 1, NULL, &r);
     fesetround(FE_TONEAREST);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     assert_int_equal(seen, r.evaluations);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(test_options) {
     static probe p = {.f = f_exp};
     algsurf_refined_root r;
     struct {
@@ -545,7 +523,7 @@ static void test_options(void **state) {
         double later;
     } newer = {options_of(ALGSURF_METHOD_BISECTION, 1e-3, 0), 0};
     newer.known.size = sizeof newer;
-    assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r));
     assert_int_equal(r.evaluations, 12);
     newer.later = 1; /* a wish this version does not know */
     assert_int_equal(algsurf_refine_function(call, &p, 0, 1, &newer.known, &r), ALGSURF_E_ARGUMENT);
@@ -567,8 +545,7 @@ static void test_options(void **state) {
 static double f_nan(double x) { return x > 0.2 && x < 0.8 ? NAN : x - 0.5; }
 static double f_nan_end(double x) { return x == 0 ? NAN : x - 0.5; }
 
-static void test_bad_input(void **state) {
-    (void)state;
+TEST(test_bad_input) {
     static probe p = {.f = f_exp};
     algsurf_refined_root r, before;
     memset(&r, 0x5a, sizeof r), memcpy(&before, &r, sizeof r);
@@ -657,8 +634,7 @@ static void check_record(const record *seen, const double *c, int n, double lo, 
 
 /* Catches: an observer that is not told an end or a point, is told another polynomial's value (that of the
  * balanced one), counts otherwise, changes the result, or runs in the caller's rounding. */
-static void test_observer(void **state) {
-    (void)state;
+TEST(test_observer) {
     static record seen;
     uint64_t seed = SEED;
     int polynomials = 0;
@@ -692,8 +668,7 @@ static void test_observer(void **state) {
 
 /* Of a function, too, in the caller's environment; integers are named; what is refused has seen nothing, and
  * a bracket that is none both ends. */
-static void test_observer_of_others(void **state) {
-    (void)state;
+TEST(test_observer_of_others) {
     static record seen;
     const double c[2] = {-0.5, 1}, thrice[4] = {-1, 3, -3, 1};
     algsurf_observer observer = {.size = sizeof observer, .data = &seen, .on_point = watch};
@@ -702,14 +677,14 @@ static void test_observer_of_others(void **state) {
     double power = 3;
     memset(&plain, 0, sizeof plain), memset(&r, 0, sizeof r);
     seen.calls = 0;
-    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, NULL, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_function(power_less_half, &power, 0, 1, NULL, &plain));
+    assert_ok(algsurf_refine_function(power_less_half, &power, 0, 1, &o, &r));
     assert_memory_equal(&r, &plain, sizeof r);
     assert_true(seen.calls == r.evaluations && seen.x[0] == 0 && seen.x[1] == 1);
     for (int i = 0; i < seen.calls; i++) assert_true(seen.value[i] == power_less_half(seen.x[i], &power));
     assert_true(observer.evaluations == (size_t)seen.calls && observer.engine == ALGSURF_ENGINE_DOUBLES);
     seen.calls = 0;
-    assert_int_equal(algsurf_refine_poly(thrice, NULL, 3, 0.5, 1 + 0x1p-52, &o, &r), ALGSURF_OK);
+    assert_ok(algsurf_refine_poly(thrice, NULL, 3, 0.5, 1 + 0x1p-52, &o, &r));
     assert_true(seen.calls == r.evaluations && observer.engine == ALGSURF_ENGINE_INTEGERS);
     seen.calls = 0;
     assert_int_equal(algsurf_refine_poly(NULL, NULL, 1, 0, 1, &o, &r), ALGSURF_E_ARGUMENT);
@@ -723,25 +698,4 @@ static void test_observer_of_others(void **state) {
     assert_int_equal(seen.calls, 2);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_methods_agree_on_known_roots),
-        cmocka_unit_test(test_evaluations_are_bounded),
-        cmocka_unit_test(test_brent_is_brents),
-        cmocka_unit_test(test_regula_falsi_says_when_it_fails),
-        cmocka_unit_test(test_radii),
-        cmocka_unit_test(test_radii_refused),
-        cmocka_unit_test(test_iteration_limit),
-        cmocka_unit_test(test_ends_and_extremes),
-        cmocka_unit_test(test_polynomials_with_known_roots),
-        cmocka_unit_test(test_multiple_roots),
-        cmocka_unit_test(test_newton_is_bounded),
-        cmocka_unit_test(test_extreme_polynomials),
-        cmocka_unit_test(test_any_environment),
-        cmocka_unit_test(test_options),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_observer),
-        cmocka_unit_test(test_observer_of_others),
-    };
-    return cmocka_run_group_tests_name("refine", tests, NULL, NULL);
-}
+int main(void) { return unit_run("refine"); }

@@ -11,15 +11,6 @@
  *   a ray along a plane, and without an end, kept wherever it is                   along_a_plane
  *   the chord written although nothing is left                                     arguments
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <float.h>
-#include <string.h>
-
 #include "ray_case.h"
 
 enum { ROUNDS = 20000 };
@@ -256,7 +247,7 @@ static void fail_case(const region_case *c, int round, const algsurf_ray *chord,
 
 static int region_clip(const region_case *c, size_t count, algsurf_ray *chord) {
     int meets = -1;
-    assert_int_equal(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&c->extent, c->planes, count, &c->ray, chord, &meets));
     return meets;
 }
 
@@ -280,11 +271,10 @@ static const char *verdict(const region_case *c, const part *p, mpq_t *q, int me
     return NULL;
 }
 
-static void nothing_is_lost(void **state) {
+TEST(nothing_is_lost) {
     uint64_t seed = 20261124;
     int met = 0, missed = 0, tight = 0;
     mpq_t q[3];
-    (void)state;
     mpq_inits(q[0], q[1], q[2], NULL);
     for (int round = 0; round < ROUNDS; round++) {
         region_case c;
@@ -309,22 +299,21 @@ static void nothing_is_lost(void **state) {
 }
 
 /* A ray without an end along a plane is on one side of it. */
-static void along_a_plane(void **state) {
+TEST(along_a_plane) {
     const algsurf_ray ray = {{1, 2, 3}, {0, 0.1, 0}, -INFINITY, INFINITY};
     const algsurf_plane kept = {{3, 0, -1}, 0.5}, lost = {{3, 0, -1}, -0.5}, in = {{3, 0, -1}, 0};
     algsurf_ray chord;
     int meets;
-    (void)state;
-    assert_int_equal(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &kept, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 1);
     assert_true(chord.t_min == -INFINITY && chord.t_max == INFINITY);
-    assert_int_equal(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &lost, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 0);
-    assert_int_equal(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(NULL, &in, 1, &ray, &chord, &meets));
     assert_int_equal(meets, 1);
 }
 
-static void arguments(void **state) {
+TEST(arguments) {
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1, 0, 0}},
                          bad = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 0, 1}};
     const algsurf_ray ray = {{-2, 0, 0}, {1, 0, 0}, 0, 9}, no_ray = {{0, 0, 0}, {0, 0, 0}, 0, 1};
@@ -332,7 +321,6 @@ static void arguments(void **state) {
                         infinite = {{1, 0, 0}, INFINITY};
     algsurf_ray same = ray, before = ray;
     int meets = -1;
-    (void)state;
     assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, &same, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &ray, NULL, &meets), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_region_clip(&ball, &plane, 1, NULL, &same, &meets), ALGSURF_E_ARGUMENT);
@@ -344,20 +332,13 @@ static void arguments(void **state) {
     assert_int_equal(algsurf_region_clip(&ball, &plane, ALGSURF_MAX_CLIP_PLANES + 1, &ray, &same, &meets),
                      ALGSURF_E_ARGUMENT);
     assert_int_equal(meets, -1);
-    assert_int_equal(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&ball, &far, 1, &same, &same, &meets));
     assert_int_equal(meets, 0);
     assert_memory_equal(&same, &before, sizeof same);
-    assert_int_equal(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets), ALGSURF_OK);
+    assert_ok(algsurf_region_clip(&ball, &plane, 1, &same, &same, &meets));
     assert_int_equal(meets, 1);
     assert_true(same.t_min <= 1 && same.t_min > 1 - 1e-11 && same.t_max >= 2.5 && same.t_max < 2.5 + 1e-13);
     assert_memory_equal(same.origin, before.origin, sizeof same.origin + sizeof same.direction);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_is_lost),
-        cmocka_unit_test(along_a_plane),
-        cmocka_unit_test(arguments),
-    };
-    return cmocka_run_group_tests_name("region", tests, NULL, NULL);
-}
+int main(void) { return unit_run("region"); }

@@ -3,7 +3,6 @@
  * Each once gave a wrong or a needlessly undecided answer; what was wrong is said above it. */
 #include "isolate_case.h"
 #include "intersect_case.h"
-#include <float.h>
 #include "algsurf/expand.h"
 #include "environments.h"
 
@@ -12,14 +11,12 @@ static intersect_case c;
 static intersect_answer hits;
 
 /* A root was lost when there were more entries than the degree. */
-static void lost_root(void **state) {
-    (void)state;
+TEST(lost_root) {
     const double p[] = {0x1.90e2a2d88acf1p+97, 0x1.436b07756fbffp+293, 0x1.5535f08e37ea1p-227,
                         -0x1.54179f651fcf7p-283};
     isolate_judge(p, 3, -INFINITY, INFINITY, &answer);
 }
-static void lost_root_with_radii(void **state) {
-    (void)state;
+TEST(lost_root_with_radii) {
     const double p[] = {-1, 1, 0}, r[] = {0, 0, 0x1p-30};
     algsurf_bracket b[3];
     int n = 0;
@@ -28,14 +25,13 @@ static void lost_root_with_radii(void **state) {
                 INFINITY); /* x - 1 + 2^-30 x^2 / 2 has a root at -2^31; -2^-30 x^2 / 2 one at +2^31 */
 }
 /* Stretches between groups of roots stayed undecided. */
-static void gap_between_groups(void **state) {
-    (void)state;
+TEST(gap_between_groups) {
     const double p[] = {1, 0, 0, 0, -0x1p300, 0x1p-300};
     isolate_judge(p, 5, -INFINITY, INFINITY, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
-static void gap_ordinary(void **state) {
-    (void)state; /* coefficients between 2^-10 and 2^10 */
+TEST(gap_ordinary) {
+    /* coefficients between 2^-10 and 2^10 */
     const double p[] = {0x1.8699ddff70eaep-9,   -0x1.0aa588a8f941ep+9, 0x1.1926a5c0c9d89p-10,
                         -0x1.536b012bf476cp+5,  0x1.c9a4a1041ff32p+0,  0x1.9bc53dd3e1e3ep+0,
                         0x1.11d09464557e5p+2,   -0x1.4d491cef191acp-2, 0x1.f9d5254a73d7ep+7,
@@ -43,43 +39,38 @@ static void gap_ordinary(void **state) {
                         0x1.b14e616ac45p+2,     -0x1.61c5e1f0e985ep-9, 0x1.dec11c82ab7efp-2,
                         -0x1.0032fdad83ba9p-10, -0x1.2d788d120c85fp+9};
     isolate_judge(p, 16, -INFINITY, INFINITY, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
 /* Signs were evaluated unscaled. */
-static void range_largest(void **state) {
-    (void)state;
+TEST(range_largest) {
     const double p[] = {-DBL_MAX, DBL_MAX, DBL_MAX};
     isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
-static void range_subnormal(void **state) {
-    (void)state;
+TEST(range_subnormal) {
     const double p[] = {0x1p-1074, 0, -0x1p-1060};
     isolate_judge(p, 2, -1, 1, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
-static void range_power(void **state) {
-    (void)state; /* test_plus_minus_powers: k to +-500 */
+TEST(range_power) {
+    /* test_plus_minus_powers: k to +-500 */
     const double p[] = {-0x1p-1000, 0, 1};
     isolate_judge(p, 2, -0x1p-500, 0x1p-500, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
-static void range_overflow(void **state) {
-    (void)state;
+TEST(range_overflow) {
     const double p[] = {0, 0x1p300, 0x1p-600};
     isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
 /* The far end of an interval overflowed. */
-static void huge_end(void **state) {
-    (void)state;
+TEST(huge_end) {
     const double p[] = {1, -2};
     isolate_judge(p, 1, -1e300, -1e200, &answer);
-    assert_int_equal(answer.status, ALGSURF_OK);
+    assert_ok(answer.status);
 }
 /* Arguments were checked before flush-to-zero was switched off. */
-static void daz_isolate(void **state) {
-    (void)state;
+TEST(daz_isolate) {
     const double p[] = {0x1p-1074, 0, -0x1p-1060};
     int n = 0;
     environment_set(4);
@@ -87,8 +78,7 @@ static void daz_isolate(void **state) {
     environment_set(0);
     assert_true(s >= 0);
 }
-static void daz_intersect(void **state) {
-    (void)state;
+TEST(daz_intersect) {
     intersect_equation(&c, "x^2 + y^2 + z^2 - 1");
     c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 0x1p-1030}, 0, INFINITY};
     double p[3];
@@ -100,15 +90,13 @@ static void daz_intersect(void **state) {
     algsurf_surface_free(c.surface);
 }
 /* Brackets had infinite ends. */
-static void infinite_bracket(void **state) {
-    (void)state;
+TEST(infinite_bracket) {
     const double p[] = {3, -4, 1};
     isolate_judge(p, 2, -INFINITY, INFINITY, &answer);
     for (int i = 0; i < answer.count; i++) assert_true(isfinite(answer.b[i].lo) && isfinite(answer.b[i].hi));
 }
 /* The most roots an entry could hold, once told in place of the multiplicity, came out below it. */
-static void multiplicities(void **state) {
-    (void)state;
+TEST(multiplicities) {
     const double p[] = {0, 0, -1, 1}, q[] = {-12, 4, 12, -4, -3, 1};
     isolate_judge(p, 3, -2, 2, &answer);
     assert_true(answer.b[0].multiplicity == 2 && answer.b[0].lo == 0 && answer.b[0].hi == 0);
@@ -116,29 +104,26 @@ static void multiplicities(void **state) {
     assert_true(answer.b[0].multiplicity == 2 && answer.b[1].multiplicity == 1);
 }
 /* A later bracket was swallowed by an undecided first one. */
-static void first_swallows(void **state) {
-    (void)state;
+TEST(first_swallows) {
     const double q[] = {-12, 4, 12, -4, -3, 1};
     isolate_judge(q, 5, 0, 4, &answer);
     assert_true(answer.count == 2 && answer.first.hi == answer.b[0].hi);
 }
 /* A direction that underflows in natural units became 0 without a radius. */
-static void expand_underflow(void **state) {
-    (void)state;
+TEST(expand_underflow) {
     double p[3], r[3];
     mpq_t q;
     mpq_init(q);
     intersect_equation(&c, "x^2 + 1e100 y - 1e200");
     c.ray = (algsurf_ray){{0, 0, 0}, {1, 1e-250, 0}, 0, 1};
-    assert_int_equal(algsurf_expand_power(c.surface, &c.ray, p, r), ALGSURF_OK);
+    assert_ok(algsurf_expand_power(c.surface, &c.ray, p, r));
     exact_line line = exact_line_of(c.terms, c.count, c.degree, &c.ray);
     for (int k = 0; k < 3; k++) exact_line_coefficient(q, &line, k), assert_true(exact_within(p[k], q, r[k]));
     exact_line_clear(&line), mpq_clear(q);
     algsurf_surface_free(c.surface);
 }
 /* The tolerance was taken for the wrong unit far out. */
-static void tolerance(void **state) {
-    (void)state;
+TEST(tolerance) {
     algsurf_intersect_options o = {
         .size = sizeof o, .method = ALGSURF_METHOD_BISECTION, .absolute_tolerance = 1e-3};
     intersect_equation(&c, "x z - 10 + y");
@@ -159,8 +144,7 @@ static void drop(const char *equation, algsurf_ray ray, int count) {
     algsurf_surface_free(c.surface);
 }
 /* A vanishing leading coefficient left infinite rays undecided. */
-static void degree_drop(void **state) {
-    (void)state;
+TEST(degree_drop) {
     drop("x^2 + y^2 - 1", (algsurf_ray){{0, 0, -2}, {0, 0, 1}, 0, INFINITY}, 0);
     drop("x^2 z + y^2", (algsurf_ray){{0, 1, 1}, {1, 0, 0}, 0, INFINITY}, 0);
     drop("x^2 z + y^2", (algsurf_ray){{-2, 1, -1}, {1, 0, 0}, 0, INFINITY}, 2);
@@ -169,8 +153,7 @@ static void degree_drop(void **state) {
     drop("x^3 + y^3 + z^3 - 1", (algsurf_ray){{1, 0, 0}, {1, -1, 0}, -INFINITY, INFINITY}, 2);
 }
 /* A ray of no length was undecided where the exact sign overflows. */
-static void single_point(void **state) {
-    (void)state;
+TEST(single_point) {
     intersect_equation(&c, "x^64 + y^64 + z^64 - 1");
     c.ray = (algsurf_ray){{0.3, 0.7, -1.5}, {0.1, 0.2, 1}, 0, 0};
     intersect_ask(&c, NULL, NULL, &hits);
@@ -183,8 +166,7 @@ static void single_point(void **state) {
     algsurf_surface_free(c.surface);
 }
 /* A hit beyond the range of double had t = inf. */
-static void t_infinite(void **state) {
-    (void)state;
+TEST(t_infinite) {
     intersect_equation(&c, "x^2 + y^2 + z^2 - 1");
     c.ray = (algsurf_ray){{0, 0, -2}, {0, 0, 1e-320}, -INFINITY, INFINITY};
     intersect_ask(&c, NULL, NULL, &hits);
@@ -192,8 +174,7 @@ static void t_infinite(void **state) {
     algsurf_surface_free(c.surface);
 }
 /* A ray in the surface was a hit at either end, with nothing in between, where the degree dropped to 1. */
-static void zeros_at_both_ends(void **state) {
-    (void)state;
+TEST(zeros_at_both_ends) {
     intersect_equation(&c, "(x - 2 y)^2");
     c.ray = (algsurf_ray){{2, 1, 1.75}, {2, 1, 3}, 0, 20};
     intersect_judge(&c, NULL, &hits);
@@ -201,8 +182,7 @@ static void zeros_at_both_ends(void **state) {
     algsurf_surface_free(c.surface);
 }
 /* Sums of the ends of a chord overflowed, and t was far from its root. */
-static void near_the_largest_double(void **state) {
-    (void)state;
+TEST(near_the_largest_double) {
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {0x1p1022, 0x1p1022, 0x1p1022}};
     const algsurf_intersect_options certified = {.size = sizeof certified, .tier = ALGSURF_TIER_CERTIFIED};
     intersect_equation(&c, "x - 1/4");
@@ -214,8 +194,7 @@ static void near_the_largest_double(void **state) {
     algsurf_surface_free(c.surface);
 }
 /* Another root just behind the end of the chord was told as the first, 20 units after it. */
-static void first_root_taken_for_the_end(void **state) {
-    (void)state;
+TEST(first_root_taken_for_the_end) {
     const algsurf_extent box = {
         ALGSURF_EXTENT_BOX, {0, 0, 0}, {0x1.54ef15d3fa91cp+5, 0x1.b51c9b0d5fee6p+5, 0x1.6e5145f5cdd56p+5}};
     intersect_equation(&c, "(14 x^2 - 101 x + 171) (x^2 + y^2 + z^2 + 1)");
@@ -229,30 +208,4 @@ static void first_root_taken_for_the_end(void **state) {
     algsurf_surface_free(c.surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lost_root),
-        cmocka_unit_test(lost_root_with_radii),
-        cmocka_unit_test(gap_between_groups),
-        cmocka_unit_test(gap_ordinary),
-        cmocka_unit_test(range_largest),
-        cmocka_unit_test(range_subnormal),
-        cmocka_unit_test(range_power),
-        cmocka_unit_test(range_overflow),
-        cmocka_unit_test(huge_end),
-        cmocka_unit_test(daz_isolate),
-        cmocka_unit_test(daz_intersect),
-        cmocka_unit_test(infinite_bracket),
-        cmocka_unit_test(multiplicities),
-        cmocka_unit_test(first_swallows),
-        cmocka_unit_test(expand_underflow),
-        cmocka_unit_test(tolerance),
-        cmocka_unit_test(degree_drop),
-        cmocka_unit_test(single_point),
-        cmocka_unit_test(t_infinite),
-        cmocka_unit_test(zeros_at_both_ends),
-        cmocka_unit_test(near_the_largest_double),
-        cmocka_unit_test(first_root_taken_for_the_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("regressions"); }

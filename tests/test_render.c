@@ -11,16 +11,6 @@
  *   directions in half of each quarter, 15 of them, their reach             openness
  *   the default light behind what is shown                                  lighting_of_scenes, defaults
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "lattice_reference.h"
 #include "render_case.h"
 #include "shade_reference.h"
@@ -43,8 +33,8 @@ static uint8_t byte_of(const picture *p, int pixel, int channel) {
 static algsurf_hit hit_of(const algsurf_surface *surface, double x, double y, algsurf_ray *ray) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, ray), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, &ball, ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, ray));
+    assert_ok(algsurf_intersect_first(surface, &ball, ray, NULL, &hit));
     return hit;
 }
 
@@ -54,10 +44,9 @@ static void add_colour(const algsurf_scene *scene, const algsurf_hit *hit, const
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     double c[3] = {sky[0], sky[1], sky[2]};
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_scene_lighting(scene, lights, &lighting));
     if (hit->state != ALGSURF_MISS)
-        assert_int_equal(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c),
-                         ALGSURF_OK);
+        assert_ok(algsurf_shade(&lighting, NULL, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
 }
 
@@ -67,7 +56,7 @@ static int compare_bytes(const picture *p, int pixel, const double sum[3], int s
     double average[3];
     int otherwise = 0;
     for (int i = 0; i < 3; i++) average[i] = sum[i] / samples;
-    assert_int_equal(algsurf_srgb_encode(average, expected), ALGSURF_OK);
+    assert_ok(algsurf_srgb_encode(average, expected));
     for (int i = 0; i < 3; i++) {
         assert_in_range(byte_of(p, pixel, i), expected[i] - (expected[i] > 0), expected[i] + 1);
         otherwise += byte_of(p, pixel, i) != expected[i];
@@ -77,17 +66,16 @@ static int compare_bytes(const picture *p, int pixel, const double sum[3], int s
 
 /* Bytes and hits of pictures in standard quality, each from the single steps: with lights, and with the
  * default one. */
-static void pixel_by_pixel(void **state) {
+TEST(pixel_by_pixel) {
     const algsurf_light lights[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
                                      {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
     const double sky[3] = {0.13, 0.25, 0.6};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int n = 1; n <= 3; n++) {
         algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
-        if (n != 2) assert_int_equal(algsurf_scene_set_lights(scene, lights, 2), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
+        if (n != 2) assert_ok(algsurf_scene_set_lights(scene, lights, 2));
+        assert_ok(algsurf_scene_set_material(scene, &plain));
+        assert_ok(algsurf_scene_set_background(scene, sky));
         picture *p = drawn(scene, 2);
         uint64_t count = 0;
         int otherwise = 0;
@@ -136,22 +124,21 @@ static void check_depth(const algsurf_extent *extent, double radius, double at, 
                                        .bounded = extent->kind != ALGSURF_EXTENT_ALL};
     double colour[3];
     unsigned char expected[3];
-    assert_int_equal(algsurf_surface_from_terms(plane, 2, &surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(plane, 2, &surface));
     scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, 1);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    assert_ok(algsurf_scene_set_extent(scene, extent));
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
     reference_preview(&lighting, place, gradient, view, colour);
-    assert_int_equal(algsurf_srgb_encode(colour, expected), ALGSURF_OK);
+    assert_ok(algsurf_srgb_encode(colour, expected));
     assert_memory_equal(pixel, expected, 3);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void preview_depth(void **state) {
+TEST(preview_depth) {
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {1, 4, 9}};
     const algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         double eye_y = (k % 2 ? -1 : 1) * (k < 2 ? 8 : 1e7);
         check_depth(&ball, 3.2, 1.6, eye_y);
@@ -223,8 +210,7 @@ static void look_at_light(seeing *s, const algsurf_light *light, int number, con
     int each = rounded_up(32, sample->count);
     begin_places(s);
     for (int k = 0; k < light->samples_u * light->samples_v; k++) {
-        assert_int_equal(algsurf_light_sample(light, k % light->samples_u, k / light->samples_u, place),
-                         ALGSURF_OK);
+        assert_ok(algsurf_light_sample(light, k % light->samples_u, k / light->samples_u, place));
         look_at(s, place);
     }
     if (light->samples_u > 0) return;
@@ -279,8 +265,7 @@ static int add_full_colour(const algsurf_lighting *lighting, clearance *clears, 
     found->most_rays += (uint64_t)s.count;
     if (sure) found->around[(int)(16 * visible[lights])]++;
     if (lights > 0) found->light[sample->y * W + sample->x] = visible[0];
-    assert_int_equal(algsurf_shade(lighting, visible, hit->position, hit->normal, ray->direction, c),
-                     ALGSURF_OK);
+    assert_ok(algsurf_shade(lighting, visible, hit->position, hit->normal, ray->direction, c));
     for (int i = 0; i < 3; i++) sum[i] += c[i];
     return sure;
 }
@@ -293,9 +278,9 @@ static void check_full(const char *equation, clearance *clears, const algsurf_ma
     algsurf_light all[ALGSURF_MAX_LIGHTS];
     algsurf_lighting lighting = {.size = sizeof lighting};
     int otherwise = 0;
-    assert_int_equal(algsurf_scene_set_lights(scene, lights, count), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_material(scene, material), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, all, &lighting), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, lights, count));
+    assert_ok(algsurf_scene_set_material(scene, material));
+    assert_ok(algsurf_scene_lighting(scene, all, &lighting));
     picture *p = drawn(scene, 2);
     *found = (shares){0};
     for (int k = 0; k < W * H; k++) {
@@ -335,11 +320,10 @@ static algsurf_material lights_only(void) {
     return m;
 }
 
-static void shadows(void **state) {
+TEST(shadows) {
     algsurf_light light = {{0.5, -0.5, 5}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 1, 1};
     const algsurf_material m = lights_only();
     static shares found;
-    (void)state;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
     assert_true(found.lit > 200 && found.dark > 40 && found.between == 0);
     light.position[2] = -0.5; /* below the ball, which casts no shadow then; its underside is lit */
@@ -351,11 +335,10 @@ static void shadows(void **state) {
     assert_true(found.dark > 5 && found.between == 0);
 }
 
-static void penumbra(void **state) {
+TEST(penumbra) {
     algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 5, 4};
     const algsurf_material m = lights_only();
     static shares found;
-    (void)state;
     for (int n = 1; n <= 2; n++) {
         light.samples_u = 5, light.samples_v = 4;
         check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, n, &found);
@@ -370,12 +353,11 @@ static void penumbra(void **state) {
 }
 
 /* A light with points of its own for each pixel, beside another one of all kinds, and all other light. */
-static void spread_light(void **state) {
+TEST(spread_light) {
     const algsurf_light lights[3] = {{{0.5, -0.5, 3}, {0.7, 0.7, 0.7}, {2, 0, 0}, {0, 2, 0}, 0, 0},
                                      {{-2, 3, 4}, {0.1, 0.3, 0.2}, {1, 0, 1}, {0, 1.5, 0}, 0, 0},
                                      {{3, 3, 4}, {0.2, 0.1, 0}, {1, 0, 0}, {0, 1, 0}, 2, 2}};
     static shares found;
-    (void)state;
     for (int n = 1; n <= 3; n++) {
         check_full(ball_and_plane, clears_ball_and_plane, &plain, lights, 3, n, &found);
         assert_true(found.pixels > 300 && found.lit > 50 && found.between > 10);
@@ -383,7 +365,7 @@ static void spread_light(void **state) {
 }
 
 /* Its share of 32 points is near that of a fine grid's, on the average nearer. */
-static void spread_evenly(void **state) {
+TEST(spread_evenly) {
     const algsurf_light light = {{0.5, -0.5, 3}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, 0, 0};
     const algsurf_material m = lights_only();
     algsurf_light fine = light;
@@ -391,7 +373,6 @@ static void spread_evenly(void **state) {
     static shares found;
     double off = 0, sum = 0;
     int between = 0, alike = 0;
-    (void)state;
     check_full(ball_and_plane, clears_ball_and_plane, &m, &light, 1, 1, &found);
     fine.samples_u = fine.samples_v = 40;
     for (int k = 0; k < W * H; k++) {
@@ -414,9 +395,8 @@ static void spread_evenly(void **state) {
 }
 
 /* Light from all around: all of it in the middle of a plane, half of it in the edge between two planes. */
-static void openness(void **state) {
+TEST(openness) {
     static shares found;
-    (void)state;
     check_full("z+1", clears_floor, &plain, NULL, 0, 1, &found);
     assert_true(found.pixels > 300 && found.around[16] == found.pixels);
     for (int n = 1; n <= 3; n++) {
@@ -428,7 +408,7 @@ static void openness(void **state) {
 }
 
 /* What is told of a scene's light: its own, and the default. */
-static void lighting_of_scenes(void **state) {
+TEST(lighting_of_scenes) {
     const algsurf_light set[2] = {{{5, -4, 6}, {0.9, 0.8, 0.7}, {1, 0, 0}, {0, 1, 0}, 4, 4},
                                   {{6, 9, -2}, {2.5, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1, 1}};
     algsurf_surface *surface = torus();
@@ -436,9 +416,8 @@ static void lighting_of_scenes(void **state) {
     algsurf_camera camera = camera_at(7, 4, 5, 36);
     algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting l = {.size = sizeof l};
-    (void)state;
-    assert_int_equal(algsurf_scene_set_material(scene, &plain), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_material(scene, &plain));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_true(l.size == sizeof l && l.lights == lights && l.light_count == 1 && l.bounded == 1);
     assert_memory_equal(l.material, &plain, sizeof plain);
     assert_memory_equal(l.up, camera.up, sizeof l.up);
@@ -454,13 +433,13 @@ static void lighting_of_scenes(void **state) {
     assert_true(fabs(sqrt(reference_dot(light->edge_u, light->edge_u)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(fabs(sqrt(reference_dot(light->edge_v, light->edge_v)) / (0.45 * 16 * 3.2) - 1) < 2e-3);
     assert_true(light->samples_u == 0 && light->samples_v == 0 && light->colour[1] == 1);
-    assert_int_equal(algsurf_scene_set_lights(scene, set, 2), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, set, 2));
+    assert_ok(algsurf_scene_set_extent(scene, NULL));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_true(l.light_count == 2 && l.bounded == 0 && l.radius > 0);
     assert_memory_equal(lights, set, sizeof set);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_lighting(scene, lights, &l), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_scene_lighting(scene, lights, &l));
     assert_int_equal(l.light_count, 0);
     assert_int_equal(algsurf_scene_lighting(NULL, lights, &l), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_scene_lighting(scene, NULL, &l), ALGSURF_E_ARGUMENT);
@@ -479,13 +458,13 @@ static void double_plane(int tier) {
     for (int q = ALGSURF_QUALITY_PREVIEW; q <= ALGSURF_QUALITY_FULL; q++) {
         algsurf_scene *scene = torus_scene(surface, (algsurf_quality)q, 1);
         algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
-        assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_camera(scene, &camera));
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         picture *p = drawn(scene, 1);
         assert_true(p->stats.undecided == open && p->stats.hits == all - open && p->stats.rays == all);
         for (int k = 0; k < W * H; k++) {
             algsurf_ray ray;
-            assert_int_equal(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray), ALGSURF_OK);
+            assert_ok(algsurf_camera_ray(&camera, W, H, k % W + 0.5, k / W + 0.5, &ray));
             assert_true(open > 0 || fabs(p->hits[k] - 6 / ray.direction[1]) < 1e-12);
             assert_true(p->bytes[k / W * STRIDE + k % W * 3 + 2] < 250); /* the background is white */
         }
@@ -495,25 +474,23 @@ static void double_plane(int tier) {
     algsurf_surface_free(surface);
 }
 
-static void touching_is_drawn(void **state) {
-    (void)state;
+TEST(touching_is_drawn) {
     double_plane(ALGSURF_TIER_CERTIFIED);
     double_plane(ALGSURF_TIER_BOUNDED);
 }
 
 /* From a million radii with a narrow field of view the picture is that of the parallel projection. */
-static void far_eye(void **state) {
+TEST(far_eye) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 1);
     const double eye[3] = {7, 4, 5};
     double distance = 3.2e6, scale = distance / sqrt(90), differ = 0;
     algsurf_camera parallel,
         far = camera_at(7 * scale, 4 * scale, 5 * scale, 360 / acos(-1) * atan(3 / distance));
-    (void)state;
-    assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &far), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, origin, z_up, 6, &parallel));
+    assert_ok(algsurf_scene_set_camera(scene, &far));
     picture *a = drawn(scene, 1);
-    assert_int_equal(algsurf_scene_set_camera(scene, &parallel), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &parallel));
     picture *b = drawn(scene, 1);
     for (int y = 0; y < H; y++)
         for (int i = 0; i < 3 * W; i++)
@@ -525,17 +502,16 @@ static void far_eye(void **state) {
 }
 
 /* Defaults are usable as they are; removing the lights leaves light from all around. */
-static void defaults(void **state) {
+TEST(defaults) {
     algsurf_surface *surface = surface_of("x^2+y^2+z^2-1");
     algsurf_scene *scene;
-    (void)state;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
+    assert_ok(algsurf_scene_create(surface, &scene));
     picture *p = drawn(scene, 0);
     const uint8_t *centre = p->bytes + H / 2 * STRIDE + W / 2 * 3;
     assert_true(p->bytes[0] == 255 && p->bytes[1] == 255 && p->bytes[2] == 255 && p->hits[0] == INFINITY);
     assert_true(fabs(p->hits[H / 2 * W + W / 2] - (sqrt(31.25) - 1)) < 0.01);
     assert_true(centre[2] > 200 && centre[2] > centre[1] && centre[1] > centre[0]); /* bright and blue */
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
     picture *dark = drawn(scene, 0);
     assert_in_range(dark->bytes[H / 2 * STRIDE + W / 2 * 3 + 2], 100, 190);
     free(p), free(dark);
@@ -543,7 +519,7 @@ static void defaults(void **state) {
     algsurf_scene_free(NULL);
 }
 
-static void bad_scene(void **state) {
+TEST(bad_scene) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1), *none = NULL;
     algsurf_extent extent = ball;
@@ -553,7 +529,6 @@ static void bad_scene(void **state) {
     algsurf_intersect_options o = {.size = sizeof o};
     double colour[3] = {0, 0, 0};
     picture *before = drawn(scene, 1), *after;
-    (void)state;
     for (int l = 0; l < 17; l++) lights[l] = (algsurf_light){.samples_u = 1, .samples_v = 1};
 #define REFUSED(status, call) assert_int_equal(algsurf_scene_##call, ALGSURF_E_##status)
     REFUSED(ARGUMENT, create(NULL, &none));
@@ -620,8 +595,8 @@ static void bad_scene(void **state) {
     after = drawn(scene, 1); /* a refused value leaves the scene as it was */
     assert_same_picture(before, after);
     free(after);
-    assert_int_equal(algsurf_scene_set_intersect(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_intersect(scene, NULL));
+    assert_ok(algsurf_scene_set_extent(scene, NULL));
     after = drawn(scene, 1); /* the torus lies in the ball: all of space shows the same hits */
     assert_true(after->stats.hits == before->stats.hits);
     free(before), free(after);
@@ -630,8 +605,7 @@ static void bad_scene(void **state) {
 
 /* Across a steep ramp numbers of the row tell little of where its root is: t is that of the pixel's own ray.
  */
-static void steep_ramps(void **state) {
-    (void)state;
+TEST(steep_ramps) {
     for (int power = 6; power <= 16; power++)
         for (int zoom = 4; zoom <= 10; zoom++) {
             enum { SIDE = 5 };
@@ -647,20 +621,18 @@ static void steep_ramps(void **state) {
             algsurf_scene *scene = NULL;
             double t[SIDE * SIDE];
             unsigned char states[SIDE * SIDE];
-            assert_int_equal(algsurf_surface_from_terms(terms, 3, &surface), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_extent(scene, &unit_ball), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
+            assert_ok(algsurf_surface_from_terms(terms, 3, &surface));
+            assert_ok(algsurf_scene_create(surface, &scene));
+            assert_ok(algsurf_scene_set_extent(scene, &unit_ball));
+            assert_ok(algsurf_scene_set_camera(scene, &camera));
             const algsurf_render_options options = {.size = sizeof options, .width = SIDE, .height = SIDE};
             const algsurf_picture planes = {.size = sizeof planes, .t = t, .state = states};
-            assert_int_equal(algsurf_render(scene, &options, &planes, NULL), ALGSURF_OK);
+            assert_ok(algsurf_render(scene, &options, &planes, NULL));
             for (int i = 0; i < SIDE * SIDE; i++) {
                 algsurf_ray ray;
                 algsurf_hit hit;
-                assert_int_equal(
-                    algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray),
-                    ALGSURF_OK);
-                assert_int_equal(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit), ALGSURF_OK);
+                assert_ok(algsurf_camera_ray(&camera, SIDE, SIDE, i % SIDE + 0.5, i / SIDE + 0.5, &ray));
+                assert_ok(algsurf_intersect_first(surface, &unit_ball, &ray, NULL, &hit));
                 assert_int_equal(states[i], hit.state);
                 double slope = 2 * pow(10, power) * fabs(hit.position[2]); /* of t, across the ray */
                 if (hit.state == ALGSURF_HIT && !(fabs(t[i] - hit.t) <= 0x1p-36 + 0x1p-49 * slope))
@@ -672,21 +644,4 @@ static void steep_ramps(void **state) {
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steep_ramps),
-        cmocka_unit_test(pixel_by_pixel),
-        cmocka_unit_test(preview_depth),
-        cmocka_unit_test(shadows),
-        cmocka_unit_test(penumbra),
-        cmocka_unit_test(spread_light),
-        cmocka_unit_test(spread_evenly),
-        cmocka_unit_test(openness),
-        cmocka_unit_test(lighting_of_scenes),
-        cmocka_unit_test(touching_is_drawn),
-        cmocka_unit_test(far_eye),
-        cmocka_unit_test(defaults),
-        cmocka_unit_test(bad_scene),
-    };
-    return cmocka_run_group_tests_name("render", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render"); }

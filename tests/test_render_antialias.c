@@ -15,12 +15,6 @@
  *   alpha left out where it is not asked for                                         same_choice
  *   a sheet told without its chords                                                  proofs
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 /* Ways to draw the torus: by packets, ray by ray, in complex space. */
@@ -45,16 +39,16 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
     const double sky[3] = {0.6, 0.1, 0.02};
     algsurf_scene *scene = torus_scene(surface, way->quality, 1);
-    assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_coherence(scene, way->coherence), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_background(scene, sky));
+    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
+    assert_ok(algsurf_scene_set_coherence(scene, way->coherence));
     return scene;
 }
 
 static void set(algsurf_scene *scene, int n, double threshold) {
-    assert_int_equal(algsurf_scene_set_antialias(scene, n), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, n));
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, threshold));
 }
 
 /* Does the pixel (x,y) of a picture of one sample differ by more than the threshold from a neighbour? */
@@ -87,7 +81,7 @@ static double *samples_of(algsurf_scene *scene, int n) {
     const algsurf_picture planes = {.size = sizeof planes, .t = t};
     assert_non_null(t);
     set(scene, 1, 0);
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
     return t;
 }
 
@@ -131,10 +125,9 @@ static void check(const struct way *way, const picture *one, const picture *all,
 }
 
 /* 51/255: differences of exactly the threshold are frequent enough to count. */
-static void one_of_two(void **state) {
+TEST(one_of_two) {
     static const double thresholds[] = {0.01, 51 / 255., 0.35};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         picture *one = drawn(scene, 1);
@@ -156,48 +149,22 @@ static void one_of_two(void **state) {
     algsurf_surface_free(surface);
 }
 
-static void add_stats(algsurf_render_stats *sum, const algsurf_render_stats *more) {
-    sum->rays += more->rays;
-    sum->hits += more->hits;
-    sum->undecided += more->undecided;
-    sum->shadow_rays += more->shadow_rays;
-    sum->single_rays += more->single_rays;
-    sum->iterations += more->iterations;
-}
-
 static void assert_same_counts(const algsurf_render_stats *a, const algsurf_render_stats *b) {
     assert_true(a->rays == b->rays && a->hits == b->hits && a->undecided == b->undecided);
     assert_true(a->shadow_rays == b->shadow_rays && a->single_rays == b->single_rays);
     assert_true(a->iterations == b->iterations);
 }
 
-/* Draws the picture in slices, from the bottom up; the counts are added up. */
-static picture *sliced(const algsurf_scene *scene) {
-    static const int cuts[6] = {0, 1, 9, 12, 13, H};
-    picture *p = malloc(sizeof *p);
-    algsurf_render_stats sum = {.size = sizeof sum};
-    assert_non_null(p);
-    blank(p);
-    for (int k = 4; k >= 0; k--) {
-        algsurf_render_options o = options_for(k % 2 + 1);
-        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
-        render(scene, &o, p);
-        add_stats(&sum, &p->stats);
-    }
-    p->stats = sum;
-    return p;
-}
-
-static void same_bytes(void **state) {
+TEST(same_bytes) {
     static const int threads[4] = {2, 3, 7, 256};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         set(scene, 3, 0.1);
         picture *one = drawn(scene, 1);
         for (int k = 0; k <= 4; k++) {
-            picture *other = k < 4 ? drawn(scene, threads[k]) : sliced(scene);
+            picture *other =
+                k < 4 ? drawn(scene, threads[k]) : sliced(scene, (const int[]){0, 1, 9, 12, 13, H});
             assert_same_picture(one, other);
             assert_same_counts(&one->stats, &other->stats);
             free(other);
@@ -209,9 +176,8 @@ static void same_bytes(void **state) {
 }
 
 /* Threshold 0 is all pixels, 1 none, and one sample is one sample. */
-static void ends(void **state) {
+TEST(ends) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface);
         picture *one = drawn(scene, 1), *p;
@@ -235,11 +201,10 @@ static void ends(void **state) {
 }
 
 /* Pictures of one column, one row, one pixel. */
-static void thin_pictures(void **state) {
+TEST(thin_pictures) {
     static const int sizes[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 40}};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
-    (void)state;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         int w = sizes[s][0], h = sizes[s][1], chosen = 0;
         uint8_t *bytes[3];
@@ -249,7 +214,7 @@ static void thin_pictures(void **state) {
             bytes[k] = malloc((size_t)(3 * w * h));
             assert_non_null(bytes[k]);
             const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes[k]};
-            assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+            assert_ok(algsurf_render(scene, &o, &planes, NULL));
         }
         for (int i = 0; i < w * h; i++) {
             int out = stands_out(bytes[0], 3 * w, w, h, i % w, i / w, 0.1);
@@ -266,15 +231,14 @@ static void thin_pictures(void **state) {
 
 /* No more rays and hits than ray by ray, where nothing is proved of pixels; not many fewer.  Also from
  * inside, so near and wide that packets leave rows to single rays. */
-static void counts_as_by_rays(void **state) {
+TEST(counts_as_by_rays) {
     const algsurf_camera cameras[2] = {camera_at(7, 4, 5, 36), camera_at(0.5, 0.3, 0.2, 150)};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int k = 0; k < 2; k++) {
         picture *p[2];
         for (int singly = 0; singly < 2; singly++) {
             algsurf_scene *scene = scene_in(&ways[singly ? 3 : 1], surface);
-            assert_int_equal(algsurf_scene_set_camera(scene, &cameras[k]), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_camera(scene, &cameras[k]));
             set(scene, 4, 0.1);
             p[singly] = drawn(scene, 1);
             algsurf_scene_free(scene);
@@ -289,21 +253,20 @@ static void counts_as_by_rays(void **state) {
 }
 
 /* Alpha counts where it is not asked for; and nothing else here. */
-static void same_choice(void **state) {
+TEST(same_choice) {
     static uint8_t pixels[4 * W * H];
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
     algsurf_render_options o = options_for(1);
     uint64_t rays[3];
-    (void)state;
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_background(scene, NULL));
     set(scene, 2, 0.99);
     for (int k = 0; k < 3; k++) {
         algsurf_render_stats stats = {.size = sizeof stats};
         const algsurf_picture planes = {.size = sizeof planes,
                                         .pixels = k < 2 ? pixels : NULL,
                                         .format = k == 1 ? ALGSURF_RGBA8 : ALGSURF_RGB8};
-        assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, &stats));
         rays[k] = stats.rays;
     }
     assert_true(rays[0] > W * H && rays[1] == rays[0] && rays[2] == rays[0]);
@@ -331,9 +294,8 @@ static double t_at(const algsurf_surface *surface, const algsurf_extent *extent,
         .size = sizeof how, .planes = &cut, .plane_count = (size_t)a->planes};
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray),
-                     ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(camera, LARGE_WIDE, LARGE_HIGH, place[0], place[1], &ray));
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
     return hit.state == ALGSURF_HIT ? hit.t : INFINITY;
 }
 
@@ -375,13 +337,13 @@ static int attack_scene(const attack *a) {
     algsurf_surface *surface = surface_of(a->equation);
     algsurf_scene *scene = scene_in(&ways[1], surface);
     int proved = 0;
-    assert_int_equal(algsurf_scene_set_extent(scene, &extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_clip(scene, &cut, (size_t)a->planes), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_extent(scene, &extent));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_clip(scene, &cut, (size_t)a->planes));
     for (int k = 0; k < 3; k++) {
         const algsurf_picture planes = {.size = sizeof planes, .pixels = bytes[k]};
         set(scene, k > 0 ? ACROSS : 1, k > 1 ? a->threshold : 0);
-        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, NULL));
     }
     for (int i = 0; i < LARGE_WIDE * LARGE_HIGH; i++) {
         int x = i % LARGE_WIDE, y = i / LARGE_WIDE;
@@ -399,14 +361,13 @@ static int attack_scene(const attack *a) {
 
 /* Pixels that are left with one sample although they stand out, by proof: single rays, which are certain,
  * look for an edge between their samples. */
-static void proofs(void **state) {
+TEST(proofs) {
     static const attack attacks[] = {
         {"(x^2+y^2+z^2+3.51)^2 - 16(x^2+y^2)", 3.2, 10, 0.02, 0},
         {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 3.7, 14, 0.02, 0},
         {"x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8", 2.2, 9, 0.02, 1},
         {"4(2.618x^2-y^2)(2.618y^2-z^2)(2.618z^2-x^2) - 4.236(x^2+y^2+z^2-1)^2", 2, 4, 0.02, 1},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof attacks / sizeof *attacks; i++)
         if (attack_scene(attacks + i) < 10) fail_msg("%s: hardly a proof", attacks[i].equation);
 }
@@ -417,11 +378,10 @@ static int stop_at(int done, int total, void *data) {
 }
 
 /* Finished rows are as they should be, others untouched; with helpers, some are in the middle of a row. */
-static void cancel(void **state) {
+TEST(cancel) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[2], surface);
     picture blanked;
-    (void)state;
     blank(&blanked);
     set(scene, 8, 0.01);
     picture *whole = drawn(scene, 1), p;
@@ -445,11 +405,10 @@ static void cancel(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void bad_thresholds(void **state) {
+TEST(bad_thresholds) {
     static const double bad[] = {-1, -0x1p-1074, 0x1.0000000000001p0, 255, INFINITY, -INFINITY, NAN};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = scene_in(&ways[1], surface);
-    (void)state;
     set(scene, 2, 0.2);
     picture *before = drawn(scene, 1);
     assert_int_equal(algsurf_scene_set_antialias_threshold(NULL, 0.5), ALGSURF_E_ARGUMENT);
@@ -461,11 +420,4 @@ static void bad_thresholds(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_of_two),        cmocka_unit_test(same_bytes),  cmocka_unit_test(ends),
-        cmocka_unit_test(counts_as_by_rays), cmocka_unit_test(same_choice), cmocka_unit_test(proofs),
-        cmocka_unit_test(thin_pictures),     cmocka_unit_test(cancel),      cmocka_unit_test(bad_thresholds),
-    };
-    return cmocka_run_group_tests_name("render: antialias", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: antialias"); }

@@ -19,12 +19,6 @@
  *
  *     test_render_exact [views [first [seed]]]     default: views 0 to 249; 30000 take a quarter of an hour
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact_pixel.h"
 #include "scenes.h"
@@ -115,11 +109,11 @@ static void scale_terms(algsurf_term *terms, int count, int length, int value) {
 }
 
 static void set_surface(view *v, const algsurf_term *terms, int count) {
-    assert_int_equal(algsurf_surface_from_terms(terms, (size_t)count, &v->surface), ALGSURF_OK);
+    assert_ok(algsurf_surface_from_terms(terms, (size_t)count, &v->surface));
     v->term_count = (int)algsurf_surface_term_count(v->surface);
     v->degree = algsurf_surface_degree(v->surface);
     v->terms = calloc((size_t)v->term_count, sizeof *v->terms);
-    assert_int_equal(algsurf_surface_terms(v->surface, v->terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(v->surface, v->terms));
     v->form = exact_form_of(v->terms, v->term_count, v->degree);
 }
 
@@ -135,12 +129,11 @@ static void make_surface(view *v, uint64_t *seed, int *length) {
     algsurf_term *terms = calloc(2000, sizeof *terms);
     v->extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {kind % 2 ? 1.2 : 2}};
     if (kind < NAMED) {
-        algsurf_surface *named;
         const catalogue_entry *entry = catalogue + kind;
         v->extent = entry->extent;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &named, NULL), ALGSURF_OK);
+        algsurf_surface *named = surface_of(entry->equation);
         n = entry->degree, count = (int)algsurf_surface_term_count(named);
-        assert_int_equal(algsurf_surface_terms(named, terms), ALGSURF_OK);
+        assert_ok(algsurf_surface_terms(named, terms));
         algsurf_surface_free(named);
         (void)snprintf(v->name, sizeof v->name, "%s", entry->name);
     } else if (kind < NAMED + 2) {
@@ -170,7 +163,7 @@ static int find_point(const view *v, double far, uint64_t *seed, double point[3]
             ray.origin[k] = far * exact_random_unit(seed);
             ray.direction[k] = exact_random_unit(seed);
         }
-        assert_int_equal(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, NULL, &ray, NULL, &hit));
         if (hit.state != ALGSURF_HIT) continue;
         for (int k = 0; k < 3; k++) point[k] = hit.position[k];
         return 1;
@@ -290,15 +283,15 @@ static void draw(const view *v, const char *kernel, int row_begin, drawing *out)
     const algsurf_picture planes = {.size = sizeof planes, .pixels = out->bytes, .t = out->hits};
     out->stats.size = sizeof out->stats;
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, &how);
-    assert_int_equal(algsurf_scene_set_antialias(scene, v->antialias), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_lights(scene, NULL, 0), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &out->stats), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, v->antialias));
+    assert_ok(algsurf_scene_set_lights(scene, NULL, 0));
+    assert_ok(algsurf_render(scene, &o, &planes, &out->stats));
     algsurf_scene_free(scene);
 }
 
 static algsurf_ray ray_at(const view *v, double x, double y) {
     algsurf_ray ray;
-    assert_int_equal(algsurf_camera_ray(&v->camera, v->width, v->height, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, v->width, v->height, x, y, &ray));
     return ray;
 }
 
@@ -371,7 +364,7 @@ static void check_pixel(const view *v, const drawing *d, int x, int row, int edg
         ray = ray_at(v, sx, sy);
         answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
         seen.clustered += answer.clustered;
-        assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+        assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
         undecided |= hit.state == ALGSURF_UNDECIDED;
         for (int i = 0; i < answer.count && !isinf(t); i++) {
             double room = allowance(v, &ray, answer.t[i], answer.slope[i], answer.bend[i]);
@@ -448,7 +441,7 @@ static void check_same(const view *v, const drawing *d, uint64_t *seed) {
 static int hits_at(const view *v, double x, double y) {
     algsurf_ray ray = ray_at(v, x, y);
     algsurf_hit hit;
-    assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, NULL, &hit));
     return hit.state != ALGSURF_MISS;
 }
 
@@ -485,8 +478,7 @@ static int aim_at_edge(view *v, const drawing *d, uint64_t *seed) {
     return 1;
 }
 
-static void test_extreme_views(void **state) {
-    (void)state;
+TEST(test_extreme_views) {
     static drawing d;
     for (int number = first_view; number < first_view + view_count; number++) {
         view v = {.number = number, .seed = first_seed + 1000003u * (uint64_t)number};
@@ -533,8 +525,7 @@ static void check_all(view *v) {
 }
 
 /* Rays that pass the extent's edge within the noise of a far camera, across a plane through its centre. */
-static void test_edge_of_a_far_ball(void **state) {
-    (void)state;
+TEST(test_edge_of_a_far_ball) {
     uint64_t seed = 3;
     for (int turn = 0; turn < 40; turn++) {
         const double origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -545,18 +536,17 @@ static void test_edge_of_a_far_ball(void **state) {
         const algsurf_term terms[] = {{1, 0, 0, d[0]}, {0, 1, 0, d[1]}, {0, 0, 1, d[2]}};
         set_surface(&v, terms, 3);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {1}};
-        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 1, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, origin, up, 1, &v.camera));
         const double edge[3] = {v.camera.right[0], v.camera.right[1], v.camera.right[2]};
-        assert_int_equal(algsurf_camera_pinhole(eye, edge, up, 1, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, edge, up, 1, &v.camera));
         v.camera.half_height = 2e-8 / far;
         check_all(&v);
     }
 }
 
 /* Parallel pictures of extents whose inverse squares leave the range of double. */
-static void test_tiny_and_huge_parallel(void **state) {
+TEST(test_tiny_and_huge_parallel) {
     static const double radii[] = {1e-100, 1e-150, 1e-155, 1e-160, 1e150, 1e160};
-    (void)state;
     for (int turn = 0; turn < 6; turn++) {
         double r = radii[turn], a = ldexp(1, -ilogb(r));
         const double eye[3] = {3 * r, r, 2 * r}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
@@ -565,15 +555,14 @@ static void test_tiny_and_huge_parallel(void **state) {
         view v = {.number = turn, .name = "sphere", .width = 11, .height = 11};
         set_surface(&v, terms, 4);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {r}};
-        assert_int_equal(algsurf_camera_orthographic(eye, origin, up, 2.2 * r, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, origin, up, 2.2 * r, &v.camera));
         check_all(&v);
     }
 }
 
 /* Two planes l = +-e, the middle plane l = 0 containing the eye and the view's axis exactly: the ray differs
  * from the axis by a rounding of its direction, in which P is quadratic: the first derivatives are 0. */
-static void test_noise_of_second_order(void **state) {
-    (void)state;
+TEST(test_noise_of_second_order) {
     for (int far = 4; far <= 24; far += 4) {
         double a = 46281973, b = nearbyint(sqrt(0x1p52 - a * a)), y = 0x1p-26 * a, z = 0x1p-26 * b;
         double distance = ldexp(1, far);
@@ -584,7 +573,7 @@ static void test_noise_of_second_order(void **state) {
                                     .forward = {0, -y, -z},
                                     .half_height = 1e-8};
         algsurf_ray ray;
-        assert_int_equal(algsurf_camera_ray(&v.camera, 1, 1, 0.5, 0.5, &ray), ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&v.camera, 1, 1, 0.5, 0.5, &ray));
         exact_line l; /* b y - a z along the ray */
         const algsurf_term plane[] = {{0, 1, 0, b}, {0, 0, 1, -a}};
         mpq_t slope;
@@ -604,8 +593,7 @@ static void test_noise_of_second_order(void **state) {
 
 /* A root between the computed and the true end of the chord, where the box's face is nearly along the rays:
  * the depths searched together must reach beyond the ends by what these may be off. */
-static void test_root_at_a_slanted_face(void **state) {
-    (void)state;
+TEST(test_root_at_a_slanted_face) {
     const algsurf_term terms[] = {{0, 0, 3, 1}, {1, 0, 1, 1}, {0, 1, 0, 1}};
     view v = {.name = "cusp", .width = 13, .height = 20, .row_begin = 6, .row_end = 13};
     set_surface(&v, terms, 3);
@@ -622,9 +610,8 @@ static void test_root_at_a_slanted_face(void **state) {
 }
 
 /* A surface of high degree in an extent that is large beside what happens at its origin. */
-static void test_depths_in_a_large_ball(void **state) {
+TEST(test_depths_in_a_large_ball) {
     const double eye[3] = {73.6, -67.2, 54.4}, origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
-    (void)state;
     for (int n = 8; n <= 16; n += 2) {
         static algsurf_term terms[2000];
         uint64_t seed = 5;
@@ -633,7 +620,7 @@ static void test_depths_in_a_large_ball(void **state) {
         add_dense(terms, &count, n, &seed);
         set_surface(&v, terms, count);
         v.extent = (algsurf_extent){.kind = ALGSURF_EXTENT_SPHERE, .size = {32}};
-        assert_int_equal(algsurf_camera_pinhole(eye, origin, up, 34, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, origin, up, 34, &v.camera));
         check_all(&v);
     }
 }
@@ -675,7 +662,7 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
     exact_answer answer = exact_first_root(&v->form, &v->extent, &ray, ROOM * U * reach_of(v, &ray));
     algsurf_hit hit;
     int met = v->radius > 0x1p1016, state = isinf(t) ? ALGSURF_MISS : ALGSURF_HIT;
-    assert_int_equal(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(v->surface, &v->extent, &ray, &how, &hit));
     for (int i = 0; i < answer.count; i++) met |= fabs(t - answer.t[i]) <= 0x1p-36 * v->radius + 0x1p-40 * t;
     seen.checked++, seen.hits += state == ALGSURF_HIT, seen.misses += state == ALGSURF_MISS;
     if (hit.state == ALGSURF_UNDECIDED) return 1;
@@ -686,13 +673,12 @@ static int check_certified_pixel(const view *v, const drawing *d, int x, int y) 
 }
 
 /* Extents from 2^-1000 to 2^1020, about the origin or beside it, of surfaces as large, or of a size of 1. */
-static void test_wide_extents(void **state) {
+TEST(test_wide_extents) {
     static const int sizes[] = {-1000, -997, -505, -300, 0, 300, 499, 505, 900, 997, 1005, 1015, 1020};
     enum { SIZES = sizeof sizes / sizeof *sizes, TURNS = 12 };
     static drawing d;
     long wrong = seen.wrong, hits = seen.hits, misses = seen.misses, undecided = 0;
     uint64_t seed = 11;
-    (void)state;
     for (int turn = 0; turn < SIZES * TURNS; turn++) {
         int size = sizes[turn % SIZES], kind = turn / SIZES, box = kind % 2, aside = kind / 2 % 2;
         view v = {.number = turn, .name = "wide", .width = 14, .height = 10, .row_end = 10, .antialias = 1};
@@ -723,11 +709,5 @@ int main(int count, char **arguments) {
     if (count > 1) view_count = atoi(arguments[1]);
     if (count > 2) first_view = atoi(arguments[2]);
     if (count > 3) first_seed = strtoull(arguments[3], NULL, 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extreme_views),          cmocka_unit_test(test_edge_of_a_far_ball),
-        cmocka_unit_test(test_tiny_and_huge_parallel), cmocka_unit_test(test_noise_of_second_order),
-        cmocka_unit_test(test_root_at_a_slanted_face), cmocka_unit_test(test_depths_in_a_large_ball),
-        cmocka_unit_test(test_wide_extents),
-    };
-    return cmocka_run_group_tests_name("render_exact", tests, NULL, NULL);
+    return unit_run("render_exact");
 }

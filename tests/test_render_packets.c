@@ -15,12 +15,6 @@
  *   everything undecided                                                          few_single_rays
  * Not caught: no error for cuts (the pictures' signs are far above it).
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact.h"
 #include "render_case.h"
@@ -56,11 +50,10 @@ static view view_of(const catalogue_entry *entry, int number, uint64_t *seed) {
         for (int i = 0; i < 3; i++) v.extent.size[i] = radius * (0.5 + 0.1 * i);
     }
     if (number % 2)
-        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2.2 * radius, &v.camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, look, up, 2.2 * radius, &v.camera));
     else
-        assert_int_equal(
-            algsurf_camera_pinhole(eye, look, up, 2 * atan(fmin(1.1 * radius / far, 1)) * 57.3, &v.camera),
-            ALGSURF_OK);
+        assert_ok(
+            algsurf_camera_pinhole(eye, look, up, 2 * atan(fmin(1.1 * radius / far, 1)) * 57.3, &v.camera));
     return v;
 }
 
@@ -72,23 +65,12 @@ static picture *draw(const algsurf_surface *surface, const view *v,
     algsurf_render_options how = options_for(1);
     const algsurf_picture planes = planes_of(p, 0);
     blank(p);
-    assert_int_equal(algsurf_scene_set_extent(scene, &v->extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &v->camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, options), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &how, &planes, &p->stats), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_extent(scene, &v->extent));
+    assert_ok(algsurf_scene_set_camera(scene, &v->camera));
+    assert_ok(algsurf_scene_set_intersect(scene, options));
+    assert_ok(algsurf_render(scene, &how, &planes, &p->stats));
     algsurf_scene_free(scene);
     return p;
-}
-
-/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
-static int is_zero(const algsurf_surface *surface, const algsurf_ray *ray, double t) {
-    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
-    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
-    assert_int_equal(algsurf_surface_gradient(surface, point, &value, gradient, &bound, gradient_bound),
-                     ALGSURF_OK);
-    for (int i = 0; i < 3; i++)
-        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
-    return fabs(value) <= 32 * bound + slack;
 }
 
 static void check_pixels(const algsurf_surface *surface, const view *v, const picture *packets,
@@ -96,15 +78,15 @@ static void check_pixels(const algsurf_surface *surface, const view *v, const pi
     for (int i = 0; i < W * H; i++) {
         algsurf_ray ray;
         algsurf_hit hit;
-        assert_int_equal(algsurf_camera_ray(&v->camera, W, H, i % W + 0.5, i / W + 0.5, &ray), ALGSURF_OK);
+        assert_ok(algsurf_camera_ray(&v->camera, W, H, i % W + 0.5, i / W + 0.5, &ray));
         if (isinf(packets->hits[i]) != isinf(singly->hits[i])) {
-            assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit));
             if (hit.state != ALGSURF_UNDECIDED)
                 fail_msg("%s, view %d, pixel %d,%d: %s by packets only", v->entry->name, v->number, i % W,
                          i / W, isinf(packets->hits[i]) ? "missed" : "hit");
         } else if (!isinf(packets->hits[i]) && packets->hits[i] != singly->hits[i] &&
                    !is_zero(surface, &ray, packets->hits[i])) {
-            assert_int_equal(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit), ALGSURF_OK);
+            assert_ok(algsurf_intersect_first(surface, &v->extent, &ray, NULL, &hit));
             if (hit.state == ALGSURF_HIT)
                 fail_msg("%s, view %d, pixel %d,%d: t = %a, not %a", v->entry->name, v->number, i % W, i / W,
                          packets->hits[i], hit.t);
@@ -137,10 +119,7 @@ static void compare_with_rays(const algsurf_surface *surface, const view *v, voi
     free(singly);
 }
 
-static void hits_as_by_rays(void **state) {
-    (void)state;
-    for_each_view(compare_with_rays, NULL);
-}
+TEST(hits_as_by_rays) { for_each_view(compare_with_rays, NULL); }
 
 typedef struct shares {
     uint64_t part, whole;
@@ -157,9 +136,8 @@ static void count_single_rays(const algsurf_surface *surface, const view *v, voi
 }
 
 /* Pixels whose rays packets leave undecided are rare, but where a whole picture is symmetric. */
-static void few_single_rays(void **state) {
+TEST(few_single_rays) {
     shares s = {0, 0};
-    (void)state;
     for_each_view(count_single_rays, &s);
     if (s.part * 1000 > s.whole)
         fail_msg("%lu of %lu rays went singly", (unsigned long)s.part, (unsigned long)s.whole);
@@ -181,16 +159,6 @@ static void compare_kernels(const algsurf_surface *surface, const view *v, void 
     free(first);
 }
 
-static void kernels_give_the_same_bits(void **state) {
-    (void)state;
-    for_each_view(compare_kernels, NULL);
-}
+TEST(kernels_give_the_same_bits) { for_each_view(compare_kernels, NULL); }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hits_as_by_rays),
-        cmocka_unit_test(few_single_rays),
-        cmocka_unit_test(kernels_give_the_same_bits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("render packets"); }

@@ -13,12 +13,6 @@
  *   shading, or shadow rays, of a picture without pixels                             any_planes
  *   rows that begin at the end of the row before although stride says otherwise      strides
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "render_case.h"
 
 static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}, .imaginary = {[0] = 4}};
@@ -38,8 +32,7 @@ enum { WAYS = sizeof ways / sizeof *ways };
 static algsurf_camera camera_in(const struct way *way) {
     const double eye[3] = {7, 4, 5};
     algsurf_camera camera = camera_at(7, 4, 5, 36);
-    if (way->parallel)
-        assert_int_equal(algsurf_camera_orthographic(eye, origin, z_up, 6.5, &camera), ALGSURF_OK);
+    if (way->parallel) assert_ok(algsurf_camera_orthographic(eye, origin, z_up, 6.5, &camera));
     return camera;
 }
 
@@ -47,9 +40,9 @@ static algsurf_scene *scene_in(const struct way *way, const algsurf_surface *sur
     const algsurf_intersect_options options = {.size = sizeof options, .method = way->method};
     const algsurf_camera camera = camera_in(way);
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, n);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_intersect(scene, &options));
+    assert_ok(algsurf_scene_set_complex_space(scene, way->complex ? &space : NULL));
     return scene;
 }
 
@@ -57,11 +50,11 @@ static algsurf_hit hit_at(const struct way *way, const algsurf_surface *surface,
     const algsurf_camera camera = camera_in(way);
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, &ray), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
     algsurf_status status =
         way->complex ? algsurf_intersect_complex(surface, &ball, &ray, &space, NULL, NULL, &hit, NULL)
                      : algsurf_intersect_first(surface, &ball, &ray, NULL, &hit);
-    assert_int_equal(status, ALGSURF_OK);
+    assert_ok(status);
     return hit;
 }
 
@@ -81,9 +74,8 @@ static int shows(const picture *p, int k, const algsurf_hit *hit) {
     return fabs(p->hits[k] - hit->t) <= 1e-9 && away <= 1e-6 && fabs(length - 1) <= 1e-6;
 }
 
-static void one_ray(void **state) {
+TEST(one_ray) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 1);
         picture *p = drawn(scene, 2);
@@ -103,9 +95,8 @@ static void one_ray(void **state) {
 }
 
 /* 3 x 3 samples: those of the nearest.  Where two are as near as rounding, either may be it. */
-static void nearest_sample(void **state) {
+TEST(nearest_sample) {
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 3);
         picture *p = drawn(scene, 2);
@@ -130,19 +121,18 @@ static void nearest_sample(void **state) {
 }
 
 /* Rays touch the double plane y^2 = 0, which doubles leave open. */
-static void undecided(void **state) {
+TEST(undecided) {
     static const int as[] = {ALGSURF_AS_UNDECIDED, ALGSURF_AS_HIT, ALGSURF_AS_MISS};
     static const int told[] = {ALGSURF_UNDECIDED, ALGSURF_HIT, ALGSURF_MISS};
     algsurf_surface *surface = surface_of("y^2");
     const algsurf_camera camera = camera_at(0.1, -6, 0.2, 10);
-    (void)state;
     for (int n = 1; n <= 2; n++)
         for (int d = 0; d < 3; d++) {
             const algsurf_intersect_options how = {
                 .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as[d]};
             algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_PREVIEW, n);
-            assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-            assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_camera(scene, &camera));
+            assert_ok(algsurf_scene_set_intersect(scene, &how));
             picture *p = drawn(scene, 1);
             for (int k = 0; k < W * H; k++) {
                 algsurf_hit nearest = {.t = INFINITY};
@@ -150,8 +140,8 @@ static void undecided(void **state) {
                     double x = k % W + (s % n + 0.5) / n, y = k / W + (s / n + 0.5) / n;
                     algsurf_ray ray;
                     algsurf_hit hit;
-                    assert_int_equal(algsurf_camera_ray(&camera, W, H, x, y, &ray), ALGSURF_OK);
-                    assert_int_equal(algsurf_intersect_first(surface, &ball, &ray, &how, &hit), ALGSURF_OK);
+                    assert_ok(algsurf_camera_ray(&camera, W, H, x, y, &ray));
+                    assert_ok(algsurf_intersect_first(surface, &ball, &ray, &how, &hit));
                     if (s == 0 || hit.t < nearest.t) nearest = hit;
                 }
                 assert_int_equal(nearest.state, told[d]);
@@ -167,16 +157,15 @@ static void undecided(void **state) {
 
 /* A wedge z = |x|, seen in parallel from above, its edge in the middle of a column of pixels: samples left
  * and right of it are at the same distance, and the first is on the left. */
-static void first_of_equals(void **state) {
+TEST(first_of_equals) {
     const double eye[3] = {0.0625, 0, 4}, at[3] = {0.0625, 0, 0}, up[3] = {0, 1, 0};
     const algsurf_extent box = {ALGSURF_EXTENT_BOX, {0, 0, 0}, {2, 2, 4}};
     algsurf_surface *surface = surface_of("(z-x)(z+x)");
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     algsurf_camera camera;
-    (void)state;
-    assert_int_equal(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &box), ALGSURF_OK);
+    assert_ok(algsurf_camera_orthographic(eye, at, up, H * 0.125, &camera));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_extent(scene, &box));
     picture *p = drawn(scene, 1);
     int seen = 0;
     for (int k = W / 2 - 1; k < W * H; k += W) { /* pixels from x = -0.0625 to 0.0625 */
@@ -194,25 +183,24 @@ static void first_of_equals(void **state) {
 static void draw_pixels(const algsurf_scene *scene, int format, uint8_t *pixels) {
     const algsurf_render_options o = options_for(2);
     const algsurf_picture planes = {.size = sizeof planes, .pixels = pixels, .format = format};
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
 /* With a background RGBA8 is RGB8 and 255; without one, alpha is the share of samples with a point, which
  * alone make the colour.  RGB8 without a background is that on black. */
-static void alpha(void **state) {
+TEST(alpha) {
     static uint8_t rgb[W * H][3], rgba[W * H][4], clear[W * H][4], black[W * H][3], none[W * H][3];
     const double dark[3] = {0, 0, 0}, sky[3] = {0.3, 1, 0.8};
     algsurf_surface *surface = torus();
-    (void)state;
     for (const struct way *way = ways; way < ways + WAYS; way++) {
         algsurf_scene *scene = scene_in(way, surface, 3);
         int part = 0;
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, sky));
         draw_pixels(scene, ALGSURF_RGB8, rgb[0]);
         draw_pixels(scene, ALGSURF_RGBA8, rgba[0]);
-        assert_int_equal(algsurf_scene_set_background(scene, dark), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, dark));
         draw_pixels(scene, ALGSURF_RGB8, black[0]);
-        assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_background(scene, NULL));
         draw_pixels(scene, ALGSURF_RGB8, none[0]);
         draw_pixels(scene, ALGSURF_RGBA8, clear[0]);
         assert_memory_equal(none, black, sizeof none);
@@ -226,9 +214,9 @@ static void alpha(void **state) {
             assert_int_equal(clear[k][3], (int)floor(255 * (samples / 9.0) + 0.5));
             double light[3];
             unsigned char over_black[3];
-            assert_int_equal(algsurf_srgb_decode(clear[k], light), ALGSURF_OK);
+            assert_ok(algsurf_srgb_decode(clear[k], light));
             for (int i = 0; i < 3; i++) light[i] *= samples / 9.0;
-            assert_int_equal(algsurf_srgb_encode(light, over_black), ALGSURF_OK);
+            assert_ok(algsurf_srgb_encode(light, over_black));
             for (int i = 0; i < 3; i++) { /* twice rounded */
                 assert_in_range(black[k][i] + 1, over_black[i], over_black[i] + 2);
                 if (samples == 0) assert_int_equal(clear[k][i], 0);
@@ -236,7 +224,7 @@ static void alpha(void **state) {
             part += samples > 0 && samples < 9;
         }
         assert_true(part > 50);
-        assert_int_equal(algsurf_scene_set_background(scene, sky), ALGSURF_OK); /* there is one again */
+        assert_ok(algsurf_scene_set_background(scene, sky)); /* there is one again */
         draw_pixels(scene, ALGSURF_RGBA8, clear[0]);
         assert_memory_equal(clear, rgba, sizeof clear);
         algsurf_scene_free(scene);
@@ -262,7 +250,7 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
         if (!(choice & 4)) planes.normals = NULL;
         if (!(choice & 8)) planes.state = NULL;
         if (!(choice & 16)) planes.way = NULL;
-        assert_int_equal(algsurf_render(scene, &o, &planes, &p.stats), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, &p.stats));
         assert_same_picture(&p, &expected);
         assert_true(p.stats.rays == whole->stats.rays && p.stats.hits == whole->stats.hits);
         if (choice & 1) assert_true(p.stats.shadow_rays == whole->stats.shadow_rays);
@@ -270,11 +258,10 @@ static void check_choices(const algsurf_scene *scene, const picture *whole, int 
     }
 }
 
-static void any_planes(void **state) {
+TEST(any_planes) {
     static const double dark[3] = {0, 0, 0};
     const algsurf_material soot = {.size = sizeof soot, .roughness = 1};
     algsurf_surface *surface = torus();
-    (void)state;
     for (int look = 0; look < 3; look++)
         for (int threshold = 0; threshold < 2; threshold++) {
             picture *first = NULL;
@@ -282,10 +269,10 @@ static void any_planes(void **state) {
             for (int k = 0; (kernel = algsurf_kernel_name(k)) != NULL; k++) {
                 const algsurf_intersect_options options = {.size = sizeof options, .kernel = kernel};
                 algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
-                assert_int_equal(algsurf_scene_set_intersect(scene, &options), ALGSURF_OK);
-                assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold), ALGSURF_OK);
-                assert_int_equal(algsurf_scene_set_background(scene, look == 0 ? dark : NULL), ALGSURF_OK);
-                if (look == 2) assert_int_equal(algsurf_scene_set_material(scene, &soot), ALGSURF_OK);
+                assert_ok(algsurf_scene_set_intersect(scene, &options));
+                assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.2 * threshold));
+                assert_ok(algsurf_scene_set_background(scene, look == 0 ? dark : NULL));
+                if (look == 2) assert_ok(algsurf_scene_set_material(scene, &soot));
                 picture *whole = drawn(scene, 1);
                 check_choices(scene, whole, threshold);
                 if (first) assert_same_picture(first, whole);
@@ -301,20 +288,19 @@ static void any_planes(void **state) {
 }
 
 /* Rows of any distance, and without a gap. */
-static void strides(void **state) {
+TEST(strides) {
     enum { GAP = 7 };
     static uint8_t tight[H * 4 * W], apart[H * (4 * W + GAP)];
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     const algsurf_render_options o = options_for(2);
-    (void)state;
     for (int format = ALGSURF_RGB8; format <= ALGSURF_RGBA8; format++) {
         size_t row = (size_t)(format == ALGSURF_RGBA8 ? 4 : 3) * W;
         const algsurf_picture planes = {
             .size = sizeof planes, .pixels = apart, .stride = row + GAP, .format = format};
         memset(apart, SENTINEL, sizeof apart);
         draw_pixels(scene, format, tight);
-        assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
+        assert_ok(algsurf_render(scene, &o, &planes, NULL));
         for (size_t y = 0; y < H; y++) {
             const uint8_t *there = apart + y * (row + GAP);
             assert_memory_equal(there, tight + y * row, row);
@@ -324,11 +310,4 @@ static void strides(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_ray),         cmocka_unit_test(nearest_sample), cmocka_unit_test(undecided),
-        cmocka_unit_test(first_of_equals), cmocka_unit_test(alpha),          cmocka_unit_test(any_planes),
-        cmocka_unit_test(strides),
-    };
-    return cmocka_run_group_tests_name("render: planes", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: planes"); }

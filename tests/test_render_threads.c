@@ -8,12 +8,6 @@
  * That no allocation may fail unnoticed is the business of test_memory.
  */
 #define _POSIX_C_SOURCE 200809L /* nanosleep */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
 #include <pthread.h>
 #include <time.h>
@@ -21,12 +15,11 @@
 #include "render_case.h"
 
 /* Threads, slices and the caller's rounding mode change nothing; the gap after each row stays as it was. */
-static void same_bytes(void **state) {
-    static const int threads[4] = {2, 3, 7, 256}, cuts[5] = {0, 1, 9, 20, H};
+TEST(same_bytes) {
+    static const int threads[4] = {2, 3, 7, 256};
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 2);
     picture *one = drawn(scene, 1), *other;
-    (void)state;
     assert_int_equal(one->stats.threads, 1);
     for (int y = 0; y < H; y++)
         for (int i = 3 * W; i < STRIDE; i++) assert_int_equal(one->bytes[y * STRIDE + i], SENTINEL);
@@ -38,18 +31,10 @@ static void same_bytes(void **state) {
         assert_true(other->stats.shadow_rays == one->stats.shadow_rays);
         free(other);
     }
-    other = malloc(sizeof *other);
-    assert_non_null(other);
-    blank(other);
-    uint64_t rays = 0, hits = 0, shadow_rays = 0;
-    for (int k = 3; k >= 0; k--) {
-        algsurf_render_options o = options_for(k % 2 + 1);
-        o.row_begin = cuts[k], o.row_end = cuts[k + 1];
-        render(scene, &o, other);
-        rays += other->stats.rays, hits += other->stats.hits, shadow_rays += other->stats.shadow_rays;
-    }
+    other = sliced(scene, (const int[]){0, 1, 9, 20, H});
     assert_same_picture(one, other);
-    assert_true(rays == one->stats.rays && hits == one->stats.hits && shadow_rays == one->stats.shadow_rays);
+    assert_true(other->stats.rays == one->stats.rays && other->stats.hits == one->stats.hits);
+    assert_true(other->stats.shadow_rays == one->stats.shadow_rays);
     free(other);
     fesetround(FE_UPWARD);
     other = drawn(scene, 3);
@@ -75,11 +60,10 @@ static int on_progress(int done, int total, void *data) {
     return ++c->count == c->limit;
 }
 
-static void progress_calls(void **state) {
+TEST(progress_calls) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 2);
     picture p;
-    (void)state;
     for (int threads = 1; threads <= 4; threads++) {
         calls c = {.caller = pthread_self(), .sleep_ns = threads > 1 ? 30000000 : 0};
         algsurf_render_options o = options_for(threads);
@@ -95,14 +79,13 @@ static void progress_calls(void **state) {
 
 /* A cancelled picture: each row is as it should be or untouched.  Rows take long enough here for the
  * others to be in the middle of one when the caller cancels. */
-static void cancel(void **state) {
+TEST(cancel) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_FULL, 3);
     picture *whole = drawn(scene, 1), p;
     picture blanked;
     const algsurf_picture planes = planes_of(&p, H / 2);
     blank(&blanked);
-    (void)state;
     for (int threads = 1; threads <= 3; threads++) {
         calls c = {.caller = pthread_self(), .limit = threads == 1 ? 2 : 1};
         algsurf_render_options o = options_for(threads);
@@ -132,14 +115,13 @@ static void refuse(const algsurf_scene *scene, const algsurf_render_options *o, 
     assert_memory_equal(&p, &before, sizeof p);
 }
 
-static void bad_planes(void **state) {
+TEST(bad_planes) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     const algsurf_render_options o = options_for(1);
     picture p, before;
     const algsurf_picture good = planes_of(&p, 0);
     algsurf_picture bad;
-    (void)state;
     blank(&p), blank(&before);
     assert_int_equal(algsurf_render(scene, &o, NULL, &p.stats), ALGSURF_E_ARGUMENT);
 #define REFUSE(change)                                                                                       \
@@ -155,14 +137,13 @@ static void bad_planes(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-static void bad_options(void **state) {
+TEST(bad_options) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     const algsurf_render_options good = options_for(1);
     algsurf_render_options o = good;
     picture p;
     const algsurf_picture planes = planes_of(&p, 0);
-    (void)state;
     refuse(NULL, &good, ALGSURF_E_ARGUMENT);
     refuse(scene, NULL, ALGSURF_E_ARGUMENT);
 #define REFUSE(change) (o = good, (change), refuse(scene, &o, ALGSURF_E_ARGUMENT))
@@ -185,13 +166,13 @@ static void bad_options(void **state) {
     assert_int_equal(p.bytes[0], SENTINEL);
     algsurf_camera huge = camera_at(7, 4, 5, 36);
     huge.orthographic = 1, huge.half_height = 1.7e308;
-    assert_int_equal(algsurf_scene_set_camera(scene, &huge), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_camera(scene, &huge));
     refuse(scene, &good, ALGSURF_E_NOT_FINITE);
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
 /* Structs of newer callers. */
-static void sized_structs(void **state) {
+TEST(sized_structs) {
     algsurf_surface *surface = torus();
     algsurf_scene *scene = torus_scene(surface, ALGSURF_QUALITY_STANDARD, 1);
     picture *whole = drawn(scene, 1), p;
@@ -203,14 +184,13 @@ static void sized_structs(void **state) {
         algsurf_render_stats s;
         double more;
     } stats = {.more = 7};
-    (void)state;
     struct {
         algsurf_picture p;
         double more;
     } planes = {.p = planes_of(&p, 0)};
     newer.o.size = sizeof newer, stats.s.size = sizeof stats, planes.p.size = sizeof planes;
     blank(&p);
-    assert_int_equal(algsurf_render(scene, &newer.o, &planes.p, &stats.s), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &newer.o, &planes.p, &stats.s));
     assert_same_picture(whole, &p);
     assert_true(stats.s.rays == W * H && stats.more == 0 && stats.s.size == sizeof stats);
     planes.more = 1;
@@ -221,10 +201,4 @@ static void sized_structs(void **state) {
     algsurf_scene_free(scene), algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_bytes),  cmocka_unit_test(progress_calls), cmocka_unit_test(cancel),
-        cmocka_unit_test(bad_options), cmocka_unit_test(bad_planes),     cmocka_unit_test(sized_structs),
-    };
-    return cmocka_run_group_tests_name("render: threads", tests, NULL, NULL);
-}
+int main(void) { return unit_run("render: threads"); }

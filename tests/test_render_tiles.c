@@ -8,17 +8,8 @@
  *
  *     test_render_tiles [views [seed]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "scenes.h"
-
-#include <math.h>
-#include <string.h>
 
 enum { WIDTH = 250, HEIGHT = 2000, ROWS = 37, TILED_DEGREE = 10 };
 
@@ -76,12 +67,10 @@ static void set_view(view *v) {
         for (int i = 0; i < 3; i++) v->extent.size[i] = radius * (0.5 + 0.1 * i);
     }
     if (v->number % 2)
-        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2.2 * zoom * radius, &v->camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, look, up, 2.2 * zoom * radius, &v->camera));
     else
-        assert_int_equal(algsurf_camera_pinhole(
-                             eye, look, up, 2 * atan(zoom * fmin(1.1 * radius / far, 1)) * 57.3, &v->camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, look, up, 2 * atan(zoom * fmin(1.1 * radius / far, 1)) * 57.3,
+                                         &v->camera));
     set_planes(v);
     v->row = HEIGHT / 2 - ROWS + exact_random_int(&v->seed, ROWS);
 }
@@ -89,9 +78,9 @@ static void set_view(view *v) {
 static algsurf_scene *scene_with(const view *v, const algsurf_intersect_options *how, int antialias,
                                  double threshold) {
     algsurf_scene *scene = scene_of(v->surface, &v->extent, &v->camera, how);
-    assert_int_equal(algsurf_scene_set_clip(scene, v->planes, v->plane_count), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
-    if (threshold > 0) assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_clip(scene, v->planes, v->plane_count));
+    assert_ok(algsurf_scene_set_antialias(scene, antialias));
+    if (threshold > 0) assert_ok(algsurf_scene_set_antialias_threshold(scene, threshold));
     return scene;
 }
 
@@ -111,18 +100,7 @@ static void draw(const view *v, const algsurf_scene *scene, int begin, int end, 
                                       .row_begin = v->row + begin,
                                       .row_end = v->row + end,
                                       .threads = threads};
-    assert_int_equal(algsurf_render(scene, &o, &planes, NULL), ALGSURF_OK);
-}
-
-/* Is t a zero of P on the ray, as far as the rounding of the point and of P let one see? */
-static int is_zero(const view *v, const algsurf_ray *ray, double t) {
-    double point[3], value, gradient[3], bound, gradient_bound[3], slack = 0;
-    for (int i = 0; i < 3; i++) point[i] = ray->origin[i] + t * ray->direction[i];
-    assert_int_equal(algsurf_surface_gradient(v->surface, point, &value, gradient, &bound, gradient_bound),
-                     ALGSURF_OK);
-    for (int i = 0; i < 3; i++)
-        slack += (fabs(gradient[i]) + gradient_bound[i]) * 0x1p-49 * (fabs(t) + fabs(ray->origin[i]));
-    return fabs(value) <= 32 * bound + slack;
+    assert_ok(algsurf_render(scene, &o, &planes, NULL));
 }
 
 static long hits, misses;
@@ -131,12 +109,10 @@ static void check_pixel(const view *v, int i, const slice *tiles, const slice *r
     algsurf_ray ray;
     double t = tiles->t[i];
     int same = tiles->states[i] == rays->states[i];
-    assert_int_equal(
-        algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, i % WIDTH + 0.5, v->row + i / WIDTH + 0.5, &ray),
-        ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&v->camera, WIDTH, HEIGHT, i % WIDTH + 0.5, v->row + i / WIDTH + 0.5, &ray));
     hits += isfinite(t), misses += isinf(t) != 0;
     double apart = same && isfinite(t) ? fabs(t - rays->t[i]) : 0;
-    if (apart > 0x1p-36 * v->entry->extent.size[0]) same = is_zero(v, &ray, t) && apart < 1e-6 * t;
+    if (apart > 0x1p-36 * v->entry->extent.size[0]) same = is_zero(v->surface, &ray, t) && apart < 1e-6 * t;
     if (!same)
         fail_msg("%s, view %d (seed %#llx), pixel %d,%d: state %d, not %d; t = %a, not %a", v->entry->name,
                  v->number, (unsigned long long)first_seed, i % WIDTH, v->row + i / WIDTH, tiles->states[i],
@@ -181,8 +157,7 @@ static void for_each_view(void (*check)(view *v), int count) {
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
         view v = {.entry = entry, .seed = first_seed + (uint64_t)(entry - catalogue)};
         if (entry->degree > TILED_DEGREE || catalogue_first_of(entry) != entry) continue;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &v.surface, NULL),
-                         ALGSURF_OK);
+        v.surface = surface_of(entry->equation);
         for (v.number = 0; v.number < count; v.number++) {
             set_view(&v);
             check(&v);
@@ -191,22 +166,16 @@ static void for_each_view(void (*check)(view *v), int count) {
     }
 }
 
-static void hits_as_by_rays(void **state) {
-    (void)state;
+TEST(hits_as_by_rays) {
     for_each_view(compare_with_rays, views);
     printf("%ld hits, %ld misses\n", hits, misses);
     assert_true(hits * 4 > misses && misses * 10 > hits);
 }
 
-static void nothing_changes_a_byte(void **state) {
-    (void)state;
-    for_each_view(compare_with_others, (views + 2) / 3);
-}
+TEST(nothing_changes_a_byte) { for_each_view(compare_with_others, (views + 2) / 3); }
 
 int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(hits_as_by_rays),
-                                       cmocka_unit_test(nothing_changes_a_byte)};
-    return cmocka_run_group_tests_name("tiles", tests, NULL, NULL);
+    return unit_run("tiles");
 }

@@ -10,18 +10,9 @@
  *   the way of the sample drawn last; of pixels that get one sample, none                samples
  *   single rays all counted as exact, or those of the bounded tier                       exact
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "scenes.h"
 #include "algsurf/algsurf.h"
-
-#include <math.h>
-#include <string.h>
 
 enum { WIDTH = 347, HEIGHT = 331, LARGEST = 16, SMALLEST = 4, KIND = 3 };
 
@@ -34,7 +25,7 @@ static algsurf_camera camera_of(const algsurf_extent *extent) {
     const double eye[3] = {2.2 * extent->size[0], -3.3 * extent->size[0], 1.1 * extent->size[0]},
                  up[3] = {0, 0, 1};
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, extent->centre, up, 32, &camera));
     return camera;
 }
 
@@ -56,7 +47,7 @@ static void draw(const algsurf_scene *scene, int begin, int end, int threads, dr
                                       .row_end = end,
                                       .threads = threads};
     d->stats.size = sizeof d->stats;
-    assert_int_equal(algsurf_render(scene, &o, &planes, &d->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, &d->stats));
 }
 
 static int side_of(const drawn *d, int x, int y) { return d->ways[y * WIDTH + x] & ~KIND; }
@@ -108,10 +99,7 @@ static void check_tiles(const algsurf_scene *scene, const algsurf_surface *surfa
     assert_true(count(&d, ALGSURF_WAY_ROW, SMALLEST) > 500);
 }
 
-static void tiles(void **state) {
-    (void)state;
-    for_each_scene(check_tiles);
-}
+TEST(tiles) { for_each_scene(check_tiles); }
 
 /* ---- the counts ---- */
 
@@ -153,10 +141,7 @@ static void check_counts(const algsurf_scene *scene, const algsurf_surface *surf
     assert_int_equal(d.stats.single_rays, count(&d, ALGSURF_WAY_SINGLE, -1));
 }
 
-static void counts(void **state) {
-    (void)state;
-    for_each_scene(check_counts);
-}
+TEST(counts) { for_each_scene(check_counts); }
 
 /* ---- slices, threads, samples ---- */
 
@@ -198,15 +183,14 @@ static void check_threads(const algsurf_scene *scene) {
     assert_memory_equal(one.ways, more.ways, sizeof one.ways);
 }
 
-static void slices(void **state) {
+TEST(slices) {
     const catalogue_entry *entry = catalogue_find("torus");
     algsurf_surface *surface = surface_of(entry->equation);
     algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
-    (void)state;
     for_each_scene(check_slices);
     for (int way = 0; way < 3; way++) {
-        assert_int_equal(algsurf_scene_set_antialias(scene, way ? 3 : 1), ALGSURF_OK);
-        assert_int_equal(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_antialias(scene, way ? 3 : 1));
+        assert_ok(algsurf_scene_set_antialias_threshold(scene, way == 2 ? 0.05 : 0));
         check_threads(scene);
     }
     algsurf_scene_free(scene);
@@ -214,19 +198,18 @@ static void slices(void **state) {
 }
 
 /* The middle is one of 3 x 3 samples; chosen pixels get all of them. */
-static void samples(void **state) {
+TEST(samples) {
     static drawn one, some, all, none;
     const catalogue_entry *entry = catalogue_find("steiner");
     algsurf_surface *surface = surface_of(entry->equation);
     algsurf_scene *scene = scene_about(surface, &entry->extent, NULL);
     int raised = 0, kept = 0;
-    (void)state;
     draw(scene, 0, HEIGHT, 1, &one);
-    assert_int_equal(algsurf_scene_set_antialias(scene, 3), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, 3));
     draw(scene, 0, HEIGHT, 1, &all);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 0.1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, 0.1));
     draw(scene, 0, HEIGHT, 1, &some);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, 1), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, 1));
     draw(scene, 0, HEIGHT, 1, &none);
     assert_memory_equal(none.ways, one.ways, sizeof one.ways);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -252,8 +235,8 @@ static int engine_of(const algsurf_surface *surface, const algsurf_extent *exten
     const algsurf_intersect_options how = {.size = sizeof how, .observer = &observer};
     algsurf_ray ray;
     algsurf_hit hit;
-    assert_int_equal(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray), ALGSURF_OK);
-    assert_int_equal(algsurf_intersect_first(surface, extent, &ray, &how, &hit), ALGSURF_OK);
+    assert_ok(algsurf_camera_ray(&camera, WIDTH, HEIGHT, x + 0.5, y + 0.5, &ray));
+    assert_ok(algsurf_intersect_first(surface, extent, &ray, &how, &hit));
     return observer.engine;
 }
 
@@ -269,13 +252,12 @@ static void check_exact(const algsurf_scene *scene, const algsurf_surface *surfa
 }
 
 /* Every ray that meets a double sphere is for integers. */
-static void exact(void **state) {
+TEST(exact) {
     static drawn d;
     const algsurf_extent ball = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1.5, 0, 0}};
     const algsurf_intersect_options bounded = {.size = sizeof bounded, .tier = ALGSURF_TIER_BOUNDED};
     algsurf_surface *surface = surface_of("(x^2 + y^2 + z^2 - 1)^2");
     algsurf_scene *scene = scene_about(surface, &ball, NULL), *other = scene_about(surface, &ball, &bounded);
-    (void)state;
     for_each_scene(check_exact);
     check_exact(scene, surface, &ball);
     draw(scene, 0, HEIGHT, 1, &d);
@@ -289,18 +271,17 @@ static void exact(void **state) {
 }
 
 /* Pictures that are not drawn by tiles: ray by ray, by rows, in complex space. */
-static void without_tiles(void **state) {
+TEST(without_tiles) {
     static drawn d;
     const catalogue_entry *torus = catalogue_find("torus"), *decic = catalogue_find("barth-decic");
     const algsurf_intersect_options by_rays = {.size = sizeof by_rays, .method = ALGSURF_METHOD_BRENT};
     const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
     algsurf_surface *surface = surface_of(torus->equation), *high = surface_of(decic->equation);
     algsurf_scene *scene = scene_about(surface, &torus->extent, &by_rays);
-    (void)state;
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), WIDTH * HEIGHT);
     assert_int_equal(d.stats.tiles, 0);
-    assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_complex_space(scene, &space));
     draw(scene, 0, HEIGHT, 2, &d);
     assert_int_equal(count(&d, ALGSURF_WAY_SINGLE, 0), d.stats.single_rays);
     assert_int_equal(count(&d, ALGSURF_WAY_ROW, 0), WIDTH * HEIGHT - d.stats.single_rays);
@@ -315,9 +296,4 @@ static void without_tiles(void **state) {
     algsurf_surface_free(surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tiles),  cmocka_unit_test(counts),
-                                       cmocka_unit_test(slices), cmocka_unit_test(samples),
-                                       cmocka_unit_test(exact),  cmocka_unit_test(without_tiles)};
-    return cmocka_run_group_tests_name("ways", tests, NULL, NULL);
-}
+int main(void) { return unit_run("ways"); }

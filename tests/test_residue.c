@@ -3,17 +3,10 @@
  * Breaks caught, each tried: a composite number in the table, a prime left out, a final subtraction
  * forgotten, the sign of a negative integer forgotten, gcd steps that take a remainder's degree for granted.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "exact_limbs.h"
 
-#include <cmocka.h>
-
 #include "poly/residue.h"
+#include "unit.h"
 
 #define SEED 20240701u
 #define MOST 40
@@ -38,8 +31,7 @@ static void scale(mpz_t z, int e, const mpz_t p) {
     mpz_clear(f);
 }
 
-static void test_primes(void **state) {
-    (void)state;
+TEST(test_primes) {
     algsurf_prime m = algsurf_prime_first();
     mpz_t p, wanted;
     mpz_inits(p, wanted, NULL);
@@ -71,8 +63,7 @@ static algsurf_prime random_prime(uint64_t *seed) {
     return m;
 }
 
-static void test_products(void **state) {
-    (void)state;
+TEST(test_products) {
     uint64_t seed = SEED;
     mpz_t x, y, p;
     mpz_inits(x, y, p, NULL);
@@ -93,8 +84,7 @@ static void test_products(void **state) {
     mpz_clears(x, y, p, NULL);
 }
 
-static void test_residues_of_integers(void **state) {
-    (void)state;
+TEST(test_residues_of_integers) {
     uint64_t seed = SEED + 1;
     algsurf_limb a[9 * 12], r[9];
     int negative = 0, zero = 0;
@@ -183,8 +173,7 @@ static void fail_with(const char *what, int round, const modular *a, const modul
     fail_msg("%s, seed %u round %d", what, SEED + 2, round);
 }
 
-static void test_gcd(void **state) {
-    (void)state;
+TEST(test_gcd) {
     uint64_t seed = SEED + 2;
     int constant = 0, vanishing = 0, proper = 0;
     for (int i = 0; i < 3000; i++) {
@@ -209,8 +198,7 @@ static void test_gcd(void **state) {
     assert_true(constant > 200 && vanishing > 20 && proper > 1000);
 }
 
-static void test_division_and_derivative(void **state) {
-    (void)state;
+TEST(test_division_and_derivative) {
     uint64_t seed = SEED + 3;
     for (int i = 0; i < 1000; i++) {
         algsurf_prime m = random_prime(&seed);
@@ -233,13 +221,4 @@ static void test_division_and_derivative(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_primes),
-        cmocka_unit_test(test_products),
-        cmocka_unit_test(test_residues_of_integers),
-        cmocka_unit_test(test_gcd),
-        cmocka_unit_test(test_division_and_derivative),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("residue"); }

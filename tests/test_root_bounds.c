@@ -6,27 +6,19 @@
  *   squares of differences as they are     close
  *   radii without exponents on the way     small
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <string.h>
-
 #include "exact.h"
 
 #include "complex/impl.h"
 #include "roots/exact_walk.h"
+#include "unit.h"
 
 /* The sign of c[0] + .. + c[n] t^n at 2^e. */
 static int sign_at(const double *c, int n, int e) { return exact_poly_sign(c, n, ldexp(1, e)); }
 
 /* t^n - 2 t^(n-1) - 4 t^(n-2) .. - 2^n, whose bits give the bound 4: its root is 4 (1 - 2^-n) or so; and the
  * same in reverse. */
-static void reached(void **state) {
+TEST(reached) {
     algsurf_limb block[4096];
-    (void)state;
     for (int n = 2; n <= 60; n++)
         for (int reverse = 0; reverse < 2; reverse++) {
             double c[61];
@@ -78,28 +70,19 @@ static void check_discs(double d, double residual, int exponent) {
     mpq_clears(least, distance, NULL);
 }
 
-static void close(void **state) {
+TEST(close) {
     uint64_t random = 20251126;
-    (void)state;
     for (int e = -300; e >= -700; e -= 5)
         for (int k = 0; k < 8; k++)
             check_discs(ldexp(1.5 + 0.5 * exact_random_unit(&random), e), 0x1p-900, 0);
 }
 
-static void small(void **state) {
+TEST(small) {
     uint64_t random = 20251127;
-    (void)state;
     for (int e = -960; e >= -1073; e -= 3)
         for (int k = 0; k < 8; k++)
             check_discs(ldexp(1.5 + 0.5 * exact_random_unit(&random), 40),
                         ldexp(1.5 + 0.5 * exact_random_unit(&random), e), k % 2 ? 700 : -20);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reached),
-        cmocka_unit_test(close),
-        cmocka_unit_test(small),
-    };
-    return cmocka_run_group_tests_name("root bounds", tests, NULL, NULL);
-}
+int main(void) { return unit_run("root bounds"); }

@@ -1,18 +1,10 @@
 /* test_roots_outward.c - enclosures as decimals, against exact arithmetic: they hold the interval, and are at
  * most half as wide again where 17 digits suffice.  Catches: an end rounded to nearest, a carry that is lost,
  * an exponent one off. */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "exact.h"
 #include "exact_decimal.h"
 #include "roots_outward.h"
+#include "unit.h"
 
 static void writes(double lo, double hi, const char *expected) {
     char text[ROOTS_OUTWARD_ROOM];
@@ -20,8 +12,7 @@ static void writes(double lo, double hi, const char *expected) {
     assert_string_equal(text, expected);
 }
 
-static void test_known(void **unused) {
-    (void)unused;
+TEST(test_known) {
     writes(0.9999, 1.0001, "[0.9999, 1.0001]"); /* the doubles are above 0.9999 and below 1.0001 */
     writes(99.96, 99.99, "[99.959, 99.99]");    /* both below */
     writes(-1.5, 2.5, "[-2, 3]");
@@ -53,8 +44,7 @@ static uint64_t random_bits(void) {
     return seed >> 11;
 }
 
-static void test_random(void **unused) {
-    (void)unused;
+TEST(test_random) {
     mpq_t lo, hi, ends[2], width, wider;
     mpq_inits(lo, hi, ends[0], ends[1], width, wider, NULL);
     for (int n = 0; n < 20000; n++) {
@@ -76,7 +66,4 @@ static void test_random(void **unused) {
     mpq_clears(lo, hi, ends[0], ends[1], width, wider, NULL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_known), cmocka_unit_test(test_random)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("roots outward"); }

@@ -3,16 +3,9 @@
  * Catches: the conjugate range forgotten, an undecided box counted as inside, a smaller undecided root
  * overlooked, conjugates taken for rivals, roots of equal enclosures taken for conjugates, magnitudes outside
  * [lo,hi] accepted, the end of a sector rounded. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-
 #include "algsurf/select.h"
 #include "exact_arg.h"
+#include "unit.h"
 
 #define SEED 23u
 
@@ -33,12 +26,11 @@ static algsurf_complex_root near_point(double re, double im) {
 static void check_holds(double sigma, double delta, algsurf_complex_root root, int expected) {
     const algsurf_sector sector = {sigma, delta};
     int holds = 17;
-    assert_int_equal(algsurf_sector_holds(&sector, &root, &holds), ALGSURF_OK);
+    assert_ok(algsurf_sector_holds(&sector, &root, &holds));
     assert_int_equal(holds, expected);
 }
 
-static void test_membership(void **state) {
-    (void)state;
+TEST(test_membership) {
     check_holds(0, 1e-10, near_point(2, 0), 1);
     check_holds(0, 1e-10, near_point(-2, 0), 0);
     check_holds(0, pi, near_point(-2, 0), 1);
@@ -68,7 +60,7 @@ static int truth_of(const algsurf_sector *sector, const mpf_t arg) {
 static int held(const algsurf_sector *sector, double re, double im) {
     const algsurf_complex_root root = box(re, re, im, im);
     int holds = 17;
-    assert_int_equal(algsurf_sector_holds(sector, &root, &holds), ALGSURF_OK);
+    assert_ok(algsurf_sector_holds(sector, &root, &holds));
     return holds;
 }
 
@@ -80,8 +72,7 @@ static algsurf_sector sector_at(uint64_t *seed, double arg, int at_begin) {
 }
 
 /* Points of an argument next to an end of the sector, on which side only exact sums tell. */
-static void test_ends(void **state) {
-    (void)state;
+TEST(test_ends) {
     uint64_t seed = SEED;
     int seen[3] = {0, 0, 0}, rounded_in = 0, rounded_out = 0;
     mpf_set_default_prec(384);
@@ -110,8 +101,7 @@ static void test_ends(void **state) {
 }
 
 /* A sum that rounds to pi's double stands for pi. */
-static void test_pi(void **state) {
-    (void)state;
+TEST(test_pi) {
     static const algsurf_sector ends_at_pi[] = {{0, 0x1.921fb54442d18p+1},
                                                 {0, 0x1.921fb54442d19p+1},
                                                 {0x1.921fb54442d17p+0, 0x1.921fb54442d18p+0},
@@ -132,13 +122,12 @@ static void check_select(const algsurf_complex_root *roots, int count, double lo
     const algsurf_sector sector = {0, 0.5};
     int selected = ALGSURF_SELECTED_UNDECIDED;
     int index = 99;
-    assert_int_equal(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index), ALGSURF_OK);
+    assert_ok(algsurf_select_of_real(roots, count, &sector, lo, hi, &selected, &index));
     assert_int_equal(selected, expected);
     assert_int_equal(index, expected == ALGSURF_SELECTED_NONE ? 99 : which);
 }
 
-static void test_least(void **state) {
-    (void)state;
+TEST(test_least) {
     const algsurf_complex_root roots[] = {near_point(3, 0), near_point(0.5, 2), near_point(2, 0.4),
                                           near_point(2, -0.4), near_point(-1, 0)};
     check_select(roots, 5, 0, HUGE_VAL, ALGSURF_SELECTED_ONE, 2);
@@ -150,8 +139,7 @@ static void test_least(void **state) {
     check_select(NULL, 0, 0, HUGE_VAL, ALGSURF_SELECTED_NONE, 0);
 }
 
-static void test_undecided(void **state) {
-    (void)state;
+TEST(test_undecided) {
     algsurf_complex_root edge = box(cos(0.5) - 1e-9, cos(0.5) + 1e-9, sin(0.5) - 1e-9, sin(0.5) + 1e-9);
     const algsurf_complex_root smaller[] = {near_point(3, 0), edge};
     check_select(smaller, 2, 0, HUGE_VAL, ALGSURF_SELECTED_UNDECIDED, 1);
@@ -169,21 +157,20 @@ typedef algsurf_status selector(const algsurf_complex_root *, int, const algsurf
 static int selected_by(selector *by, const algsurf_complex_root *roots, int count, double delta, int *index) {
     const algsurf_sector sector = {0, delta};
     int selected = ALGSURF_SELECTED_NONE;
-    assert_int_equal(by(roots, count, &sector, 0, HUGE_VAL, &selected, index), ALGSURF_OK);
+    assert_ok(by(roots, count, &sector, 0, HUGE_VAL, &selected, index));
     return selected;
 }
 
 static selector *const selectors[2] = {algsurf_select, algsurf_select_of_real};
 
 /* Of the roots of t^2 + 2^-k t - 1 the positive one is the smaller, by 2^-k. */
-static void test_real_rivals(void **state) {
-    (void)state;
+TEST(test_real_rivals) {
     int decided = 0;
     for (int k = 1; k <= 1074; k++) {
         const double c[3] = {-1, ldexp(1, -k), 1};
         algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots_of_real(c, NULL, 2, roots, &count));
         assert_int_equal(count, 2);
         for (int i = 0; i < 2; i++) {
             int selected = selected_by(selectors[i], roots, 2, pi, &index);
@@ -199,15 +186,14 @@ static void test_real_rivals(void **state) {
 }
 
 /* (t - 1 - i) (t - (1 - i) (1 + 2^-k)): of complex coefficients, all exact; 1 + i is the smaller root. */
-static void test_near_conjugates(void **state) {
-    (void)state;
+TEST(test_near_conjugates) {
     int decided = 0;
     for (int k = 1; k <= 51; k++) {
         double e = ldexp(1, -k);
         const algsurf_complex c[3] = {{2 + 2 * e, 0}, {-(2 + e), e}, {1, 0}};
         algsurf_complex_root roots[2];
         int count, index = 99;
-        assert_int_equal(algsurf_complex_roots(c, NULL, 2, roots, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(c, NULL, 2, roots, &count));
         assert_int_equal(count, 2);
         int selected = selected_by(algsurf_select, roots, 2, pi, &index);
         assert_true(selected != ALGSURF_SELECTED_NONE);
@@ -219,8 +205,7 @@ static void test_near_conjugates(void **state) {
 }
 
 /* Boxes that look alike are no proof: only those of a real polynomial, off the axis, mirror a root. */
-static void test_alike(void **state) {
-    (void)state;
+TEST(test_alike) {
     const algsurf_complex_root upper = box(1, 1.1, 1, 1.1), lower = box(1, 1.1, -1.1, -1),
                                other = box(1, 1.1, -1.2, -1);
     const algsurf_complex_root right = box(1, 1.1, 0, 0), left = box(-1.1, -1, 0, 0),
@@ -254,8 +239,7 @@ static void test_alike(void **state) {
     assert_int_equal(selected_by(algsurf_select_of_real, three, 3, pi, &index), ALGSURF_SELECTED_UNDECIDED);
 }
 
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(test_bad_arguments) {
     const algsurf_sector good = {0, 1}, bad[] = {{-1, 1}, {0, -1}, {3, 1}, {NAN, 1}, {0, NAN}};
     const algsurf_complex_root root = near_point(1, 0);
     int selected = ALGSURF_SELECTED_ONE;
@@ -282,17 +266,4 @@ static void test_bad_arguments(void **state) {
     assert_int_equal(selected, ALGSURF_SELECTED_ONE);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_membership),
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_pi),
-        cmocka_unit_test(test_least),
-        cmocka_unit_test(test_undecided),
-        cmocka_unit_test(test_real_rivals),
-        cmocka_unit_test(test_near_conjugates),
-        cmocka_unit_test(test_alike),
-        cmocka_unit_test(test_bad_arguments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("select"); }

@@ -5,14 +5,6 @@
  * (-Wl,--wrap), which replaces the tables of the rooms: each entry in turn does what it should and then
  * changes a last bit, in kernels other than the plain one. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <float.h>
-#include <math.h>
 #include <time.h>
 
 #include "algsurf/algsurf.h"
@@ -25,6 +17,7 @@
 #include "rays/packets.h"
 #include "roots/polys.h"
 #include "simd/operations.h"
+#include "unit.h"
 
 /* ---- operations ---- */
 
@@ -61,8 +54,7 @@ static algsurf_dd product_with_half_a_rest(double a, double b) {
         if (algsurf_i_rounds(&o)) fail_msg("%s passes as a %s", #function, #member);                         \
     }
 
-static void wrong_operations_are_found(void **state) {
-    (void)state;
+TEST(wrong_operations_are_found) {
     assert_true(algsurf_i_rounds(&algsurf_i_operations_plain));
     WRONG(sum, sum_up)
     WRONG(sum, sum_down)
@@ -83,8 +75,7 @@ static void wrong_operations_are_found(void **state) {
 }
 
 /* The operations of each kernel, in the environment that is set: the usual one alone will do. */
-static void wrong_environments_are_found(void **state) {
-    (void)state;
+TEST(wrong_environments_are_found) {
     for (int e = 0; e < ENVIRONMENTS; e++) {
         const algsurf_i_kernel *kernel;
         environment_set(e);
@@ -284,8 +275,7 @@ static void break_colour(void) {
     if (broken == COLOURS) wrong_colour.colours = wrong_colours;
 }
 
-static void wrong_kernels_are_found(void **state) {
-    (void)state;
+TEST(wrong_kernels_are_found) {
     if (!algsurf_kernel_name(1)) skip(); /* the plain kernel is the only one */
     for (int part = NONE + 1; part < PARTS; part++) {
         broken = (enum part)part;
@@ -303,27 +293,18 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void this_build_is_sound(void **state) {
+TEST(this_build_is_sound) {
     double best = HUGE_VAL;
-    (void)state;
     for (int e = 0; e < 3 * ENVIRONMENTS; e++) {
         double begin = seconds();
         environment_set(e % ENVIRONMENTS);
         algsurf_status status = algsurf_self_test();
         int kept = environment_unset(e % ENVIRONMENTS);
         best = fmin(best, seconds() - begin);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         assert_true(kept);
     }
     print_message("%.0f microseconds\n", 1e6 * best);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wrong_operations_are_found),
-        cmocka_unit_test(wrong_environments_are_found),
-        cmocka_unit_test(wrong_kernels_are_found),
-        cmocka_unit_test(this_build_is_sound),
-    };
-    return cmocka_run_group_tests_name("self test", tests, NULL, NULL);
-}
+int main(void) { return unit_run("self test"); }

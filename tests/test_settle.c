@@ -3,14 +3,6 @@
  *
  * Catches: a pair that does not enclose, lanes that answer for others, a bound of compensated values that is
  * too small or never felt, neighbours across a power of two or below 0. */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <cmocka.h>
 #include <gmp.h>
 
 #include "exact.h"
@@ -19,6 +11,7 @@
 #undef KERNEL
 #define KERNEL(name) name##_here
 #include "roots/settle_template.h"
+#include "unit.h"
 
 #define SEED 20261123u
 
@@ -34,7 +27,7 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
     const algsurf_i_coefficients p = {c, NULL, n};
     const algsurf_i_kernel *kernel;
     int all = 0, count = 0;
-    assert_int_equal(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, ALGSURF_MAX_DEGREE, &all), ALGSURF_OK);
+    assert_ok(algsurf_isolate_all(c, NULL, n, lo, hi, NULL, b, ALGSURF_MAX_DEGREE, &all));
     for (int i = 0; i < all; i++)
         if (b[i].kind == ALGSURF_BRACKET_ISOLATED && b[i].multiplicity == 1 && !isinf(b[i].lo) &&
             !isinf(b[i].hi))
@@ -61,8 +54,7 @@ static void judge(const double *c, int n, double lo, double hi, tally *seen) {
     }
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     uint64_t random = SEED;
     tally seen = {0, 0};
     for (int i = 0; i < 12000; i++) {
@@ -78,8 +70,7 @@ static void test_random(void **state) {
 }
 
 /* Roots that plain values cannot see: Wilkinson's, and clusters. */
-static void test_ill_conditioned(void **state) {
-    (void)state;
+TEST(test_ill_conditioned) {
     uint64_t random = SEED;
     tally seen = {0, 0};
     for (int i = 0; i < 4000; i++) {
@@ -114,8 +105,7 @@ static double error_to_bound(const double *c, int n, double x, double v, double 
 }
 
 /* The bound of a compensated value, but for the u |p(x)| that changes no sign: where p is almost 0. */
-static void test_bound(void **state) {
-    (void)state;
+TEST(test_bound) {
     uint64_t random = SEED;
     double worst = 0;
     for (int i = 0; i < 60000; i++) {
@@ -138,8 +128,4 @@ static void test_bound(void **state) {
     if (worst < 0.01) fail_msg("the bound is never felt: %g", worst);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random), cmocka_unit_test(test_ill_conditioned),
-                                       cmocka_unit_test(test_bound)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("settle"); }

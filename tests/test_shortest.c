@@ -3,18 +3,8 @@
  *
  * Catches: text that reads back as another double, a digit too many, not the nearest of the shortest, the
  * lower neighbour of a power of two, subnormals, a point or an exponent out of place. */
-#include <float.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
-
 #include "shortest.h"
+#include "unit.h"
 
 static shortest_powers powers;
 static const uint64_t SEED = 20261122;
@@ -51,8 +41,7 @@ static void same(double x, const char *wanted) {
     assert_string_equal(wanted, text);
 }
 
-static void test_forms(void **state) {
-    (void)state;
+TEST(test_forms) {
     same(0, "0");
     same(-0.0, "-0");
     same(1, "1");
@@ -75,8 +64,7 @@ static void test_forms(void **state) {
     same(NAN, "nan");
 }
 
-static void test_powers(void **state) {
-    (void)state;
+TEST(test_powers) {
     for (int e = -1074; e < 1024; e++) {
         double x = ldexp(1, e);
         check(x);
@@ -93,8 +81,7 @@ static void test_powers(void **state) {
     }
 }
 
-static void test_random(void **state) {
-    (void)state;
+TEST(test_random) {
     uint64_t bits = SEED;
     for (int i = 0; i < 200000; i++) {
         double x;
@@ -109,7 +96,5 @@ static void test_random(void **state) {
 
 int main(void) {
     shortest_fill(&powers);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_forms), cmocka_unit_test(test_powers),
-                                       cmocka_unit_test(test_random)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return unit_run("shortest");
 }

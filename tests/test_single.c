@@ -2,18 +2,11 @@
  *
  * Roots themselves are judged in test_intersect and its kin: the public calls go this way.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact.h"
 #include "rays/packets.h"
+#include "scenes.h"
+#include "unit.h"
 
 #define SEED 20261122u
 enum { RAYS = 60 };
@@ -85,13 +78,11 @@ static void judge_ray(const catalogue_entry *entry, const algsurf_i_rays_job *jo
     }
 }
 
-static void test_rays(void **state) {
-    (void)state;
+TEST(test_rays) {
     uint64_t random = SEED;
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *s = NULL;
         int decided = 0;
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &s, NULL), ALGSURF_OK);
+        algsurf_surface *s = surface_of(entry->equation);
         for (int i = 0; i < RAYS; i++) {
             double origin[3], direction[3], near = 0, far = INFINITY;
             for (int k = 0; k < 3; k++) {
@@ -112,7 +103,4 @@ static void test_rays(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rays)};
-    return cmocka_run_group_tests_name("single", tests, NULL, NULL);
-}
+int main(void) { return unit_run("single"); }

@@ -6,18 +6,11 @@
  *
  * Break tried, caught: no largest size. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
 static unsigned char *end; /* of readable memory */
 static algsurf_surface *surface;
@@ -152,8 +145,7 @@ static const struct {
     {"render stats", render_stats, sizeof(algsurf_render_stats)},
 };
 
-static void sizes_never_set(void **state) {
-    (void)state;
+TEST(sizes_never_set) {
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         const size_t sizes[] = {0,        1,          calls[i].size - 1, 4097, 0x55d0c0de, 0x7fffd5a03f10,
                                 1u << 31, (size_t)-1, (size_t)-8};
@@ -169,15 +161,14 @@ static void sizes_never_set(void **state) {
 }
 
 /* A newer struct, whose unknown part asks for nothing, is accepted up to the largest size. */
-static void larger_structs(void **state) {
-    (void)state;
+TEST(larger_structs) {
     static unsigned char room[4096];
     const size_t size = sizeof room;
     memset(room, 0, sizeof room);
     memcpy(room, &size, sizeof size);
-    assert_int_equal(first(room), ALGSURF_OK);
-    assert_int_equal(refined(room), ALGSURF_OK);
-    assert_int_equal(render_stats(room), ALGSURF_OK);
+    assert_ok(first(room));
+    assert_ok(refined(room));
+    assert_ok(render_stats(room));
     room[4095] = 1;
     memcpy(room, &size, sizeof size);
     assert_int_equal(first(room), ALGSURF_E_ARGUMENT);
@@ -192,8 +183,7 @@ int main(void) {
         algsurf_scene_create(surface, &scene) != ALGSURF_OK ||
         algsurf_complex_solver_create(2, &solver) != ALGSURF_OK)
         return 1;
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sizes_never_set), cmocka_unit_test(larger_structs)};
-    int failed = cmocka_run_group_tests_name("sizes", tests, NULL, NULL);
+    int failed = unit_run("sizes");
     algsurf_complex_solver_free(solver);
     algsurf_scene_free(scene);
     algsurf_surface_free(surface);

@@ -7,18 +7,11 @@
  *   no clamping                                                            ends
  *   NaN and infinities accepted                                            refused
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include <fenv.h>
-#include <math.h>
-#include <string.h>
 
 #include "algsurf/shade.h"
 #include "picture/srgb.h"
+#include "unit.h"
 
 /* IEC 61966-2-1: 0..1, from linear light to what is stored, and back. */
 static double shown_of(double light) {
@@ -32,16 +25,15 @@ static double light_of(double shown) {
 static int byte_of(double light) {
     const double colour[3] = {light, 0, 1};
     unsigned char bytes[3];
-    assert_int_equal(algsurf_srgb_encode(colour, bytes), ALGSURF_OK);
+    assert_ok(algsurf_srgb_encode(colour, bytes));
     assert_true(bytes[1] == 0 && bytes[2] == 255);
     return bytes[0];
 }
 
 /* No step is so close to a half that pow could decide it otherwise. */
-static void every_step(void **state) {
+TEST(every_step) {
     uint8_t curve[SRGB_STEPS];
     double nearest = 1;
-    (void)state;
     algsurf_i_srgb_curve(curve);
     for (int step = 0; step < SRGB_STEPS; step++) {
         double shown = 255 * shown_of(step / 4095.0);
@@ -53,8 +45,7 @@ static void every_step(void **state) {
 }
 
 /* Between steps the nearest one counts. */
-static void between_steps(void **state) {
-    (void)state;
+TEST(between_steps) {
     for (int step = 0; step < 4095; step++) {
         int below = byte_of(step / 4095.0), above = byte_of((step + 1) / 4095.0);
         assert_int_equal(byte_of((step + 0.498) / 4095), below);
@@ -63,36 +54,33 @@ static void between_steps(void **state) {
     }
 }
 
-static void there_and_back(void **state) {
-    (void)state;
+TEST(there_and_back) {
     for (int b = 0; b < 256; b++) {
         const unsigned char bytes[3] = {(unsigned char)b, (unsigned char)(255 - b), 7};
         unsigned char back[3];
         double colour[3];
-        assert_int_equal(algsurf_srgb_decode(bytes, colour), ALGSURF_OK);
+        assert_ok(algsurf_srgb_decode(bytes, colour));
         for (int k = 0; k < 3; k++) {
             double expected = light_of(bytes[k] / 255.0);
             assert_true(fabs(colour[k] - expected) <= 1e-14 * expected);
         }
-        assert_int_equal(algsurf_srgb_encode(colour, back), ALGSURF_OK);
+        assert_ok(algsurf_srgb_encode(colour, back));
         assert_memory_equal(back, bytes, sizeof bytes);
     }
 }
 
-static void ends(void **state) {
+TEST(ends) {
     const unsigned char black_white[3] = {0, 255, 0};
     double colour[3];
-    (void)state;
     assert_true(byte_of(-1e308) == 0 && byte_of(-0x1p-1074) == 0 && byte_of(-0.0) == 0);
     assert_true(byte_of(1.0000001) == 255 && byte_of(1e308) == 255);
-    assert_int_equal(algsurf_srgb_decode(black_white, colour), ALGSURF_OK);
+    assert_ok(algsurf_srgb_decode(black_white, colour));
     assert_true(colour[0] == 0 && colour[1] == 1);
 }
 
-static void refused(void **state) {
+TEST(refused) {
     double colour[3] = {0.5, 0.5, 0.5};
     unsigned char bytes[3] = {7, 8, 9};
-    (void)state;
     assert_int_equal(algsurf_srgb_encode(NULL, bytes), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_srgb_encode(colour, NULL), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_srgb_decode(NULL, colour), ALGSURF_E_ARGUMENT);
@@ -106,16 +94,15 @@ static void refused(void **state) {
     assert_true(bytes[0] == 7 && bytes[1] == 8 && bytes[2] == 9 && colour[0] == 0.5);
 }
 
-static void rounding_modes(void **state) {
+TEST(rounding_modes) {
     static const int modes[3] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    (void)state;
     for (int b = 0; b < 256; b++) {
         const unsigned char bytes[3] = {(unsigned char)b, (unsigned char)b, (unsigned char)b};
         const double light[3] = {(b + 0.37) / 256, (16 * b + 0.5) / 4095, b / 255.0};
         unsigned char usual[3], other[3];
         double colour[3], again[3];
-        assert_int_equal(algsurf_srgb_decode(bytes, colour), ALGSURF_OK);
-        assert_int_equal(algsurf_srgb_encode(light, usual), ALGSURF_OK);
+        assert_ok(algsurf_srgb_decode(bytes, colour));
+        assert_ok(algsurf_srgb_encode(light, usual));
         for (int m = 0; m < 3; m++) {
             fesetround(modes[m]);
             algsurf_status decoded = algsurf_srgb_decode(bytes, again);
@@ -129,10 +116,4 @@ static void rounding_modes(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_step), cmocka_unit_test(between_steps), cmocka_unit_test(there_and_back),
-        cmocka_unit_test(ends),       cmocka_unit_test(refused),       cmocka_unit_test(rounding_modes),
-    };
-    return cmocka_run_group_tests_name("srgb", tests, NULL, NULL);
-}
+int main(void) { return unit_run("srgb"); }

@@ -3,29 +3,21 @@
  * A call runs on a thread whose stack is painted before; how deep the paint is gone afterwards, less what a
  * thread that does nothing leaves, is what the call took.  Inputs are those that go deepest: the largest
  * degrees, integers, radii, clusters, nested text; and each kernel that runs here, where the caller may
- * choose.  What is measured is compared with the table at the end, and check_symbols compares that with the
- * headers: a number of KiB in the function's comment, or USUAL where the comment has none.  Calls that a
+ * choose.  What is measured is compared with what each STACK_OF says, and check_symbols compares that with
+ * the headers: a number of KiB in the function's comment, or USUAL where the comment has none.  Calls that a
  * renderer makes are to work on a thread of 64 KiB, all others on one of 128 KiB.
  *
  * Every call is made once before, so that the dynamic linker's own stack does not count.  Numbers are
  * compared where they were measured: x86-64, gcc, optimised.  Sanitizers, debugging builds and emulators take
  * more, and other compilers have other frames: there the calls are made, and what they took is printed. */
 #define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 
 #include "algsurf/algsurf.h"
+#include "unit.h"
 
-enum { USUAL = 8, RENDERER = 64, OTHERS = 128, MOST = ALGSURF_MAX_POLY_DEGREE };
+enum { USUAL = 8, RENDERER = 64, OTHERS = 128, MOST = ALGSURF_MAX_POLY_DEGREE, MOST_CALLS = 256 };
 
 /* ---- painted stacks ---- */
 
@@ -125,9 +117,8 @@ static void make_surfaces(void) {
         "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8",
     };
     for (int i = 0; i < SURFACES - 1; i++)
-        assert_int_equal(algsurf_surface_from_equation(equations[i], NULL, 0, surfaces + i, NULL),
-                         ALGSURF_OK);
-    assert_int_equal(algsurf_surface_with_error(surfaces[3], 1e-9, surfaces + SURFACES - 1), ALGSURF_OK);
+        assert_ok(algsurf_surface_from_equation(equations[i], NULL, 0, surfaces + i, NULL));
+    assert_ok(algsurf_surface_with_error(surfaces[3], 1e-9, surfaces + SURFACES - 1));
 }
 
 static void free_surfaces(void) {
@@ -164,14 +155,30 @@ static void for_rays(void (*call)(const algsurf_surface *, const algsurf_extent 
                 }
 }
 
-/* ---- the calls ---- */
+/* ---- the calls: what the headers say of their stacks, in KiB, and for whom ---- */
+
+static struct {
+    const char *name;
+    void (*run)(void);
+    int stated, limit;
+} calls[MOST_CALLS];
+static int call_count;
+
+/* What to run; it enters the list before main begins. */
+#define STACK_OF(function, kib, whom)                                                                        \
+    static void run_##function(void);                                                                        \
+    __attribute__((constructor)) static void list_##function(void) {                                         \
+        calls[call_count].name = #function, calls[call_count].run = run_##function;                          \
+        calls[call_count].stated = (kib), calls[call_count++].limit = (whom);                                \
+    }                                                                                                        \
+    static void run_##function(void)
 
 static void one_first(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                       const algsurf_intersect_options *o) {
     algsurf_hit hit;
     (void)algsurf_intersect_first(s, e, r, o, &hit);
 }
-static void run_algsurf_intersect_first(void) { for_rays(one_first); }
+STACK_OF(algsurf_intersect_first, 42, RENDERER) { for_rays(one_first); }
 
 static void one_all(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                     const algsurf_intersect_options *o) {
@@ -179,14 +186,14 @@ static void one_all(const algsurf_surface *s, const algsurf_extent *e, const alg
     int count;
     (void)algsurf_intersect_all(s, e, r, o, hits, ALGSURF_MAX_DEGREE, &count);
 }
-static void run_algsurf_intersect_all(void) { for_rays(one_all); }
+STACK_OF(algsurf_intersect_all, 42, RENDERER) { for_rays(one_all); }
 
 static void one_occluded(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                          const algsurf_intersect_options *o) {
     int state;
     (void)algsurf_occluded(s, e, r, o, &state);
 }
-static void run_algsurf_occluded(void) { for_rays(one_occluded); }
+STACK_OF(algsurf_occluded, 42, RENDERER) { for_rays(one_occluded); }
 
 static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                         const algsurf_intersect_options *o) {
@@ -194,7 +201,7 @@ static void one_complex(const algsurf_surface *s, const algsurf_extent *e, const
     algsurf_hit hit;
     (void)algsurf_intersect_complex(s, e, r, &space, NULL, NULL, &hit, NULL);
 }
-static void run_algsurf_intersect_complex(void) { for_rays(one_complex); }
+STACK_OF(algsurf_intersect_complex, 34, RENDERER) { for_rays(one_complex); }
 
 /* Packets of nine times the same kind of ray, by each kernel. */
 static void packets(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
@@ -224,13 +231,13 @@ static void one_packet(const algsurf_surface *s, const algsurf_extent *e, const 
                        const algsurf_intersect_options *o) {
     packets(s, e, r, o, 0);
 }
-static void run_algsurf_intersect_packet(void) { for_rays(one_packet); }
+STACK_OF(algsurf_intersect_packet, 50, RENDERER) { for_rays(one_packet); }
 
 static void one_occluded_packet(const algsurf_surface *s, const algsurf_extent *e, const algsurf_ray *r,
                                 const algsurf_intersect_options *o) {
     packets(s, e, r, o, 1);
 }
-static void run_algsurf_occluded_packet(void) { for_rays(one_occluded_packet); }
+STACK_OF(algsurf_occluded_packet, 50, RENDERER) { for_rays(one_occluded_packet); }
 
 /* A call with each polynomial, interval, and with radii or without. */
 static void for_polys(void (*call)(const double *c, const double *r, int n, double lo, double hi)) {
@@ -270,12 +277,12 @@ static void number_of_roots(const double *c, const double *r, int n, double lo, 
 static void roots_of(const double *c, const double *r, int n, double lo, double hi) {
     if (!r) (void)algsurf_real_roots(c, n, lo, hi, real_roots, MOST, &found);
 }
-static void run_algsurf_isolate_first(void) { for_polys(first_bracket); }
-static void run_algsurf_isolate_all(void) { for_polys(all_brackets); }
-static void run_algsurf_count_roots(void) { for_polys(number_of_roots); }
-static void run_algsurf_real_roots(void) { for_polys(roots_of); }
+STACK_OF(algsurf_isolate_first, 40, RENDERER) { for_polys(first_bracket); }
+STACK_OF(algsurf_isolate_all, 40, OTHERS) { for_polys(all_brackets); }
+STACK_OF(algsurf_count_roots, 44, OTHERS) { for_polys(number_of_roots); }
+STACK_OF(algsurf_real_roots, 56, OTHERS) { for_polys(roots_of); }
 
-static void run_algsurf_real_roots_integers(void) {
+STACK_OF(algsurf_real_roots_integers, 62, OTHERS) {
     static const uint64_t limbs[3][2] = {{7, 5}, {3, 1u << 9}, {1, 1}};
     algsurf_integer c[MOST + 1];
     for (int n = 2; n <= MOST; n *= 4) {
@@ -298,7 +305,7 @@ static void find_brackets(void) {
     }
 }
 
-static void run_algsurf_refine_poly(void) {
+STACK_OF(algsurf_refine_poly, 42, RENDERER) {
     for (int which = 0; which < POLYS; which++)
         for (int i = 0; i < 8 * known_count[which]; i++) {
             const poly *p = polys + which;
@@ -316,7 +323,7 @@ static double cubic(double x, void *data) {
     (void)data;
     return x * x * x - 2;
 }
-static void run_algsurf_refine_function(void) {
+STACK_OF(algsurf_refine_function, USUAL, RENDERER) {
     for (int method = 0; method < 4; method++) {
         algsurf_refine_options o = {.size = sizeof o, .max_iterations = 60};
         algsurf_refined_root root;
@@ -357,19 +364,19 @@ static void batches(int roots) {
         }
     }
 }
-static void run_algsurf_first_roots_batch(void) { batches(0); }
-static void run_algsurf_real_roots_batch(void) { batches(1); }
+STACK_OF(algsurf_first_roots_batch, 54, OTHERS) { batches(0); }
+STACK_OF(algsurf_real_roots_batch, 54, OTHERS) { batches(1); }
 
-static void run_algsurf_poly_eval(void) {
+STACK_OF(algsurf_poly_eval, USUAL, OTHERS) {
     double value, bound;
     (void)algsurf_poly_eval(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
 }
-static void run_algsurf_poly_eval_compensated(void) {
+STACK_OF(algsurf_poly_eval_compensated, USUAL, OTHERS) {
     double value, bound;
     (void)algsurf_poly_eval_compensated(polys[0].c, polys[0].r, MOST, 0.7, &value, &bound);
     (void)algsurf_poly_eval_compensated(polys[0].c, NULL, MOST, 0x1p900, &value, &bound);
 }
-static void run_algsurf_poly_to_bernstein(void) {
+STACK_OF(algsurf_poly_to_bernstein, 10, OTHERS) {
     static double b[2][MOST + 1];
     (void)algsurf_poly_to_bernstein(polys[0].c, polys[0].r, MOST, -0.5, 0.7, b[0], b[1]);
 }
@@ -396,10 +403,10 @@ static void complex_calls(int real) {
                 (void)algsurf_complex_roots(complex_of(p, way % 2), r, p->degree, complex_roots, &found);
         }
 }
-static void run_algsurf_complex_roots(void) { complex_calls(0); }
-static void run_algsurf_complex_roots_of_real(void) { complex_calls(1); }
+STACK_OF(algsurf_complex_roots, 64, OTHERS) { complex_calls(0); }
+STACK_OF(algsurf_complex_roots_of_real, 64, OTHERS) { complex_calls(1); }
 
-static void run_algsurf_complex_roots_batch(void) {
+STACK_OF(algsurf_complex_roots_batch, 64, OTHERS) {
     static double c[ALGSURF_MAX_DEGREE + 1][9], im[ALGSURF_MAX_DEGREE + 1][9];
     static int count[9];
     static const int degrees[] = {2, 6, 10, 24, 64};
@@ -419,13 +426,13 @@ static void run_algsurf_complex_roots_batch(void) {
 
 static algsurf_complex_solver *solver;
 
-static void run_algsurf_complex_solver_create(void) {
+STACK_OF(algsurf_complex_solver_create, USUAL, OTHERS) {
     algsurf_complex_solver *made = NULL;
     (void)algsurf_complex_solver_create(MOST, &made);
     algsurf_complex_solver_free(made);
 }
-static void run_algsurf_complex_solver_free(void) { algsurf_complex_solver_free(NULL); }
-static void run_algsurf_complex_solver_run(void) {
+STACK_OF(algsurf_complex_solver_free, USUAL, OTHERS) { algsurf_complex_solver_free(NULL); }
+STACK_OF(algsurf_complex_solver_run, 28, OTHERS) {
     for (int which = 0; which < POLYS; which++)
         for (int imaginary = 0; imaginary < 2; imaginary++) {
             const poly *p = polys + which;
@@ -437,17 +444,17 @@ static void run_algsurf_complex_solver_run(void) {
 static algsurf_complex quotient[MOST];
 static algsurf_complex approximation = {0, 1};
 
-static void run_algsurf_approximation(void) {
+STACK_OF(algsurf_approximation, 44, OTHERS) {
     algsurf_zero_options o = {.size = sizeof o};
     (void)algsurf_approximation(complex_of(polys, 1), MOST, (algsurf_complex){0, 1}, &o, &approximation,
                                 quotient, NULL);
 }
-static void run_algsurf_interval_iteration(void) {
+STACK_OF(algsurf_interval_iteration, 80, OTHERS) {
     static algsurf_cinterval Z, Q[MOST];
     (void)algsurf_interval_iteration(complex_of(polys, 1), polys[0].r, MOST, approximation, quotient, NULL,
                                      &Z, Q, NULL, NULL);
 }
-static void run_algsurf_cpoly_zeros(void) {
+STACK_OF(algsurf_cpoly_zeros, 110, OTHERS) {
     static algsurf_cpoly_zero zeros[MOST];
     algsurf_zero_options o = {.size = sizeof o, .max_steps = 2, .max_inflations = 1};
     (void)algsurf_cpoly_zeros(complex_of(polys, 1), polys[0].r, MOST, NULL, &o, zeros, &found);
@@ -457,12 +464,12 @@ static const algsurf_sector sector = {0.1, 0.5};
 static const algsurf_complex_root seen[2] = {{{{1, 2}, {0.1, 0.9}}, {1.5, 0.5}, 1, 0},
                                              {{{1, 2}, {-0.9, -0.1}}, {1.5, -0.5}, 1, 0}};
 
-static void run_algsurf_sector_holds(void) { (void)algsurf_sector_holds(&sector, seen, &found); }
-static void run_algsurf_select(void) {
+STACK_OF(algsurf_sector_holds, USUAL, RENDERER) { (void)algsurf_sector_holds(&sector, seen, &found); }
+STACK_OF(algsurf_select, USUAL, RENDERER) {
     int selected;
     (void)algsurf_select(seen, 2, &sector, 0, 10, &selected, &found);
 }
-static void run_algsurf_select_of_real(void) {
+STACK_OF(algsurf_select_of_real, USUAL, RENDERER) {
     int selected;
     (void)algsurf_select_of_real(seen, 2, &sector, 0, 10, &selected, &found);
 }
@@ -470,7 +477,7 @@ static void run_algsurf_select_of_real(void) {
 /* ---- surfaces, cameras, light ---- */
 
 /* As deep as allowed: parentheses, signs, powers, roots. */
-static void run_algsurf_surface_from_equation(void) {
+STACK_OF(algsurf_surface_from_equation, 96, OTHERS) {
     static const char *const opening[] = {"(", "1+x*(", "2^(", "sqrt(", "x^1^1^(1*"};
     static const char *const inside[] = {"(x+y+z+1)^20", "x", "1", "2", "1"};
     static const int levels[] = {98, 62, 98, 98, 32};
@@ -495,46 +502,46 @@ static void make_terms(void) {
                 terms[term_count++] = (algsurf_term){i, j, k, 1 + 0.01 * ((i + 2 * j + 3 * k) % 17)};
 }
 
-static void run_algsurf_surface_from_terms(void) {
+STACK_OF(algsurf_surface_from_terms, 38, OTHERS) {
     algsurf_surface *surface = NULL;
     (void)algsurf_surface_from_terms(terms, term_count, &surface);
     algsurf_surface_free(surface);
     (void)algsurf_surface_from_terms(terms, 40, &surface);
     algsurf_surface_free(surface);
 }
-static void run_algsurf_surface_with_error(void) {
+STACK_OF(algsurf_surface_with_error, 38, OTHERS) {
     for (int i = 0; i < SURFACES; i++) {
         algsurf_surface *surface = NULL;
         (void)algsurf_surface_with_error(surfaces[i], 1e-10, &surface);
         algsurf_surface_free(surface);
     }
 }
-static void run_algsurf_surface_free(void) { algsurf_surface_free(NULL); }
-static void run_algsurf_surface_degree(void) { (void)algsurf_surface_degree(surfaces[0]); }
-static void run_algsurf_surface_rounding(void) { (void)algsurf_surface_rounding(surfaces[0]); }
-static void run_algsurf_surface_term_count(void) { (void)algsurf_surface_term_count(surfaces[0]); }
-static void run_algsurf_surface_terms(void) {
+STACK_OF(algsurf_surface_free, USUAL, OTHERS) { algsurf_surface_free(NULL); }
+STACK_OF(algsurf_surface_degree, USUAL, OTHERS) { (void)algsurf_surface_degree(surfaces[0]); }
+STACK_OF(algsurf_surface_rounding, USUAL, OTHERS) { (void)algsurf_surface_rounding(surfaces[0]); }
+STACK_OF(algsurf_surface_term_count, USUAL, OTHERS) { (void)algsurf_surface_term_count(surfaces[0]); }
+STACK_OF(algsurf_surface_terms, USUAL, OTHERS) {
     static algsurf_term copy[47905];
     (void)algsurf_surface_terms(surfaces[0], copy);
 }
 
 static const double near[3] = {0.1, 0.2, 0.3}, far[3] = {1e200, 1e-200, 3};
 
-static void run_algsurf_surface_value(void) {
+STACK_OF(algsurf_surface_value, USUAL, RENDERER) {
     double value, bound;
     for (int i = 0; i < SURFACES; i++) {
         (void)algsurf_surface_value(surfaces[i], near, &value, &bound);
         (void)algsurf_surface_value(surfaces[i], far, &value, &bound);
     }
 }
-static void run_algsurf_surface_enclose(void) {
+STACK_OF(algsurf_surface_enclose, USUAL, RENDERER) {
     double lo[3], hi[3];
     int empty;
     for (int i = 0; i < SURFACES; i++)
         for (int part = 0; part < 2; part++)
             (void)algsurf_surface_enclose(surfaces[i], &extents[1], part, 0.25, lo, hi, &empty);
 }
-static void run_algsurf_surface_gradient(void) {
+STACK_OF(algsurf_surface_gradient, USUAL, RENDERER) {
     double value, gradient[3];
     for (int i = 0; i < SURFACES; i++) {
         (void)algsurf_surface_gradient(surfaces[i], near, &value, gradient, NULL, NULL);
@@ -543,24 +550,24 @@ static void run_algsurf_surface_gradient(void) {
 }
 
 static double b[2][ALGSURF_MAX_DEGREE + 1];
-static void run_algsurf_expand_power(void) {
+STACK_OF(algsurf_expand_power, USUAL, RENDERER) {
     for (int i = 0; i < SURFACES * RAYS; i++)
         (void)algsurf_expand_power(surfaces[i / RAYS], rays + i % RAYS, b[0], b[1]);
 }
-static void run_algsurf_expand_bernstein(void) {
+STACK_OF(algsurf_expand_bernstein, 12, RENDERER) {
     for (int i = 0; i < SURFACES * RAYS; i++) {
         algsurf_ray ray = rays[i % RAYS];
         ray.t_min = 0, ray.t_max = 3;
         (void)algsurf_expand_bernstein(surfaces[i / RAYS], &ray, b[0], b[1]);
     }
 }
-static void run_algsurf_extent_clip(void) {
+STACK_OF(algsurf_extent_clip, USUAL, RENDERER) {
     for (int i = 0; i < 3 * RAYS; i++) {
         algsurf_ray chord;
         (void)algsurf_extent_clip(extents + i / RAYS, rays + i % RAYS, &chord, &found);
     }
 }
-static void run_algsurf_region_clip(void) {
+STACK_OF(algsurf_region_clip, USUAL, RENDERER) {
     static const algsurf_plane planes[2] = {{{1, 0.5, 0}, 0.5}, {{-0.25, 0, 1}, 1}};
     for (int i = 0; i < 3 * RAYS; i++) {
         algsurf_ray chord;
@@ -589,78 +596,78 @@ static const algsurf_lighting lighting = {.size = sizeof lighting,
                                           .radius = 2,
                                           .bounded = 1};
 
-static void run_algsurf_camera_pinhole(void) {
+STACK_OF(algsurf_camera_pinhole, USUAL, RENDERER) {
     algsurf_camera camera;
     (void)algsurf_camera_pinhole(eye, origin, up, 30, &camera);
 }
-static void run_algsurf_camera_orthographic(void) {
+STACK_OF(algsurf_camera_orthographic, USUAL, RENDERER) {
     algsurf_camera camera;
     (void)algsurf_camera_orthographic(eye, origin, up, 3, &camera);
 }
 static algsurf_camera camera;
-static void run_algsurf_camera_ray(void) {
+STACK_OF(algsurf_camera_ray, USUAL, RENDERER) {
     algsurf_ray ray;
     (void)algsurf_camera_ray(&camera, 40, 30, 7.5, 3.5, &ray);
 }
-static void run_algsurf_light_sample(void) {
+STACK_OF(algsurf_light_sample, USUAL, RENDERER) {
     double position[3];
     (void)algsurf_light_sample(&light, 1, 2, position);
 }
-static void run_algsurf_shade(void) {
+STACK_OF(algsurf_shade, USUAL, RENDERER) {
     double colour[3];
     (void)algsurf_shade(&lighting, NULL, origin, tilted, down, colour);
 }
-static void run_algsurf_shade_preview(void) {
+STACK_OF(algsurf_shade_preview, USUAL, RENDERER) {
     double colour[3];
     (void)algsurf_shade_preview(&lighting, origin, tilted, down, colour);
 }
 static unsigned char grey_bytes[3];
-static void run_algsurf_srgb_decode(void) {
+STACK_OF(algsurf_srgb_decode, USUAL, OTHERS) {
     double colour[3];
     (void)algsurf_srgb_decode(grey_bytes, colour);
 }
-static void run_algsurf_srgb_encode(void) { (void)algsurf_srgb_encode(grey, grey_bytes); }
+STACK_OF(algsurf_srgb_encode, USUAL, OTHERS) { (void)algsurf_srgb_encode(grey, grey_bytes); }
 
 /* ---- scenes ---- */
 
 static algsurf_scene *scene;
 
-static void run_algsurf_scene_create(void) {
+STACK_OF(algsurf_scene_create, USUAL, OTHERS) {
     algsurf_scene *made = NULL;
     (void)algsurf_scene_create(surfaces[0], &made);
     algsurf_scene_free(made);
 }
-static void run_algsurf_scene_free(void) { algsurf_scene_free(NULL); }
-static void run_algsurf_scene_lighting(void) {
+STACK_OF(algsurf_scene_free, USUAL, OTHERS) { algsurf_scene_free(NULL); }
+STACK_OF(algsurf_scene_lighting, USUAL, OTHERS) {
     static algsurf_light lights[ALGSURF_MAX_LIGHTS];
     algsurf_lighting of = {.size = sizeof of};
     (void)algsurf_scene_lighting(scene, lights, &of);
 }
-static void run_algsurf_scene_set_antialias(void) { (void)algsurf_scene_set_antialias(scene, 2); }
-static void run_algsurf_scene_set_antialias_threshold(void) {
+STACK_OF(algsurf_scene_set_antialias, USUAL, OTHERS) { (void)algsurf_scene_set_antialias(scene, 2); }
+STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS) {
     (void)algsurf_scene_set_antialias_threshold(scene, 0.1);
 }
-static void run_algsurf_scene_set_background(void) { (void)algsurf_scene_set_background(scene, grey); }
-static void run_algsurf_scene_set_camera(void) { (void)algsurf_scene_set_camera(scene, &camera); }
-static void run_algsurf_scene_set_clip(void) {
+STACK_OF(algsurf_scene_set_background, USUAL, OTHERS) { (void)algsurf_scene_set_background(scene, grey); }
+STACK_OF(algsurf_scene_set_camera, USUAL, OTHERS) { (void)algsurf_scene_set_camera(scene, &camera); }
+STACK_OF(algsurf_scene_set_clip, USUAL, OTHERS) {
     const algsurf_plane plane = {{1, 2, 3}, 0.5};
     (void)algsurf_scene_set_clip(scene, &plane, 1);
 }
-static void run_algsurf_scene_set_coherence(void) {
+STACK_OF(algsurf_scene_set_coherence, USUAL, OTHERS) {
     (void)algsurf_scene_set_coherence(scene, ALGSURF_COHERENCE_NONE);
 }
-static void run_algsurf_scene_set_complex_space(void) {
+STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS) {
     algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
     (void)algsurf_scene_set_complex_space(scene, &space);
 }
-static void run_algsurf_scene_set_extent(void) { (void)algsurf_scene_set_extent(scene, extents + 2); }
-static void run_algsurf_scene_set_intersect(void) { (void)algsurf_scene_set_intersect(scene, NULL); }
-static void run_algsurf_scene_set_lights(void) { (void)algsurf_scene_set_lights(scene, &light, 1); }
-static void run_algsurf_scene_set_material(void) { (void)algsurf_scene_set_material(scene, &material); }
-static void run_algsurf_scene_set_quality(void) {
+STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS) { (void)algsurf_scene_set_extent(scene, extents + 2); }
+STACK_OF(algsurf_scene_set_intersect, USUAL, OTHERS) { (void)algsurf_scene_set_intersect(scene, NULL); }
+STACK_OF(algsurf_scene_set_lights, USUAL, OTHERS) { (void)algsurf_scene_set_lights(scene, &light, 1); }
+STACK_OF(algsurf_scene_set_material, USUAL, OTHERS) { (void)algsurf_scene_set_material(scene, &material); }
+STACK_OF(algsurf_scene_set_quality, USUAL, OTHERS) {
     (void)algsurf_scene_set_quality(scene, ALGSURF_QUALITY_FULL);
 }
-static void run_algsurf_scene_set_thin(void) { (void)algsurf_scene_set_thin(scene, grey); }
+STACK_OF(algsurf_scene_set_thin, USUAL, OTHERS) { (void)algsurf_scene_set_thin(scene, grey); }
 
 enum { WIDTH = 17, HEIGHT = 2 };
 
@@ -684,7 +691,7 @@ static void draw(algsurf_scene *of) {
 }
 
 /* All surfaces, in all extents, with one sample and chosen ones, what is thin, shadows, complex space. */
-static void run_algsurf_render(void) {
+STACK_OF(algsurf_render, 58, RENDERER) {
     const algsurf_complex_space space = {sizeof space, {0, 0.3}, {0.5}};
     for (int i = 0; i < 3 * SURFACES; i++) {
         algsurf_scene *of = NULL;
@@ -710,7 +717,7 @@ static algsurf_interval row[MOST + 1], real_result;
 static algsurf_cinterval complex_row[MOST + 1], complex_result;
 
 #define RUN(name, call)                                                                                      \
-    static void run_##name(void) { (void)call; }
+    STACK_OF(name, USUAL, OTHERS) { (void)call; }
 RUN(algsurf_interval_make, algsurf_interval_make(0, 1, &real_result))
 RUN(algsurf_interval_point, algsurf_interval_point(0.1))
 RUN(algsurf_interval_neg, algsurf_interval_neg(I))
@@ -755,133 +762,7 @@ RUN(algsurf_kernel_name, algsurf_kernel_name(0))
 RUN(algsurf_status_name, algsurf_status_name(ALGSURF_OK))
 RUN(algsurf_status_text, algsurf_status_text(ALGSURF_OK))
 RUN(algsurf_version, algsurf_version())
-RUN(algsurf_self_test, algsurf_self_test())
-
-/* ---- the table: what the headers say, in KiB, and for whom ---- */
-
-#define STACK_OF(name, stated, limit)                                                                        \
-    { #name, run_##name, stated, limit }
-static const struct {
-    const char *name;
-    void (*run)(void);
-    int stated, limit;
-} calls[] = {
-    STACK_OF(algsurf_approximation, 44, OTHERS),
-    STACK_OF(algsurf_camera_orthographic, USUAL, RENDERER),
-    STACK_OF(algsurf_camera_pinhole, USUAL, RENDERER),
-    STACK_OF(algsurf_camera_ray, USUAL, RENDERER),
-    STACK_OF(algsurf_cinterval_abs, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_add, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_arg, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_conj, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_contains, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_div, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_hull, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_inside, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_interior, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_intersect, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_mid, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_mul, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_neg, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_point, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_poly, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_poly_centred, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_pow, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_sqr, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_sub, USUAL, OTHERS),
-    STACK_OF(algsurf_cinterval_width, USUAL, OTHERS),
-    STACK_OF(algsurf_complex_roots, 64, OTHERS),
-    STACK_OF(algsurf_complex_roots_batch, 64, OTHERS),
-    STACK_OF(algsurf_complex_roots_of_real, 64, OTHERS),
-    STACK_OF(algsurf_complex_solver_create, USUAL, OTHERS),
-    STACK_OF(algsurf_complex_solver_free, USUAL, OTHERS),
-    STACK_OF(algsurf_complex_solver_run, 28, OTHERS),
-    STACK_OF(algsurf_count_roots, 44, OTHERS),
-    STACK_OF(algsurf_cpoly_zeros, 110, OTHERS),
-    STACK_OF(algsurf_expand_bernstein, 12, RENDERER),
-    STACK_OF(algsurf_expand_power, USUAL, RENDERER),
-    STACK_OF(algsurf_extent_clip, USUAL, RENDERER),
-    STACK_OF(algsurf_first_roots_batch, 54, OTHERS),
-    STACK_OF(algsurf_intersect_all, 42, RENDERER),
-    STACK_OF(algsurf_intersect_complex, 34, RENDERER),
-    STACK_OF(algsurf_intersect_first, 42, RENDERER),
-    STACK_OF(algsurf_intersect_packet, 50, RENDERER),
-    STACK_OF(algsurf_interval_abs, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_add, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_contains, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_div, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_hull, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_inside, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_interior, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_intersect, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_iteration, 80, OTHERS),
-    STACK_OF(algsurf_interval_make, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_mid, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_mul, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_neg, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_point, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_poly, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_poly_centred, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_pow, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_sqr, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_sqrt, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_sub, USUAL, OTHERS),
-    STACK_OF(algsurf_interval_width, USUAL, OTHERS),
-    STACK_OF(algsurf_isolate_all, 40, OTHERS),
-    STACK_OF(algsurf_isolate_first, 40, RENDERER),
-    STACK_OF(algsurf_kernel_name, USUAL, OTHERS),
-    STACK_OF(algsurf_light_sample, USUAL, RENDERER),
-    STACK_OF(algsurf_occluded, 42, RENDERER),
-    STACK_OF(algsurf_occluded_packet, 50, RENDERER),
-    STACK_OF(algsurf_poly_eval, USUAL, OTHERS),
-    STACK_OF(algsurf_poly_eval_compensated, USUAL, OTHERS),
-    STACK_OF(algsurf_poly_to_bernstein, 10, OTHERS),
-    STACK_OF(algsurf_real_roots, 56, OTHERS),
-    STACK_OF(algsurf_real_roots_batch, 54, OTHERS),
-    STACK_OF(algsurf_real_roots_integers, 62, OTHERS),
-    STACK_OF(algsurf_refine_function, USUAL, RENDERER),
-    STACK_OF(algsurf_refine_poly, 42, RENDERER),
-    STACK_OF(algsurf_region_clip, USUAL, RENDERER),
-    STACK_OF(algsurf_render, 58, RENDERER),
-    STACK_OF(algsurf_scene_create, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_free, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_lighting, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_antialias, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_antialias_threshold, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_background, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_camera, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_clip, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_coherence, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_complex_space, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_extent, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_intersect, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_lights, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_material, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_quality, USUAL, OTHERS),
-    STACK_OF(algsurf_scene_set_thin, USUAL, OTHERS),
-    STACK_OF(algsurf_sector_holds, USUAL, RENDERER),
-    STACK_OF(algsurf_select, USUAL, RENDERER),
-    STACK_OF(algsurf_select_of_real, USUAL, RENDERER),
-    STACK_OF(algsurf_self_test, 60, OTHERS),
-    STACK_OF(algsurf_shade, USUAL, RENDERER),
-    STACK_OF(algsurf_shade_preview, USUAL, RENDERER),
-    STACK_OF(algsurf_srgb_decode, USUAL, OTHERS),
-    STACK_OF(algsurf_srgb_encode, USUAL, OTHERS),
-    STACK_OF(algsurf_status_name, USUAL, OTHERS),
-    STACK_OF(algsurf_status_text, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_degree, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_enclose, USUAL, RENDERER),
-    STACK_OF(algsurf_surface_free, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_from_equation, 96, OTHERS),
-    STACK_OF(algsurf_surface_from_terms, 38, OTHERS),
-    STACK_OF(algsurf_surface_gradient, USUAL, RENDERER),
-    STACK_OF(algsurf_surface_rounding, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_term_count, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_terms, USUAL, OTHERS),
-    STACK_OF(algsurf_surface_value, USUAL, RENDERER),
-    STACK_OF(algsurf_surface_with_error, 38, OTHERS),
-    STACK_OF(algsurf_version, USUAL, OTHERS),
-};
+STACK_OF(algsurf_self_test, 60, OTHERS) { (void)algsurf_self_test(); }
 
 #if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
@@ -890,12 +771,11 @@ static const struct {
 #define COMPARED 0
 #endif
 
-static void as_stated(void **state) {
+TEST(as_stated) {
     size_t own = depth_of(NULL);
     int failures = 0;
-    (void)state;
     print_message("a thread's own: %zu bytes\n", own);
-    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
+    for (int i = 0; i < call_count; i++) {
         calls[i].run();
         size_t all = depth_of(calls[i].run), taken = all > own ? all - own : 0;
         int stated = calls[i].stated, fits = (size_t)stated * 1024 + own <= (size_t)calls[i].limit * 1024;
@@ -915,8 +795,7 @@ int main(void) {
     if (algsurf_scene_create(surfaces[0], &scene) != ALGSURF_OK) return 1;
     if (algsurf_camera_pinhole(eye, origin, up, 30, &camera) != ALGSURF_OK) return 1;
     for (int k = 0; k <= MOST; k++) row[k] = I, complex_row[k] = C;
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_stated)};
-    int failed = cmocka_run_group_tests_name("stack", tests, NULL, NULL);
+    int failed = unit_run("stack");
     algsurf_scene_free(scene);
     algsurf_complex_solver_free(solver);
     free_surfaces();

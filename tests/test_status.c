@@ -1,15 +1,7 @@
 /* test_status.c - texts, names, version.  Breaks caught: a code missing from a switch, a name or text of
  * another code, a number that moved (they are ABI), a version that differs from the header's. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "algsurf/status.h"
+#include "unit.h"
 
 static const struct {
     algsurf_status status;
@@ -38,8 +30,7 @@ static const struct {
 };
 #define RELEASED (sizeof released / sizeof released[0])
 
-static void test_numbers_and_names(void **state) {
-    (void)state;
+TEST(test_numbers_and_names) {
     for (size_t i = 0; i < RELEASED; i++) {
         assert_int_equal((int)released[i].status, released[i].number);
         assert_string_equal(algsurf_status_name(released[i].status), released[i].name);
@@ -47,8 +38,7 @@ static void test_numbers_and_names(void **state) {
 }
 
 /* Every code of the list is known here, has the text of the list, and no text occurs twice. */
-static void test_texts(void **state) {
-    (void)state;
+TEST(test_texts) {
 #define ENTRY(name, number, text) {name, text},
     static const struct {
         algsurf_status status;
@@ -63,8 +53,7 @@ static void test_texts(void **state) {
     }
 }
 
-static void test_unknown(void **state) {
-    (void)state;
+TEST(test_unknown) {
     static const int numbers[] = {-11, -100, 8, 1000};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         assert_string_equal(algsurf_status_text((algsurf_status)numbers[i]), "unknown status");
@@ -72,20 +61,11 @@ static void test_unknown(void **state) {
     }
 }
 
-static void test_version(void **state) {
-    (void)state;
+TEST(test_version) {
     char expected[64];
     (void)snprintf(expected, sizeof expected, "%d.%d.%d", ALGSURF_VERSION_MAJOR, ALGSURF_VERSION_MINOR,
                    ALGSURF_VERSION_PATCH);
     assert_string_equal(algsurf_version(), expected);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers_and_names),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_unknown),
-        cmocka_unit_test(test_version),
-    };
-    return cmocka_run_group_tests_name("status", tests, NULL, NULL);
-}
+int main(void) { return unit_run("status"); }

@@ -3,14 +3,6 @@
  * Each test says which breaks it catches.
  */
 #include <limits.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "scenes.h"
 #include "surface/impl.h"
@@ -19,8 +11,7 @@ static const uint64_t seed = 20240607;
 
 /* Rows without zeros at the end, every term in its place, the largest coefficient in [1/2,1).
  * Catches: rows not trimmed, a wrong scale, i and k exchanged. */
-static void test_layout(void **unused) {
-    (void)unused;
+TEST(test_layout) {
     uint64_t state = seed;
     for (int n = 0; n < 400; n++) {
         algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 20, -200, 200);
@@ -55,8 +46,7 @@ static void test_layout(void **unused) {
 }
 
 /* Catches: the sums' logarithms overflowing, the wrong root, a unit kept although it loses bits. */
-static void test_unit(void **unused) {
-    (void)unused;
+TEST(test_unit) {
     const struct {
         algsurf_term term[3];
         size_t count;
@@ -86,8 +76,7 @@ static void test_unit(void **unused) {
 }
 
 /* Catches: an unstable sort, merging in another order, zero terms kept. */
-static void test_merging(void **unused) {
-    (void)unused;
+TEST(test_merging) {
     const algsurf_term in[] = {{1, 0, 0, 1}, {0, 0, 2, 3},  {1, 0, 0, 0x1p53}, {0, 4, 0, -1}, {1, 0, 0, 1},
                                {0, 0, 0, 0}, {0, 4, 0, 1},  {1, 0, 0, 1},      {2, 0, 1, 5},  {0, 1, 1, 6},
                                {3, 1, 0, 7}, {99, 9, 9, 0}, {70, 0, 0, 1},     {70, 0, 0, -1}};
@@ -96,7 +85,7 @@ static void test_merging(void **unused) {
     algsurf_term got[5];
     assert_int_equal(algsurf_surface_term_count(s), 5);
     assert_int_equal(algsurf_surface_degree(s), 4);
-    assert_int_equal(algsurf_surface_terms(s, got), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(s, got));
     for (int t = 0; t < 5; t++) {
         assert_true(got[t].i == out[t].i && got[t].j == out[t].j && got[t].k == out[t].k &&
                     got[t].a == out[t].a);
@@ -105,8 +94,7 @@ static void test_merging(void **unused) {
 }
 
 /* 200,000 terms on 200 places: each sum is that of a loop in the order of the input. */
-static void test_many_terms(void **unused) {
-    (void)unused;
+TEST(test_many_terms) {
     enum { COUNT = 200000, PLACES = 200 };
     algsurf_term *terms = malloc(COUNT * sizeof *terms);
     double sum[PLACES] = {0};
@@ -125,8 +113,7 @@ static void test_many_terms(void **unused) {
 }
 
 /* Catches: i+j+k computed in int before the parts are checked, each check left out. */
-static void test_refused_terms(void **unused) {
-    (void)unused;
+TEST(test_refused_terms) {
     const struct {
         algsurf_term term[2];
         size_t count;
@@ -161,8 +148,7 @@ static void test_refused_terms(void **unused) {
 }
 
 /* Catches: each missing check. */
-static void test_null_surface(void **unused) {
-    (void)unused;
+TEST(test_null_surface) {
     algsurf_term t = {1, 2, 3, 4.0};
     algsurf_surface *s = surface_of_terms(&t, 1);
     assert_int_equal(algsurf_surface_terms(s, NULL), ALGSURF_E_ARGUMENT);
@@ -174,11 +160,4 @@ static void test_null_surface(void **unused) {
     algsurf_surface_free(NULL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layout),        cmocka_unit_test(test_unit),
-        cmocka_unit_test(test_merging),       cmocka_unit_test(test_many_terms),
-        cmocka_unit_test(test_refused_terms), cmocka_unit_test(test_null_surface),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("surface"); }

@@ -42,7 +42,7 @@ static void make_member(uint64_t *seed, double error) {
 
 static algsurf_surface *with_error(double error) {
     algsurf_surface *s = NULL;
-    assert_int_equal(algsurf_surface_with_error(c.surface, error, &s), ALGSURF_OK);
+    assert_ok(algsurf_surface_with_error(c.surface, error, &s));
     return s;
 }
 
@@ -68,7 +68,7 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
             .origin = {ray->origin, ray->origin + 1, ray->origin + 2},
             .direction = {ray->direction, ray->direction + 1, ray->direction + 2}};
         const algsurf_hit_packet to = {.size = sizeof to, .state = &state};
-        assert_int_equal(algsurf_intersect_packet(s, NULL, &one, &o, &to), ALGSURF_OK);
+        assert_ok(algsurf_intersect_packet(s, NULL, &one, &o, &to));
         for (int m = 0; m < MEMBERS; m++) {
             make_member(seed, error);
             algsurf_surface *own = member.surface;
@@ -88,11 +88,10 @@ static void judge(const algsurf_surface *s, uint64_t *seed, double error, int *c
     }
 }
 
-static void rays(void **state) {
+TEST(rays) {
     static const double errors[] = {1e-2, 1e-5, 1e-14, 0x1p-53};
     uint64_t seed = SEED;
     int certain = 0, judged = 0;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
@@ -109,11 +108,10 @@ static void rays(void **state) {
 }
 
 /* Roots far out, and far beyond the largest double: all of them count on a ray without an end. */
-static void far_roots(void **state) {
+TEST(far_roots) {
     static const double errors[] = {1e-2, 1e-5, 1e-9};
     uint64_t seed = SEED;
     int certain = 0, judged = 0;
-    (void)state;
     for (int i = 0; i < 600; i++) {
         algsurf_term terms[4];
         int n = 1 + exact_random_int(&seed, 3);
@@ -139,15 +137,14 @@ static void far_roots(void **state) {
     algsurf_hit hit;
     assert_true(intersect_terms(&c, line, 2));
     algsurf_surface *s = with_error(0x1p-53);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &along, NULL, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &along, NULL, &hit));
     assert_true(hit.state == ALGSURF_HIT && hit.side == -1 && hit.t == -DBL_MAX && isinf(hit.t_lo));
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
 }
 
-static void values(void **state) {
+TEST(values) {
     uint64_t seed = SEED;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(1e-3);
@@ -155,9 +152,8 @@ static void values(void **state) {
             double x[3], v, bound, g[3], g_bound[3], own, own_g[3];
             for (int k = 0; k < 3; k++) x[k] = 2 * exact_random_unit(&seed);
             make_member(&seed, 1e-3);
-            assert_int_equal(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound), ALGSURF_OK);
-            assert_int_equal(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL),
-                             ALGSURF_OK);
+            assert_ok(algsurf_surface_gradient(s, x, &v, g, &bound, g_bound));
+            assert_ok(algsurf_surface_gradient(member.surface, x, &own, own_g, NULL, NULL));
             int within = fabs(own - v) <= bound;
             for (int k = 0; k < 3; k++) within &= fabs(own_g[k] - g[k]) <= g_bound[k];
             if (!within) fail_msg("seed %u, %s: %a at %a %a %a", SEED, equations[e], v, x[0], x[1], x[2]);
@@ -180,22 +176,21 @@ static void draw(const algsurf_surface *s, double off, int tier, double *t, uint
     algsurf_render_stats stats = {.size = sizeof stats};
     algsurf_camera camera;
     algsurf_scene *scene = NULL;
-    assert_int_equal(algsurf_camera_pinhole(eye, at, up, 50, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_create(s, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, &ball), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, &camera), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
-    assert_int_equal(algsurf_render(scene, &o, &planes, &stats), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole(eye, at, up, 50, &camera));
+    assert_ok(algsurf_scene_create(s, &scene));
+    assert_ok(algsurf_scene_set_extent(scene, &ball));
+    assert_ok(algsurf_scene_set_camera(scene, &camera));
+    assert_ok(algsurf_scene_set_quality(scene, ALGSURF_QUALITY_PREVIEW));
+    assert_ok(algsurf_scene_set_intersect(scene, &how));
+    assert_ok(algsurf_render(scene, &o, &planes, &stats));
     *undecided = (uint64_t)stats.undecided;
     algsurf_scene_free(scene);
 }
 
 /* A picture's undecided pixels are counted, not marked: members may differ from it in no more than those. */
-static void pictures(void **state) {
+TEST(pictures) {
     static double t[SIDE * SIDE], own[SIDE * SIDE];
     uint64_t seed = SEED, undecided, none;
-    (void)state;
     for (size_t e = 0; e < sizeof equations / sizeof *equations; e++) {
         intersect_equation(&c, equations[e]);
         algsurf_surface *s = with_error(5e-4);
@@ -223,8 +218,7 @@ static double rounding_of(const char *equation) {
     return rounding;
 }
 
-static void rounding(void **state) {
-    (void)state;
+TEST(rounding) {
     assert_true(rounding_of("x^2 + y^2 - 1.5 z^3 + 1/1024") == 0);
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)/3*3") < 0x1p-90);
     assert_true(rounding_of("(x^2 + y^2 + 2^60 z^2)(x - 1)^5 + sqrt(49/4)") == 0);
@@ -240,16 +234,15 @@ static void rounding(void **state) {
     assert_true(algsurf_surface_rounding(NULL) == 0);
 }
 
-static void a_surface_with_error_is_the_same(void **state) {
+TEST(a_surface_with_error_is_the_same) {
     algsurf_term given[40], kept[40];
-    (void)state;
     intersect_equation(&c, "x^2 - 0.1 y + z^3");
     algsurf_surface *s = with_error(algsurf_surface_rounding(c.surface)), *none = NULL;
     assert_int_equal(algsurf_surface_degree(s), 3);
     assert_int_equal(algsurf_surface_term_count(s), 3);
     assert_true(algsurf_surface_rounding(s) == algsurf_surface_rounding(c.surface));
-    assert_int_equal(algsurf_surface_terms(c.surface, given), ALGSURF_OK);
-    assert_int_equal(algsurf_surface_terms(s, kept), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(c.surface, given));
+    assert_ok(algsurf_surface_terms(s, kept));
     for (int i = 0; i < 3; i++)
         assert_true(given[i].i == kept[i].i && given[i].j == kept[i].j && given[i].k == kept[i].k &&
                     given[i].a == kept[i].a);
@@ -264,27 +257,19 @@ static void a_surface_with_error_is_the_same(void **state) {
 }
 
 /* A point that is on the surface for some coefficients only. */
-static void a_point(void **state) {
+TEST(a_point) {
     const algsurf_intersect_options o = {.size = sizeof o, .tier = ALGSURF_TIER_CERTIFIED};
     algsurf_hit hit;
-    (void)state;
     intersect_equation(&c, "x - 1");
     algsurf_surface *s = with_error(0x1p-53);
     const algsurf_ray at_one = {{0, 0, 0}, {1, 0, 0}, 1, 1}, beside = {{0, 0, 0}, {1, 0, 0}, 1.5, 1.5};
-    assert_int_equal(algsurf_intersect_first(s, NULL, &at_one, &o, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &at_one, &o, &hit));
     assert_int_equal(hit.state, ALGSURF_UNDECIDED);
     assert_int_equal(hit.reason, ALGSURF_UNDECIDED_ZERO);
-    assert_int_equal(algsurf_intersect_first(s, NULL, &beside, &o, &hit), ALGSURF_OK);
+    assert_ok(algsurf_intersect_first(s, NULL, &beside, &o, &hit));
     assert_int_equal(hit.state, ALGSURF_MISS);
     algsurf_surface_free(s);
     algsurf_surface_free(c.surface);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rays),     cmocka_unit_test(far_roots),
-        cmocka_unit_test(values),   cmocka_unit_test(pictures),
-        cmocka_unit_test(rounding), cmocka_unit_test(a_surface_with_error_is_the_same),
-        cmocka_unit_test(a_point)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("surface error"); }

@@ -3,14 +3,6 @@
  * Each test says which breaks it catches.
  */
 #include <fenv.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "scenes.h"
 #include "surface/impl.h"
@@ -117,7 +109,7 @@ static void move_to_surface(const algsurf_surface *s, double point[3]) {
     if (algsurf_surface_value(s, point, &at_lo, NULL) != ALGSURF_OK) return;
     for (int i = 0; i < 70; i++) {
         point[0] = (lo + hi) / 2;
-        assert_int_equal(algsurf_surface_value(s, point, &v, NULL), ALGSURF_OK);
+        assert_ok(algsurf_surface_value(s, point, &v, NULL));
         if ((v < 0) == (at_lo < 0)) {
             lo = point[0];
         } else {
@@ -127,8 +119,7 @@ static void move_to_surface(const algsurf_surface *s, double point[3]) {
 }
 
 /* Catches: a bound factor of u/8, a derivative without its inner value, unit or scale left out. */
-static void test_ordinary_points(void **unused) {
-    (void)unused;
+TEST(test_ordinary_points) {
     uint64_t state = seed;
     for (int n = 0; n < 1500; n++) {
         algsurf_surface *s = surface_of_random_terms(&state, n % 50 == 0 ? 64 : 1 + n % 12, -12, 12);
@@ -144,8 +135,7 @@ static void test_ordinary_points(void **unused) {
 
 /* Coefficients and points over the whole range.  Catches: no fallback where the natural unit drives
  * the point out of range, no absolute part in the bounds, to_natural without its check. */
-static void test_extreme_points(void **unused) {
-    (void)unused;
+TEST(test_extreme_points) {
     uint64_t state = seed;
     int in_range = 0, rounds = 1200;
     for (int n = 0; n < rounds; n++) {
@@ -161,8 +151,7 @@ static void test_extreme_points(void **unused) {
 }
 
 /* The natural unit is far from the point's, the value is not.  Catches: no fallback on overflow. */
-static void test_small_lower_term(void **unused) {
-    (void)unused;
+TEST(test_small_lower_term) {
     const algsurf_term terms[] = {{1, 0, 0, 1e300}, {0, 0, 0, 1e-300}};
     algsurf_surface *s = surface_of_terms(terms, 2);
     const double points[][3] = {{1, 0, 0}, {-1e-300, 5, 1e300}, {0, 0, 0}, {0x1p-1074, 0, 0}, {1e8, 0, 0}};
@@ -172,8 +161,7 @@ static void test_small_lower_term(void **unused) {
 
 /* The private function works in natural units: powers of two away from the public one, bit for bit.
  * Catches: a unit or scale forgotten, a value that depends on whether the gradient is wanted. */
-static void test_natural_units(void **unused) {
-    (void)unused;
+TEST(test_natural_units) {
     uint64_t state = seed;
     for (int n = 0; n < 1000; n++) {
         algsurf_surface *s = surface_of_random_terms(&state, 1 + n % 9, -40, 40);
@@ -182,8 +170,7 @@ static void test_natural_units(void **unused) {
             natural[axis] = exact_random_wide(&state, -3, 1);
             point[axis] = ldexp(natural[axis], s->unit);
         }
-        assert_int_equal(algsurf_surface_gradient(s, point, &public_value, public_gradient, NULL, NULL),
-                         ALGSURF_OK);
+        assert_ok(algsurf_surface_gradient(s, point, &public_value, public_gradient, NULL, NULL));
         double value = algsurf_i_surface_value(s, natural, gradient);
         assert_true(algsurf_i_surface_value(s, natural, NULL) == value);
         assert_true(ldexp(value, -s->scale) == public_value);
@@ -194,8 +181,7 @@ static void test_natural_units(void **unused) {
 }
 
 /* Catches: each missing check, an output written on failure. */
-static void test_refused_points(void **unused) {
-    (void)unused;
+TEST(test_refused_points) {
     const algsurf_term square = {2, 0, 0, 1e300};
     algsurf_surface *s = surface_of_terms(&square, 1);
     double v = 7, b = 7, g[3] = {7, 7, 7}, gb[3] = {7, 7, 7};
@@ -215,14 +201,13 @@ static void test_refused_points(void **unused) {
     assert_int_equal(algsurf_surface_gradient(s, good, NULL, g, &b, gb), ALGSURF_E_ARGUMENT);
     assert_int_equal(algsurf_surface_gradient(s, good, &v, NULL, &b, gb), ALGSURF_E_ARGUMENT);
     assert_true(v == 7 && b == 7 && g[0] == 7 && g[1] == 7 && g[2] == 7 && gb[0] == 7);
-    assert_int_equal(algsurf_surface_gradient(s, good, &v, g, NULL, NULL), ALGSURF_OK);
+    assert_ok(algsurf_surface_gradient(s, good, &v, g, NULL, NULL));
     assert_true(v == 1e300 && g[0] == 2e300 && g[1] == 0);
     algsurf_surface_free(s);
 }
 
 /* Catches: work outside the environment's bracket. */
-static void test_rounding_mode(void **unused) {
-    (void)unused;
+TEST(test_rounding_mode) {
     const algsurf_term terms[] = {{2, 1, 0, 0.1}, {2, 1, 0, 0.7}, {0, 0, 1, 1.1}, {0, 0, 0, -0.3}};
     const double point[3] = {0.3, 0.7, 1.1};
     double v[2], b[2], g[2][3], gb[2][3];
@@ -232,7 +217,7 @@ static void test_rounding_mode(void **unused) {
         algsurf_status status = algsurf_surface_gradient(s, point, &v[up], g[up], &b[up], gb[up]);
         assert_int_equal(fegetround(), up ? FE_UPWARD : FE_TONEAREST);
         assert_int_equal(fesetround(FE_TONEAREST), 0);
-        assert_int_equal(status, ALGSURF_OK);
+        assert_ok(status);
         algsurf_surface_free(s);
     }
     assert_true(v[0] == v[1] && b[0] == b[1]);
@@ -240,11 +225,4 @@ static void test_rounding_mode(void **unused) {
     assert_memory_equal(gb[0], gb[1], sizeof gb[0]);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ordinary_points),  cmocka_unit_test(test_extreme_points),
-        cmocka_unit_test(test_small_lower_term), cmocka_unit_test(test_natural_units),
-        cmocka_unit_test(test_refused_points),   cmocka_unit_test(test_rounding_mode),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("surface eval"); }

@@ -4,20 +4,12 @@
  * a coefficient that strtod reads in part, infinite ones, a fifth field, a line number off by one, a
  * comment that hides the field before it, text after a NUL byte dropped, a byte order mark or a CR kept.
  */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 #include "catalogue.h"
+#include "scenes.h"
 #include "terms_file.h"
+#include "unit.h"
 
 static FILE *file_of(const char *text, size_t length) {
     FILE *file = tmpfile();
@@ -36,7 +28,7 @@ static void accepts(const char *text, const algsurf_term *expected, size_t count
     algsurf_term terms[8];
     assert_int_equal(algsurf_surface_term_count(surface), count);
     assert_true(count <= 8);
-    assert_int_equal(algsurf_surface_terms(surface, terms), ALGSURF_OK);
+    assert_ok(algsurf_surface_terms(surface, terms));
     for (size_t i = 0; i < count; i++) {
         assert_int_equal(terms[i].i, expected[i].i);
         assert_int_equal(terms[i].j, expected[i].j);
@@ -64,8 +56,7 @@ static void refuses(const char *text, size_t line, const char *part) {
     refuses_bytes(text, strlen(text), line, part);
 }
 
-static void test_accepted(void **state) {
-    (void)state;
+TEST(test_accepted) {
     static const algsurf_term sphere[] = {{0, 0, 2, 1}, {0, 2, 0, 1}, {2, 0, 0, 1}, {0, 0, 0, -1}};
     static const algsurf_term line[] = {{1, 0, 0, 1.5}};
     accepts("2 0 0 1\n0 2 0 1\n0 0 2 1\n0 0 0 -1\n",
@@ -79,8 +70,7 @@ static void test_accepted(void **state) {
     accepts("1 0 0 1e-999\n1 0 0 1.5\n", line, 1);
 }
 
-static void test_fields(void **state) {
-    (void)state;
+TEST(test_fields) {
     refuses("", 0, "no terms");
     refuses("# nothing\n\n", 0, "no terms");
     refuses("1 0 0 0\n", 0, "zero");
@@ -94,8 +84,7 @@ static void test_fields(void **state) {
     refuses_bytes("\0", 1, 1, "NUL");
 }
 
-static void test_exponents(void **state) {
-    (void)state;
+TEST(test_exponents) {
     static const char *const bad[] = {
         "-1",         "+3",         "0x2",         "1.0",
         "2e0",        "x",          "1a",          "65",
@@ -112,8 +101,7 @@ static void test_exponents(void **state) {
     refuses("64 64 64 1", 1, "degree 192");
 }
 
-static void test_coefficients(void **state) {
-    (void)state;
+TEST(test_coefficients) {
     static const char *const bad[] = {"nan", "NaN", "inf", "-infinity", "1e400", "-0x1p1024", "nan(1)"};
     static const char *const no_numbers[] = {"x",     "1x",  "0x",  "0x1p", "1e",
                                              "1.2.3", "--1", "1,5", "/",    "1\v"};
@@ -129,8 +117,7 @@ static void test_coefficients(void **state) {
 }
 
 /* Lines of many megabytes take no longer than their bytes do. */
-static void test_long_lines(void **state) {
-    (void)state;
+TEST(test_long_lines) {
     const size_t length = (size_t)8 << 20;
     char *text = malloc(length + 16);
     assert_non_null(text);
@@ -156,27 +143,17 @@ static void test_long_lines(void **state) {
 }
 
 /* Every catalogued equation is what its degree says, and its default view is a camera. */
-static void test_catalogue(void **state) {
-    (void)state;
+TEST(test_catalogue) {
     assert_null(catalogue_find(""));
     assert_null(catalogue_find("Sphere"));
     for (const catalogue_entry *entry = catalogue; entry->name; entry++) {
-        algsurf_surface *surface;
         algsurf_camera camera;
         assert_ptr_equal(catalogue_find(entry->name), entry);
-        assert_int_equal(algsurf_surface_from_equation(entry->equation, NULL, 0, &surface, NULL), ALGSURF_OK);
+        algsurf_surface *surface = surface_of(entry->equation);
         assert_int_equal(algsurf_surface_degree(surface), entry->degree);
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         algsurf_surface_free(surface);
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_accepted),   cmocka_unit_test(test_fields),
-        cmocka_unit_test(test_exponents),  cmocka_unit_test(test_coefficients),
-        cmocka_unit_test(test_long_lines), cmocka_unit_test(test_catalogue),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+int main(void) { return unit_run("terms file"); }

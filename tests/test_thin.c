@@ -15,18 +15,11 @@
  *
  *     test_thin [views [seed]]
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
 #include "catalogue.h"
 #include "exact.h"
 #include "algsurf/algsurf.h"
-
-#include <math.h>
-#include <string.h>
+#include "scenes.h"
+#include "unit.h"
 
 enum { MOST = 1024 };
 
@@ -63,7 +56,7 @@ static void draw_rows(const algsurf_scene *scene, int size, int begin, int end, 
                                       .threads = threads};
     to->size = size;
     to->stats = (algsurf_render_stats){.size = sizeof to->stats};
-    assert_int_equal(algsurf_render(scene, &o, &planes, &to->stats), ALGSURF_OK);
+    assert_ok(algsurf_render(scene, &o, &planes, &to->stats));
 }
 
 static void draw(const algsurf_scene *scene, int size, image *to) { draw_rows(scene, size, 0, 0, 1, to); }
@@ -74,21 +67,6 @@ static void assert_same(const image *a, const image *b) {
     assert_memory_equal(a->t, b->t, count * sizeof *a->t);
     assert_memory_equal(a->normals, b->normals, 3 * count * sizeof *a->normals);
     assert_memory_equal(a->states, b->states, count);
-}
-
-static algsurf_scene *scene_of(const algsurf_surface *surface, const algsurf_extent *extent,
-                               const algsurf_camera *camera) {
-    algsurf_scene *scene;
-    assert_int_equal(algsurf_scene_create(surface, &scene), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_extent(scene, extent), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_camera(scene, camera), ALGSURF_OK);
-    return scene;
-}
-
-static algsurf_surface *surface_of(const char *equation) {
-    algsurf_surface *surface;
-    assert_int_equal(algsurf_surface_from_equation(equation, NULL, 0, &surface, NULL), ALGSURF_OK);
-    return surface;
 }
 
 /* ---- what is to be drawn ---- */
@@ -119,15 +97,14 @@ static void random_camera(uint64_t *seed, double far, const double look[3], doub
     }
     for (int i = 0; i < 3; i++) eye[i] = look[i] + far * eye[i] / sqrt(length);
     if (parallel)
-        assert_int_equal(algsurf_camera_orthographic(eye, look, up, 2 * far * tan(fov / 114.6), camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_orthographic(eye, look, up, 2 * far * tan(fov / 114.6), camera));
     else
-        assert_int_equal(algsurf_camera_pinhole(eye, look, up, fov, camera), ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(eye, look, up, fov, camera));
 }
 
 static int is_drawn(int state) { return state == ALGSURF_THIN || state == ALGSURF_HIT; }
 
-static void points_are_one_dot(void **state) {
+TEST(points_are_one_dot) {
     static const struct {
         const char *equation;
         double at[3];
@@ -137,7 +114,6 @@ static void points_are_one_dot(void **state) {
                   {"-x^2 - 5 (y-1)^2 - z^4", {0, 1, 0}}};
     static const int sizes[] = {16, 65, 200, 300};
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < sizeof points / sizeof *points; n++) {
         algsurf_surface *surface = surface_of(points[n].equation);
@@ -148,8 +124,8 @@ static void points_are_one_dot(void **state) {
                 look[i] = points[n].at[i] + (view < 8 ? 0 : 0.5 * exact_random_unit(&seed));
             algsurf_camera camera;
             random_camera(&seed, view % 3 ? 7 : 40, look, view % 3 ? 40 : 6, view % 5 == 4, &camera);
-            algsurf_scene *scene = scene_of(surface, &extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             const place p = place_of(&camera, size, points[n].at);
             int dots = 0, near = 0;
@@ -255,10 +231,9 @@ static int check_line(const algsurf_camera *camera, const part *l, const char *e
     return last >= first_column ? last - first_column + 1 : 0;
 }
 
-static void lines_are_a_pixel_wide(void **state) {
+TEST(lines_are_a_pixel_wide) {
     static const int sizes[] = {64, 101, 300, 640};
     static const double centre[3] = {0, 0, 0}, beside[3] = {2, 0, 0};
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < sizeof lines / sizeof *lines; n++) {
         algsurf_surface *surface = surface_of(lines[n].equation);
@@ -268,15 +243,13 @@ static void lines_are_a_pixel_wide(void **state) {
             random_camera(&seed, view % 3 == 2 ? 60 : 7, view % 4 == 1 ? beside : centre,
                           view % 3 == 2 ? 5 : 50, view % 5 == 4, &camera);
             if (view == 0)
-                assert_int_equal(
-                    algsurf_camera_pinhole((double[]){2, -5, 0}, beside, (double[]){0, 0, 1}, 60, &camera),
-                    ALGSURF_OK);
+                assert_ok(
+                    algsurf_camera_pinhole((double[]){2, -5, 0}, beside, (double[]){0, 0, 1}, 60, &camera));
             if (view == 3)
-                assert_int_equal(
-                    algsurf_camera_pinhole((double[]){0, -6, 0}, centre, (double[]){0, 0, 1}, 50, &camera),
-                    ALGSURF_OK);
-            algsurf_scene *scene = scene_of(surface, &lines[n].extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+                assert_ok(
+                    algsurf_camera_pinhole((double[]){0, -6, 0}, centre, (double[]){0, 0, 1}, 50, &camera));
+            algsurf_scene *scene = scene_of(surface, &lines[n].extent, &camera, NULL);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, size, &first);
             int length = 0, from_end = 0;
             for (int i = 0; i < lines[n].count; i++) {
@@ -296,23 +269,21 @@ static void lines_are_a_pixel_wide(void **state) {
 
 /* Behind a place where it is undecided what a ray hits: the rays of the middle column touch the line x = y =
  * 0, which doubles do not decide, and what stands for it is the middle of the chord, before the line. */
-static void undecided_places_hide_nothing(void **state) {
+TEST(undecided_places_hide_nothing) {
     enum { SIZE = 65 };
     static const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {1.5, 0, 0}, {2, 0, 0}};
-    (void)state;
     algsurf_surface *surface = surface_of("x^2 + y^2");
     algsurf_camera camera;
-    assert_int_equal(
-        algsurf_camera_pinhole((double[]){9, 0, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera),
-        ALGSURF_OK);
+    assert_ok(
+        algsurf_camera_pinhole((double[]){9, 0, 0}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 25, &camera));
     for (int as = ALGSURF_AS_UNDECIDED; as <= ALGSURF_AS_MISS; as++) {
         const algsurf_intersect_options how = {
             .size = sizeof how, .tier = ALGSURF_TIER_BOUNDED, .undecided_as = as};
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         draw(scene, SIZE, &first);
         assert_true(first.stats.undecided + first.stats.hits > 40 || as == ALGSURF_AS_MISS);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, SIZE, &second);
         assert_true(second.stats.thin > 40);
         for (size_t i = 0; i < SIZE * SIZE; i++) {
@@ -325,18 +296,17 @@ static void undecided_places_hide_nothing(void **state) {
 }
 
 /* A closed curve has no ends: each of its pixels has two neighbours, but for one or two where it turns. */
-static void curves_have_no_gaps(void **state) {
+TEST(curves_have_no_gaps) {
     enum { SIZE = 300 };
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {2, 0, 0}};
     static const double centre[3] = {0, 0, 0.4};
-    (void)state;
     uint64_t seed = first_seed;
     algsurf_surface *surface = surface_of("(x^2 + y^2 - 1)^2 + (z - x^2)^2");
     for (int view = 0; view < 2 * views; view++) {
         algsurf_camera camera;
         random_camera(&seed, 7, centre, 25, view % 5 == 4, &camera);
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, SIZE, &first);
         int ends = 0;
         for (int y = 1; y < SIZE - 1; y++)
@@ -355,7 +325,7 @@ static void curves_have_no_gaps(void **state) {
 
 /* ---- what is not ---- */
 
-static void others_have_nothing_thin(void **state) {
+TEST(others_have_nothing_thin) {
     static const char *const equations[] = {"x^2 + y^2 + z^2 - 1",
                                             "x^2 + y^2 - 1",
                                             "x^2 + y^2 - z^2",
@@ -372,7 +342,6 @@ static void others_have_nothing_thin(void **state) {
     static const char *const names[] = {"barth", "chair", "tangle", "boy", "torus", "pillow", "bicube"};
     static const double distances[] = {1.7, 3, 5, 40};
     const size_t own = sizeof equations / sizeof *equations, all = own + sizeof names / sizeof *names;
-    (void)state;
     uint64_t seed = first_seed;
     for (size_t n = 0; n < all; n++) {
         const catalogue_entry *entry = n < own ? NULL : catalogue_find(names[n - own]);
@@ -388,8 +357,8 @@ static void others_have_nothing_thin(void **state) {
                 look[i] = extent.centre[i] + (view % 3 ? 0.5 * radius * exact_random_unit(&seed) : 0);
             random_camera(&seed, far, look, 114.6 * atan(fmin(1.1 * radius / far, 1)), view % 7 == 6,
                           &camera);
-            algsurf_scene *scene = scene_of(surface, &extent, &camera);
-            assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+            algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+            assert_ok(algsurf_scene_set_thin(scene, red));
             draw(scene, slow ? 60 : view % 2 ? 333 : 150, &first);
             if (first.stats.thin > 0) fail_msg("%s, view %d: %d", equation, view, (int)first.stats.thin);
             algsurf_scene_free(scene);
@@ -399,18 +368,17 @@ static void others_have_nothing_thin(void **state) {
 }
 
 /* A small sphere in a large extent, seen from near and far. */
-static void small_things_are_not_thin(void **state) {
+TEST(small_things_are_not_thin) {
     const algsurf_extent extent = {ALGSURF_EXTENT_SPHERE, {0, 0, 0}, {1e6, 0, 0}};
     static const double centre[3] = {0, 0, 0};
-    (void)state;
     uint64_t seed = first_seed;
     algsurf_surface *surface = surface_of("x^2 + y^2 + z^2 - 1");
     for (int view = 0; view < 2 * views; view++) {
         algsurf_camera camera;
         const double far = view % 2 ? 4 : 1000;
         random_camera(&seed, far, centre, 114.6 * atan(1.2 / far), view % 3 == 2, &camera);
-        algsurf_scene *scene = scene_of(surface, &extent, &camera);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        algsurf_scene *scene = scene_of(surface, &extent, &camera, NULL);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         draw(scene, 300, &first);
         if (first.stats.thin > 0) fail_msg("view %d: %d", view, (int)first.stats.thin);
         algsurf_scene_free(scene);
@@ -419,26 +387,24 @@ static void small_things_are_not_thin(void **state) {
 }
 
 /* Where nothing is searched. */
-static void out_of_reach_is_as_before(void **state) {
+TEST(out_of_reach_is_as_before) {
     static const algsurf_extent all = {.kind = ALGSURF_EXTENT_ALL};
     static const algsurf_intersect_options brent = {.size = sizeof brent, .method = ALGSURF_METHOD_BRENT};
     static const algsurf_complex_space space = {.size = sizeof space, .sector = {0, 0.1}};
-    (void)state;
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
-                                            (double[]){0, 0, 1}, 45, &camera),
-                     ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0, 0, 1}, 45,
+                                     &camera));
     for (int way = 0; way < 5; way++) {
         algsurf_surface *surface = surface_of(way == 3 ? "x^2 z^23 + y^2" : lines[0].equation);
-        algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera);
-        if (way == 1) assert_int_equal(algsurf_scene_set_intersect(scene, &brent), ALGSURF_OK);
-        if (way == 2) assert_int_equal(algsurf_scene_set_complex_space(scene, &space), ALGSURF_OK);
+        algsurf_scene *scene = scene_of(surface, way == 0 ? &all : &lines[0].extent, &camera, NULL);
+        if (way == 1) assert_ok(algsurf_scene_set_intersect(scene, &brent));
+        if (way == 2) assert_ok(algsurf_scene_set_complex_space(scene, &space));
         draw(scene, 64, &first);
-        assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_thin(scene, red));
         if (way == 4) { /* no longer wanted */
             draw(scene, 64, &second);
             assert_true(second.stats.thin > 0);
-            assert_int_equal(algsurf_scene_set_thin(scene, NULL), ALGSURF_OK);
+            assert_ok(algsurf_scene_set_thin(scene, NULL));
         }
         draw(scene, 64, &second);
         assert_true(second.stats.thin == 0);
@@ -453,11 +419,11 @@ static void out_of_reach_is_as_before(void **state) {
 static void compare_ways(const algsurf_surface *surface, const algsurf_extent *extent,
                          const algsurf_camera *camera, int antialias, double threshold, uint64_t least) {
     enum { SIZE = 150, CUT = 77 };
-    algsurf_scene *scene = scene_of(surface, extent, camera);
-    assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias(scene, antialias), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_antialias_threshold(scene, threshold), ALGSURF_OK);
+    algsurf_scene *scene = scene_of(surface, extent, camera, NULL);
+    assert_ok(algsurf_scene_set_thin(scene, red));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
+    assert_ok(algsurf_scene_set_antialias(scene, antialias));
+    assert_ok(algsurf_scene_set_antialias_threshold(scene, threshold));
     draw(scene, SIZE, &first);
     assert_true(first.stats.thin >= least);
     uint64_t whole = first.stats.thin;
@@ -471,22 +437,20 @@ static void compare_ways(const algsurf_surface *surface, const algsurf_extent *e
     assert_same(&first, &second);
     for (int i = 0; algsurf_kernel_name(i); i++) {
         const algsurf_intersect_options how = {.size = sizeof how, .kernel = algsurf_kernel_name(i)};
-        assert_int_equal(algsurf_scene_set_intersect(scene, &how), ALGSURF_OK);
+        assert_ok(algsurf_scene_set_intersect(scene, &how));
         draw(scene, SIZE, &second);
         assert_same(&first, &second);
     }
     algsurf_scene_free(scene);
 }
 
-static void nothing_changes_a_byte(void **state) {
+TEST(nothing_changes_a_byte) {
     static const char *const names[] = {"whitney", "steiner", "barth"};
-    (void)state;
     for (int n = 0; n < 3; n++) {
         const catalogue_entry *entry = catalogue_find(names[n]);
         algsurf_surface *surface = surface_of(entry->equation);
         algsurf_camera camera;
-        assert_int_equal(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera),
-                         ALGSURF_OK);
+        assert_ok(algsurf_camera_pinhole(entry->eye, entry->look_at, entry->up, entry->fov, &camera));
         uint64_t least = n < 2; /* of points like those of Barth's sextic rays see enough */
         compare_ways(surface, &entry->extent, &camera, 1, 0, least);
         compare_ways(surface, &entry->extent, &camera, 3, 0, least);
@@ -496,19 +460,17 @@ static void nothing_changes_a_byte(void **state) {
 }
 
 /* A cell of each sample: 4 x 4 of them are a picture with as many times more pixels. */
-static void samples_are_finer_pixels(void **state) {
+TEST(samples_are_finer_pixels) {
     enum { N = 4, SIZE = 96 };
-    (void)state;
     algsurf_surface *surface = surface_of(lines[0].equation);
     algsurf_camera camera;
-    assert_int_equal(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0},
-                                            (double[]){0.1, 0, 1}, 45, &camera),
-                     ALGSURF_OK);
-    algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera);
-    assert_int_equal(algsurf_scene_set_thin(scene, red), ALGSURF_OK);
-    assert_int_equal(algsurf_scene_set_background(scene, NULL), ALGSURF_OK);
+    assert_ok(algsurf_camera_pinhole((double[]){5.6, -3.2, 1.9}, (double[]){0, 0, 0}, (double[]){0.1, 0, 1},
+                                     45, &camera));
+    algsurf_scene *scene = scene_of(surface, &lines[0].extent, &camera, NULL);
+    assert_ok(algsurf_scene_set_thin(scene, red));
+    assert_ok(algsurf_scene_set_background(scene, NULL));
     draw(scene, N * SIZE, &first);
-    assert_int_equal(algsurf_scene_set_antialias(scene, N), ALGSURF_OK);
+    assert_ok(algsurf_scene_set_antialias(scene, N));
     draw(scene, SIZE, &second);
     assert_true(first.stats.thin == second.stats.thin);
     for (int y = 0; y < SIZE; y++)
@@ -525,11 +487,5 @@ static void samples_are_finer_pixels(void **state) {
 int main(int argc, char **argv) {
     if (argc > 1) views = atoi(argv[1]);
     if (argc > 2) first_seed = strtoull(argv[2], NULL, 0);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_one_dot),        cmocka_unit_test(lines_are_a_pixel_wide),
-        cmocka_unit_test(curves_have_no_gaps),       cmocka_unit_test(others_have_nothing_thin),
-        cmocka_unit_test(small_things_are_not_thin), cmocka_unit_test(undecided_places_hide_nothing),
-        cmocka_unit_test(out_of_reach_is_as_before), cmocka_unit_test(nothing_changes_a_byte),
-        cmocka_unit_test(samples_are_finer_pixels)};
-    return cmocka_run_group_tests_name("thin", tests, NULL, NULL);
+    return unit_run("thin");
 }

@@ -9,27 +9,15 @@
  *   the ray not re-centred, the chord twice as long                                 rays_are_recentred
  *   the neighbour's roots left in its own variable, or not sorted                   neighbours_are_near
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
+#include "unit.h"
 #include "verified_roots_check.h"
 
 static const uint64_t SEED = 20241;
 
 /* ---- measure ---- */
 
-static void quantiles(void **state) {
+TEST(quantiles) {
     double x[5] = {3, -1, 4, 1, 5};
-    (void)state;
     measure_sort(x, 5);
     assert_true(x[0] == -1 && x[1] == 1 && x[2] == 3 && x[3] == 4 && x[4] == 5);
     assert_true(measure_quantile(x, 5, 0) == -1 && measure_quantile(x, 5, 1) == 5);
@@ -39,11 +27,10 @@ static void quantiles(void **state) {
 }
 
 /* The published first numbers of splitmix64 from the seed 1234567. */
-static void random_numbers(void **state) {
+TEST(random_numbers) {
     static const uint64_t expected[3] = {6457827717110365317u, 3203168211198807973u, 9817491932198370423u};
     measure_random random = {1234567};
     double least = 1, most = 0;
-    (void)state;
     for (int i = 0; i < 3; i++) assert_true(measure_bits(&random) == expected[i]);
     for (int i = 0; i < 1000; i++) {
         double x = measure_uniform(&random, -3, 5);
@@ -62,9 +49,8 @@ static void spin(void *data) {
 }
 
 /* One call is too short for the clock to tell, two never are: 1 + 2 calls, or 1 that was disturbed. */
-static void seconds_of_a_call(void **state) {
+TEST(seconds_of_a_call) {
     int calls = 0;
-    (void)state;
     double begin = measure_cpu(), seconds = measure_call(spin, &calls), all = measure_cpu() - begin;
     assert_true(calls == 1 || calls == 3);
     assert_true(seconds >= 30e-6 && seconds * (calls == 1 ? 1 : 2) <= all);
@@ -87,11 +73,10 @@ static algsurf_complex value_at(const polynomial *p, double x) {
 }
 
 /* The unit sphere in a ball of radius 1.2: at both ends of a chord x^2 + y^2 + z^2 - 1 = 0.44. */
-static void rays_are_recentred(void **state) {
+TEST(rays_are_recentred) {
     enum { COUNT = 200 };
     polynomial *p = rays("sphere", COUNT);
     int hits = 0;
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         algsurf_complex a = value_at(&p[i], -1), b = value_at(&p[i], 1), middle = value_at(&p[i], 0);
         assert_int_equal(p[i].degree, 2);
@@ -104,16 +89,15 @@ static void rays_are_recentred(void **state) {
 
 static double distance(algsurf_complex a, algsurf_complex b) { return hypot(a.re - b.re, a.im - b.im); }
 
-static void neighbours_are_near(void **state) {
+TEST(neighbours_are_near) {
     enum { COUNT = 200 };
     polynomial *p = rays("barth-decic", COUNT);
     int near = 0, roots = 0;
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         algsurf_complex_root root[ALGSURF_MAX_DEGREE];
         int count;
         if (!p[i].has_near) continue;
-        assert_int_equal(algsurf_complex_roots(p[i].c, NULL, p[i].degree, root, &count), ALGSURF_OK);
+        assert_ok(algsurf_complex_roots(p[i].c, NULL, p[i].degree, root, &count));
         for (int k = 0; k < p[i].degree; k++) {
             const algsurf_complex z = p[i].near[k], zero = {0, 0};
             double least = INFINITY;
@@ -133,7 +117,7 @@ static void neighbours_are_near(void **state) {
 static answer true_answer(const polynomial *p) {
     algsurf_complex_root root[ALGSURF_MAX_DEGREE];
     answer a = {.complete = 1};
-    assert_int_equal(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count), ALGSURF_OK);
+    assert_ok(algsurf_complex_roots(p->c, NULL, p->degree, root, &a.count));
     for (int i = 0; i < a.count; i++)
         a.root[i] = (answer_root){root[i].box, root[i].root, root[i].multiplicity, root[i].multiplicity == 1};
     return a;
@@ -186,11 +170,10 @@ static void judge_one(const polynomial *p, int k) {
     assert_said(&q, "product", contradiction(&q, &right));
 }
 
-static void judge_finds(void **state) {
+TEST(judge_finds) {
     enum { COUNT = 20 };
     static const char *const names[3] = {"torus", "boy", "barth-decic"};
     static const int degrees[3] = {7, 32, 64};
-    (void)state;
     for (int s = 0; s < 3; s++) {
         measure_random random = {SEED};
         polynomial *p = rays(names[s], COUNT);
@@ -202,10 +185,9 @@ static void judge_finds(void **state) {
 }
 
 /* (X-1)^2 (X+2): a cluster counts as often as it says. */
-static void clusters_are_judged(void **state) {
+TEST(clusters_are_judged) {
     const polynomial p = {.degree = 3, .c = {{2, 0}, {-3, 0}, {0, 0}, {1, 0}}};
     answer a = true_answer(&p);
-    (void)state;
     assert_int_equal(a.count, 2);
     assert_said(&p, NULL, contradiction(&p, &a));
     assert_int_equal(simple_roots(&a), 1);
@@ -215,10 +197,9 @@ static void clusters_are_judged(void **state) {
     assert_said(&p, "product", contradiction(&p, &a));
 }
 
-static void roots_are_counted_once(void **state) {
+TEST(roots_are_counted_once) {
     const polynomial p = {.degree = 3, .c = {{-6, 0}, {11, 0}, {-6, 0}, {1, 0}}}; /* roots 1, 2, 3 */
     answer a = true_answer(&p);
-    (void)state;
     assert_int_equal(simple_roots(&a), 3);
     a.root[2] = a.root[0];
     assert_int_equal(simple_roots(&a), 2);
@@ -228,12 +209,4 @@ static void roots_are_counted_once(void **state) {
     assert_int_equal(simple_roots(&a), 1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quantiles),           cmocka_unit_test(random_numbers),
-        cmocka_unit_test(seconds_of_a_call),   cmocka_unit_test(rays_are_recentred),
-        cmocka_unit_test(neighbours_are_near), cmocka_unit_test(judge_finds),
-        cmocka_unit_test(clusters_are_judged), cmocka_unit_test(roots_are_counted_once),
-    };
-    return cmocka_run_group_tests_name("bench: verified roots", tests, NULL, NULL);
-}
+int main(void) { return unit_run("bench: verified roots"); }

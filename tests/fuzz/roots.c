@@ -8,6 +8,7 @@
 
 #include "algsurf/allroots.h"
 #include "algsurf/intersect.h"
+#include "allroots_case.h"
 #include "exact_winding.h"
 #include "fuzz.h"
 
@@ -77,18 +78,6 @@ static void check_form(const question *q, const algsurf_complex_root *e, int cou
         for (int j = 0; j < i; j++) fuzz_check(gap(b, e[j].box) > 0);
     }
     fuzz_check(sum == degree);
-}
-
-/* Real polynomials: boxes come in conjugate pairs, or on the axis. */
-static void check_symmetry(const algsurf_complex_root *e, int count) {
-    for (int i = 0; i < count; i++) {
-        int mates = 0;
-        for (int j = 0; j < count; j++)
-            mates += e[j].box.re.lo == e[i].box.re.lo && e[j].box.re.hi == e[i].box.re.hi &&
-                     e[j].box.im.lo == -e[i].box.im.hi && e[j].box.im.hi == -e[i].box.im.lo &&
-                     e[j].multiplicity == e[i].multiplicity;
-        fuzz_check(mates == 1);
-    }
 }
 
 /* What a real polynomial's boxes on the axis hold, by the number of distinct real roots. */
@@ -178,7 +167,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_check(status == ALGSURF_OK && count >= 0);
     check_form(&q, e, count);
     int exact = !(q.flags & RADII);
-    if (exact && is_real(&q)) check_symmetry(e, count);
+    if (exact && is_real(&q)) fuzz_check(case_mirrored(e, count));
     if (q.degree > JUDGED || fuzz_span(&q.c[0].re, 2 * q.degree + 2) * q.degree > MOST_BITS) return 0;
     if (exact && is_real(&q)) check_real_roots(&q, e, count);
     check_boxes(&q, q.c, e, count);

@@ -24,7 +24,7 @@ static int judge_is_there(char *const *field, int rounded) {
     if (p.degree < 1 || p.degree > 16 || !p.real) return 0;
     int n = p.degree, done = 1;
     mpq_t q[17], common;
-    mpz_t *z = isolate_integers(n + 1);
+    mpz_t *z = exact_polynomials(1, n + 1);
     mpq_init(common);
     mpq_set_ui(common, 1, 1);
     for (int k = 0; k <= n; k++) {
@@ -43,7 +43,7 @@ static int judge_is_there(char *const *field, int rounded) {
     }
     mpq_clear(common);
     if (done) isolate_chains_of(z, n, &chains);
-    isolate_integers_clear(z, n + 1);
+    exact_free(z, n + 1);
     fuzz_check(!done || chains.degree == n);
     return done;
 }

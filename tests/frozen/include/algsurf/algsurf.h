@@ -1,33 +1,3 @@
-/* algsurf/algsurf.h - the whole public interface of libalgsurf.
- *
- * Types of answers.  A single answer, also a member of a struct, is an int that holds a number of the
- * enumeration named beside it.  Arrays of answers have a byte for each, with the same numbers, to save
- * memory:
- *   a state, kind or sign    int              algsurf_hit, algsurf_occluded, algsurf_select, algsurf_bracket
- *   states of many           unsigned char    algsurf_hit_packet, algsurf_occluded_packet, algsurf_picture,
- *                                             algsurf_first_roots_batch
- *   signs of many            signed char      algsurf_hit_packet.side, algsurf_cell.signs
- *   numbers of roots, hits   int              one or many; multiplicities likewise
- * Where a state says whether there is a root or a hit, 0 is no, 1 is yes, 2 is undecided.
- *
- * Binary compatibility.  A program compiled against 1.0 runs with every later 1.x:
- *   functions      stay, with their parameters and what they promise; new ones are marked "Since";
- *   sized structs  those whose first member is their size may grow at the end.  Callers set size to sizeof
- *                  and what they do not use to 0, as {.size = sizeof options, ...} does: 0 is the default, or
- *                  the member's comment says that it is required.  What an older caller's struct lacks counts
- *                  as 0.  A newer caller's larger struct is taken if the bytes that the library does not know
- *                  are 0.  Every other size is E_ARGUMENT.  Of a struct that receives results only the size
- *                  is read;
- *   other structs  never change: algsurf_complex, _interval, _cinterval, _table, _integer; _real_root,
- *                  _bracket, _refined_root, _complex_root, _cpoly_zero; _term, _constant, _parse_error;
- *                  _ray, _extent, _plane, _hit, _sector; _camera, _light.  Enumerations in structs are int;
- *   algsurf_cell   is made by the library only, and may grow at its end;
- *   handles        (a surface, a scene, a solver) are opaque;
- *   numbers        of statuses and enumerators stay, and new ones may come: an unknown negative status is a
- *                  refusal, an unknown positive one means undecided or stopped early.
- * The last digits of approximate values, the width of enclosures, the colours of pixels and what is undecided
- * may change with a version, within what is guaranteed.  The rules that keep this are in lib/algsurf.map.
- */
 #ifndef ALGSURF_ALGSURF_H
 #define ALGSURF_ALGSURF_H
 #include "algsurf/status.h"

@@ -1,193 +1,71 @@
-/* algsurf/allroots.h - all complex roots of a polynomial, enclosed and counted.
- *
- * There are two families.  The robust solver, algsurf_complex_roots and its variants, always returns n roots
- * for degree n: disjoint boxes with multiplicities that add up to n, each proved to hold exactly that many.
- * The algorithms of Sanjuan-Estrada, Casado, Garcia (after Hammer, Hocks, Kulisch, Ratz 1995) are offered
- * beside it, and can fail as published: algsurf_approximation, algsurf_interval_iteration,
- * algsurf_cpoly_zeros.
- *
- * Coefficients are complex numbers, lowest degree first.  With an optional array of radii r >= 0 they stand
- * for all polynomials with complex coefficients c'_k, |c'_k - c_k| <= r_k, and every guarantee holds for each
- * of these.
- */
 #ifndef ALGSURF_ALLROOTS_H
 #define ALGSURF_ALLROOTS_H
 #include <stddef.h>
-
 #include "algsurf/interval.h"
 #include "algsurf/poly.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* A root, simple or multiple, or a cluster of roots that could not be told apart. */
 typedef struct algsurf_complex_root {
-    algsurf_cinterval box; /* encloses; holds exactly `multiplicity` roots: verified */
-    algsurf_complex root;  /* approximate, in the box */
-    int multiplicity;      /* >= 1; 1: a simple root, alone in its box: isolates */
-    int real;              /* 1: proved real, box.im is [0,0]; 0: not real, or not known */
+    algsurf_cinterval box;
+    algsurf_complex root;
+    int multiplicity;
+    int real;
 } algsurf_complex_root;
-
-/* All roots of sum c_k z^k.
- *   c, r    degree+1 coefficients, lowest first; radii or null
- *   roots   room for `degree` entries; at least 1
- *   count   how many were written; their multiplicities add up to the degree of the polynomial, which
- *           is `degree` less the number of leading coefficients that are exactly 0 (roots at infinity)
- * If the lowest coefficients are exactly 0, the root 0 is exact.  Polynomials whose coefficients are all real
- * (and without radii) have their real roots proved real and the others in exactly conjugate boxes.
- * A multiple root of such a polynomial (all imaginary parts and all radii 0), real or one of a conjugate
- * pair, is found by exact integers: it is alone in its box, which is mostly a few units in the last place
- * wide.  Otherwise (complex coefficients, radii, no memory, different roots closer than doubles can separate)
- * a multiple root is a cluster, in a wider box.  Roots 2^2000 times smaller than the largest may share a box
- * about 0.  Entries are in increasing order of root.re, then of root.im.
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius), E_NOT_FINITE,
- * E_ZERO, E_RANGE (a root may lie outside the range of double, or the leading coefficient may be 0 by its
- * radius), E_NO_MEMORY (degrees above ALGSURF_MAX_DEGREE).
- * Cost: O(degree^2) times some 10 iterations; with exact coefficients 0.1 to 3 microseconds (degrees 2 to 16)
- * where roots are simple and apart, 1 to 20 otherwise.
- * Memory: above degree ALGSURF_MAX_DEGREE, 400 bytes for each degree.  For a multiple root of a real
- * polynomial without radii, integers: up to 1 GiB if 16 KiB of the stack do not suffice.  All is freed.
- * Source: Bini 1996 (start values), Ehrlich 1967, Aberth 1973 (iteration), Smith 1970 (inclusion discs),
- * Graillat, Menissier-Morain 2012 (compensated Horner scheme for complex arguments).  64 KiB of stack.
- * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots(const algsurf_complex *c, const double *r, int degree,
                                                  algsurf_complex_root *roots, int *count);
-
-/* The same for real coefficients; radii then stand for real coefficients too, so that roots can be proved
- * real.  64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_of_real(const double *c, const double *r, int degree,
                                                          algsurf_complex_root *roots, int *count);
-
-/* ---- many polynomials at once ---- */
-
-/* Polynomials of one degree with complex or real coefficients. */
 typedef struct algsurf_complex_batch {
-    size_t size;         /* sizeof(algsurf_complex_batch) */
-    size_t count;        /* of polynomials; pointers may be null when it is 0 */
-    int degree;          /* a bound, 1..ALGSURF_MAX_POLY_DEGREE: leading zeros are allowed */
-    algsurf_table re;    /* real parts of the coefficients */
-    algsurf_table im;    /* imaginary parts; at null: the coefficients are real */
-    algsurf_table radii; /* of the coefficients; at null: they are exact */
+    size_t size;
+    size_t count;
+    int degree;
+    algsurf_table re;
+    algsurf_table im;
+    algsurf_table radii;
 } algsurf_complex_batch;
-
-/* All roots of each polynomial of a batch: bit for bit what algsurf_complex_roots_of_real returns for it (no
- * imaginary parts), or algsurf_complex_roots.
- *   options  null: all defaults
- *   roots    count times degree entries; those of polynomial i start at roots[i * degree]
- *   count    for each polynomial the number of its entries; or, if the single call fails, its error, a
- *            negative algsurf_status: its entries mean nothing then
- * roots and count may not overlap the input.
- * Returns the first error in count, or OK; the answers for all other polynomials are valid.
- * Errors: E_ARGUMENT (null, degree outside its range, bad size or kernel, a relative_tolerance): nothing is
- * written; else those of the single call.
- * Guarantee: verified, as algsurf_complex_roots.
- * Cost: polynomials without radii of degree 24 at most are solved side by side, as many as the kernel has
- * lanes.  Those that this does not prove, and all others, are solved one by one.
- * Source: as algsurf_complex_roots; degree 2 with real coefficients in closed form, in doubled precision.
- * 64 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_roots_batch(const algsurf_complex_batch *batch,
                                                        const algsurf_batch_options *options,
                                                        algsurf_complex_root *roots, int *count);
-
-/* ---- the algorithms of Sanjuan-Estrada, Casado, Garcia: approximate, then verify, root by root ---- */
-
-/* Names are the papers': p is the polynomial, z a root, q the deflated polynomial, Z and Q enclosures. */
-
-/* Limits of the three algorithms below. */
 typedef struct algsurf_zero_options {
-    size_t size;          /* sizeof(algsurf_zero_options) */
-    double relative_step; /* the approximation stops when the last steps of z and of q are below this times
-                             their sizes; 0: 1e-10 */
-    int max_steps;        /* of the approximation, 0: 50 */
-    int max_inflations;   /* of the interval iteration, 0: 10 */
+    size_t size;
+    double relative_step;
+    int max_steps;
+    int max_inflations;
 } algsurf_zero_options;
-
-/* Newton's method for a root z together with the deflated polynomial q, p(X) = (X - z) sum q_i X^i.
- *   p       degree+1 coefficients, degree 1..ALGSURF_MAX_POLY_DEGREE, p[degree] not 0
- *   start   first z; the first q is the quotient that Horner's scheme gives.  With a real polynomial and a
- *           real start all values are real.  Degree 1 is solved from any start.
- *   z, q    the approximation; q has degree entries, q[degree-1] = p[degree]
- *   steps   number of steps made; may be null
- * Guarantee: approximate.  Returns OK, or NOT_CONVERGED (outputs hold the last values, always finite) after
- * too many steps, at a vanishing derivative, on overflow, also of z itself.  Errors: E_ARGUMENT,
- * E_NOT_FINITE.  Cost: O(degree) a step.  Source: Hammer, Hocks, Kulisch, Ratz 1995, ch. 9;
- * Sanjuan-Estrada, Casado, Garcia, 2.1, with its listing corrected.  44 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_approximation(const algsurf_complex *p, int degree, algsurf_complex start,
                                                  const algsurf_zero_options *options, algsurf_complex *z,
                                                  algsurf_complex *q, int *steps);
-
-/* Verifies an approximation by interval iteration with epsilon inflation.
- *   p, r      the polynomial and radii of its coefficients, or null
- *   z, q      as algsurf_approximation leaves them; q[degree-1] is taken to be p[degree]
- *   Z, Q      enclose a root and its deflated coefficients (degree entries; Q may be null), for every
- *             polynomial in the set: verified
- *   unique    1: the root in Z is simple and the only one there (0 is not in the enclosure of q(Z)):
- *             verified; 0: not known.  May be null
- *   inflations  number of inflations made; may be null
- * Returns OK, or NOT_VERIFIED (only inflations is written).  Multiple roots are never verified, roots closer
- * together than about 1e-8 times their size seldom.  Errors: E_ARGUMENT, E_NOT_FINITE.  Cost: O(degree) each
- * inflation.  Source: as above, 2.2; the residual is computed in doubled precision (the
- * original uses an exact dot product).  80 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_interval_iteration(const algsurf_complex *p, const double *r, int degree,
                                                       algsurf_complex z, const algsurf_complex *q,
                                                       const algsurf_zero_options *options,
                                                       algsurf_cinterval *Z, algsurf_cinterval *Q, int *unique,
                                                       int *inflations);
-
-/* A root found by algsurf_cpoly_zeros. */
 typedef struct algsurf_cpoly_zero {
-    algsurf_cinterval box; /* encloses a root if verified; otherwise the approximation alone */
-    algsurf_complex root;  /* the approximation, polished on the whole polynomial; in the box */
-    int verified;          /* the interval iteration ended in an inclusion */
-    int unique;            /* verified, and the root is simple and alone in the box */
-    int converged;         /* the approximation met its stopping test, on both polynomials */
-    int steps, inflations; /* numbers: of the approximation, of the interval iteration */
+    algsurf_cinterval box;
+    algsurf_complex root;
+    int verified;
+    int unique;
+    int converged;
+    int steps, inflations;
 } algsurf_cpoly_zero;
-
-/* The paper's algorithm: approximate a root of the deflated polynomial, polish and verify it on the
- * original one, deflate, go on; the last root is that of the linear factor.
- *   start    null: every root is approximated from 0 + i (even and odd real polynomials keep that on the
- *            imaginary axis); or `degree` start values, best by increasing magnitude (dividing by a large
- *            root first costs the small ones their digits)
- *   zeros    `degree` entries, in the order found
- *   complete 1: all are verified and their boxes are disjoint, hence these are all roots: verified.
- *            0: at least one failed, or two approximations went to the same root
- * Returns OK also when some failed.  Errors: E_ARGUMENT, E_NOT_FINITE, E_ZERO (leading coefficient 0).
- * Cost: O(degree^2) times the steps.  Source: as above, AllCPolyZeros.  110 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_cpoly_zeros(const algsurf_complex *p, const double *r, int degree,
                                                const algsurf_complex *start,
                                                const algsurf_zero_options *options, algsurf_cpoly_zero *zeros,
                                                int *complete);
-
-/* ---- the robust solver with its own memory ---- */
-
-/* Work memory for repeated calls of high degree; not to be used by two threads at once. */
 typedef struct algsurf_complex_solver algsurf_complex_solver;
-
-/* What a solve took. */
 typedef struct algsurf_complex_solver_stats {
-    size_t size;    /* sizeof(algsurf_complex_solver_stats), set by the caller */
-    int iterations; /* corrections of single roots by the Ehrlich-Aberth iteration, in all */
-    int retries;    /* roots that were computed again in double-double */
+    size_t size;
+    int iterations;
+    int retries;
 } algsurf_complex_solver_stats;
-
-/* A solver for degrees up to max_degree, 1..ALGSURF_MAX_POLY_DEGREE.  Errors: E_ARGUMENT, E_DEGREE,
- * E_NO_MEMORY.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_solver_create(int max_degree, algsurf_complex_solver **solver);
-/* Releases a solver and its memory; null is allowed.  Since 1.0. */
 ALGSURF_API void algsurf_complex_solver_free(algsurf_complex_solver *solver);
-/* As algsurf_complex_roots.
- *   start  null, or `degree` start values for the iteration, all different: good ones save time, bad ones
- *          cost it; the answer is as certain with either
- *   stats  null, or receives what the solve took
- * Errors: as algsurf_complex_roots; E_DEGREE (above the solver's).  28 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_complex_solver_run(algsurf_complex_solver *solver,
                                                       const algsurf_complex *c, const double *r, int degree,
                                                       const algsurf_complex *start,
                                                       algsurf_complex_root *roots, int *count,
                                                       algsurf_complex_solver_stats *stats);
-
 #ifdef __cplusplus
 }
 #endif

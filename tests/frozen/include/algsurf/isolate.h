@@ -1,141 +1,51 @@
-/* algsurf/isolate.h - real roots of a polynomial in an interval, isolated by Descartes' rule of signs.
- *
- * The number of sign variations of the Bernstein coefficients on [a,b] exceeds the number of roots
- * in the open interval (a,b), counted with multiplicity, by an even number >= 0; for 0 and 1 it is
- * exact.  (The same number as the variations of (1+x)^n p((a+bx)/(1+x)): no Taylor shift is needed.)
- * An interval with more variations is halved, the left half first (Lane, Riesenfeld 1981).  Doubles are tried
- * first; a sign counts only if the value exceeds its error bound.  What they leave undecided is decided by
- * integers, exactly.  The interval asked for contains its ends, and may be infinite.
- *
- * Without radii every root is decided.  There is one entry for each root, in increasing order, with its
- * multiplicity:
- * - exact, lo = hi: the root is this double;
- * - a bracket: lo < root < hi, and `sign` is p's sign just before the root.
- * Most brackets hold no other root, and the signs of p at lo and hi differ.  Other brackets are two
- * neighbouring doubles: those of roots of even multiplicity, and those of roots that no double separates from
- * the next root.  Two roots between the same two doubles have equal brackets.  If a root is a double, the
- * bracket of a root next to it may end there.  The bracket of a root beyond the largest double reaches from
- * this to infinity.
- *
- * Coefficients with radii stand for a set of polynomials, and answers hold for all of them.  Two entries have
- * at most an end in common.  An undecided entry is a place where the radii leave the answer open.  If the
- * zero polynomial is in the set (each |c[k]| <= r[k]) the answer is one undecided entry, the whole interval.
- */
 #ifndef ALGSURF_ISOLATE_H
 #define ALGSURF_ISOLATE_H
 #include <stdint.h>
-
 #include "algsurf/observe.h"
 #include "algsurf/status.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* A real root. */
 typedef struct algsurf_real_root {
-    double root;      /* lo or hi: within one unit in the last place of the exact root; finite */
-    double lo, hi;    /* encloses: lo = hi is the root exactly, or it lies between these neighbouring doubles
-                         (the largest and infinity among them) */
-    int multiplicity; /* >= 1 */
-    int sign;         /* of p just before the root, -1 or +1 */
+    double root;
+    double lo, hi;
+    int multiplicity;
+    int sign;
 } algsurf_real_root;
-
-/* The real roots in [lo,hi], lo <= hi, either may be infinite; in increasing order, each once with its
- * multiplicity, all of them: verified.  Nothing is left to refine.  (For radii, or an observer, call
- * algsurf_isolate_all, and refine its brackets.)
- *   c                 degree+1 coefficients, power basis, lowest first
- *   roots, capacity   room for the answer; the degree, at least 1, always suffices
- *   count             how many were written
- * Errors: E_ARGUMENT (null, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, capacity too small:
- * nothing is written), E_NOT_FINITE (coefficients), E_ZERO (all are zero), E_NO_MEMORY.
- * Cost: for degrees 2 to 10 about a microsecond where doubles decide, as in algsurf_isolate_first, else 2 to
- * 20, in integers of some hundred bits; only larger ones are allocated, 1 GiB at most.
- * Source: Descartes' rule of signs in exact arithmetic (Rouillier, Zimmermann 2004), multiplicities by
- * greatest common divisors (Yun 1976).  56 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots(const double *c, int degree, double lo, double hi,
                                               algsurf_real_root *roots, int capacity, int *count);
-
-/* An integer of any length, not owned.  Its sign is that of its length, as in GMP: an mpz_t z with limbs of
- * 64 bits is {mpz_limbs_read(z), mpz_sgn(z) * (int)mpz_size(z)}. */
 typedef struct algsurf_integer {
-    const uint64_t *limbs; /* the magnitude, least significant limb first; the last ones may be 0 */
-    int length; /* how many, negated for a negative integer; 0: the integer 0, `limbs` may be null */
+    const uint64_t *limbs;
+    int length;
 } algsurf_integer;
-
-/* Largest number of limbs of a coefficient: 2^20 bits, 315,000 decimals. */
 #define ALGSURF_MAX_LIMBS 16384
-
-/* algsurf_real_roots for integer coefficients.  (Rational and decimal ones become integers when all are
- * multiplied by a common denominator.)  Errors: as above, E_ARGUMENT also for more than ALGSURF_MAX_LIMBS
- * limbs or null ones.  Cost: for degrees 2 to 10 one or two microseconds where doubles decide, else 2 to 20,
- * 15 for degree 8 and 1000 bits.  62 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_real_roots_integers(const algsurf_integer *c, int degree, double lo,
                                                        double hi, algsurf_real_root *roots, int capacity,
                                                        int *count);
-
-/* What is known of a place. */
 typedef enum algsurf_bracket_kind {
-    ALGSURF_BRACKET_ISOLATED = 0, /* lo < this root < hi: verified */
-    ALGSURF_BRACKET_EXACT = 1,    /* lo = hi is a root exactly: verified */
-    /* Only with radii: from 0 to `multiplicity` roots in [lo,hi] (the zero polynomial aside).  The number
-     * differs among the polynomials of the set, or is not known; `status` says why. */
+    ALGSURF_BRACKET_ISOLATED = 0,
+    ALGSURF_BRACKET_EXACT = 1,
     ALGSURF_BRACKET_UNDECIDED = 2
 } algsurf_bracket_kind;
-
-/* A root, or a place where roots may be. */
 typedef struct algsurf_bracket {
-    double lo, hi;    /* in the unit of the caller's interval.  If an end of an isolating bracket is infinite,
-                         the other is the largest double; ends of an undecided place may be infinite, too */
-    int kind;         /* an algsurf_bracket_kind */
-    int sign;         /* isolated: of p just before the root, -1 or +1; else 0 */
-    int multiplicity; /* without radii: of the root, verified.  With radii: 1 if isolated; exact or undecided:
-                         an upper bound, >= 1, on the number of roots in it, counted with multiplicity */
-    int status;       /* an algsurf_status: ALGSURF_OK, or why it is undecided */
+    double lo, hi;
+    int kind;
+    int sign;
+    int multiplicity;
+    int status;
 } algsurf_bracket;
-
-/* How roots are isolated. */
 typedef struct algsurf_isolate_options {
-    size_t size;                /* sizeof(algsurf_isolate_options) */
-    algsurf_observer *observer; /* null: nobody watches */
+    size_t size;
+    algsurf_observer *observer;
 } algsurf_isolate_options;
-
-/* The first (smallest) root in [lo,hi], lo <= hi, either may be infinite.
- *   c, r     degree+1 coefficients, power basis, lowest first; radii or null
- *   options  null: all defaults
- *   bracket  where the root is, when *found is 1.  No root lies in [lo, bracket->lo): verified.
- *   found    0: no root in [lo,hi], verified; 1: see bracket
- * Returns OK, or bracket->status (positive) if it is undecided, which happens only with radii.
- * Errors: E_ARGUMENT (null, bad options, degree outside 0..ALGSURF_MAX_POLY_DEGREE, lo > hi, NaN, negative
- * radius), E_NOT_FINITE (coefficients, radii), E_ZERO (all coefficients and radii are zero), E_NO_MEMORY;
- * nothing is written then.
- * Cost: below a microsecond up to degree 10 where doubles decide (the degree is at most 64, roots are not of
- * very different sizes, nor too close to each other), else as algsurf_real_roots; O(degree^2) operations for
- * each interval visited.  Doubles allocate nothing, integers what they need, 1 GiB at most.  40 KiB of stack.
- * Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_first(const double *c, const double *r, int degree, double lo,
                                                  double hi, const algsurf_isolate_options *options,
                                                  algsurf_bracket *bracket, int *found);
-
-/* All roots in [lo,hi], in increasing order, each once; the first entry is that of algsurf_isolate_first.
- *   options              null: all defaults
- *   brackets, capacity   room for the answer; capacity >= degree, at least 1, always suffices
- *   count                how many were written
- * Returns OK: every entry is a root, and there are no others: verified.  Positive, only with radii: the
- * status of the first undecided entry; no root lies outside the entries.
- * If there are more than `degree` such places, several are returned as one undecided entry.
- * Errors: as above; E_ARGUMENT when capacity is too small.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_isolate_all(const double *c, const double *r, int degree, double lo,
                                                double hi, const algsurf_isolate_options *options,
                                                algsurf_bracket *brackets, int capacity, int *count);
-
-/* The number of distinct roots in [lo,hi]: verified when OK, which it is without radii.  With radii the
- * status may be positive, as that of algsurf_isolate_all; roots in undecided entries are not counted then.
- * Errors: as above.  Cost: as above; on the whole line, without radii, a fraction of that if the signs of
- * coefficients, a discriminant or a short Sturm chain give the number.  40 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_count_roots(const double *c, const double *r, int degree, double lo,
                                                double hi, int *count);
-
 #ifdef __cplusplus
 }
 #endif

@@ -1,75 +1,25 @@
-/* algsurf/poly.h - a real polynomial in one variable, with an error radius per coefficient.
- *
- * A polynomial of degree at most n is n+1 doubles, lowest degree first:
- *     p(t) = c[0] + c[1] t + ... + c[n] t^n                               power basis
- *     p(t) = sum b[j] C(n,j) (1-s)^(n-j) s^j,  s = (t-lo)/(hi-lo)         Bernstein basis on [lo,hi]
- * An optional array of radii r >= 0 turns it into a set: that of all polynomials whose i-th coefficient lies
- * in [c[i]-r[i], c[i]+r[i]] for each i.  Every guarantee then holds for each of them.  If the pointer to the
- * radii is null, the coefficients are exact.  Leading zeros are allowed: n bounds the degree.
- */
 #ifndef ALGSURF_POLY_H
 #define ALGSURF_POLY_H
 #include <stddef.h>
-
 #include "algsurf/status.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* The value at a point, computed in double, with a bound on its error.
- *   c, r    degree+1 coefficients (power basis) and radii, or r null
- *   value   p(t), by Horner's rule
- *   bound   encloses: |value - q(t)| <= bound for every q in the set.  May be +inf on overflow.
- * Errors: E_ARGUMENT (null pointer, degree outside 0..ALGSURF_MAX_POLY_DEGREE, negative radius),
- * E_NOT_FINITE.  Cost: O(degree).  Source: running error bound, Higham, Accuracy and Stability of
- * Numerical Algorithms, 2002, 5.1.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_eval(const double *c, const double *r, int degree, double t,
                                              double *value, double *bound);
-
-/* The same with a value computed as if in doubled precision: bound is about one unit in the last place of
- * value, plus sum r_i |t|^i, plus at most about n^2 2^-103 sum |c_i t^i|, n the degree (coefficients and t
- * beyond 2^900 may get the bound of algsurf_poly_eval instead).
- * Cost: O(degree), three to four times that of algsurf_poly_eval.  Source: compensated Horner scheme,
- * Graillat, Langlois, Louvet 2005.  Errors: as above.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_eval_compensated(const double *c, const double *r, int degree,
                                                          double t, double *value, double *bound);
-
-/* Power basis to Bernstein basis on [lo,hi].
- *   b, br   degree+1 Bernstein coefficients and their radii (both required; may not overlap c, r).
- *           Encloses: every member of the input set has its coefficients in b[j] +- br[j].
- * Errors: E_ARGUMENT (also lo >= hi), E_NOT_FINITE (also infinite lo, hi), E_RANGE (overflow).
- * Cost: O(degree^2).  Source: blossoming (Ramshaw 1989), as a Horner scheme in normalised
- * Bernstein form: no binomials, error at most O(degree) u sum |c_i| max(|lo|,|hi|)^i.
- * 10 KiB of stack.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_poly_to_bernstein(const double *c, const double *r, int degree, double lo,
                                                      double hi, double *b, double *br);
-
-/* ---- many polynomials at once ---- */
-
-/* Where the coefficients of many polynomials, or other numbers for each power of each polynomial, are in the
- * caller's memory: that of power k of polynomial i is at[k * power + i * polynomial].  With n = degree + 1,
- * and m polynomials:
- *     a polynomial a row, double c[m][n]          {&c[0][0], 1, n}
- *     a polynomial a column, double c[n][m]       {&c[0][0], m, 1}
- *     algsurf_complex z[m][n], real parts         {&z[0][0].re, 2, 2 * n}
- *                              imaginary parts    {&z[0][0].im, 2, 2 * n}
- * Steps may be negative, or 0: then all have the same number. */
 typedef struct algsurf_table {
-    const double *at;            /* null, where that is allowed: there are none */
-    ptrdiff_t power, polynomial; /* steps from one to the next, in doubles */
+    const double *at;
+    ptrdiff_t power, polynomial;
 } algsurf_table;
-
-/* How the roots of many polynomials are found. */
 typedef struct algsurf_batch_options {
-    size_t size;        /* sizeof(algsurf_batch_options) */
-    const char *kernel; /* the SIMD code, by a name that algsurf_kernel_name (intersect.h) gives; null: the
-                           fastest that runs here.  All of them give the same bits. */
-    double relative_tolerance; /* for algsurf_first_roots_batch: wanted error of a root, relative to the
-                                  length of its interval, 0 <= relative_tolerance < 1; 0: 1e-12 or better.
-                                  The other calls require 0 */
+    size_t size;
+    const char *kernel;
+    double relative_tolerance;
 } algsurf_batch_options;
-
 #ifdef __cplusplus
 }
 #endif

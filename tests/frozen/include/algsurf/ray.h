@@ -1,80 +1,35 @@
-/* algsurf/ray.h - a ray, an extent and planes that bound what is shown, and the part of a ray in them. */
 #ifndef ALGSURF_RAY_H
 #define ALGSURF_RAY_H
 #include <stddef.h>
-
 #include "algsurf/status.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* The points origin + t direction, t_min <= t <= t_max, both ends included.  The direction need not
- * have unit length, t is measured in multiples of it.  t_min may be negative, either may be
- * infinite; t_min > t_max is a ray without points: everything misses it. */
 typedef struct algsurf_ray {
-    double origin[3];    /* finite */
-    double direction[3]; /* finite, not all zero */
-    double t_min, t_max; /* not NaN */
+    double origin[3];
+    double direction[3];
+    double t_min, t_max;
 } algsurf_ray;
-
-/* The shapes of an extent. */
 typedef enum algsurf_extent_kind {
-    ALGSURF_EXTENT_ALL = 0,    /* all of space */
-    ALGSURF_EXTENT_SPHERE = 1, /* |X - centre| <= size[0] */
-    ALGSURF_EXTENT_BOX = 2     /* |X_i - centre_i| <= size[i], i = 0, 1, 2 */
+    ALGSURF_EXTENT_ALL = 0,
+    ALGSURF_EXTENT_SPHERE = 1,
+    ALGSURF_EXTENT_BOX = 2
 } algsurf_extent_kind;
-
-/* The part of space in which a surface is looked at. */
 typedef struct algsurf_extent {
-    int kind;         /* an algsurf_extent_kind; for all of space, centre and size play no part */
-    double centre[3]; /* finite */
-    double size[3];   /* sphere: the radius, in size[0]; box: half edge lengths; > 0, finite */
+    int kind;
+    double centre[3];
+    double size[3];
 } algsurf_extent;
-
-/* How many planes may cut what is shown. */
 #define ALGSURF_MAX_CLIP_PLANES 8
-
-/* A cutting plane: what is shown keeps the closed half space normal . X <= offset, and loses the rest.  The
- * doubles are taken as exact.  At most ALGSURF_MAX_CLIP_PLANES cut an extent (intersect.h, render.h). */
 typedef struct algsurf_plane {
-    double normal[3]; /* of any length; finite, not all zero */
-    double offset;    /* finite */
+    double normal[3];
+    double offset;
 } algsurf_plane;
-
-/* The part of a ray inside an extent: a ray with the same origin and direction, t_min and t_max
- * narrowed.  extent null is all of space.
- *   chord  receives the narrowed ray; may be the same object as ray
- *   meets  1: the chord has points; 0: it has none (chord is then not written)
- * The ends are rounded to nearest after a computation about the ray's point nearest to the centre:
- * a far origin costs no digits.  Guarantee: approximate (within a few units in the last place of the
- * distance from the origin to the far side of the extent, also where the ray only grazes it); t_min
- * and t_max of the ray itself are kept exactly.
- * Errors: E_ARGUMENT (null, zero direction, NaN t, unknown kind, size not positive), E_NOT_FINITE (origin,
- * direction, centre, size).
- * Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_extent_clip(const algsurf_extent *extent, const algsurf_ray *ray,
                                                algsurf_ray *chord, int *meets);
-
-/* The part of a ray that is inside an extent and kept by all planes given, rounded outward.
- *   extent          null: all of space
- *   planes, count   as algsurf_scene_set_clip takes them; null with count 0: no planes
- *   chord, meets    as above
- * Guarantee: encloses: every point of the ray that is in the extent and kept by all planes has its t in
- * [chord->t_min, chord->t_max], all doubles taken as exact; if there is such a point, meets is 1.  So the
- * hits on the ray are those on the chord, with the same extent and planes.  The chord is hardly longer than
- * that part of the ray.  Its points leave a box along axis i by at most
- *     e_i = 2^-42 (|origin_i| + |centre_i| + size_i),
- * a ball by at most the largest e_i, with its radius as each size_i, and a plane (by normal . X - offset) by
- * at most
- *     2^-46 (|offset| + sum_i |normal_i| (|origin_i| + T |direction_i|)),   T the largest |t| in the extent.
- * (These bounds hold where no number is 2^900 times as large as another, nor near the limits of double.)
- * Errors: as above, for planes too: E_ARGUMENT (null, more than ALGSURF_MAX_CLIP_PLANES, normal 0),
- * E_NOT_FINITE.  Cost: constant.  Since 1.0. */
 ALGSURF_API algsurf_status algsurf_region_clip(const algsurf_extent *extent, const algsurf_plane *planes,
                                                size_t count, const algsurf_ray *ray, algsurf_ray *chord,
                                                int *meets);
-
 #ifdef __cplusplus
 }
 #endif

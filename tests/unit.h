@@ -1,0 +1,50 @@
+/* unit.h - cmocka, what it wants included before it, and tests that list themselves:
+ *
+ *     TEST(what_is_tested) { assert_true(...); }
+ *     int main(void) { return unit_run("group"); }
+ *
+ * They run in the order in which they stand.
+ */
+#ifndef UNIT_H
+#define UNIT_H
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* The call says ALGSURF_OK. */
+#define assert_ok(status) assert_int_equal(status, 0)
+
+enum { UNIT_MOST = 64 };
+
+static struct {
+    struct CMUnitTest test[UNIT_MOST];
+    int line[UNIT_MOST], count;
+} unit_list;
+
+static inline void unit_add(const char *name, CMUnitTestFunction test, int line) {
+    int i = unit_list.count++;
+    if (i == UNIT_MOST) abort();
+    for (; i > 0 && unit_list.line[i - 1] > line; i--)
+        unit_list.test[i] = unit_list.test[i - 1], unit_list.line[i] = unit_list.line[i - 1];
+    unit_list.test[i] = (struct CMUnitTest){name, test, NULL, NULL, NULL}, unit_list.line[i] = line;
+}
+
+/* A test; it enters the list before main begins. */
+#define TEST(name)                                                                                           \
+    static void name(void **);                                                                               \
+    __attribute__((constructor)) static void unit_add_##name(void) { unit_add(#name, name, __LINE__); }      \
+    static void name(void **unit_state __attribute__((unused)))
+
+static inline int unit_run(const char *group) {
+    return cmocka_run_group_tests_name(group, unit_list.test, NULL, NULL);
+}
+
+#endif
