@@ -39,7 +39,6 @@ static int all_of(const algsurf_i_rays_job *given, const algsurf_refine_options 
     int n = 0;
     for (int i = 0; (kernel = algsurf_i_kernel_at(i)); i++) {
         memset(other, 0, sizeof other);
-        job.of_one = algsurf_i_rays_kernel_for(kernel)->of_one;
         int count = algsurf_i_ray_kernel_for(kernel)->all(&job, how, most, i == 0 ? hits : other);
         if (i == 0) n = count;
         assert_int_equal(count, n);

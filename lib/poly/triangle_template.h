@@ -2,8 +2,7 @@
  * cut, and the change from powers to Bernstein's basis.
  *
  * A level replaces each number by a sum of it and its neighbour.  Where the compiler knows the degree, the
- * whole triangle is unrolled into registers; else four levels go in one pass over the array, which takes a
- * quarter of the loads and stores.  Both do the same operations on the same numbers. */
+ * whole triangle is unrolled into registers. */
 #ifndef ALGSURF_TRIANGLE_TEMPLATE_H
 #define ALGSURF_TRIANGLE_TEMPLATE_H
 #include "../simd/lanes.h"
@@ -33,56 +32,32 @@ INLINE lanes join(lanes a, lanes b, lanes rest, lanes ratio, int weighted) {
 }
 
 /* Levels 1 .. last of the scheme of degree n on w, of which level i leaves n - i + 1 numbers; the first
- * number of level i goes to left[i], unless left is null.  Four at a time: c is of the fourth level, a, b and
- * `before` of those above it, at the next place. */
-INLINE void casteljau_in_passes(lanes *w, lanes *left, int n, int last, lanes rest, lanes ratio,
-                                int weighted) {
-    int i = 1;
-    for (; i + 3 <= last; i += 4) {
-        const int end = n - i + 1; /* of level i - 1 */
-        lanes a0 = join(w[0], w[1], rest, ratio, weighted), a1 = join(w[1], w[2], rest, ratio, weighted),
-              a = join(w[2], w[3], rest, ratio, weighted), b0 = join(a0, a1, rest, ratio, weighted),
-              b = join(a1, a, rest, ratio, weighted), c = join(b0, b, rest, ratio, weighted), before = w[3];
-        if (left) left[i] = a0, left[i + 1] = b0, left[i + 2] = c;
-        for (int j = 0; j + 4 <= end; j++) {
-            lanes next = w[j + 4], next_a = join(before, next, rest, ratio, weighted),
-                  next_b = join(a, next_a, rest, ratio, weighted),
-                  next_c = join(b, next_b, rest, ratio, weighted);
-            w[j] = join(c, next_c, rest, ratio, weighted);
-            before = next, a = next_a, b = next_b, c = next_c;
-        }
-        w[end] = before, w[end - 1] = a, w[end - 2] = b, w[end - 3] = c;
-        if (left) left[i + 3] = w[0];
-    }
-    for (; i <= last; i++) {
-        for (int j = 0; j <= n - i; j++) w[j] = join(w[j], w[j + 1], rest, ratio, weighted);
-        if (left) left[i] = w[0];
-    }
-}
-
-APART void casteljau_plain(lanes *w, lanes *left, int n, int last, const lanes *ratio) {
-    casteljau_in_passes(w, left, n, last, *ratio, *ratio, 0);
-}
-
-APART void casteljau_weighted(lanes *w, lanes *left, int n, int last, const lanes *rest, const lanes *ratio) {
-    casteljau_in_passes(w, left, n, last, *rest, *ratio, 1);
-}
-
-/* Levels 1 .. last. */
-INLINE void casteljau(lanes *w, lanes *left, int n, int last, lanes rest, lanes ratio, int weighted) {
-    if (!__builtin_constant_p(n)) {
-        if (weighted)
-            casteljau_weighted(w, left, n, last, &rest, &ratio);
-        else
-            casteljau_plain(w, left, n, last, &ratio);
-        return;
-    }
+ * number of level i goes to left[i], unless left is null. */
+INLINE void casteljau_levels(lanes *w, lanes *left, int n, int last, lanes rest, lanes ratio, int weighted) {
     UNROLLED
     for (int i = 1; i <= last; i++) {
         UNROLLED
         for (int j = 0; j <= n - i; j++) w[j] = join(w[j], w[j + 1], rest, ratio, weighted);
         if (left) left[i] = w[0];
     }
+}
+
+APART void casteljau_plain(lanes *w, lanes *left, int n, int last, const lanes *ratio) {
+    casteljau_levels(w, left, n, last, *ratio, *ratio, 0);
+}
+
+APART void casteljau_weighted(lanes *w, lanes *left, int n, int last, const lanes *rest, const lanes *ratio) {
+    casteljau_levels(w, left, n, last, *rest, *ratio, 1);
+}
+
+/* The same, in a function of its own where the degree is not known to the compiler. */
+INLINE void casteljau(lanes *w, lanes *left, int n, int last, lanes rest, lanes ratio, int weighted) {
+    if (__builtin_constant_p(n))
+        casteljau_levels(w, left, n, last, rest, ratio, weighted);
+    else if (weighted)
+        casteljau_weighted(w, left, n, last, &rest, &ratio);
+    else
+        casteljau_plain(w, left, n, last, &ratio);
 }
 
 /* w becomes the part behind, left the part before, of a polynomial cut between lengths `before` and `behind`,

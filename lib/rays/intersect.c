@@ -108,7 +108,6 @@ static int hits_in_lane(const algsurf_i_query *q, const algsurf_ray *ray, int mo
     for (int i = 0; i < 3; i++) job.origin[i] = x + i, job.direction[i] = d + i;
     job.t_min = &ray->t_min;
     job.t_max = &ray->t_max;
-    job.of_one = algsurf_i_rays_kernel_for(q->kernel)->of_one;
     const algsurf_refine_options how = {sizeof how, o->method, o->max_iterations, o->absolute_tolerance,
                                         NULL};
     int count = algsurf_i_ray_kernel_for(q->kernel)->all(&job, q->has_method ? &how : NULL, most, hits);

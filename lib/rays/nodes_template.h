@@ -1,4 +1,4 @@
-/* nodes_template.h - P along LANES chords, or along one, from its values at the surface's nodes v_i: a matrix
+/* nodes_template.h - P along LANES chords, from its values at the surface's nodes v_i: a matrix
  * makes Bernstein coefficients of them (surface/nodes.c), which share one error radius.
  *
  * Error.  Take all magnitudes at reach = |M| + |h d| and let S be P's scheme on them.  M, h d, v_i h d and
@@ -72,43 +72,6 @@ INLINE void coefficients_from_nodes(const algsurf_surface *s, const lanes middle
         for (int m = 1; m <= n; m++) sum += w[m * ALGSURF_NODE_STRIDE] * p[m];
         b[j] = sum;
     }
-}
-
-#define VECTORS ((ALGSURF_NODE_STRIDE + LANES - 1) / LANES)
-
-/* The same for one chord, nodes and then coefficients side by side. */
-INLINE void coefficients_of_one_n(const algsurf_surface *s, const double middle[3], const double half[3],
-                                  double *b, int vectors) {
-    lanes x[3][VECTORS], p[VECTORS], sum[VECTORS];
-    double value[VECTORS * LANES];
-    int n = s->node_degree;
-    if (n >= vectors * LANES) __builtin_unreachable();
-    for (int i = 0; i < 3; i++)
-        for (int v = 0; v < vectors; v++) {
-            x[i][v] = middle[i] + load(s->nodes + v * LANES) * half[i];
-            if (s->stride[i] == 2) x[i][v] *= x[i][v];
-        }
-    surface_values(s, vectors, (const lanes *const[]){x[0], x[1], x[2]}, p);
-    for (int v = 0; v < vectors; v++) {
-        store(value + v * LANES, p[v]);
-        sum[v] = load(s->to_bernstein + v * LANES) * value[0];
-    }
-    for (int m = 1; m <= n; m++)
-        for (int v = 0; v < vectors; v++)
-            sum[v] += load(s->to_bernstein + m * ALGSURF_NODE_STRIDE + v * LANES) * value[m];
-    for (int v = 0; v < vectors; v++) store(b + v * LANES, sum[v]);
-}
-
-/* b has room for ALGSURF_NODE_STRIDE. */
-APART void coefficients_of_one(const algsurf_surface *s, const double middle[3], const double half[3],
-                               double *b) {
-    int vectors = s->node_degree / LANES + 1;
-    if (vectors == 1)
-        coefficients_of_one_n(s, middle, half, b, 1);
-    else if (vectors == 2)
-        coefficients_of_one_n(s, middle, half, b, 2);
-    else
-        coefficients_of_one_n(s, middle, half, b, VECTORS < 4 ? VECTORS : 4);
 }
 
 #endif

@@ -92,7 +92,6 @@ static void solve_together(const algsurf_i_query *q, const algsurf_ray_packet *r
     job.t_max = rays->t_max;
     job.active = rays->active;
     job.any = any;
-    job.of_one = alone ? code->of_one : NULL;
     if (alone)
         algsurf_i_ray_kernel_for(q->kernel)->first(&job, 1, hits);
     else

@@ -30,13 +30,6 @@
 #define MOST_BLUR 0x1p-16  /* above, the bound on p' holds no more */
 #define ROOT_ERROR 0x1p-44 /* in chords: the step on P itself is to be the last one */
 
-INLINE void set_coefficients_of_one(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
-    double middle[3], half[3], b[ALGSURF_NODE_STRIDE];
-    for (int i = 0; i < 3; i++) middle[i] = line->middle[i][0], half[i] = line->half[i][0];
-    job->of_one(job->surface, middle, half, b);
-    for (int j = 0; j <= n; j++) k->b[j] = all_lanes(b[j]);
-}
-
 #define NODE_DEGREES(statement)                                                                              \
     DEGREES_2_TO_4(statement)                                                                                \
     FOR_ONE_DEGREE(6, statement) FOR_ONE_DEGREE(8, statement) FOR_ONE_DEGREE(10, statement)
@@ -51,10 +44,7 @@ APART void coefficients_of_many(const algsurf_surface *s, const chord_line *line
 INLINE void set_coefficients(const algsurf_i_rays_job *job, const chord_line *line, packet *k, int n) {
     const algsurf_surface *s = job->surface;
     lanes x[3];
-    if (LANES == 2 && job->of_one)
-        set_coefficients_of_one(job, line, k, n);
-    else
-        coefficients_of_many(s, line, k->b, n);
+    coefficients_of_many(s, line, k->b, n);
     for (int i = 0; i < 3; i++) {
         lanes reach = absolute(line->middle[i]) + absolute(line->half[i]);
         x[i] = s->stride[i] == 2 ? reach * reach : reach;

@@ -22,9 +22,6 @@ typedef struct algsurf_i_rays_job {
     const unsigned char *active; /* null: all */
     int any;                     /* 1: whether there is a root, not where: only states are written */
     algsurf_observer *observer;  /* of a single ray, or null */
-    /* Not null: there is one ray, and its Bernstein coefficients come from here (of a surface with nodes, for
-     * the chord middle + v half). */
-    void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
 } algsurf_i_rays_job;
 
 /* Packets of eight have surfaces up to this degree: with all degrees they would need 90 KiB of stack, more
@@ -42,9 +39,6 @@ typedef struct algsurf_i_rays_kernel {
     /* Answers the active rays among the first `count`.  Of an undecided ray only the state means something.
      */
     void (*solve)(const algsurf_i_rays_job *job, size_t count, const algsurf_i_rays_hits *hits);
-    /* For the job of a single ray, which is solved by the baseline's code: nodes side by side instead of
-     * rays. The same bits.  Null: nothing would be gained. */
-    void (*of_one)(const algsurf_surface *surface, const double middle[3], const double half[3], double *b);
 } algsurf_i_rays_kernel;
 
 ALGSURF_KERNEL_TABLES(rays);

@@ -7,7 +7,6 @@
 #endif
 #include "packet_template.h"
 
-const algsurf_i_rays_kernel KERNEL(algsurf_i_rays) = {.solve = solve_rays,
-                                                      .of_one = LANES > 2 ? coefficients_of_one : NULL};
+const algsurf_i_rays_kernel KERNEL(algsurf_i_rays) = {.solve = solve_rays};
 
 #endif
